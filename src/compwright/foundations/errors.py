@@ -1,0 +1,89 @@
+"""Errors by cause. Each carries every fault at once, one line per fault, and the exit code of its cause.
+
+A fault names what is wrong, in which file, at which place (line, column or key path), what was expected and
+what was found. Nothing here prints; the command line turns an error into lines on standard error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fault:
+    """One thing that is wrong. ``place`` is a line, a column or a key path; empty parts are left out."""
+
+    message: str
+    file: str = ""
+    place: str = ""
+    expected: str = ""
+    found: str = ""
+
+    def __str__(self) -> str:
+        """Return the fault as one line: ``file: place: message; expected ..., found ...``."""
+        head = ": ".join(part for part in (self.file, self.place) if part)
+        tail = ", ".join(
+            part
+            for part in (
+                f"expected {self.expected}" if self.expected else "",
+                f"found {self.found}" if self.found else "",
+            )
+            if part
+        )
+        line = f"{head}: {self.message}" if head else self.message
+        line = f"{line}; {tail}" if tail else line
+        return " ".join(line.split())
+
+    def in_file(self, file: str) -> Fault:
+        """Return the same fault with its file named, unless it names one already."""
+        return self if self.file else replace(self, file=file)
+
+
+class CompwrightError(Exception):
+    """Base of all errors that compwright raises on purpose; its message is one line per fault."""
+
+    exit_code: ClassVar[int] = 70
+
+    def __init__(self, *faults: Fault | str) -> None:
+        self.faults: tuple[Fault, ...] = tuple(fault if isinstance(fault, Fault) else Fault(message=fault) for fault in faults)
+        super().__init__("\n".join(str(fault) for fault in self.faults))
+
+
+class UsageError(CompwrightError):
+    """A wrong option, or a wrong or incomplete job (exit 2)."""
+
+    exit_code = 2
+
+
+class InputError(CompwrightError):
+    """Input that cannot be read or that contradicts itself (exit 3)."""
+
+    exit_code = 3
+
+
+class CapacityError(CompwrightError):
+    """The control cannot hold what is asked, or no certified solution was found (exit 4).
+
+    The fault says which limit is broken, by how much, and what would help.
+    """
+
+    exit_code = 4
+
+
+class StorageError(CompwrightError):
+    """A file cannot be written: it exists, no permission, the disk is full (exit 5)."""
+
+    exit_code = 5
+
+
+def raise_all(kind: type[CompwrightError], faults: Sequence[Fault]) -> None:
+    """Raise ``kind`` with all ``faults``; do nothing when there are none."""
+    if faults:
+        raise kind(*faults)
+
+
+def collect(errors: Iterable[CompwrightError]) -> tuple[Fault, ...]:
+    """Return the faults of several errors in their order."""
+    return tuple(fault for error in errors for fault in error.faults)

@@ -1,0 +1,19 @@
+"""Where numbers come from: source files with their hash."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A file that was read: its name as the user gave it, and the SHA-256 of its bytes."""
+
+    file: str
+    sha256: str
+
+
+def source_of(file: str, content: bytes) -> Source:
+    """Return the provenance record of ``content``."""
+    return Source(file=file, sha256=hashlib.sha256(content).hexdigest())

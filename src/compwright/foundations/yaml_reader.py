@@ -1,0 +1,148 @@
+"""YAML as people mean it: no duplicate keys, no octal or base-60 numbers, no yes/no; every key knows its line.
+
+YAML 1.1 reads ``010`` as 8, ``1:30`` as 90 and ``no`` as false. Here they stay text, and the schema that expects a number
+says so with the line. Only plain data comes out: dict, list, str, int, float, bool, None.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Any
+
+import yaml
+
+from compwright.foundations.errors import Fault, InputError
+
+KeyPath = tuple[str | int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class YamlDocument:
+    """Plain data and, for each key path such as ``("axes", "X", "travel")``, the line (from 1) on which its key stands."""
+
+    data: Any
+    lines: dict[KeyPath, int] = field(default_factory=dict)
+
+    def place(self, path: KeyPath) -> str:
+        """Return ``line N: a.b[2]`` for a key path, with the line of its nearest known ancestor."""
+        probe = path
+        while probe and probe not in self.lines:
+            probe = probe[:-1]
+        line = self.lines.get(probe)
+        name = key_path_text(path)
+        return ", ".join(part for part in (f"line {line}" if line else "", name) if part)
+
+
+def key_path_text(path: KeyPath) -> str:
+    """Return a key path as ``axes.X.before[0]``."""
+    text = ""
+    for part in path:
+        text += f"[{part}]" if isinstance(part, int) else (f".{part}" if text else part)
+    return text
+
+
+class _Loader(yaml.SafeLoader):
+    """A safe loader with the narrow scalar rules above."""
+
+
+_Loader.yaml_implicit_resolvers = {}
+_SCALARS = (
+    ("tag:yaml.org,2002:null", r"^(?:~|null|)$", ["~", "n", ""]),
+    ("tag:yaml.org,2002:bool", r"^(?:true|false)$", list("tf")),
+    ("tag:yaml.org,2002:int", r"^[-+]?(?:0|[1-9][0-9]*)$", list("-+0123456789")),
+    (
+        "tag:yaml.org,2002:float",
+        r"^[-+]?(?:(?:0|[1-9][0-9]*)\.[0-9]*|\.[0-9]+|(?:0|[1-9][0-9]*)(?=[eE]))(?:[eE][-+]?[0-9]+)?$",
+        list("-+.0123456789"),
+    ),
+)
+for _tag, _pattern, _first in _SCALARS:
+    _Loader.add_implicit_resolver(_tag, re.compile(_pattern), _first)  # type: ignore[no-untyped-call]  # not annotated in PyYAML
+
+
+class _Reader:
+    def __init__(self, file: str) -> None:
+        self.file = file
+        self.lines: dict[KeyPath, int] = {}
+        self.faults: list[Fault] = []
+        self.loader = _Loader("")
+
+    def value(self, node: yaml.Node, path: KeyPath) -> Any:
+        if isinstance(node, yaml.MappingNode):
+            return self.mapping(node, path)
+        if isinstance(node, yaml.SequenceNode):
+            items = []
+            for index, child in enumerate(node.value):
+                self.lines[(*path, index)] = child.start_mark.line + 1
+                items.append(self.value(child, (*path, index)))
+            return items
+        try:
+            return self.loader.construct_object(node, deep=True)  # type: ignore[no-untyped-call]  # not annotated in PyYAML
+        except (yaml.YAMLError, ValueError, OverflowError) as error:
+            self.fault(node, path, "cannot be read as a value", found=str(error).split("\n", 1)[0])
+            return None
+
+    def mapping(self, node: yaml.MappingNode, path: KeyPath) -> dict[str, Any]:
+        result: dict[str, Any] = {}
+        for key_node, child in node.value:
+            if not isinstance(key_node, yaml.ScalarNode):
+                self.fault(key_node, path, "a key must be a single word")
+                continue
+            key = str(key_node.value)  # keys stay text: axis "1", address "0"
+            here = (*path, key)
+            if key in result:
+                self.fault(key_node, here, f"key given twice (first on line {self.lines[here]})")
+                continue
+            self.lines[here] = key_node.start_mark.line + 1
+            result[key] = self.value(child, here)
+        return result
+
+    def fault(self, node: yaml.Node, path: KeyPath, message: str, found: str = "") -> None:
+        place = f"line {node.start_mark.line + 1}"
+        name = key_path_text(path)
+        self.faults.append(Fault(message=message, file=self.file, place=f"{place}, {name}" if name else place, found=found))
+
+
+def read_yaml(content: bytes, file: str) -> YamlDocument:
+    """Read one YAML document from UTF-8 bytes (with or without BOM).
+
+    Anchors, aliases and several documents are refused (a small file must not grow when read). Raises InputError with every
+    fault: not UTF-8, not YAML (with line and column), a duplicate key.
+    """
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise InputError(
+            Fault(message="is not UTF-8 text", file=file, place=f"byte {error.start + 1}", expected="a YAML text file")
+        ) from error
+    try:
+        for event in yaml.parse(text, Loader=yaml.SafeLoader):
+            if isinstance(event, yaml.AliasEvent):
+                raise InputError(
+                    Fault(
+                        message="aliases (*name) are not accepted",
+                        file=file,
+                        place=f"line {event.start_mark.line + 1}",
+                        expected="the value written out",
+                    )
+                )
+        node = yaml.compose(text, Loader=_Loader)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark
+        place = f"line {mark.line + 1}, column {mark.column + 1}" if mark else ""
+        raise InputError(Fault(message=f"is not valid YAML ({error.problem})", file=file, place=place)) from error
+    except yaml.YAMLError as error:
+        raise InputError(Fault(message=f"is not valid YAML ({str(error).splitlines()[0]})", file=file)) from error
+    except RecursionError as error:
+        raise InputError(Fault(message="is nested too deeply", file=file)) from error
+    if node is None:
+        raise InputError(Fault(message="is empty", file=file, expected="a YAML document"))
+    reader = _Reader(file)
+    try:
+        data = reader.value(node, ())
+    except RecursionError as error:
+        raise InputError(Fault(message="is nested too deeply", file=file)) from error
+    if reader.faults:
+        raise InputError(*reader.faults)
+    return YamlDocument(data=data, lines=reader.lines)

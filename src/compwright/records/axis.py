@@ -1,0 +1,83 @@
+"""An axis of the machine, as the job and the control name it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from compwright.foundations.units import PositionUnit
+
+FloatArray = NDArray[np.float64]
+
+
+class Direction(StrEnum):
+    """Approach direction: the sign of the machine motion that arrives at the position."""
+
+    POSITIVE = "+"
+    NEGATIVE = "-"
+
+    @property
+    def sign(self) -> int:
+        """+1 or -1."""
+        return 1 if self is Direction.POSITIVE else -1
+
+    @property
+    def opposite(self) -> Direction:
+        """The other direction."""
+        return Direction.NEGATIVE if self is Direction.POSITIVE else Direction.POSITIVE
+
+
+class AxisKind(StrEnum):
+    """Linear (mm) or rotary (deg)."""
+
+    LINEAR = "linear"
+    ROTARY = "rotary"
+
+    @property
+    def unit(self) -> PositionUnit:
+        """Unit of positions and deviations inside: mm or deg."""
+        return "mm" if self is AxisKind.LINEAR else "deg"
+
+
+@dataclass(frozen=True, slots=True)
+class PositionMap:
+    """machine = sense * instrument + offset. ``sense`` -1 also swaps the directions and the sign of deviations."""
+
+    sense: Literal[1, -1] = 1
+    offset: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Encoder:
+    """The measuring system: ``system`` 1 or 2 (2 is index 1 in SINUMERIK files)."""
+
+    type: Literal["incremental", "absolute", "distance_coded"] = "incremental"
+    system: int = 1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Axis:
+    """One axis. ``travel``, ``reference`` and ``screw_pitch`` in mm or deg, machine coordinates.
+
+    ``address`` is the control's own name of the axis as text (``"1"``, ``"AX1"``, ``"X"``, ``"0"``). The correction is zero at
+    ``reference`` approached in ``reference_return``. ``screw_pitch`` holds the known periods, empty when unknown.
+    """
+
+    name: str
+    kind: AxisKind
+    travel: tuple[float, float]
+    address: str
+    modulo: float | None = None
+    axis_number: int | None = None
+    gantry: str | None = None
+    reference: float = 0.0
+    reference_return: Direction = Direction.POSITIVE
+    encoder: Encoder = Encoder()
+    programmed: Literal["radius", "diameter"] = "radius"
+    screw_pitch: tuple[float, ...] = ()
+    options: Mapping[str, object] = field(default_factory=dict)

@@ -1,0 +1,55 @@
+"""The error of an axis as estimated from a test, and what is wanted of the control."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from compwright.foundations.findings import Finding
+from compwright.records.axis import AxisKind, Direction, FloatArray
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ErrorEstimate:
+    """Deviation over the travel with its uncertainty, mm or deg, in the state in which it was measured.
+
+    ``positions`` (g,) strictly ascending over the whole travel; ``mean_*`` and ``std_*`` (g,) for approaches in + and -.
+    Measured in one direction only: both directions hold that one's curve and a finding says so. ``noise`` is the standard
+    deviation of a single reading (0 is never claimed) with ``noise_dof`` degrees of freedom. ``measured`` is the range of the targets.
+    """
+
+    kind: AxisKind
+    positions: FloatArray
+    mean_positive: FloatArray
+    mean_negative: FloatArray
+    std_positive: FloatArray
+    std_negative: FloatArray
+    noise: float
+    noise_dof: float
+    measured: tuple[float, float]
+    findings: tuple[Finding, ...] = ()
+
+    def mean(self, direction: Direction) -> FloatArray:
+        """Return the estimated deviation (g,) of one approach direction."""
+        return self.mean_positive if direction is Direction.POSITIVE else self.mean_negative
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WantedCorrection:
+    """The total correction that would remove the estimated error, before rounding and limits, mm or deg.
+
+    ``positions`` (g,) strictly ascending over the travel; ``positive``, ``negative`` (g,): totals (what the control held plus what is
+    to be added), zero at ``reference`` approached in ``reference_return``. ``noise`` (mm or deg) is the accuracy to which a
+    grid is worth refining.
+    """
+
+    kind: AxisKind
+    positions: FloatArray
+    positive: FloatArray
+    negative: FloatArray
+    reference: float
+    reference_return: Direction
+    noise: float
+
+    def total(self, direction: Direction) -> FloatArray:
+        """Return the wanted total (g,) of one approach direction."""
+        return self.positive if direction is Direction.POSITIVE else self.negative

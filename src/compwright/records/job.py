@@ -1,0 +1,94 @@
+"""A job: what the engineer asked for. Paths are text as written; ``workflow`` resolves them against the job's folder."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Axis, PositionMap
+from compwright.records.fitted import TableRequest
+
+#: The value of a state that says "nothing is active in the control".
+NONE_STATE: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TestRequest:
+    """One test of an axis: its files, its name, the state it was measured in, and how its positions map to the machine's."""
+
+    files: tuple[str, ...]
+    name: str
+    measured_in: str = "as_found"
+    position_map: PositionMap = PositionMap()
+
+    __test__ = False  # not a test class, whatever the name suggests to a collector
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Acceptance:
+    """Limits by parameter name in µm or arcsec, for the test ``test`` (None: the first)."""
+
+    limits: Mapping[str, float]
+    test: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class UncertaintyBudget:
+    """Contributors of ISO 230-2:2006 annex A as expanded uncertainties (k = 2): µm, µm/m, K, µm/(m K); misalignment in mm."""
+
+    device: float = 0.0
+    device_per_m: float = 0.0
+    misalignment_mm: float = 0.0
+    U_theta: float = 0.0
+    U_alpha: float = 0.0
+    setup: float = 0.0
+    E_VE: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Thermal:
+    """Nominal differential expansion: coefficients in µm/(m K), temperatures in °C, ``x_fix`` in mm (machine coordinates)."""
+
+    alpha_m: float
+    T_m: float
+    alpha_d: float = 0.0
+    T_d: float = 20.0
+    x_fix: float = 0.0
+    refer_to: Literal["scale", "workpiece"] = "scale"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AxisJob:
+    """What is asked for one axis."""
+
+    axis: Axis
+    before: tuple[TestRequest, ...]
+    table: TableRequest = TableRequest()
+    accept: Acceptance | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Job:
+    """The whole job. ``states`` maps a name to the files of that state, `NONE_STATE` for ``none``; empty: not said.
+
+    ``options`` are the controller's; an axis' own stand in ``axis.options`` and go over them. ``pending`` holds top-level keys that
+    are read but whose work is not built yet; ``findings`` says so to the user.
+    """
+
+    file: str
+    format: str
+    axes: Mapping[str, AxisJob]
+    options: Mapping[str, object] = field(default_factory=dict)
+    states: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    machine: Mapping[str, str] = field(default_factory=dict)
+    fixed_positions: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    uncertainty: UncertaintyBudget | None = None
+    thermal: Thermal | None = None
+    decision_rule: Literal["simple", "guarded"] = "simple"
+    proven: tuple[Mapping[str, str], ...] = ()
+    standard: str = "iso230-2:2014"
+    language: Literal["en", "de", "fr", "ru"] = "en"
+    pending: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()

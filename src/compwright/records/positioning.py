@@ -1,0 +1,119 @@
+"""A positioning test: repeated approaches to target positions of one axis (ISO 230-2 clause 4)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+import numpy as np
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.findings import Finding
+from compwright.foundations.provenance import Source
+from compwright.records.axis import AxisKind, Direction, FloatArray, PositionMap
+
+Cycle = Literal["standard", "step"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PositioningTest:
+    """Deviations (measured minus target) of one axis, mm or deg by ``kind``.
+
+    ``targets`` (m,) strictly ascending. ``positive`` (m, n+) and ``negative`` (m, n-) hold one column per traverse in the
+    order of the run numbers; a reading that was not made is NaN (a traverse or a direction may be missing altogether:
+    a width of 0). ``frame`` says whether positions and signs are the instrument's or already the machine's.
+    ``header`` keeps what the file said about the test, as text.
+    """
+
+    name: str
+    axis: str
+    kind: AxisKind
+    targets: FloatArray
+    positive: FloatArray
+    negative: FloatArray
+    runs_positive: tuple[int, ...] = ()
+    runs_negative: tuple[int, ...] = ()
+    cycle: Cycle = "standard"
+    frame: Literal["instrument", "machine"] = "instrument"
+    sources: tuple[Source, ...] = ()
+    header: Mapping[str, str] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
+
+    def deviations(self, direction: Direction) -> FloatArray:
+        """Return the deviations (m, n) of one approach direction."""
+        return self.positive if direction is Direction.POSITIVE else self.negative
+
+    def readings(self, direction: Direction) -> FloatArray:
+        """Return the number of readings (m,) at each target in one direction."""
+        return np.sum(np.isfinite(self.deviations(direction)), axis=1).astype(np.float64)
+
+    @property
+    def bidirectional(self) -> bool:
+        """Whether both approach directions were measured."""
+        return bool(np.any(np.isfinite(self.positive)) and np.any(np.isfinite(self.negative)))
+
+
+def to_machine(test: PositioningTest, position_map: PositionMap) -> PositioningTest:
+    """Return ``test`` in machine coordinates: machine = sense * instrument + offset.
+
+    With sense -1 the instrument counts against the machine: positions and deviations change sign and the two approach
+    directions are exchanged.
+    """
+    if test.frame == "machine":
+        return test
+    targets = position_map.sense * test.targets + position_map.offset
+    if position_map.sense == 1:
+        return replace(test, targets=targets, frame="machine")
+    return replace(
+        test,
+        targets=targets[::-1].copy(),
+        positive=-test.negative[::-1],
+        negative=-test.positive[::-1],
+        runs_positive=test.runs_negative,
+        runs_negative=test.runs_positive,
+        frame="machine",
+    )
+
+
+def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
+    """Return one test from several files of the same axis: their targets united, their traverses side by side.
+
+    Raises InputError when axes, kinds, cycles or frames differ.
+    """
+    first = tests[0]
+    if len(tests) == 1:
+        return replace(first, name=name)
+    faults = [
+        Fault(message=f"{what} differs within one test", file=other.name, expected=str(mine), found=str(theirs))
+        for other in tests[1:]
+        for what, mine, theirs in (
+            ("axis", first.axis, other.axis),
+            ("kind of axis", first.kind, other.kind),
+            ("cycle", first.cycle, other.cycle),
+        )
+        if mine != theirs and mine and theirs
+    ]
+    if faults:
+        raise InputError(*faults)
+    targets = np.unique(np.concatenate([test.targets for test in tests]))
+    return replace(
+        first,
+        name=name,
+        targets=targets,
+        positive=_side_by_side(targets, tests, Direction.POSITIVE),
+        negative=_side_by_side(targets, tests, Direction.NEGATIVE),
+        runs_positive=tuple(range(1, 1 + sum(test.positive.shape[1] for test in tests))),
+        runs_negative=tuple(range(1, 1 + sum(test.negative.shape[1] for test in tests))),
+        sources=tuple(source for test in tests for source in test.sources),
+        findings=tuple(finding for test in tests for finding in test.findings),
+    )
+
+
+def _side_by_side(targets: FloatArray, tests: Sequence[PositioningTest], direction: Direction) -> FloatArray:
+    columns = []
+    for test in tests:
+        block = np.full((targets.size, test.deviations(direction).shape[1]), np.nan)
+        block[np.searchsorted(targets, test.targets)] = test.deviations(direction)
+        columns.append(block)
+    return np.hstack(columns)
