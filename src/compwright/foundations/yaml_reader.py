@@ -58,7 +58,7 @@ _SCALARS = (
     ),
 )
 for _tag, _pattern, _first in _SCALARS:
-    _Loader.add_implicit_resolver(_tag, re.compile(_pattern), _first)  # type: ignore[no-untyped-call]  # not annotated in PyYAML
+    _Loader.add_implicit_resolver(_tag, re.compile(_pattern), _first)
 
 
 class _Reader:
@@ -78,7 +78,7 @@ class _Reader:
                 items.append(self.value(child, (*path, index)))
             return items
         try:
-            return self.loader.construct_object(node, deep=True)  # type: ignore[no-untyped-call]  # not annotated in PyYAML
+            return self.loader.construct_object(node, deep=True)
         except (yaml.YAMLError, ValueError, OverflowError) as error:
             self.fault(node, path, "cannot be read as a value", found=str(error).split("\n", 1)[0])
             return None
@@ -123,7 +123,7 @@ def read_yaml(content: bytes, file: str) -> YamlDocument:
                     Fault(
                         message="aliases (*name) are not accepted",
                         file=file,
-                        place=f"line {event.start_mark.line + 1}",
+                        place=f"line {event.start_mark.line + 1}" if event.start_mark else "",
                         expected="the value written out",
                     )
                 )

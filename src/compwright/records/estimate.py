@@ -14,7 +14,8 @@ class ErrorEstimate:
 
     ``positions`` (g,) strictly ascending over the whole travel; ``mean_*`` and ``std_*`` (g,) for approaches in + and -.
     Measured in one direction only: both directions hold that one's curve and a finding says so. ``noise`` is the standard
-    deviation of a single reading (0 is never claimed) with ``noise_dof`` degrees of freedom. ``measured`` is the range of the targets.
+    deviation of a single reading (0 is never claimed) with ``noise_dof`` degrees of freedom. ``measured`` is the range of the
+    targets.
     """
 
     kind: AxisKind
@@ -37,8 +38,8 @@ class ErrorEstimate:
 class WantedCorrection:
     """The total correction that would remove the estimated error, before rounding and limits, mm or deg.
 
-    ``positions`` (g,) strictly ascending over the travel; ``positive``, ``negative`` (g,): totals (what the control held plus what is
-    to be added), zero at ``reference`` approached in ``reference_return``. ``noise`` (mm or deg) is the accuracy to which a
+    ``positions`` (g,) strictly ascending over the travel; ``positive``, ``negative`` (g,): totals (what the control held plus what
+    is to be added), zero at ``reference`` approached in ``reference_return``. ``noise`` (mm or deg) is the accuracy to which a
     grid is worth refining.
     """
 

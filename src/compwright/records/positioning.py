@@ -46,7 +46,8 @@ class PositioningTest:
 
     def readings(self, direction: Direction) -> FloatArray:
         """Return the number of readings (m,) at each target in one direction."""
-        return np.sum(np.isfinite(self.deviations(direction)), axis=1).astype(np.float64)
+        counted: FloatArray = np.isfinite(self.deviations(direction)).sum(axis=1).astype(np.float64)
+        return counted
 
     @property
     def bidirectional(self) -> bool:
