@@ -40,7 +40,8 @@ class WantedCorrection:
 
     ``positions`` (g,) strictly ascending over the travel; ``positive``, ``negative`` (g,): totals (what the control held plus what
     is to be added), zero at ``reference`` approached in ``reference_return``. ``noise`` (mm or deg) is the accuracy to which a
-    grid is worth refining.
+    grid is worth refining. ``reversal_log_odds``: natural logarithm of the evidence for a reversal that varies with position over
+    one that does not. ``periods``: known periods (mm or deg) that the estimate contains.
     """
 
     kind: AxisKind
@@ -50,6 +51,8 @@ class WantedCorrection:
     reference: float
     reference_return: Direction
     noise: float
+    reversal_log_odds: float = 0.0
+    periods: tuple[float, ...] = ()
 
     def total(self, direction: Direction) -> FloatArray:
         """Return the wanted total (g,) of one approach direction."""
