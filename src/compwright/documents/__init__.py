@@ -1,0 +1,1 @@
+"""JSON in and out: the one place where units change for the outside."""

@@ -1,0 +1,233 @@
+"""``plan.json`` (``compwright/plan/1``): mm or deg, totals before rounding, the control's own files byte by byte."""
+
+from __future__ import annotations
+
+import base64
+import binascii
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import asdict
+from typing import Any, TypeVar
+
+import numpy as np
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.findings import Finding
+from compwright.foundations.provenance import Source
+from compwright.records.axis import Axis, AxisKind, Direction, Encoder, FloatArray
+from compwright.records.correction import Assumption, AxisCompensation, ControlFile
+from compwright.records.estimate import ErrorEstimate, WantedCorrection
+from compwright.records.fitted import FittedTable, Limit, TableRequest
+from compwright.records.job import Acceptance
+from compwright.records.plan import Plan, PlannedAxis, PlannedTest
+from compwright.records.positioning import PositioningTest
+
+SCHEMA = "compwright/plan/1"
+_T = TypeVar("_T")
+
+
+def plan_document(plan: Plan) -> dict[str, Any]:
+    """Return a plan as plain data. It carries no dates: same input, same bytes."""
+    return {
+        "schema": SCHEMA,
+        "version": plan.version,
+        "format": plan.format,
+        "options": dict(plan.options),
+        "standard": plan.standard,
+        "machine": dict(plan.machine),
+        "axes": {name: _axis_out(axis) for name, axis in plan.axes.items()},
+        "states": {
+            name: [{"name": file.name, "base64": base64.b64encode(file.content).decode("ascii")} for file in files]
+            for name, files in plan.states.items()
+        },
+        "sources": [asdict(source) for source in plan.sources],
+        "assumed": [asdict(entry) for entry in plan.assumed],
+    }
+
+
+def read_plan(content: bytes, file: str) -> Plan:
+    """Read a plan. Raises InputError when it is not one, is of a newer schema, or lacks a key (file, key, expected, found)."""
+    try:
+        data = json.loads(content.decode("utf-8"))
+    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
+        raise InputError(Fault(message="is not JSON", file=file, expected="plan.json of a run", found=str(error))) from error
+    schema = data.get("schema") if isinstance(data, dict) else None
+    if schema != SCHEMA:
+        raise InputError(
+            Fault(message="is not a plan that this version reads", file=file, place="schema", expected=SCHEMA, found=repr(schema))
+        )
+    try:
+        return _plan_in(data)
+    except KeyError as error:
+        raise InputError(Fault(message="lacks a key", file=file, expected=str(error.args[0]))) from error
+    except (TypeError, ValueError, AttributeError, binascii.Error) as error:
+        raise InputError(Fault(message="does not fit the schema", file=file, expected=SCHEMA, found=str(error))) from error
+
+
+def _plan_in(data: Mapping[str, Any]) -> Plan:
+    return Plan(
+        version=str(data["version"]),
+        format=str(data["format"]),
+        options=dict(data["options"]),
+        standard=str(data["standard"]),
+        machine=dict(data["machine"]),
+        axes={str(name): _axis_in(axis) for name, axis in data["axes"].items()},
+        states={
+            name: tuple(ControlFile(entry["name"], base64.b64decode(entry["base64"], validate=True)) for entry in files)
+            for name, files in data["states"].items()
+        },
+        sources=tuple(Source(**entry) for entry in data["sources"]),
+        assumed=tuple(Assumption(**entry) for entry in data["assumed"]),
+    )
+
+
+def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
+    return {
+        "axis": {**asdict(axis.axis), "options": dict(axis.axis.options)},
+        "unit": axis.axis.kind.unit,
+        "tests": [{"measured_in": entry.measured_in, **_test_out(entry.test)} for entry in axis.tests],
+        "estimate": _arrays_out(axis.estimate),
+        "active": _optional(axis.active, _arrays_out),
+        "wanted": _optional(axis.wanted, _arrays_out),
+        "request": asdict(axis.request),
+        "fitted": _optional(axis.fitted, _fitted_out),
+        "accept": _optional(axis.accept, asdict),
+    }
+
+
+def _axis_in(data: Mapping[str, Any]) -> PlannedAxis:
+    raw = dict(data["axis"])
+    raw["kind"] = AxisKind(raw["kind"])
+    raw["reference_return"] = Direction(raw["reference_return"])
+    raw["encoder"] = Encoder(**raw["encoder"])
+    raw["travel"] = (float(raw["travel"][0]), float(raw["travel"][1]))
+    raw["screw_pitch"] = tuple(raw["screw_pitch"])
+    return PlannedAxis(
+        axis=Axis(**raw),
+        tests=tuple(PlannedTest(test=_test_in(entry), measured_in=str(entry["measured_in"])) for entry in data["tests"]),
+        estimate=_estimate_in(data["estimate"]),
+        active=_optional(data["active"], _compensation_in),
+        wanted=_optional(data["wanted"], _wanted_in),
+        request=TableRequest(**data["request"]),
+        fitted=_optional(data["fitted"], _fitted_in),
+        accept=_optional(data["accept"], lambda entry: Acceptance(**entry)),
+    )
+
+
+def _test_out(test: PositioningTest) -> dict[str, Any]:
+    return {
+        "name": test.name,
+        "axis": test.axis,
+        "kind": test.kind.value,
+        "cycle": test.cycle,
+        "targets": test.targets.tolist(),
+        "positive": _readings_out(test.positive),
+        "negative": _readings_out(test.negative),
+        "runs_positive": list(test.runs_positive),
+        "runs_negative": list(test.runs_negative),
+        "sources": [asdict(source) for source in test.sources],
+        "header": dict(test.header),
+        "findings": [asdict(finding) for finding in test.findings],
+    }
+
+
+def _test_in(data: Mapping[str, Any]) -> PositioningTest:
+    targets = np.array(data["targets"], dtype=np.float64)
+    return PositioningTest(
+        name=str(data["name"]),
+        axis=str(data["axis"]),
+        kind=AxisKind(data["kind"]),
+        cycle=data["cycle"],
+        targets=targets,
+        positive=_readings_in(data["positive"], targets.size),
+        negative=_readings_in(data["negative"], targets.size),
+        runs_positive=tuple(data["runs_positive"]),
+        runs_negative=tuple(data["runs_negative"]),
+        frame="machine",
+        sources=tuple(Source(**entry) for entry in data["sources"]),
+        header=dict(data["header"]),
+        findings=tuple(Finding(**entry) for entry in data["findings"]),
+    )
+
+
+def _readings_out(readings: FloatArray) -> list[list[float | None]]:
+    return [[float(value) if np.isfinite(value) else None for value in row] for row in readings]
+
+
+def _readings_in(rows: list[list[float | None]], count: int) -> FloatArray:
+    filled = [[np.nan if value is None else float(value) for value in row] for row in rows]
+    return np.array(filled, dtype=np.float64).reshape(count, len(filled[0]) if filled else 0)
+
+
+def _arrays_out(record: Any) -> dict[str, Any]:
+    return {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in asdict(record).items()}
+
+
+def _array(data: Mapping[str, Any], key: str) -> FloatArray:
+    return np.array(data[key], dtype=np.float64)
+
+
+def _estimate_in(data: Mapping[str, Any]) -> ErrorEstimate:
+    names = ("positions", "mean_positive", "mean_negative", "std_positive", "std_negative")
+    return ErrorEstimate(
+        kind=AxisKind(data["kind"]),
+        noise=float(data["noise"]),
+        noise_dof=float(data["noise_dof"]),
+        measured=(float(data["measured"][0]), float(data["measured"][1])),
+        findings=tuple(Finding(**entry) for entry in data["findings"]),
+        **{name: _array(data, name) for name in names},
+    )
+
+
+def _wanted_in(data: Mapping[str, Any]) -> WantedCorrection:
+    return WantedCorrection(
+        kind=AxisKind(data["kind"]),
+        positions=_array(data, "positions"),
+        positive=_array(data, "positive"),
+        negative=_array(data, "negative"),
+        reference=float(data["reference"]),
+        reference_return=Direction(data["reference_return"]),
+        noise=float(data["noise"]),
+        reversal_log_odds=float(data["reversal_log_odds"]),
+        periods=tuple(float(period) for period in data["periods"]),
+    )
+
+
+def _compensation_in(data: Mapping[str, Any]) -> AxisCompensation:
+    return AxisCompensation(
+        address=str(data["address"]),
+        kind=AxisKind(data["kind"]),
+        positions=_array(data, "positions"),
+        positive=_array(data, "positive"),
+        negative=_array(data, "negative"),
+        backlash=float(data["backlash"]),
+        reference_return=Direction(data["reference_return"]),
+        below=data["below"],
+        above=data["above"],
+    )
+
+
+def _fitted_out(fitted: FittedTable) -> dict[str, Any]:
+    return {
+        "compensation": _arrays_out(fitted.compensation),
+        "mode": fitted.mode,
+        "mode_reason": fitted.mode_reason,
+        "certificate": dict(fitted.certificate),
+        "limits": [asdict(limit) for limit in fitted.limits],
+        "findings": [asdict(finding) for finding in fitted.findings],
+    }
+
+
+def _fitted_in(data: Mapping[str, Any]) -> FittedTable:
+    return FittedTable(
+        compensation=_compensation_in(data["compensation"]),
+        mode=data["mode"],
+        mode_reason=str(data["mode_reason"]),
+        certificate=dict(data["certificate"]),
+        limits=tuple(Limit(**entry) for entry in data["limits"]),
+        findings=tuple(Finding(**entry) for entry in data["findings"]),
+    )
+
+
+def _optional(value: Any, convert: Callable[[Any], _T]) -> _T | None:
+    return None if value is None else convert(value)

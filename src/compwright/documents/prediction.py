@@ -1,0 +1,87 @@
+"""``prediction.json`` (``compwright/prediction/1``): deviations in µm or arcsec, positions in mm or deg."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from compwright.foundations.units import outside_factor, outside_unit
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.correction import AxisCompensation
+from compwright.records.prediction import AxisPrediction, Quantiles, TestPrediction
+from compwright.records.result import PositioningResult
+
+SCHEMA = "compwright/prediction/1"
+
+
+def prediction_document(format_id: str, axes: Mapping[str, AxisPrediction]) -> dict[str, Any]:
+    """Return the prediction of a run."""
+    return {
+        "schema": SCHEMA,
+        "format": format_id,
+        "axes": {name: _axis(axis) for name, axis in axes.items()},
+        "cross": [],
+        "circles": {},
+    }
+
+
+def parameters_outside(result: PositioningResult) -> dict[str, float | None]:
+    """Return the parameters of an evaluation in µm or arcsec."""
+    factor = outside_factor(result.test.kind.unit)
+    return {name: None if value is None else value * factor for name, value in result.parameters.items()}
+
+
+def quantiles_outside(quantiles: Mapping[str, Quantiles], kind: AxisKind) -> dict[str, dict[str, float]]:
+    """Return predicted parameters in µm or arcsec."""
+    factor = outside_factor(kind.unit)
+    return {
+        name: {"median": value.median * factor, "p05": value.p05 * factor, "p95": value.p95 * factor}
+        for name, value in quantiles.items()
+    }
+
+
+def compensation_outside(table: AxisCompensation) -> dict[str, Any]:
+    """Return a table as decode and prediction give it: totals (table and backlash) per direction, µm or arcsec."""
+    factor = outside_factor(table.kind.unit)
+    return table_outside(
+        table.positions, table.total(Direction.POSITIVE) * factor, table.total(Direction.NEGATIVE) * factor, table.kind
+    )
+
+
+def table_outside(positions: FloatArray, positive: FloatArray, negative: FloatArray, kind: AxisKind) -> dict[str, Any]:
+    """Return positions (mm, deg) and corrections (already in µm or arcsec) in the contract's form."""
+    return {
+        "positions": positions.tolist(),
+        "correction_positive": positive.tolist(),
+        "correction_negative": negative.tolist(),
+        "unit": outside_unit(kind.unit),
+    }
+
+
+def _test(test: TestPrediction) -> dict[str, Any]:
+    kind = test.before.test.kind
+    return {
+        "name": test.name,
+        "before": parameters_outside(test.before),
+        "predicted": quantiles_outside(test.predicted, kind),
+        "predicted_new_targets": quantiles_outside(test.predicted_new_targets, kind),
+    }
+
+
+def _axis(axis: AxisPrediction) -> dict[str, Any]:
+    tests = [_test(test) for test in axis.tests]
+    kind = axis.tests[0].before.test.kind
+    factor = outside_factor(kind.unit)
+    unit = outside_unit(kind.unit)
+    return {
+        "tests": tests,
+        "unit": unit,
+        "before": tests[0]["before"],
+        "predicted": tests[0]["predicted"],
+        "predicted_new_targets": tests[0]["predicted_new_targets"],
+        "table": compensation_outside(axis.table) if axis.table is not None else None,
+        "quantum": axis.quantum * factor if axis.quantum is not None else None,
+        "limits": [{"cause": limit.cause, "value": limit.value * factor, "unit": unit} for limit in axis.limits],
+        "accept": {name: {"limit": accept.limit, "decision": accept.decision} for name, accept in axis.accept.items()},
+        "findings": [{"code": finding.code, "severity": finding.severity, "message": finding.message} for finding in axis.findings],
+    }

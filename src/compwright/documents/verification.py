@@ -1,0 +1,66 @@
+"""``verification.json`` (``compwright/verification/1``): before, predicted and after side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+from compwright.documents.decode import finding_documents
+from compwright.documents.prediction import parameters_outside, quantiles_outside
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_unit
+from compwright.records.prediction import AcceptDecision, Quantiles
+from compwright.records.result import PositioningResult
+
+SCHEMA = "compwright/verification/1"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VerifiedAxis:
+    """What ``verify`` found on one axis. ``loading`` holds the keys of the contract; ``accept`` in µm or arcsec."""
+
+    before: PositioningResult
+    predicted: Mapping[str, Quantiles]
+    after: PositioningResult
+    loading: Mapping[str, Any]
+    accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
+
+
+def verification_document(
+    format_id: str, axes: Mapping[str, VerifiedAxis], verdict: Literal["good", "bad", "undecided"]
+) -> dict[str, Any]:
+    """Return the verification of a run."""
+    return {
+        "schema": SCHEMA,
+        "format": format_id,
+        "axes": {name: _axis(axis) for name, axis in axes.items()},
+        "circles": {},
+        "verdict": verdict,
+    }
+
+
+def _axis(axis: VerifiedAxis) -> dict[str, Any]:
+    kind = axis.after.test.kind
+    after = parameters_outside(axis.after)
+    predicted = quantiles_outside(axis.predicted, kind)
+    return {
+        "unit": outside_unit(kind.unit),
+        "test": axis.before.test.name,
+        "before": parameters_outside(axis.before),
+        "predicted": predicted,
+        "after": after,
+        "within_prediction": {name: _within(after.get(name), band) for name, band in predicted.items()},
+        "loading": dict(axis.loading),
+        "accept": {
+            name: {"limit": entry.limit, "value": entry.value, "U": entry.U, "decision": entry.decision}
+            for name, entry in axis.accept.items()
+        },
+        "findings": finding_documents(axis.findings),
+    }
+
+
+def _within(value: float | None, band: Mapping[str, float]) -> bool | None:
+    """Whether the value lies in the 90 % interval; None where the test does not have it."""
+    return None if value is None else band["p05"] <= value <= band["p95"]
