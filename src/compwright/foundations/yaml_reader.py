@@ -42,6 +42,9 @@ def key_path_text(path: KeyPath) -> str:
     return text
 
 
+_LONE_SURROGATE = re.compile("[\ud800-\udfff]")  # cannot be written to any file or terminal
+
+
 class _Loader(yaml.SafeLoader):
     """A safe loader with the narrow scalar rules above."""
 
@@ -77,6 +80,9 @@ class _Reader:
                 self.lines[(*path, index)] = child.start_mark.line + 1
                 items.append(self.value(child, (*path, index)))
             return items
+        if _LONE_SURROGATE.search(node.value):
+            self.fault(node, path, "holds an escape that is no character (a lone surrogate)")
+            return None
         try:
             return self.loader.construct_object(node, deep=True)
         except (yaml.YAMLError, ValueError, OverflowError) as error:
@@ -86,7 +92,7 @@ class _Reader:
     def mapping(self, node: yaml.MappingNode, path: KeyPath) -> dict[str, Any]:
         result: dict[str, Any] = {}
         for key_node, child in node.value:
-            if not isinstance(key_node, yaml.ScalarNode):
+            if not isinstance(key_node, yaml.ScalarNode) or _LONE_SURROGATE.search(key_node.value):
                 self.fault(key_node, path, "a key must be a single word")
                 continue
             key = str(key_node.value)  # keys stay text: axis "1", address "0"
@@ -107,42 +113,58 @@ class _Reader:
 def read_yaml(content: bytes, file: str) -> YamlDocument:
     """Read one YAML document from UTF-8 bytes (with or without BOM).
 
-    Anchors, aliases and several documents are refused (a small file must not grow when read). Raises InputError with every
-    fault: not UTF-8, not YAML (with line and column), a duplicate key.
+    Aliases, tags and several documents are refused (a small file must not grow when read, and only plain data comes out).
+    Raises InputError with every fault: not UTF-8, not YAML (with line and column), a duplicate key.
     """
+    document, faults = read_yaml_with_faults(content, file)
+    if faults:
+        raise InputError(*faults)
+    return document
+
+
+def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tuple[Fault, ...]]:
+    """Read as `read_yaml`, but hand back faults of single keys and values (a duplicate key) beside what could be read.
+
+    A schema can then list its own faults together with these. Of a key given twice the first value stands; a value that
+    cannot be read is None. Raises InputError when there is no document at all.
+    """
+    text = _decoded(content, file)
     try:
-        text = content.decode("utf-8-sig")
+        _refuse_aliases_and_tags(text, file)
+        node = yaml.compose(text, Loader=_Loader)
+        if node is None:
+            raise InputError(Fault(message="is empty", file=file, expected="a YAML document"))
+        reader = _Reader(file)
+        data = reader.value(node, ())
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark
+        place = f"line {mark.line + 1}, column {mark.column + 1}" if mark else ""
+        raise InputError(Fault(message=f"is not valid YAML ({error.problem or error.context})", file=file, place=place)) from error
+    except yaml.YAMLError as error:
+        raise InputError(Fault(message=f"is not valid YAML ({str(error).splitlines()[0]})", file=file)) from error
+    except (ValueError, OverflowError) as error:  # an escape such as "\UFFFFFFFF" beyond the last character of Unicode
+        raise InputError(Fault(message="holds an escape that is no character", file=file, found=str(error))) from error
+    except RecursionError as error:
+        raise InputError(Fault(message="is nested too deeply", file=file)) from error
+    return YamlDocument(data=data, lines=reader.lines), tuple(reader.faults)
+
+
+def _decoded(content: bytes, file: str) -> str:
+    try:
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise InputError(
             Fault(message="is not UTF-8 text", file=file, place=f"byte {error.start + 1}", expected="a YAML text file")
         ) from error
-    try:
-        for event in yaml.parse(text, Loader=yaml.SafeLoader):
-            if isinstance(event, yaml.AliasEvent):
-                raise InputError(
-                    Fault(
-                        message="aliases (*name) are not accepted",
-                        file=file,
-                        place=f"line {event.start_mark.line + 1}" if event.start_mark else "",
-                        expected="the value written out",
-                    )
-                )
-        node = yaml.compose(text, Loader=_Loader)
-    except yaml.MarkedYAMLError as error:
-        mark = error.problem_mark
-        place = f"line {mark.line + 1}, column {mark.column + 1}" if mark else ""
-        raise InputError(Fault(message=f"is not valid YAML ({error.problem})", file=file, place=place)) from error
-    except yaml.YAMLError as error:
-        raise InputError(Fault(message=f"is not valid YAML ({str(error).splitlines()[0]})", file=file)) from error
-    except RecursionError as error:
-        raise InputError(Fault(message="is nested too deeply", file=file)) from error
-    if node is None:
-        raise InputError(Fault(message="is empty", file=file, expected="a YAML document"))
-    reader = _Reader(file)
-    try:
-        data = reader.value(node, ())
-    except RecursionError as error:
-        raise InputError(Fault(message="is nested too deeply", file=file)) from error
-    if reader.faults:
-        raise InputError(*reader.faults)
-    return YamlDocument(data=data, lines=reader.lines)
+
+
+def _refuse_aliases_and_tags(text: str, file: str) -> None:
+    for event in yaml.parse(text, Loader=yaml.SafeLoader):
+        if isinstance(event, yaml.AliasEvent):
+            message, expected = "aliases (*name) are not accepted", "the value written out"
+        elif getattr(event, "tag", None) is not None:
+            message, expected = "tags (!name) are not accepted", "the plain value"
+        else:
+            continue
+        place = f"line {event.start_mark.line + 1}" if event.start_mark else ""
+        raise InputError(Fault(message=message, file=file, place=place, expected=expected))
