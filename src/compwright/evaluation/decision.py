@@ -1,0 +1,37 @@
+"""Does a value keep its limit? Simple comparison, or with the measurement uncertainty as a guard band."""
+
+from __future__ import annotations
+
+import math
+from typing import Literal
+
+from compwright.foundations.errors import Fault, UsageError
+
+Decision = Literal["accept", "reject", "undecided"]
+Rule = Literal["simple", "guarded"]
+
+
+def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
+    """Return the decision about ``value`` <= ``limit``; ``U`` is the expanded uncertainty, all three in one unit.
+
+    ``simple`` compares the value alone. ``guarded`` (ISO 14253-1) accepts when value + U <= limit, rejects when
+    value - U > limit, and is undecided between. A value that is not a number is undecided. Raises UsageError for an unknown rule
+    and for ``guarded`` without an uncertainty.
+    """
+    if rule not in {"simple", "guarded"}:
+        raise UsageError(Fault(message="unknown decision rule", place="decision_rule", expected="simple or guarded", found=str(rule)))
+    if rule == "guarded" and U is None:
+        raise UsageError(
+            Fault(
+                message="the guarded decision needs the measurement uncertainty",
+                place="decision_rule",
+                expected="the key uncertainty of the job",
+                found="none",
+            )
+        )
+    if not math.isfinite(value):
+        return "undecided"
+    guard = 0.0 if rule == "simple" or U is None else abs(U)
+    if value + guard <= limit:
+        return "accept"
+    return "reject" if value - guard > limit else "undecided"
