@@ -1,0 +1,1 @@
+"""A virtual machine with known errors: what a laser would measure on it, as records and as files."""

@@ -1,0 +1,159 @@
+"""A virtual machine: axes with known errors, and the positioning tests that an instrument would record on them.
+
+Everything is in mm or deg and in machine coordinates. Deviation = measured minus target, so a correction adds to the error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from compwright.foundations.errors import Fault, UsageError
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.positioning import Cycle, PositioningTest
+from compwright.simulation.curves import FLAT, Curve
+
+#: What a control adds to the command, by position (any shape) and approach direction: mm or deg.
+Correction = Callable[[FloatArray, Direction], FloatArray]
+
+
+@dataclass(frozen=True, slots=True)
+class ScrewError:
+    """amplitude * sin(2 pi x / period + phase): ``period``, ``amplitude`` in mm or deg, ``phase`` in rad, x from machine zero."""
+
+    period: float
+    amplitude: float
+    phase: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AxisError:
+    """The error of an axis.
+
+    ``slope`` is relative (mm per mm, > 0 travels too far) and acts from the axis' reference position. ``reversal`` is the mean of
+    B = mean(+) - mean(-), negative for lost motion, and ``reversal_variation`` what is added to it over the travel.
+    ``noise`` is the standard deviation of one reading. ``drift`` is the change of the deviation from the first reading of a test
+    to its last, in proportion to the number of readings made.
+    """
+
+    slope: float = 0.0
+    smooth: Curve = FLAT
+    screw: tuple[ScrewError, ...] = ()
+    reversal: float = 0.0
+    reversal_variation: Curve = FLAT
+    noise: float = 0.0
+    drift: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TestPlan:
+    """How an axis is measured: ``targets`` (m,) ascending, ``runs`` per direction, ``datum`` the instrument's zero offset."""
+
+    targets: FloatArray
+    runs: int = 5
+    cycle: Cycle = "standard"
+    directions: Literal["both", "+", "-"] = "both"
+    datum: float = 0.0
+
+    __test__ = False  # not a test class, whatever the name suggests to a collector
+
+    def runs_in(self, direction: Direction) -> int:
+        """Return the number of traverses in one direction."""
+        return self.runs if self.directions in {"both", direction.value} else 0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VirtualAxis:
+    """An axis, its error, and how it is measured."""
+
+    axis: Axis
+    error: AxisError
+    test: TestPlan
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VirtualMachine:
+    """Axes by name. ``name`` and ``serial`` go into the measurement files; ``format`` and ``options`` say which control it has."""
+
+    axes: Mapping[str, VirtualAxis]
+    name: str = ""
+    serial: str = ""
+    format: str = ""
+    options: Mapping[str, object] = field(default_factory=dict)
+
+    def error(self, axis: str, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return the true deviation at ``positions`` (any shape) approached in ``direction``, mm or deg.
+
+        Without noise, drift and the instrument's datum. Arriving in the axis' ``reference_return`` direction the axis shows slope,
+        smooth and screw error alone; arriving in the other direction the reversal comes on top, so that mean(+) - mean(-) is
+        the described B either way. Raises UsageError for an axis that the machine does not have.
+        """
+        own = self._axis(axis)
+        where = np.asarray(positions, dtype=np.float64)
+        deviation = own.error.slope * (where - own.axis.reference) + own.error.smooth.at(where)
+        for screw in own.error.screw:
+            deviation = deviation + screw.amplitude * np.sin(2.0 * np.pi * where / screw.period + screw.phase)
+        if direction is not own.axis.reference_return:
+            deviation = deviation + direction.sign * (own.error.reversal + own.error.reversal_variation.at(where))
+        return deviation
+
+    def measure(self, axis: str, *, rng: np.random.Generator, correction: Correction | None = None) -> PositioningTest:
+        """Return one positioning test of ``axis``: error + correction + noise + drift + datum.
+
+        ``rng`` gives the noise and nothing else, so the same seed gives the same readings with any correction. Raises UsageError
+        for an axis that the machine does not have.
+        """
+        own = self._axis(axis)
+        plan = own.test
+        drift = dict(zip(Direction, _progress(plan), strict=True))
+        readings = {}
+        for direction in Direction:
+            mean = self.error(axis, plan.targets, direction) + plan.datum
+            if correction is not None:
+                mean = mean + correction(plan.targets, direction)
+            noise = own.error.noise * rng.standard_normal((plan.targets.size, plan.runs))
+            block = mean[:, None] + own.error.drift * drift[direction] + noise
+            readings[direction] = block[:, : plan.runs_in(direction)]
+        return PositioningTest(
+            name=own.axis.name.lower(),
+            axis=own.axis.name,
+            kind=own.axis.kind,
+            targets=plan.targets,
+            positive=readings[Direction.POSITIVE],
+            negative=readings[Direction.NEGATIVE],
+            runs_positive=tuple(range(1, plan.runs_in(Direction.POSITIVE) + 1)),
+            runs_negative=tuple(range(1, plan.runs_in(Direction.NEGATIVE) + 1)),
+            cycle=plan.cycle,
+            frame="machine",
+            header={key: text for key, text in (("machine", self.name), ("serial", self.serial)) if text},
+        )
+
+    def _axis(self, name: str) -> VirtualAxis:
+        if name not in self.axes:
+            raise UsageError(Fault(message="the machine has no such axis", expected=", ".join(self.axes), found=name))
+        return self.axes[name]
+
+
+def _progress(plan: TestPlan) -> tuple[FloatArray, FloatArray]:
+    """Return when each reading is made, (m, n) for + and for -: 0 at the first reading of the test, 1 at the last.
+
+    Standard cycle (ISO 230-2:1997 figure 1): a traverse up through all targets, then one down, run after run. Step cycle
+    (annex A): all approaches to one target, alternating + and -, before the next target. A direction that is not
+    measured takes no time.
+    """
+    target, run = np.meshgrid(np.arange(plan.targets.size), np.arange(plan.runs), indexing="ij")
+    m, n = target.shape
+    both = plan.directions == "both"
+    if plan.cycle == "standard":
+        per_run = 2 * m if both else m
+        up = run * per_run + target
+        down = run * per_run + (m if both else 0) + (m - 1 - target)
+    else:
+        each = 2 if both else 1
+        up = (target * n + run) * each
+        down = up + (1 if both else 0)
+    last = max((2 if both else 1) * m * n - 1, 1)
+    return up / last, down / last

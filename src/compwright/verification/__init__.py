@@ -1,0 +1,1 @@
+"""Did the loaded table act, and is the axis good now."""
