@@ -1,0 +1,1 @@
+"""Documents -> terminal, plots, HTML and the commissioning card. Computes nothing."""

@@ -1,0 +1,94 @@
+"""How numbers, units and parameter names are written for people: one way for plots, pages and cards."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Final
+
+#: Stands where a quantity is not defined or was not measured.
+MISSING: Final = "—"
+
+#: Decimals of a deviation in µm or arcsec: a tenth of what the standards print.
+DEVIATION_DECIMALS: Final = 2
+
+_UNITS: Final = {"um": "µm", "arcsec": "arcsec", "mm": "mm", "deg": "deg"}
+
+#: Parameter by its name in the documents -> (symbol, what it is called in the standard). The order is that of the tables.
+PARAMETERS: Final[dict[str, tuple[str, str]]] = {
+    "A": ("A", "Bidirectional accuracy"),
+    "A_positive": ("A+", "Unidirectional accuracy, approach +"),
+    "A_negative": ("A−", "Unidirectional accuracy, approach −"),
+    "E": ("E", "Bidirectional systematic deviation"),
+    "E_positive": ("E+", "Unidirectional systematic deviation, approach +"),
+    "E_negative": ("E−", "Unidirectional systematic deviation, approach −"),
+    "M": ("M", "Range of the mean bidirectional deviation"),
+    "R": ("R", "Bidirectional repeatability"),
+    "R_positive": ("R+", "Unidirectional repeatability, approach +"),
+    "R_negative": ("R−", "Unidirectional repeatability, approach −"),
+    "B": ("B", "Reversal value"),
+    "B_mean": ("mean B", "Mean reversal value"),
+    "P": ("P", "Positional uncertainty"),
+    "Pa": ("Pa", "Positional deviation"),
+    "Ps_max": ("Ps max", "Largest positional scatter"),
+    "Ps_mean": ("Ps mean", "Mean positional scatter"),
+    "U_max": ("U max", "Largest reversal error"),
+    "U_mean": ("U mean", "Mean reversal error"),
+}
+
+_STANDARDS: Final = {"iso230-2": "ISO 230-2", "gost27843": "GOST 27843", "vdi3441": "VDI/DGQ 3441", "iso230-4": "ISO 230-4"}
+
+
+def number(value: object, decimals: int = DEVIATION_DECIMALS) -> str:
+    """Return ``value`` with fixed decimals and a true minus sign; `MISSING` for None and NaN. Minus zero is zero."""
+    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+        return MISSING
+    text = f"{value:.{decimals}f}"
+    if text.startswith("-") and not text.strip("-0."):
+        text = text[1:]
+    return text.replace("-", "−")
+
+
+def decimals_of(values: Iterable[object], most: int = 4) -> int:
+    """Return the fewest decimals, at most ``most``, that write all ``values`` without loss: one width for a column."""
+    finite = [float(value) for value in values if isinstance(value, int | float) and math.isfinite(value)]
+    for decimals in range(most):
+        if all(abs(round(value, decimals) - value) < 0.5 * 10.0**-most for value in finite):
+            return decimals
+    return most
+
+
+def plain(value: object) -> str:
+    """Return any single value as text: numbers as short as they are exact (10 digits), None as `MISSING`, others as they are."""
+    if value is None:
+        return MISSING
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, float):
+        if not math.isfinite(value):
+            return MISSING
+        return (f"{value:.10g}" if value else "0").replace("-", "−")
+    if isinstance(value, int):
+        return str(value).replace("-", "−")
+    return str(value)
+
+
+def unit_text(unit: object) -> str:
+    """Return a unit of the documents (``um``, ``arcsec``, ``mm``, ``deg``) as it is shown; unknown ones as they are."""
+    return _UNITS.get(str(unit), str(unit))
+
+
+def position_unit(unit: object) -> str:
+    """Return the unit of positions (mm or deg) that belongs to deviations in ``unit`` (um or arcsec)."""
+    return "deg" if str(unit) == "arcsec" else "mm"
+
+
+def symbol(parameter: str) -> str:
+    """Return the symbol of a parameter (``A_positive`` -> ``A+``)."""
+    return PARAMETERS.get(parameter, (parameter.replace("_", " "), ""))[0]
+
+
+def standard_text(standard: object) -> str:
+    """Return the name of a standard from its id (``iso230-2:2014`` -> ``ISO 230-2:2014``)."""
+    name, colon, year = str(standard).partition(":")
+    return _STANDARDS.get(name, name) + colon + year
