@@ -43,8 +43,7 @@ def to_csv(test: PositioningTest, extra: Mapping[str, str] | None = None) -> byt
 
 def _target(value: float) -> str:
     """Six decimals where they are needed, three where not."""
-    text = _number(value, 6)
-    return text[:-3] if text.endswith("000") else text
+    return _number(value, 6).removesuffix("000")
 
 
 def _number(value: float, decimals: int) -> str:

@@ -98,14 +98,14 @@ def _axes(top: Section) -> dict[str, VirtualAxis]:
 
 def _axis(name: str, section: Section) -> VirtualAxis:
     kind = AxisKind(section.choice("kind", [kind.value for kind in AxisKind], "linear"))
-    travel = section.numbers("travel", length=2) or _NO_TRAVEL
-    if travel[0] >= travel[1] and travel != _NO_TRAVEL:
+    travel = section.numbers("travel", length=2)
+    if travel and travel[0] >= travel[1]:
         section.reject("travel", "does not ascend", "[low, high]")
-        travel = _NO_TRAVEL
+        travel = ()
     axis = Axis(
         name=name,
         kind=kind,
-        travel=(travel[0], travel[1]),
+        travel=(travel[0], travel[1]) if travel else _NO_TRAVEL,
         address=section.text("address", name),
         reference=section.number("reference", 0.0),
         reference_return=Direction(section.choice("reference_return", ["+", "-"], "+")),

@@ -1,0 +1,41 @@
+"""What a test after loading says about the loading."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from compwright.foundations.findings import Finding
+
+LoadingName = Literal[
+    "loaded",
+    "not_active",
+    "inverted",
+    "scaled",
+    "shifted",
+    "mirrored",
+    "wrong_axis",
+    "one_direction",
+    "backlash",
+    "partial",
+    "thermal",
+    "undecided",
+]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LoadingVerdict:
+    """Did the loaded table act as planned?
+
+    ``margin``: log-likelihood of what the data favour less that of the next candidate (natural logarithm; 4.6 is odds of 100:1).
+    ``message``: one or two plain sentences with numbers. ``equivalent``: names that no test could tell from the verdict.
+    ``factor``: for ``scaled``; ``shift_nodes`` > 0: the loaded table sits so many nodes too far to +.
+    """
+
+    verdict: LoadingName
+    margin: float
+    message: str
+    equivalent: tuple[LoadingName, ...] = ()
+    factor: float = 1.0
+    shift_nodes: int = 0
+    findings: tuple[Finding, ...] = ()
