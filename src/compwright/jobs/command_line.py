@@ -1,0 +1,119 @@
+"""``compwright run FILE... --format ID --axis NAME --travel LO:HI --state none|FILE... [--option K=V...]`` -> `Job`.
+
+The words are put into the form of a job file and checked by the same schema, so that both ways accept the same values and refuse
+the same faults.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.yaml_reader import YamlDocument
+from compwright.jobs.consistency import AS_FOUND
+from compwright.jobs.reading import check, job_of
+from compwright.records.job import Job
+
+#: Keys of ``--option`` that describe the axis -> their place below the axis in a job file, and whether they are numbers.
+_AXIS_KEYS: dict[str, tuple[tuple[str, ...], bool]] = {
+    "address": (("address",), False),
+    "axis_number": (("axis_number",), True),
+    "kind": (("kind",), False),
+    "reference": (("reference",), True),
+    "reference_return": (("reference_return",), False),
+    "encoder_system": (("encoder", "system"), True),
+    "screw_pitch": (("screw_pitch",), True),
+    "spacing": (("table", "spacing"), True),
+    "mode": (("table", "mode"), False),
+}
+_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", re.ASCII)
+_WHOLE = re.compile(r"[-+]?\d{1,15}", re.ASCII)
+
+
+def job_from_options(
+    files: Sequence[str],
+    *,
+    format: str,  # noqa: A002 - the name of the option
+    axis: str,
+    travel: str,
+    states: Sequence[str],
+    options: Sequence[str],
+) -> Job:
+    """Return the job that the options of ``run`` describe: one axis, one test of all ``files``, named after the first.
+
+    ``travel`` is ``LO:HI`` in mm or deg; ``states`` are the control's own files, or the single word ``none``, or empty (then
+    nothing is known of the control). Of ``options`` (``K=V``) the keys address, axis_number, kind, reference, reference_return,
+    encoder_system, screw_pitch (a number or numbers with commas), spacing and mode describe the axis; all others are options of
+    the controller and their values stay text. Raises UsageError with every fault at once, each naming its option.
+    """
+    section: dict[str, Any] = {"travel": [_number(end) for end in travel.split(":")], "before": [{"files": list(files)}]}
+    controller, faults = _sorted_options(options, section)
+    data: dict[str, Any] = {
+        "compwright": 1,
+        "controller": {"format": format, "options": controller},
+        "axes": {axis: section},
+    }
+    if states:
+        data["states"] = {AS_FOUND: list(states)}
+    checked = check(YamlDocument(data=data), file="")
+    faults += [replace(fault, place=_option(fault.place, axis)) for fault in checked.faults]
+    faults = [_whole_travel(travel) if fault.place == "--travel" else fault for fault in faults]
+    if faults or checked.section is None:
+        raise UsageError(*dict.fromkeys(faults))
+    return job_of(checked.section, file="")
+
+
+def _sorted_options(options: Sequence[str], section: dict[str, Any]) -> tuple[dict[str, str], list[Fault]]:
+    """Put the options of the axis into ``section``; return those of the controller, and faults."""
+    controller: dict[str, str] = {}
+    faults: list[Fault] = []
+    seen: set[str] = set()
+    for option in options:
+        key, sign, value = (part.strip() for part in option.partition("="))
+        if not key or not sign:
+            faults.append(Fault(message="is not a key with a value", place="--option", expected="K=V", found=repr(option)))
+        elif key in seen:
+            faults.append(Fault(message="is given twice", place=f"--option {key}", expected="each key once"))
+        elif key in _AXIS_KEYS:
+            path, is_number = _AXIS_KEYS[key]
+            target = section.setdefault(path[0], {}) if len(path) > 1 else section
+            target[path[-1]] = _numbers(value) if is_number else value
+        else:
+            controller[key] = value
+        seen.add(key)
+    return controller, faults
+
+
+def _numbers(text: str) -> Any:
+    """Return a number, or a list of them where commas separate several."""
+    return [_number(part) for part in text.split(",")] if "," in text else _number(text)
+
+
+def _number(text: str) -> Any:
+    """Return the number that ``text`` is; other text stays, and the schema says so."""
+    word = text.strip()
+    if _WHOLE.fullmatch(word):
+        return int(word)
+    return float(word) if _NUMBER.fullmatch(word) else text
+
+
+def _whole_travel(travel: str) -> Fault:
+    return Fault(message="is no travel", place="--travel", expected="LO:HI in mm or deg, LO below HI", found=repr(travel))
+
+
+def _option(place: str, axis: str) -> str:
+    """Return the option that filled a place of the job."""
+    places = {
+        f"axes.{axis}.travel": "--travel",
+        f"axes.{axis}.before": "FILE",
+        "controller.format": "--format",
+        f"states.{AS_FOUND}": "--state",
+        **{".".join(("axes", axis, *path)): f"--option {key}" for key, (path, _) in _AXIS_KEYS.items()},
+    }
+    for start, option in places.items():
+        if re.match(rf"{re.escape(start)}($|[.\[])", place):
+            return option
+    return "--axis" if place.startswith("axes") else place

@@ -1,0 +1,187 @@
+"""A job file -> `Job`, with every fault at once."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from pydantic import ValidationError
+
+from compwright.foundations.errors import Fault, InputError, UsageError
+from compwright.foundations.findings import Finding
+from compwright.foundations.yaml_reader import YamlDocument, read_yaml_with_faults
+from compwright.jobs.consistency import AS_FOUND, NONE_WORD, contradictions, default_name
+from compwright.jobs.faults import schema_faults, shown
+from compwright.jobs.schema import SCHEMA_VERSION, AxisSection, JobSection, PositionMapSection, TestSection
+from compwright.records.axis import Axis, AxisKind, Direction, Encoder, PositionMap
+from compwright.records.fitted import TableRequest
+from compwright.records.job import NONE_STATE, Acceptance, AxisJob, Job, TestRequest, Thermal, UncertaintyBudget
+
+#: Keys that are read and checked, but on which nothing acts yet.
+_PENDING_AT_TOP = ("circles", "cross", "apply")
+_PENDING_OF_AXIS = ("modulo", "gantry")
+
+
+@dataclass(frozen=True, slots=True)
+class CheckedJob:
+    """What `check` hands back: the validated sections, or the faults."""
+
+    section: JobSection | None
+    faults: tuple[Fault, ...]
+
+
+def read_job(content: bytes, file: str) -> Job:
+    """Read a job file. ``file`` is its name for messages; paths inside stay as written.
+
+    Raises UsageError with every fault at once, each with file, ``line N, key.path``, expected and found: text that is not YAML,
+    keys given twice, unknown keys (with the nearest known one), wrong types and ranges, names that do not exist, and alone a
+    job written for a newer version. Source: job file of ``docs/contract.md``, schema version 1.
+    """
+    try:
+        document, faults = read_yaml_with_faults(content, file)
+    except InputError as error:
+        raise UsageError(*error.faults) from error
+    _refuse_other_versions(document, file)
+    checked = check(document, file)
+    spoken_for = {fault.place for fault in faults}
+    faults += tuple(fault for fault in checked.faults if fault.place not in spoken_for)
+    if faults or checked.section is None:
+        raise UsageError(*sorted(faults, key=lambda fault: _line(fault.place)))
+    return job_of(checked.section, file)
+
+
+def check(document: YamlDocument, file: str) -> CheckedJob:
+    """Check plain data against the schema and against itself."""
+    data = document.data
+    if not isinstance(data, dict):
+        return CheckedJob(None, (Fault(message="is not a job", file=file, expected="keys and values", found=shown(data)),))
+    section: JobSection | None = None
+    faults: list[Fault] = []
+    try:
+        section = JobSection.model_validate(data)
+    except ValidationError as error:
+        faults += schema_faults(error, JobSection, document, file)
+    for contradiction in contradictions(data):
+        place = document.place(contradiction.path)
+        faults.append(
+            Fault(message=contradiction.message, file=file, place=place, expected=contradiction.expected, found=contradiction.found)
+        )
+    return CheckedJob(section, tuple(faults))
+
+
+def _line(place: str) -> int:
+    found = re.match(r"line (\d+)", place)
+    return int(found[1]) if found else 0
+
+
+def _refuse_other_versions(document: YamlDocument, file: str) -> None:
+    """A newer schema is refused before anything else: its other keys mean nothing here."""
+    version = document.data.get("compwright") if isinstance(document.data, dict) else None
+    if version == SCHEMA_VERSION or not isinstance(version, int) or isinstance(version, bool):
+        return
+    message = "is written for a newer version of compwright" if version > SCHEMA_VERSION else "is no version of the job file"
+    raise UsageError(
+        Fault(
+            message=message,
+            file=file,
+            place=document.place(("compwright",)),
+            expected=f"compwright: {SCHEMA_VERSION}",
+            found=shown(version),
+        )
+    )
+
+
+def job_of(section: JobSection, file: str) -> Job:
+    """Return the record of a job that was found free of faults."""
+    findings = (*_pending_findings(section), *_state_findings(section))
+    thermal = Thermal(**section.thermal.model_dump()) if section.thermal else None
+    return Job(
+        file=file,
+        format=section.controller.format,
+        axes={name: _axis_job(name, axis) for name, axis in section.axes.items()},
+        options=section.controller.options,
+        states={name: _state(files) for name, files in section.states.items()},
+        machine=section.machine.model_dump(exclude_none=True),
+        fixed_positions=section.fixed_positions,
+        uncertainty=_budget(section),
+        thermal=thermal,
+        decision_rule=section.decision_rule,
+        proven=tuple(proof.model_dump() for proof in section.proven),
+        standard=section.standard,
+        language=section.report.language,
+        pending=tuple(key for key in _PENDING_AT_TOP if getattr(section, key)),
+        findings=findings,
+    )
+
+
+def _state(files: list[str]) -> tuple[str, ...]:
+    return NONE_STATE if files == [NONE_WORD] else tuple(files)
+
+
+def _axis_job(name: str, section: AxisSection) -> AxisJob:
+    low, high = section.travel
+    axis = Axis(
+        name=name,
+        kind=AxisKind(section.kind),
+        travel=(float(low), float(high)),
+        address=section.address or name,
+        modulo=section.modulo,
+        axis_number=section.axis_number,
+        gantry=section.gantry,
+        reference=section.reference,
+        reference_return=Direction(section.reference_return),
+        encoder=Encoder(type=section.encoder.type, system=int(section.encoder.system)),
+        programmed=section.programmed,
+        screw_pitch=tuple(section.screw_pitch or ()),
+        options=section.options,
+    )
+    return AxisJob(
+        axis=axis,
+        before=tuple(_test(test, section.position_map) for test in section.before),
+        table=TableRequest(**section.table.model_dump()),
+        accept=_acceptance(section.accept),
+    )
+
+
+def _test(section: TestSection, of_axis: PositionMapSection) -> TestRequest:
+    position_map = section.position_map or of_axis
+    return TestRequest(
+        files=tuple(section.files),
+        name=section.name or default_name(section.files[0]),
+        measured_in=section.measured_in,
+        position_map=PositionMap(sense=1 if position_map.sense == 1 else -1, offset=position_map.offset),
+    )
+
+
+def _acceptance(accept: Mapping[str, Any] | None) -> Acceptance | None:
+    if accept is None:
+        return None
+    limits = {name: float(limit) for name, limit in accept.items() if name != "test"}
+    return Acceptance(limits=limits, test=str(accept["test"]) if "test" in accept else None)
+
+
+def _budget(section: JobSection) -> UncertaintyBudget | None:
+    if section.uncertainty is None:
+        return None
+    contributors = section.uncertainty.model_dump()
+    device = contributors.pop("device")
+    return UncertaintyBudget(device=device["U"], device_per_m=device["per_m"], **contributors)
+
+
+def _pending_findings(section: JobSection) -> list[Finding]:
+    """Say of every key on which nothing acts yet that it was read and does nothing."""
+    keys = [key for key in _PENDING_AT_TOP if getattr(section, key)]
+    for name, axis in section.axes.items():
+        keys += [f"axes.{name}.{key}" for key in _PENDING_OF_AXIS if getattr(axis, key) is not None]
+        if axis.programmed == "diameter":
+            keys.append(f"axes.{name}.programmed: diameter")
+    return [Finding("CW-J001", "warning", f"read, but not used yet: {key}") for key in keys]
+
+
+def _state_findings(section: JobSection) -> list[Finding]:
+    if not section.states or AS_FOUND in section.states:
+        return []
+    names = ", ".join(section.states)
+    return [Finding("CW-J002", "warning", f"states names {names} but not as_found: no table is written without it")]

@@ -1,0 +1,227 @@
+"""The schema of a job file as pydantic models: keys, types, ranges of single values, defaults.
+
+What ties several keys together (names that must exist, ends in order) is in `compwright.jobs.consistency`, so that its faults
+are listed together with those found here. Units: mm or deg for positions; others at the field. Source: the job file of
+``docs/contract.md``, explained key by key in ``docs/job-file.md``.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic_core import PydanticCustomError
+
+SCHEMA_VERSION = 1
+
+Standard = Literal["iso230-2:1988", "iso230-2:1997", "iso230-2:2006", "iso230-2:2014", "gost27843:2006", "vdi3441"]
+
+
+def _one_line_of_text(value: Any) -> Any:
+    """Accept a word or a whole number as text; a decimal number may have lost digits (1.10) and must stand in quotes."""
+    if isinstance(value, int) and not isinstance(value, bool):
+        return str(value)
+    if not isinstance(value, str):
+        kind = "text_in_quotes"
+        raise PydanticCustomError(kind, "is not text")
+    if not value.strip() or any(ord(character) < ord(" ") or character == "\x7f" for character in value):
+        kind = "one_line"
+        raise PydanticCustomError(kind, "is blank or holds control characters")
+    return value
+
+
+def _listed(value: Any) -> Any:
+    return value if isinstance(value, list) else [value]
+
+
+def _named_file(value: Any) -> Any:
+    return {"files": [value]} if isinstance(value, str) else value
+
+
+def _no_truth_value(value: Any) -> Any:
+    """Keep ``true`` from passing for 1, which it equals."""
+    if isinstance(value, bool):
+        kind = "truth_value"
+        raise PydanticCustomError(kind, "is a truth value")
+    return value
+
+
+def _unless_auto(value: Any) -> Any:
+    return None if value == "auto" else value
+
+
+Text = Annotated[str, BeforeValidator(_one_line_of_text)]
+Positive = Annotated[float, Field(gt=0)]
+NotNegative = Annotated[float, Field(ge=0)]
+Sense = Annotated[Literal[1, -1], BeforeValidator(_no_truth_value)]
+Sign = Literal["+", "-"]
+
+
+class Section(BaseModel):
+    """A mapping of the job file: unknown keys are refused and no value is converted."""
+
+    model_config = ConfigDict(strict=True, extra="forbid")
+
+
+class MachineSection(Section):
+    """Which machine it is."""
+
+    name: Text | None = None
+    serial: Text | None = None
+    type: Text | None = None
+
+
+class ControllerSection(Section):
+    """The control's format and the options that hold for all axes."""
+
+    format: Text
+    options: dict[str, Any] = {}
+
+
+class PositionMapSection(Section):
+    """machine = sense * instrument + offset."""
+
+    sense: Sense = 1
+    offset: float = 0.0
+
+
+class EncoderSection(Section):
+    """The measuring system."""
+
+    type: Literal["incremental", "absolute", "distance_coded"] = "incremental"
+    system: Annotated[Literal[1, 2], BeforeValidator(_no_truth_value)] = 1
+
+
+class TestSection(Section):
+    """One test: its files, name, state and position map (None: that of the axis)."""
+
+    __test__ = False  # not a test class, whatever the name suggests to a collector
+
+    files: Annotated[list[Text], BeforeValidator(_listed), Field(min_length=1)]
+    name: Text | None = None
+    measured_in: Text = "as_found"
+    position_map: PositionMapSection | None = None
+
+
+class TableSection(Section):
+    """Wishes for the grid; None is automatic."""
+
+    start: float | None = None
+    end: float | None = None
+    spacing: Annotated[Positive | None, BeforeValidator(_unless_auto)] = None
+    mode: Literal["auto", "single", "bidirectional"] = "auto"
+    goal: Literal["expected", "A", "E", "M"] = "expected"
+
+
+class AxisSection(Section):
+    """One axis. ``accept`` holds parameter names beside ``test`` and is checked in `compwright.jobs.consistency`."""
+
+    travel: Annotated[list[float], Field(min_length=2, max_length=2)]
+    before: Annotated[list[Annotated[TestSection, BeforeValidator(_named_file)]], BeforeValidator(_listed), Field(min_length=1)]
+    kind: Literal["linear", "rotary"] = "linear"
+    modulo: Positive | None = None
+    address: Text | None = None
+    axis_number: Annotated[int, Field(ge=0)] | None = None
+    gantry: Text | None = None
+    position_map: PositionMapSection = PositionMapSection()
+    reference: float = 0.0
+    reference_return: Sign = "+"
+    encoder: EncoderSection = EncoderSection()
+    programmed: Literal["radius", "diameter"] = "radius"
+    screw_pitch: Annotated[list[Positive], BeforeValidator(_listed), Field(min_length=1)] | None = None
+    table: TableSection = TableSection()
+    options: dict[str, Any] = {}
+    accept: dict[str, Any] | None = None
+
+
+class CircleSection(Section):
+    """One circular test: one file with both runs, or a file per run. ``centre`` in machine coordinates, mm."""
+
+    file: Text | None = None
+    ccw: Text | None = None
+    cw: Text | None = None
+    name: Text | None = None
+    measured_in: Text = "as_found"
+    centre: Annotated[list[float], Field(min_length=2, max_length=3)] | None = None
+
+
+class CrossSection(Section):
+    """Deviation of one axis over another, in ``unit``."""
+
+    input: Text
+    output: Text
+    positions: Annotated[list[float], Field(min_length=2)]
+    deviations: Annotated[list[float], Field(min_length=2)]
+    unit: Literal["um", "mm", "arcsec", "deg"]
+
+
+class ApplySection(Section):
+    """What of the circular tests is to be corrected."""
+
+    squareness: dict[str, Text] = {}
+    scale: list[Text] = []
+    backlash_from: Literal["positioning", "circle"] = "positioning"
+
+
+class DeviceSection(Section):
+    """Expanded uncertainty (k = 2) of the instrument: µm and µm/m."""
+
+    U: NotNegative = 0.0
+    per_m: NotNegative = 0.0
+
+
+class UncertaintySection(Section):
+    """Contributors of ISO 230-2:2006 annex A: mm, K, µm/(m K), µm, µm."""
+
+    device: DeviceSection = DeviceSection()
+    misalignment_mm: NotNegative = 0.0
+    U_theta: NotNegative = 0.0
+    U_alpha: NotNegative = 0.0
+    setup: NotNegative = 0.0
+    E_VE: NotNegative = 0.0
+
+
+class ThermalSection(Section):
+    """Nominal differential expansion: µm/(m K), °C, µm/(m K), °C, mm."""
+
+    alpha_m: float
+    T_m: float
+    alpha_d: float = 0.0
+    T_d: float = 20.0
+    x_fix: float = 0.0
+    refer_to: Literal["scale", "workpiece"] = "scale"
+
+
+class ProvenSection(Section):
+    """A machine on which tables of this kind were seen to act."""
+
+    control: Text
+    machine: Text
+    date: Text
+    how: Text
+
+
+class ReportSection(Section):
+    """How reports are written."""
+
+    language: Literal["en", "de", "fr", "ru"] = "en"
+
+
+class JobSection(Section):
+    """The whole file. ``states`` (text or lists of text) is checked in `compwright.jobs.consistency`."""
+
+    compwright: int
+    controller: ControllerSection
+    axes: Annotated[dict[str, AxisSection], Field(min_length=1)]
+    machine: MachineSection = MachineSection()
+    states: dict[str, Annotated[list[Text], BeforeValidator(_listed), Field(min_length=1)]] = {}
+    circles: list[CircleSection] = []
+    cross: list[CrossSection] = []
+    apply: ApplySection | None = None
+    fixed_positions: dict[str, dict[str, float]] = {}
+    uncertainty: UncertaintySection | None = None
+    thermal: ThermalSection | None = None
+    decision_rule: Literal["simple", "guarded"] = "simple"
+    proven: list[ProvenSection] = []
+    standard: Standard = "iso230-2:2014"
+    report: ReportSection = ReportSection()
