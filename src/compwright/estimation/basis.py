@@ -1,0 +1,109 @@
+"""The functions of position in which the error of an axis is expanded.
+
+A Gaussian process with a stationary covariance is written as a sum of sines with independent normal weights, whose variances
+are the spectral density of the covariance (Solin and Särkkä, "Hilbert space methods for reduced-rank Gaussian process
+regression", Statistics and Computing 30, 2020, eq. 5 and 21). The design matrix then does not depend on the hyperparameters,
+and a draw of the whole curve is a draw of the weights.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+
+#: The sines vanish at this multiple of the half range, far enough outside for the travel not to notice.
+BOUNDARY = 1.5
+#: Harmonics of a known period: the screw's own turn and its half (misalignment, universal joint).
+HARMONICS = (1, 2)
+
+
+@dataclass(frozen=True, slots=True)
+class Basis:
+    """Columns: offset, slope, sines, then per period cosine and sine of each harmonic; then the reversal's offset, slope, sines.
+
+    ``centre`` and ``half`` (mm or deg) give the normalised position u = (x - centre) / half. The first block describes the mean of
+    both directions, the second the reversal (positive minus negative), of which each direction carries half.
+    """
+
+    centre: float
+    half: float
+    sines: int
+    reversal_sines: int
+    periods: tuple[float, ...]
+    bidirectional: bool
+
+    @property
+    def mean_size(self) -> int:
+        """Number of columns of the mean of both directions."""
+        return 2 + self.sines + 2 * len(HARMONICS) * len(self.periods)
+
+    @property
+    def size(self) -> int:
+        """Number of columns altogether."""
+        return self.mean_size + (2 + self.reversal_sines if self.bidirectional else 0)
+
+    @property
+    def frequencies(self) -> FloatArray:
+        """Angular frequencies (sines,) of the sines, per unit of u."""
+        return _frequencies(self.sines)
+
+    @property
+    def reversal_frequencies(self) -> FloatArray:
+        """Angular frequencies (reversal_sines,) of the reversal's sines, per unit of u."""
+        return _frequencies(self.reversal_sines)
+
+    def design(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return the design matrices (k, size) of the two approach directions at ``positions`` (k,), mm or deg."""
+        u = (positions - self.centre) / self.half
+        columns = [np.ones_like(u), u, *_sines(u, self.sines)]
+        for period in self.periods:
+            for harmonic in HARMONICS:
+                angle = 2.0 * np.pi * harmonic * (positions - self.centre) / period
+                columns += [np.cos(angle), np.sin(angle)]
+        mean = np.column_stack(columns)
+        if not self.bidirectional:
+            return mean, mean
+        half_reversal = 0.5 * np.column_stack([np.ones_like(u), u, *_sines(u, self.reversal_sines)])
+        return np.hstack([mean, half_reversal]), np.hstack([mean, -half_reversal])
+
+
+def _frequencies(count: int) -> FloatArray:
+    return np.pi * np.arange(1, count + 1) / (2.0 * BOUNDARY)
+
+
+def _sines(u: FloatArray, count: int) -> FloatArray:
+    """Return the eigenfunctions (count, k) of the Laplacian on [-BOUNDARY, BOUNDARY]; zero outside, continuously."""
+    inside = np.clip(u, -BOUNDARY, BOUNDARY)
+    waves: FloatArray = np.sin(np.outer(_frequencies(count), inside + BOUNDARY)) / np.sqrt(BOUNDARY)
+    return waves
+
+
+def log_density(frequencies: FloatArray, log_length: float) -> tuple[FloatArray, FloatArray]:
+    """Return log spectral density of a Matérn 5/2 process of unit variance, and its derivative by ``log_length``.
+
+    S(w) = (16/3) a^5 / (a^2 + w^2)^3 with a = sqrt(5) / length (Rasmussen and Williams, Gaussian Processes for Machine
+    Learning, eq. 4.15, one dimension, nu = 5/2).
+    """
+    a = np.sqrt(5.0) * np.exp(-log_length)
+    together = a**2 + frequencies**2
+    density = np.log(16.0 / 3.0) + 5.0 * np.log(a) - 3.0 * np.log(together)
+    return density, -(5.0 - 6.0 * a**2 / together)
+
+
+def hidden_share(targets: FloatArray, period: float) -> float:
+    """Return how much of the first harmonic of ``period`` the targets cannot show: 0 nothing, 1 all of it.
+
+    Offset and slope are taken from cosine and sine at the targets; what is left of the worse phase, against what well
+    spread targets would leave, is the share that is seen.
+    """
+    middle = targets - np.mean(targets)
+    span = max(float(np.ptp(targets)), 1e-300)
+    straight, _ = np.linalg.qr(np.column_stack([np.ones_like(middle), middle / span]))
+    angle = 2.0 * np.pi * middle / period
+    waves = np.column_stack([np.cos(angle), np.sin(angle)])
+    left = waves - straight @ (straight.T @ waves)
+    smallest = np.linalg.svd(left, compute_uv=False)[-1] if targets.size > 1 else 0.0
+    return float(1.0 - min(1.0, smallest / np.sqrt(targets.size / 2.0)))
