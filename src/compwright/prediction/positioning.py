@@ -58,7 +58,8 @@ def _fresh_readings(
 ) -> tuple[FloatArray, FloatArray]:
     """Return mean and s (s, m) of ``runs`` readings about ``deviation`` (s, m), drawn from their exact laws.
 
-    NaN where the standard has no mean (n = 0) or no s (n < 2). Mean and s of normal readings are independent, so the readings themselves need not be drawn.
+    NaN where there is no mean (n = 0) or no s (n < 2). Mean and s of normal readings are independent, so the readings
+    themselves need not be drawn.
     """
     n = np.broadcast_to(np.asarray(runs, dtype=np.float64), deviation.shape)
     sigma = noise[:, np.newaxis]
