@@ -1,0 +1,104 @@
+"""The comment lines ``# key: value`` that say what a test is. Unknown keys and free text are kept as text."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from compwright.instruments.fault_list import FaultList, shown
+from compwright.records.positioning import Cycle
+
+#: Keys that decide how a file is understood: they may not contradict themselves.
+DECISIVE_KEYS = frozenset({"axis", "cycle", "deviation", "compensated_for", "unit", "compwright"})
+#: All keys with a fixed spelling in the header; a file may write them in any case, with blanks or hyphens for the underscore.
+KNOWN_KEYS = DECISIVE_KEYS | {"machine", "serial", "date", "instrument", "operator"}
+#: Under this key of the header stand the comment lines that are not ``key: value``.
+FREE_TEXT = "comment"
+
+_KEY_VALUE = re.compile(r"(?P<key>[^\W\d_][\w .()/-]*?)\s*:(?!//)\s*(?P<value>.*)")
+_SIGNS = {"measured minus target": 1.0, "target minus measured": -1.0}
+
+
+@dataclass(frozen=True, slots=True)
+class Comments:
+    """What the comment lines say: ``header`` as text by key, ``places`` the line of each decisive key."""
+
+    header: dict[str, str] = field(default_factory=dict)
+    places: dict[str, str] = field(default_factory=dict)
+
+    def get(self, key: str) -> str:
+        """Return the value of a key, empty when the file does not say it."""
+        return self.header.get(key, "")
+
+
+def comment_text(line: str) -> str | None:
+    """Return the text of a comment line, None for any other line.
+
+    A spreadsheet that saves a comment as one cell of a row adds quotes and trailing delimiters; both are taken off.
+    """
+    stripped = line.strip().rstrip(",;\t ")
+    if stripped.startswith('"') and stripped.endswith('"') and stripped[1:].lstrip().startswith("#"):
+        stripped = stripped[1:-1].replace('""', '"').strip()
+    return stripped.lstrip("#").strip() if stripped.startswith("#") else None
+
+
+def read_comments(lines: Iterable[tuple[int, str]], faults: FaultList, *, any_key: bool = True) -> Comments:
+    """Return what comment lines (number of the line, text without ``#``) say.
+
+    With ``any_key`` false only known keys are taken as keys, all else is free text; ``unit`` too, because the target data form
+    explains its own key UNIT in such a line. A decisive key that is given twice with different values is a fault; other keys
+    that repeat keep all their values, one per line.
+    """
+    comments = Comments()
+    for number, text in lines:
+        match = _KEY_VALUE.fullmatch(text)
+        written, value = (match["key"], match["value"].strip()) if match else (FREE_TEXT, text)
+        known = re.sub(r"[ -]+", "_", written).lower()
+        if match and known in KNOWN_KEYS and (any_key or known != "unit"):
+            written = known
+            if known in DECISIVE_KEYS:
+                _take_decisive(comments, known, value, f"line {number}", faults)
+                continue
+        elif not any_key or not match:
+            written, value = FREE_TEXT, text
+        if value or match:
+            before = comments.header.get(written)
+            comments.header[written] = value if before is None else f"{before}\n{value}"
+    return comments
+
+
+def _take_decisive(comments: Comments, key: str, value: str, place: str, faults: FaultList) -> None:
+    before = comments.header.get(key)
+    if before is not None and before != value:
+        faults.add(f"key '{key}' is given twice", place=place, expected=shown(before), found=shown(value))
+        return
+    comments.header[key] = value
+    comments.places.setdefault(key, place)
+
+
+def cycle_of(comments: Comments, faults: FaultList) -> Cycle | None:
+    """Return the test cycle that the file states, None when it says nothing (ISO 230-2, standard and step cycle)."""
+    value = comments.get("cycle").lower()
+    if value == "standard":
+        return "standard"
+    if value == "step":
+        return "step"
+    if value:
+        faults.add(
+            "key 'cycle' has an unknown value", place=comments.places["cycle"], expected="standard or step", found=shown(value)
+        )
+    return None
+
+
+def sign_of(comments: Comments, faults: FaultList) -> float | None:
+    """Return the factor (+1 or -1) from the stated deviations to measured minus target, None when the file says nothing."""
+    value = " ".join(comments.get("deviation").lower().split())
+    if value and value not in _SIGNS:
+        faults.add(
+            "key 'deviation' has an unknown value",
+            place=comments.places["deviation"],
+            expected="'measured minus target' or 'target minus measured'",
+            found=shown(value),
+        )
+    return _SIGNS.get(value)

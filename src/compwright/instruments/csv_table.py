@@ -1,0 +1,170 @@
+"""The rows below a header row, whatever the delimiter: comma, semicolon or tab, quoted or not."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.instruments.comments import comment_text
+from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.numbers import TYPOGRAPHIC_MINUS, parse_number
+
+DELIMITERS = {",": "comma", ";": "semicolon", "\t": "tab"}
+COLUMNS = frozenset(
+    {
+        "target_mm",
+        "target_deg",
+        "direction",
+        "run",
+        "deviation_um",
+        "deviation_mm",
+        "deviation_arcsec",
+        "deviation_deg",
+        "measured_mm",
+        "measured_deg",
+    }
+)
+_TRAVERSE = re.compile(r"([+-])([0-9]{1,9})")
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One row: its line in the file and its cells, stripped, one per column."""
+
+    line: int
+    cells: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """``columns`` are the names as `column_name` gives them; ``line`` is that of the header row."""
+
+    delimiter: str
+    line: int
+    columns: tuple[str, ...]
+    rows: tuple[Row, ...]
+
+
+def column_name(text: str) -> str:
+    """Return a header cell in the one spelling used here: stripped, small letters, ``u`` for the micro sign, ``-`` for minus."""
+    return text.strip().lower().replace("µ", "u").replace("μ", "u").replace(TYPOGRAPHIC_MINUS, "-")
+
+
+def traverse_of(column: str) -> tuple[str, int] | None:
+    """Return direction and run of a wide column such as ``+1`` or ``-2``, None for any other column."""
+    match = _TRAVERSE.fullmatch(column)
+    return (match[1], int(match[2])) if match and int(match[2]) >= 1 else None
+
+
+def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple[int, str]]]:
+    """Return comment lines (without ``#``) and all other lines that are not blank, each with its line number from 1."""
+    comments: list[tuple[int, str]] = []
+    others: list[tuple[int, str]] = []
+    for number, line in enumerate(lines, start=1):
+        text = comment_text(line)
+        if text is not None:
+            comments.append((number, text))
+        elif line.strip(" \t,;"):
+            others.append((number, line))
+    return comments, others
+
+
+def header_names(header: str) -> tuple[str, list[str], int]:
+    """Return the delimiter of a header row, its names, and how many of them belong to a positioning file.
+
+    The delimiter is the one that shows most of these names, else the one that gives most cells.
+    """
+    best: tuple[str, list[str], int] = (",", [], 0)
+    for delimiter in DELIMITERS:
+        names = [column_name(cell) for cell in _cells(header, delimiter) or ()]
+        known = sum(name in COLUMNS or traverse_of(name) is not None for name in names)
+        if (known, len(names)) > (best[2], len(best[1])):
+            best = (delimiter, names, known)
+    return best
+
+
+def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> Table:
+    """Return header row and rows. ``lines`` are the lines of the file that are neither blank nor comments, the header first.
+
+    Notes rows with fewer or more cells than the header, a quote that is not closed, values below a column without a name and
+    a column name given twice. Raises InputError when the header row itself cannot be read.
+    """
+    number, header = lines[0]
+    delimiter, names, _ = header_names(header)
+    if not names:
+        raise InputError(Fault(message="the header row has a quote that is not closed", file=faults.file, place=f"line {number}"))
+    columns = tuple(names)
+    for name, count in Counter(name for name in columns if name).items():
+        if count > 1:
+            faults.add("a column is given twice", place=f"line {number}", expected="each column once", found=shown(name))
+    rows = _rows(lines[1:], delimiter, columns, faults)
+    return _without_unnamed(Table(delimiter, number, columns, tuple(rows)), faults)
+
+
+def _rows(lines: Iterable[tuple[int, str]], delimiter: str, columns: Sequence[str], faults: FaultList) -> list[Row]:
+    rows = []
+    for number, line in lines:
+        cells = _cells(line, delimiter)
+        if cells is None:
+            faults.add("a quote is not closed on its line", place=f"line {number}", found=shown(line))
+        elif len(cells) == len(columns):
+            rows.append(Row(number, tuple(cells)))
+        elif any(cells):
+            faults.add(
+                "the row has not as many cells as the header row",
+                place=f"line {number}",
+                expected=f"{len(columns)} cells with the {DELIMITERS[delimiter]} as delimiter",
+                found=f"{len(cells)}{_decimal_comma_hint(cells, delimiter, len(columns))}",
+            )
+    return rows
+
+
+def _decimal_comma_hint(cells: Sequence[str], delimiter: str, wanted: int) -> str:
+    if delimiter != "," or len(cells) <= wanted or not all(_is_number_or_sign(cell) for cell in cells):
+        return ""
+    return " (a decimal comma cannot be used where the comma is the delimiter)"
+
+
+def is_number(text: str) -> bool:
+    """Whether ``text`` is a number by itself."""
+    try:
+        parse_number(text)
+    except ValueError:
+        return False
+    return True
+
+
+def _is_number_or_sign(text: str) -> bool:
+    return text in {"", "+", "-"} or is_number(text)
+
+
+def _without_unnamed(table: Table, faults: FaultList) -> Table:
+    """Drop columns without a name: spreadsheets leave them at the end of every row. A value in one of them is a fault."""
+    kept = [index for index, name in enumerate(table.columns) if name]
+    unnamed = [index for index, name in enumerate(table.columns) if not name]
+    for row in table.rows:
+        for index in unnamed:
+            if row.cells[index]:
+                faults.add(
+                    "a value stands below a column without a name",
+                    place=f"line {row.line}, column {index + 1}",
+                    expected="a name in the header row or an empty cell",
+                    found=shown(row.cells[index]),
+                )
+    rows = tuple(Row(row.line, tuple(row.cells[index] for index in kept)) for row in table.rows)
+    return Table(table.delimiter, table.line, tuple(table.columns[index] for index in kept), rows)
+
+
+def _cells(line: str, delimiter: str) -> list[str] | None:
+    """Return the stripped cells of one line, None when a quote is not closed or a cell is absurdly long."""
+    if line.count('"') % 2:
+        return None
+    try:
+        cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
+    except csv.Error:
+        return None
+    return [cell.strip() for cell in cells]

@@ -1,0 +1,56 @@
+"""Collects every fault of one file, so that the user sees them all at once and not a thousand of one kind."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+
+from compwright.foundations.errors import Fault, InputError
+
+#: Faults of one kind that are told one by one; the rest of them is counted.
+TOLD_PER_KIND = 10
+_SHOWN_CHARACTERS = 60
+_LINE = re.compile(r"line ([0-9]{1,9})")
+
+
+class FaultList:
+    """The faults found in ``file``. Faults with the same message are of one kind."""
+
+    def __init__(self, file: str) -> None:
+        self.file = file
+        self._told: list[Fault] = []
+        self._count: Counter[str] = Counter()
+
+    def __bool__(self) -> bool:
+        """Whether there is any fault."""
+        return bool(self._told)
+
+    def add(self, message: str, *, place: str = "", expected: str = "", found: str = "") -> None:
+        """Note one fault; the first `TOLD_PER_KIND` of a kind are kept with their places."""
+        self._count[message] += 1
+        if self._count[message] <= TOLD_PER_KIND:
+            self._told.append(Fault(message=message, file=self.file, place=place, expected=expected, found=found))
+
+    def raise_if_any(self) -> None:
+        """Raise InputError with the faults in the order of the lines in the file; do nothing when there are none."""
+        if not self._told:
+            return
+        more = [
+            Fault(message=f"{message}: {count - TOLD_PER_KIND} more of this kind", file=self.file)
+            for message, count in self._count.items()
+            if count > TOLD_PER_KIND
+        ]
+        raise InputError(*sorted(self._told, key=_line), *more)
+
+
+def _line(fault: Fault) -> float:
+    """Line of a fault; what is missing altogether has none and comes last."""
+    match = _LINE.match(fault.place)
+    return int(match[1]) if match else float("inf")
+
+
+def shown(text: str) -> str:
+    """Return ``text`` as it may stand in a message: quoted, on one line, cut to a readable length."""
+    flat = " ".join(text.split())
+    printable = "".join(character if character.isprintable() else "?" for character in flat)
+    return f"'{printable}'" if len(printable) <= _SHOWN_CHARACTERS else f"'{printable[:_SHOWN_CHARACTERS]}...'"

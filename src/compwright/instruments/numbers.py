@@ -1,0 +1,118 @@
+"""Numbers as text, independent of the locale: decimal point or decimal comma, one of them throughout a file."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+from compwright.instruments.fault_list import FaultList, shown
+
+#: Typographic minus (U+2212), which word processors put in the place of the hyphen.
+TYPOGRAPHIC_MINUS = "\u2212"
+#: No position or deviation of a machine tool is larger, in whatever unit (1000 km in mm).
+LARGEST = 1e9
+
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
+#: What could as well be a whole number with thousands marks: 1,234 or 12.345.678 but not 0,500 or 1,5.
+_COULD_BE_THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2}(?:[.,][0-9]{3})+")
+_THOUSANDS = re.compile(r"[+-]?[0-9]{1,3}(?:[.,'’ \u00a0\u202f][0-9]{3})+(?:[.,][0-9]*)?")
+_NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity|1\.?#\w+|#num!?|∞)", re.IGNORECASE)
+_INTEGER = re.compile(r"[0-9]{1,9}")
+
+
+def parse_number(text: str) -> float:
+    """Return the finite number that ``text`` states with a decimal point or a decimal comma; blanks around are allowed.
+
+    ``.0266`` and exponents are numbers; thousands marks, units, nan and inf are not. Raises ValueError whose text is the
+    reason, in the form "is ...".
+    """
+    stripped = text.strip().replace(TYPOGRAPHIC_MINUS, "-")
+    if not stripped:
+        raise ValueError("is empty")
+    if _NOT_FINITE.fullmatch(stripped):
+        raise ValueError("is not a finite number")
+    if not _NUMBER.fullmatch(stripped):
+        raise ValueError("has thousands marks" if _THOUSANDS.fullmatch(stripped) else "is not a number")
+    value = float(stripped.replace(",", "."))
+    if abs(value) > LARGEST:
+        raise ValueError("is too large to be a reading")
+    return value
+
+
+def parse_count(text: str) -> int:
+    """Return the whole number of at least 1 that ``text`` states. Raises ValueError with the reason."""
+    stripped = text.strip()
+    if not _INTEGER.fullmatch(stripped) or int(stripped) < 1:
+        raise ValueError("is not a whole number of at least 1")
+    return int(stripped)
+
+
+@dataclass(slots=True)
+class _Marked:
+    """The numbers of a file that carry one decimal mark."""
+
+    count: int = 0
+    place: str = ""
+    text: str = ""
+    #: Whether one of them can only be a decimal fraction.
+    proven: bool = False
+    columns: set[str] = field(default_factory=set)
+
+
+class DecimalMarks:
+    """Watches which decimal mark the numbers of one file carry. Feed every number with `parse`, then ask `check`."""
+
+    def __init__(self, faults: FaultList) -> None:
+        self._faults = faults
+        self._marked = {".": _Marked(), ",": _Marked()}
+        self._unmarked_columns: set[str] = set()
+
+    def parse(self, text: str, *, place: str, column: str, expected: str = "a number") -> float | None:
+        """Return the number in a cell, or None after noting the fault. ``column`` groups numbers that are printed alike."""
+        try:
+            value = parse_number(text)
+        except ValueError as reason:
+            self._faults.add(str(reason), place=place, expected=expected, found=shown(text) if text.strip() else "an empty cell")
+            return None
+        mark = "," if "," in text else "." if "." in text else ""
+        if not mark:
+            self._unmarked_columns.add(column)
+            return value
+        seen = self._marked[mark]
+        if not seen.count:
+            seen.place, seen.text = place, text
+        seen.count += 1
+        seen.proven = seen.proven or not _COULD_BE_THOUSANDS.fullmatch(text.strip().replace(TYPOGRAPHIC_MINUS, "-"))
+        seen.columns.add(column)
+        return value
+
+    def check(self, *, comma_is_delimiter: bool = False) -> None:
+        """Note a fault when points and commas are mixed, the comma is the delimiter too, or a mark may be one of thousands."""
+        point, comma = self._marked["."], self._marked[","]
+        if comma.count and comma_is_delimiter:
+            self._faults.add(
+                "the comma is the delimiter and the decimal mark at once",
+                place=comma.place,
+                expected="a decimal point, or semicolon or tab as delimiter",
+                found=shown(comma.text),
+            )
+        elif point.count and comma.count:
+            rare, other = sorted((point, comma), key=lambda marked: marked.count)
+            self._faults.add(
+                "decimal marks are mixed",
+                place=rare.place,
+                expected="decimal points or decimal commas throughout the file",
+                found=f"{shown(rare.text)} here and {shown(other.text)} in {other.place}"
+                f" ({point.count} with a point, {comma.count} with a comma)",
+            )
+        for mark, seen in self._marked.items():
+            # A point is suspected only where its column holds whole numbers too (500, 750, 1.000): 100.000, 200.000 is how
+            # instruments print. A comma is the usual thousands mark of English text and is suspected until one number proves it.
+            suspected = mark == "," or bool(seen.columns & self._unmarked_columns)
+            if seen.count and not seen.proven and suspected and not (point.count and comma.count):
+                self._faults.add(
+                    "may be a decimal fraction or a number with thousands marks: nothing in the file tells which",
+                    place=seen.place,
+                    expected="numbers without thousands marks, decimals written so that one of them shows it (1000.0)",
+                    found=shown(seen.text),
+                )

@@ -1,0 +1,155 @@
+"""What is noticed while reading a positioning file. Nothing is changed or dropped: the user decides.
+
+Codes of this room:
+
+- ``CW-R001`` info: what the file does not say and what was taken instead (cycle, sign, unit)
+- ``CW-R002`` info: the file does not name its axis
+- ``CW-R003`` info: measured values were turned into deviations
+- ``CW-R004`` info: the instrument already compensated for something
+- ``CW-R005`` info: columns that are not part of the form were left out
+- ``CW-R006`` warning: readings are missing
+- ``CW-R007`` info: the directions have different numbers of traverses
+- ``CW-R008`` warning: a deviation larger than 1 mm or 1 deg
+- ``CW-R009`` warning: all deviations smaller than 0.000001 mm or deg
+- ``CW-R010`` warning: a traverse of exact zeros
+- ``CW-R011`` warning: the deviations grow with the targets one to one, as measured positions do
+- ``CW-R012`` warning: two targets almost the same that no traverse has both
+- ``CW-R013`` warning: the key ``deviation`` has no effect on measured values
+- ``CW-R014`` warning: forward targets listed from high to low
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from compwright.foundations.findings import Finding
+from compwright.instruments.assembling import Grid, as_text
+from compwright.records.axis import AxisKind, Direction, FloatArray
+
+#: Plausible deviations lie between these, in mm or deg: outside, the unit is probably not the one stated.
+LARGEST_PLAUSIBLE = 1.0
+SMALLEST_PLAUSIBLE = 1e-6
+#: Slope of the deviations over the targets that looks like a column of measured positions, and its tolerance (no unit).
+_SLOPE_TOLERANCE = 0.05
+#: Two targets nearer than this share of the median gap are suspected to be one target written in two ways.
+_NEAR_SHARE = 0.1
+_LISTED = 5
+
+
+def findings_of(grid: Grid, kind: AxisKind) -> tuple[Finding, ...]:
+    """Return what is remarkable about the readings of one test, most general first."""
+    return tuple(
+        finding
+        for finding in (
+            _missing(grid, kind),
+            _unequal_traverses(grid),
+            _as_measured(grid, kind) or _too_large(grid, kind),
+            _too_small(grid, kind),
+            _zero_traverses(grid),
+            _near_targets(grid, kind),
+        )
+        if finding is not None
+    )
+
+
+def _all_deviations(grid: Grid) -> FloatArray:
+    return np.hstack([grid.deviations[direction] for direction in Direction])
+
+
+def _missing(grid: Grid, kind: AxisKind) -> Finding | None:
+    gaps = [
+        f"{as_text(grid.targets[row])} {kind.unit} in run {direction}{grid.runs[direction][column]}"
+        for direction in Direction
+        for row, column in np.argwhere(np.isnan(grid.deviations[direction]))
+    ]
+    if not gaps:
+        return None
+    total = _all_deviations(grid).size
+    return Finding("CW-R006", "warning", f"{len(gaps)} of {total} readings are missing: {_list(gaps)}.")
+
+
+def _list(items: list[str]) -> str:
+    told = "; ".join(items[:_LISTED])
+    return told if len(items) <= _LISTED else f"{told}; and {len(items) - _LISTED} more"
+
+
+def _unequal_traverses(grid: Grid) -> Finding | None:
+    positive, negative = (len(grid.runs[direction]) for direction in Direction)
+    if not positive or not negative or positive == negative:
+        return None
+    return Finding("CW-R007", "info", f"There are {positive} traverses in direction + and {negative} in direction -.")
+
+
+def _as_measured(grid: Grid, kind: AxisKind) -> Finding | None:
+    deviations = _all_deviations(grid)
+    made = np.isfinite(deviations)
+    if not np.any(np.abs(deviations[made]) > LARGEST_PLAUSIBLE):
+        return None
+    targets = np.broadcast_to(grid.targets[:, None], deviations.shape)[made]
+    spread = targets - targets.mean()
+    squares = float(spread @ spread)
+    if squares <= 0.0 or abs(float(spread @ deviations[made]) / squares - 1.0) > _SLOPE_TOLERANCE:
+        return None
+    return Finding(
+        "CW-R011",
+        "warning",
+        f"The deviations grow by about 1 {kind.unit} per {kind.unit} of target, as measured positions do: if they are measured"
+        f" positions, name the column measured_{kind.unit}.",
+    )
+
+
+def _too_large(grid: Grid, kind: AxisKind) -> Finding | None:
+    deviations = _all_deviations(grid)
+    size = np.nan_to_num(np.abs(deviations))
+    count = int(np.count_nonzero(size > LARGEST_PLAUSIBLE))
+    if not count:
+        return None
+    row, column = np.unravel_index(int(np.argmax(size)), size.shape)
+    turn = kind is AxisKind.ROTARY and bool(np.any(np.abs(size - 360.0) <= LARGEST_PLAUSIBLE))
+    hint = " or do the readings count modulo 360 deg?" if turn else "?"
+    return Finding(
+        "CW-R008",
+        "warning",
+        f"{count} of {int(np.isfinite(deviations).sum())} deviations are larger than 1 {kind.unit}, the largest"
+        f" {as_text(float(deviations[row, column]))} {kind.unit} at target {as_text(grid.targets[row])} {kind.unit}: is the unit"
+        f" right{hint}",
+    )
+
+
+def _too_small(grid: Grid, kind: AxisKind) -> Finding | None:
+    if np.nanmax(np.abs(_all_deviations(grid))) >= SMALLEST_PLAUSIBLE:
+        return None
+    return Finding(
+        "CW-R009",
+        "warning",
+        f"All deviations are smaller than 0.000001 {kind.unit}: is the unit right, and were the readings taken?",
+    )
+
+
+def _zero_traverses(grid: Grid) -> Finding | None:
+    zero = [
+        f"{direction}{run}"
+        for direction in Direction
+        for run, values in zip(grid.runs[direction], grid.deviations[direction].T, strict=True)
+        if np.count_nonzero(np.isfinite(values)) > 1 and not np.any(np.nan_to_num(values))
+    ]
+    if not zero or not np.any(np.nan_to_num(_all_deviations(grid))):
+        return None
+    return Finding(
+        "CW-R010",
+        "warning",
+        f"Every deviation of run {', '.join(zero)} is exactly zero while others are not: some programs fill runs that were not"
+        " made with zeros. Take them out if so.",
+    )
+
+
+def _near_targets(grid: Grid, kind: AxisKind) -> Finding | None:
+    gaps = np.diff(grid.targets)
+    if gaps.size <= 1:
+        return None
+    made = np.isfinite(_all_deviations(grid))
+    near = (gaps < _NEAR_SHARE * np.median(gaps)) & ~np.any(made[:-1] & made[1:], axis=1)
+    pairs = [f"{as_text(grid.targets[row])} and {as_text(grid.targets[row + 1])} {kind.unit}" for row in np.flatnonzero(near)]
+    if not pairs:
+        return None
+    return Finding("CW-R012", "warning", f"Targets almost the same that no run has both of, perhaps one target: {_list(pairs)}.")

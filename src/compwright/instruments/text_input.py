@@ -1,0 +1,72 @@
+"""Bytes of a measurement file to numbered lines of text. Nothing is replaced or dropped on the way: what is not text is refused."""
+
+from __future__ import annotations
+
+import codecs
+import re
+
+from compwright.foundations.errors import Fault, InputError
+
+#: First bytes of files that people hand over instead of a text export -> what they are.
+_SIGNATURES = (
+    (b"PK\x03\x04", "an Excel workbook or another zip archive"),
+    (b"\xd0\xcf\x11\xe0", "an old Excel workbook (.xls)"),
+    (b"%PDF", "a PDF document"),
+    (b"\x89PNG", "a picture"),
+    (b"\xff\xd8\xff", "a picture"),
+)
+_LINE_END = re.compile(r"\r\n|\r|\n")
+#: Control characters that no text export holds; tab, line feed and carriage return are text.
+_CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f]")
+_WANTED = "a text file in UTF-8, or in UTF-16 with byte order mark"
+
+
+def read_lines(content: bytes, file: str) -> list[str]:
+    """Return the lines of a text file without their ends (LF, CRLF or CR); line n of the file is item n - 1.
+
+    UTF-8 with or without byte order mark, UTF-16 with one. Raises InputError for an empty file, a binary file (named where its
+    first bytes tell what it is) and text in another encoding, with the line on which the first wrong byte stands.
+    """
+    for signature, name in _SIGNATURES:
+        if content.startswith(signature):
+            raise InputError(Fault(message="is not a text file", file=file, expected=_WANTED, found=name))
+    text = _decode(content, file)
+    if not text.strip("\ufeff \t\r\n"):
+        raise InputError(Fault(message="is empty", file=file, expected="a header row and readings"))
+    control = _CONTROL.search(text)
+    if control:
+        raise InputError(
+            Fault(
+                message="is a binary file",
+                file=file,
+                place=f"line {_line_number(text[: control.start()])}",
+                expected=_WANTED,
+                found=f"control character 0x{ord(control.group()):02X}",
+            )
+        )
+    return _LINE_END.split(text.lstrip("\ufeff"))
+
+
+def _decode(content: bytes, file: str) -> str:
+    utf16 = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    try:
+        return content.decode("utf-16" if utf16 else "utf-8-sig")
+    except UnicodeDecodeError as error:
+        if utf16:
+            place, found = "", f"a broken UTF-16 character at byte {error.start + 1}"
+        else:
+            readable = content[: error.start].decode("utf-8-sig", errors="replace")
+            place, found = f"line {_line_number(readable)}", f"byte 0x{content[error.start]:02X}"
+        raise InputError(
+            Fault(
+                message="is a binary file" if b"\x00" in content and not utf16 else "is not text in a known encoding",
+                file=file,
+                place=place,
+                expected=_WANTED,
+                found=found,
+            )
+        ) from error
+
+
+def _line_number(before: str) -> int:
+    return len(_LINE_END.findall(before)) + 1
