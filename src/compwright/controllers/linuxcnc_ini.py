@@ -1,0 +1,161 @@
+"""LinuxCNC's INI files as the control looks things up in them.
+
+Only the first section of a name is searched, the first matching key counts, a value runs to the end of its line (a remark
+behind it belongs to the value), a key without a value counts as absent, a line ending in a backslash goes on in the next.
+``#INCLUDE name`` puts another file in place. Read in LinuxCNC's source (``inifile.cc``, the start script), 2.9.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+_BLANKS = " \t\r\n"
+_JOINT = re.compile(r"\[JOINT_([0-9]{1,3})\]")
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One logical line with the file and line number where it starts."""
+
+    text: str
+    file: str
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """What stands behind a key's equals sign."""
+
+    text: str
+    line: Line
+
+    def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
+        """Return a fault at this place."""
+        return Fault(
+            message=message,
+            file=self.line.file,
+            place=f"line {self.line.number}",
+            expected=expected,
+            found=found or repr(self.text),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class IniFile:
+    """One INI file with what it includes put in place."""
+
+    name: str
+    lines: tuple[Line, ...]
+    faults: tuple[Fault, ...]
+
+    def find(self, section: str, key: str) -> Value | None:
+        """Return the value of a key as the control finds it, None when it does not."""
+        inside = False
+        for line in self.lines:
+            text = line.text.lstrip(_BLANKS)
+            if not text or text[0] in ";#":
+                continue
+            if not inside:
+                inside = text.startswith(f"[{section}]")
+            elif text[0] == "[":
+                return None
+            elif text.startswith(key) and text[len(key) : len(key) + 1] in {" ", "\t", "="}:
+                value = text.partition("=")[2].strip(_BLANKS)
+                return Value(value, line) if value else None
+        return None
+
+    def joints(self) -> tuple[int, ...]:
+        """Return the numbers of the joints that have a section, in order of appearance."""
+        found = [match.group(1) for line in self.lines if (match := _JOINT.match(line.text.lstrip(_BLANKS)))]
+        return tuple(dict.fromkeys(int(number) for number in found))
+
+    def repeated(self) -> tuple[str, ...]:
+        """Return remarks on joint sections that appear again: the control reads only the first."""
+        seen: set[str] = set()
+        remarks = []
+        for line in self.lines:
+            match = _JOINT.match(line.text.lstrip(_BLANKS))
+            if match and match.group(1) in seen:
+                remarks.append(
+                    f"{line.file}: line {line.number}: second section {match.group(0)}: the control reads only the first"
+                )
+            elif match:
+                seen.add(match.group(1))
+        return tuple(remarks)
+
+
+def _looks_like_ini(file: ControlFile) -> bool:
+    """Whether a file is an INI: by its name, or because it has a joint section."""
+    return file.name.lower().endswith(".ini") or re.search(rb"^[ \t]*\[JOINT_[0-9]+\]", file.content, re.MULTILINE) is not None
+
+
+def read_inis(files: Sequence[ControlFile]) -> tuple[tuple[IniFile, ...], frozenset[str]]:
+    """Return the INI files that no other one includes, with their includes in place, and the names of all files used for them."""
+    by_name = {file.name: file for file in files}
+    included: set[str] = set()
+    read = [_expanded(file, by_name, included) for file in files if _looks_like_ini(file)]
+    used = included | {ini.name for ini in read}
+    # files that include each other leave no root: then all of them count
+    return tuple(ini for ini in read if ini.name not in included) or tuple(read), frozenset(used)
+
+
+def bare_name(path: str) -> str:
+    """Return a path's last part, whichever slash it uses."""
+    return re.split(r"[/\\]", path.strip())[-1]
+
+
+def _expanded(file: ControlFile, files: Mapping[str, ControlFile], included: set[str]) -> IniFile:
+    lines: list[Line] = []
+    faults: list[Fault] = []
+    for line in _lines(file, faults):
+        # the start script includes one level deep and only where the mark is the line's first word
+        mark, _, name = line.text.strip().partition(" ")
+        if mark != "#INCLUDE":
+            lines.append(line)
+            continue
+        wanted = bare_name(name)
+        if wanted in files:
+            included.add(wanted)
+            lines += _lines(files[wanted], faults)
+        else:
+            faults.append(
+                Fault(
+                    message="included file was not given",
+                    file=line.file,
+                    place=f"line {line.number}",
+                    expected=wanted or "a file name",
+                )
+            )
+    return IniFile(file.name, tuple(lines), tuple(faults))
+
+
+def _lines(file: ControlFile, faults: list[Fault]) -> list[Line]:
+    """Return the logical lines of one file."""
+    found: list[Line] = []
+    text = file.content.decode("utf-8", "replace")
+    carried, started = "", 0
+    for number, raw in enumerate(text.split("\n"), start=1):
+        line = raw.removesuffix("\r")
+        if "\r" in line or "\x00" in line:
+            faults.append(
+                Fault(
+                    message="carriage return or NUL inside a line: the control does not start",
+                    file=file.name,
+                    place=f"line {number}",
+                )
+            )
+            return found
+        started = started or number
+        if len(line) > 1 and line.endswith("\\"):
+            carried += line[:-1]
+            continue
+        found.append(Line(carried + line, file.name, started))
+        carried, started = "", 0
+    if carried:
+        found.append(Line(carried, file.name, started))
+    return found

@@ -1,0 +1,86 @@
+"""What every virtual control answers, and which ones there are."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Protocol
+
+from compwright.controllers.linuxcnc import linuxcnc_control
+from compwright.controllers.request import Request
+from compwright.controllers.sinumerik import sinumerik_control
+from compwright.foundations.errors import Fault, InputError, UsageError
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.correction import Assumption, ControlFile
+
+
+class VirtualControl(Protocol):
+    """A control with files loaded.
+
+    ``assumed``: facts that the files do not hold. ``notes``: what the control leaves out or does unasked, one sentence each with
+    file and line (a caller that wants exactly what was written refuses when there are any that matter).
+    """
+
+    @property
+    def assumed(self) -> tuple[Assumption, ...]:
+        """Facts that were not in the files."""
+        ...
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the control drops or ignores of the files."""
+        ...
+
+    def addresses(self) -> tuple[str, ...]:
+        """Return the axes that the files speak of, by the control's own names."""
+        ...
+
+    def nodes(self, address: str) -> FloatArray:
+        """Return the positions (k,) of the table, ascending, mm or deg; empty without a table."""
+        ...
+
+    def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return what the control adds to the command at ``positions`` (any shape, mm or deg) arriving in ``direction``, mm or deg.
+
+        Everything together: table and backlash. Raises UsageError for an axis that the files do not speak of.
+        """
+        ...
+
+
+_MAKERS: Mapping[str, Callable[[Sequence[ControlFile], Request], VirtualControl]] = {
+    "linuxcnc": linuxcnc_control,
+    "siemens-840d-sl": sinumerik_control,
+}
+
+#: Formats that have a judge. A format without one is read back, not independently judged.
+KNOWN: tuple[str, ...] = tuple(_MAKERS)
+
+
+def virtual_control(
+    format_id: str,
+    files: Sequence[ControlFile],
+    *,
+    reference_return: Mapping[str, Direction] | None = None,
+    options: Mapping[str, object] | None = None,
+    encoder: Mapping[str, int] | None = None,
+    kinds: Mapping[str, AxisKind] | None = None,
+) -> VirtualControl:
+    """Return the virtual control of ``format_id`` with ``files`` (bare names, raw bytes) loaded.
+
+    By axis address: ``reference_return`` is the direction in which the reference is approached, ``encoder`` the active
+    measuring system (1 or 2), ``kinds`` linear or rotary where no file says it. ``options`` are the controller's options.
+    Whatever had to be taken without being told is in ``assumed``.
+
+    Raises UsageError for an unknown format, InputError for files that the control would refuse or that contradict themselves.
+    """
+    maker = _MAKERS.get(format_id)
+    if maker is None:
+        raise UsageError(Fault(message="no virtual control for this format", expected=" or ".join(KNOWN), found=format_id))
+    if not files:
+        raise InputError(Fault(message="no control files given", expected="the files that the control loads"))
+    request = Request(
+        reference_return=dict(reference_return or {}),
+        encoder=dict(encoder or {}),
+        kinds=dict(kinds or {}),
+        options=dict(options or {}),
+    )
+    return maker(files, request)
