@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import math
 import re
 from collections.abc import Iterable, Iterator
 from typing import Any, get_args
@@ -39,7 +38,7 @@ LARGEST_NUMBER = 1e15  # beyond it a double no longer holds every micrometre of 
 
 def too_large(value: Any) -> bool:
     """Whether a number is infinite or beyond all use, so that it must be a slip or text without quotes."""
-    return isinstance(value, int | float) and not (math.isfinite(value) and abs(value) <= LARGEST_NUMBER)
+    return isinstance(value, int | float) and not abs(value) <= LARGEST_NUMBER
 
 
 def shown(value: Any) -> str:
