@@ -19,7 +19,9 @@ def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
     and for ``guarded`` without an uncertainty.
     """
     if rule not in {"simple", "guarded"}:
-        raise UsageError(Fault(message="unknown decision rule", place="decision_rule", expected="simple or guarded", found=str(rule)))
+        raise UsageError(
+            Fault(message="unknown decision rule", place="decision_rule", expected="simple or guarded", found=str(rule))
+        )
     if rule == "guarded" and U is None:
         raise UsageError(
             Fault(

@@ -17,15 +17,27 @@ from compwright.records.axis import FloatArray
 
 #: ISO 230-2:1988 table 1: s = W / k, here as the factor 1 / k by the number n of readings.
 RANGE_FACTORS_1988: Final[Mapping[int, float]] = {
-    n: 1.0 / k
-    for n, k in {2: 1.128, 3: 1.693, 4: 2.059, 5: 2.326, 6: 2.534, 7: 2.704, 8: 2.847, 9: 2.97, 10: 3.078}.items()
+    n: 1.0 / k for n, k in {2: 1.128, 3: 1.693, 4: 2.059, 5: 2.326, 6: 2.534, 7: 2.704, 8: 2.847, 9: 2.97, 10: 3.078}.items()
 }
 
 #: GOST 27843-2006 table 1: s = W * a_n. Its printed a_10 = 0.3429 is a misprint for 0.3249 (= 1 / 3.078).
 RANGE_FACTORS_GOST: Final[Mapping[int, float]] = {5: 0.4299, 6: 0.3946, 7: 0.3698, 8: 0.3512, 9: 0.3367, 10: 0.3249}
 
 #: Names that `parameters` returns, in the order of the contract.
-ISO_NAMES: Final = ("A", "A_positive", "A_negative", "E", "E_positive", "E_negative", "M", "R", "R_positive", "R_negative", "B", "B_mean")
+ISO_NAMES: Final = (
+    "A",
+    "A_positive",
+    "A_negative",
+    "E",
+    "E_positive",
+    "E_negative",
+    "M",
+    "R",
+    "R_positive",
+    "R_negative",
+    "B",
+    "B_mean",
+)
 #: Names that `vdi_parameters` returns.
 VDI_NAMES: Final = ("P", "Ps_max", "Ps_mean", "Pa", "U_max", "U_mean")
 
@@ -41,7 +53,8 @@ def mean_deviation(deviations: FloatArray) -> FloatArray:
     finite = np.isfinite(deviations)
     number = finite.sum(axis=-1)
     total = np.where(finite, deviations, 0.0).sum(axis=-1)
-    return np.divide(total, number, out=np.full(number.shape, np.nan), where=number > 0)
+    mean: FloatArray = np.divide(total, number, out=np.full(number.shape, np.nan), where=number > 0)
+    return mean
 
 
 def standard_deviation(deviations: FloatArray) -> FloatArray:
@@ -50,7 +63,8 @@ def standard_deviation(deviations: FloatArray) -> FloatArray:
     number = finite.sum(axis=-1)
     residual = np.where(finite, deviations - mean_deviation(deviations)[..., np.newaxis], 0.0)
     squares = (residual**2).sum(axis=-1)
-    return np.sqrt(np.divide(squares, number - 1, out=np.full(number.shape, np.nan), where=number > 1))
+    s: FloatArray = np.sqrt(np.divide(squares, number - 1, out=np.full(number.shape, np.nan), where=number > 1))
+    return s
 
 
 def standard_deviation_from_range(deviations: FloatArray, factors: Mapping[int, float]) -> FloatArray:

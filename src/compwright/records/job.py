@@ -36,7 +36,11 @@ class Acceptance:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UncertaintyBudget:
-    """Contributors of ISO 230-2:2006 annex A as expanded uncertainties (k = 2): µm, µm/m, K, µm/(m K); misalignment in mm."""
+    """Contributors of ISO 230-2:2006 annex A as expanded uncertainties (k = 2): µm (rotary: arcsec), µm/m, K, µm/(m K).
+
+    Two are ranges as in the annex: ``misalignment_mm``, the lateral range of the beam over the measured length, and ``E_VE``, the
+    drift of a stand-still test as long as the run.
+    """
 
     device: float = 0.0
     device_per_m: float = 0.0

@@ -41,7 +41,7 @@ class PositioningResult:
     """Parameters by their contract names (``A``, ``E_positive``, ``B_mean``, ... or VDI's own), mm or deg, None where not defined.
 
     ``at`` gives the target position at which a parameter takes its extreme; ``not_applicable`` the reason of each None.
-    ``coverage`` is the factor k of the standard (3 or 2).
+    ``coverage`` is the factor k of the standard (3 or 2); ``spread`` says how s was formed: ``std`` or ``range``.
     """
 
     test: PositioningTest
@@ -53,3 +53,4 @@ class PositioningResult:
     uncertainty: Mapping[str, ExpandedUncertainty] | None = None
     not_applicable: Mapping[str, str] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
+    spread: str = "std"

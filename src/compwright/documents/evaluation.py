@@ -1,0 +1,113 @@
+"""The answer of ``evaluate`` (``compwright/evaluation/1``): deviations in µm or arcsec, positions in mm or deg."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from compwright.foundations.errors import Fault
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, outside_unit
+from compwright.records.axis import FloatArray
+from compwright.records.positioning import PositioningTest
+from compwright.records.result import ExpandedUncertainty, PositioningResult
+
+SCHEMA = "compwright/evaluation/1"
+#: Digits after the decimal point of deviations in µm or arcsec: takes away the noise of binary numbers, keeps every real digit.
+_DIGITS = 9
+
+
+def evaluation_document(results: Iterable[PositioningResult], errors: Iterable[Fault] = ()) -> dict[str, Any]:
+    """Return evaluations and the faults of what could not be evaluated as the contract's JSON document."""
+    return {
+        "schema": SCHEMA,
+        "results": [result_document(result) for result in results],
+        "errors": [{"file": fault.file, "message": str(replace(fault, file=""))} for fault in errors],
+    }
+
+
+def result_document(result: PositioningResult) -> dict[str, Any]:
+    """Return one positioning result. A parameter that does not exist is null, with its reason in ``not_applicable``.
+
+    Beyond the contract: ``name``, ``coverage`` (k), ``spread`` (std or range), ``header`` (what the file says about the test) and
+    in each target the readings ``deviations_positive`` and ``deviations_negative`` in the order of the runs, null where missing.
+    """
+    test = result.test
+    factor = outside_factor(test.kind.unit)
+    return {
+        "kind": "positioning",
+        "name": test.name,
+        "sources": [{"file": source.file, "sha256": source.sha256} for source in test.sources],
+        "axis": test.axis,
+        "axis_kind": str(test.kind),
+        "standard": result.standard,
+        "coverage": result.coverage,
+        "spread": result.spread,
+        "cycle": test.cycle,
+        "position_unit": test.kind.unit,
+        "unit": outside_unit(test.kind.unit),
+        "n_targets": int(test.targets.size),
+        "n_runs": {"positive": _traverses(test.positive), "negative": _traverses(test.negative)},
+        "parameters": {name: _outside(value, factor) for name, value in result.parameters.items()},
+        "at": dict(result.at),
+        "uncertainty": _uncertainty(result.uncertainty, factor),
+        "targets": _targets(result, factor),
+        "not_applicable": dict(result.not_applicable),
+        "header": dict(test.header),
+        "findings": _findings(result.findings),
+    }
+
+
+def _outside(value: float | None, factor: float) -> float | None:
+    """Return a deviation in the unit outside; None for one that does not exist."""
+    if value is None or not np.isfinite(value):
+        return None
+    return round(float(value) * factor, _DIGITS) + 0.0  # no minus zero
+
+
+def _traverses(deviations: FloatArray) -> int:
+    return int(np.isfinite(deviations).any(axis=0).sum())
+
+
+def _uncertainty(stated: Mapping[str, ExpandedUncertainty] | None, factor: float) -> dict[str, Any] | None:
+    if stated is None:
+        return None
+    return {name: {"U": _outside(entry.U, factor), "coverage": entry.coverage} for name, entry in stated.items()}
+
+
+def _targets(result: PositioningResult, factor: float) -> list[dict[str, Any]]:
+    test, columns = result.test, result.targets
+    values = {
+        "mean_positive": columns.mean_positive,
+        "mean_negative": columns.mean_negative,
+        "s_positive": columns.s_positive,
+        "s_negative": columns.s_negative,
+        "reversal": columns.reversal,
+        "mean": columns.mean,
+        "R_positive": columns.repeatability_positive,
+        "R_negative": columns.repeatability_negative,
+        "R": columns.repeatability,
+    }
+    return [
+        {
+            "position": float(test.targets[i]),
+            "n_positive": _count(test, i)[0],
+            "n_negative": _count(test, i)[1],
+            **{name: _outside(column[i], factor) for name, column in values.items()},
+            "deviations_positive": [_outside(value, factor) for value in test.positive[i]],
+            "deviations_negative": [_outside(value, factor) for value in test.negative[i]],
+        }
+        for i in range(test.targets.size)
+    ]
+
+
+def _count(test: PositioningTest, i: int) -> tuple[int, int]:
+    return int(np.isfinite(test.positive[i]).sum()), int(np.isfinite(test.negative[i]).sum())
+
+
+def _findings(findings: Iterable[Finding]) -> list[dict[str, str]]:
+    unique = dict.fromkeys(findings)
+    return [{"code": entry.code, "severity": entry.severity, "message": entry.message} for entry in unique]

@@ -1,0 +1,280 @@
+"""Checks of the test plan against the edition: targets, runs, rotary positions, spacing, long axes, cycle.
+
+Findings, never refusals.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+
+from compwright.evaluation.readings import position_text, sign_text
+from compwright.foundations.findings import Finding, Severity
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.positioning import PositioningTest
+
+#: Longest axis that is tested with n = 5 over its whole length, mm and deg.
+LONG: Final = {AxisKind.LINEAR: 2000.0, AxisKind.ROTARY: 360.0}
+_FIRST_EDITION: Final = "iso230-2:1988"
+_EIGHT_PER_TURN: Final = ("iso230-2:2006", "iso230-2:2014")
+_PRINCIPAL: Final = (0.0, 90.0, 180.0, 270.0)
+#: Targets in a circle of phases see a periodic error of any phase when the smaller eigenvalue of the covariance of cosine and sine
+#: is 0.5 (evenly spread); below this value one phase is seen at less than a third of its size.
+_PHASES_SEEN: Final = 0.05
+
+
+def plan_findings(
+    test: PositioningTest, standard: str, travel: tuple[float, float] | None, periods: Sequence[float]
+) -> list[Finding]:
+    """Return the findings about how the test was planned, by ``standard`` (an id such as ``iso230-2:2014``).
+
+    ``travel`` of the axis and ``periods`` of known periodic errors in mm or deg. VDI 3441 is checked by the rules of ISO 230-2.
+    """
+    findings = [*_runs(test)]
+    if test.kind is AxisKind.LINEAR:
+        findings += _linear_targets(test)
+    else:
+        findings += _rotary_targets(test, standard)
+    findings += [*_long_axis(test, standard, travel), *_travel_covered(test, travel), *_spacing(test, periods)]
+    if test.cycle == "step":
+        findings.append(
+            Finding(
+                "CW-T09",
+                "warning",
+                "Step cycle: not for acceptance unless agreed in writing (annex of ISO 230-2). A drift D during the test "
+                "puts about 0.92 D into "
+                "E and M, and hardly any into R.",
+            )
+        )
+    return findings
+
+
+def approaches(test: PositioningTest) -> int:
+    """Return the largest number of readings at one target in one direction."""
+    return int(max((test.readings(d).max(initial=0.0) for d in Direction), default=0.0))
+
+
+def _length(test: PositioningTest) -> float:
+    return float(test.targets[-1] - test.targets[0])
+
+
+def _is_long(test: PositioningTest, travel: tuple[float, float] | None) -> bool:
+    longest = max(_length(test), travel[1] - travel[0] if travel else 0.0)
+    return longest > LONG[test.kind] * (1.0 + 1e-9)
+
+
+def _runs(test: PositioningTest) -> list[Finding]:
+    """CW-T01: five approaches per direction; n = 1 belongs to axes over 2 000 mm or 360° only."""
+    counts = {d: int(test.readings(d).max(initial=0.0)) for d in Direction}
+    measured = {d: n for d, n in counts.items() if n}
+    if len(measured) == 1:
+        only = next(iter(measured))
+        one_way = [
+            Finding(
+                "CW-T03",
+                "info",
+                f"Only the approach in {sign_text(only)} was measured; parameters of both directions do not exist.",
+            )
+        ]
+    else:
+        one_way = []
+    if set(measured.values()) == {1} and _length(test) > LONG[test.kind]:
+        return one_way
+    wrong = [f"{n} in {sign_text(d)}" for d, n in measured.items() if n != 5]
+    if not wrong:
+        return one_way
+    severity: Severity = "warning" if min(measured.values()) < 5 else "info"
+    return [
+        *one_way,
+        Finding(
+            "CW-T01", severity, f"The standard asks for 5 approaches to each target and direction; there are {' and '.join(wrong)}."
+        ),
+    ]
+
+
+def _linear_targets(test: PositioningTest) -> list[Finding]:
+    """CW-T02: at least five targets per metre and five in all (4.3.2); long axes with n = 1 have their own interval."""
+    length = _length(test)
+    if length > LONG[test.kind] and approaches(test) == 1:
+        return []
+    needed = max(5, math.ceil(5.0 * length / 1000.0 - 1e-9))
+    if test.targets.size >= needed:
+        return []
+    return [
+        Finding(
+            "CW-T02",
+            "warning",
+            f"{test.targets.size} targets over {length:.10g} mm are too few: at least 5 per metre and 5 in all are needed, "
+            f"here {needed}.",
+        )
+    ]
+
+
+def _rotary_targets(test: PositioningTest, standard: str) -> list[Finding]:
+    """CW-T02 and CW-T04: number of targets and principal positions of rotary axes (1988: 4.3.4; later: 4.3.4, table 1)."""
+    length, number = _length(test), test.targets.size
+    missing = [p for p in _PRINCIPAL if _within(test, p) and not _has(test.targets, p)]
+    findings = []
+    if standard == _FIRST_EDITION:
+        others = sum(not any(_has(np.array([x]), p) for p in _PRINCIPAL) for x in test.targets)
+        if others < 3:
+            message = f"ISO 230-2:1988, 4.3.4 asks for three positions beside 0°, 90°, 180°, 270°; there are {others}."
+            findings.append(Finding("CW-T02", "warning", message))
+    else:
+        needed = 3 if length <= 90.0 else 5 if length <= 180.0 else 8
+        if number < needed:
+            message = (
+                f"{number} targets over {length:.10g}° are too few: this travel needs at least {needed} (table of "
+                "target positions)."
+            )
+            findings.append(Finding("CW-T02", "warning", message))
+    if missing:
+        severity: Severity = "warning" if standard == _FIRST_EDITION else "info"
+        named = ", ".join(f"{p:g}°" for p in missing)
+        findings.append(Finding("CW-T04", severity, f"Principal position not among the targets: {named}."))
+    return findings
+
+
+def _within(test: PositioningTest, principal: float) -> bool:
+    """Whether some turn of ``principal`` lies in the measured range."""
+    first, last = float(test.targets[0]), float(test.targets[-1])
+    return first - 1e-9 <= principal + 360.0 * math.ceil((first - principal - 1e-9) / 360.0) <= last + 1e-9
+
+
+def _has(targets: FloatArray, principal: float) -> bool:
+    offset = (targets - principal + 180.0) % 360.0 - 180.0
+    return bool(np.any(np.abs(offset) < 1e-6))
+
+
+def _long_axis(test: PositioningTest, standard: str, travel: tuple[float, float] | None) -> list[Finding]:
+    """CW-T05: axes over 2 000 mm or 360° have two tests: n = 1 over the whole length, n = 5 over 2 000 mm or 360°."""
+    if not _is_long(test, travel) or (test.kind is AxisKind.ROTARY and standard == _FIRST_EDITION):
+        return []
+    limit = "2 000 mm" if test.kind is AxisKind.LINEAR else "360°"
+    single = approaches(test) == 1
+    findings = []
+    if single and _length(test) > LONG[test.kind]:
+        findings.append(
+            Finding(
+                "CW-T05",
+                "info",
+                f"The axis is longer than {limit}; beside this test with one approach per direction a test with n = 5 over "
+                f"{limit} belongs to it.",
+            )
+        )
+        findings += _long_interval(test, standard)
+    elif _length(test) > LONG[test.kind] * (1.0 + 1e-9):
+        findings.append(
+            Finding(
+                "CW-T05",
+                "warning",
+                f"Repeated approaches over more than {limit}: the standard tests the whole length with one approach per "
+                "direction, and n = 5 over "
+                f"{limit} in the normal working area, as two tests. Evaluated as measured.",
+            )
+        )
+    else:
+        findings.append(
+            Finding(
+                "CW-T05",
+                "info",
+                f"The axis is longer than {limit}; a test of its whole length with one approach per direction belongs to it too.",
+            )
+        )
+    return findings
+
+
+def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
+    """CW-T06: 250 mm (4.3.3); rotary at most 45° (1997, GOST) or eight targets per turn (2006, 2014), up to 1 800°."""
+    length, number = _length(test), test.targets.size
+    if test.kind is AxisKind.LINEAR:
+        mean = length / max(number - 1, 1)
+        if mean <= 250.0 * (1.0 + 1e-9):
+            return []
+        return [
+            Finding(
+                "CW-T06", "warning", f"The mean interval of the targets is {mean:.5g} mm; over 2 000 mm it is to be 250 mm at most."
+            )
+        ]
+    findings = []
+    widest = float(np.diff(test.targets).max())
+    if standard in _EIGHT_PER_TURN:
+        turns = length / 360.0
+        if number < 8.0 * turns - 1e-9:
+            findings.append(
+                Finding("CW-T06", "warning", f"{number} targets over {turns:.4g} turns: at least eight per turn are needed.")
+            )
+    elif widest > 45.0 * (1.0 + 1e-9):
+        findings.append(
+            Finding("CW-T06", "warning", f"The widest interval of the targets is {widest:.5g}°; over 360° it is to be 45° at most.")
+        )
+    if length > 1800.0 * (1.0 + 1e-9):
+        findings.append(
+            Finding("CW-T06", "info", f"{length:.10g}° were measured; the standard asks for 1 800° (five turns) at most.")
+        )
+    return findings
+
+
+def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -> list[Finding]:
+    """CW-T07: targets outside the travel, or more than one mean interval of travel at an end without a target."""
+    if travel is None:
+        return []
+    first, last = float(test.targets[0]), float(test.targets[-1])
+    if first < travel[0] - 1e-6 or last > travel[1] + 1e-6:
+        message = (
+            f"Targets {position_text(first, test)} to {position_text(last, test)} lie outside the travel "
+            f"{position_text(travel[0], test)} to "
+            f"{position_text(travel[1], test)}: check the offset and the sense of the positions."
+        )
+        return [Finding("CW-T07", "warning", message)]
+    full_turn = test.kind is AxisKind.ROTARY and travel[1] - travel[0] >= 360.0 - 1e-6
+    if _is_long(test, travel) or full_turn or test.targets.size < 2:
+        return []
+    interval = (last - first) / (test.targets.size - 1)
+    ends = [(first - travel[0], "lower"), (travel[1] - last, "upper")]
+    told = [f"{position_text(round(gap, 6), test)} at the {end} end" for gap, end in ends if gap > interval * (1.0 + 1e-9)]
+    if not told:
+        return []
+    return [
+        Finding(
+            "CW-T07", "info", f"Part of the travel was not measured: {' and '.join(told)}, more than one interval of the targets."
+        )
+    ]
+
+
+def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
+    """CW-T08: equal spacing, or targets at phases of a known period that hide a periodic error (4.2)."""
+    if test.targets.size < 3:
+        return []
+    hidden = [
+        Finding(
+            "CW-T08",
+            "warning",
+            f"The targets hit the period of {position_text(period, test)} always at the same phases: a periodic error of "
+            "this period can stay "
+            "hidden. Choose targets at varying phases (clause on target positions).",
+        )
+        for period in periods
+        if _phases_seen(test.targets, period) < _PHASES_SEEN
+    ]
+    if hidden or periods:
+        return hidden
+    intervals = np.diff(test.targets)
+    if intervals.max() - intervals.min() > 1e-3 * intervals.mean():
+        return []
+    message = (
+        f"The targets are equally spaced ({position_text(float(intervals.mean()), test)}): a periodic error (screw pitch, "
+        "scale pitch) that divides "
+        "the spacing stays hidden. The standard asks for random offsets."
+    )
+    return [Finding("CW-T08", "info", message)]
+
+
+def _phases_seen(targets: FloatArray, period: float) -> float:
+    """Return the smaller eigenvalue of the covariance of cosine and sine of the target phases: 0 hidden, 0.5 evenly seen."""
+    phase = 2.0 * np.pi * targets / period
+    covariance = np.cov(np.vstack([np.cos(phase), np.sin(phase)]), bias=True)
+    return float(np.linalg.eigvalsh(covariance)[0])

@@ -1,0 +1,285 @@
+"""Checks of the readings themselves: missing ones, traverses of zeros, drift over the runs, suspect traverses and readings.
+
+With n = 5 no reading can lie further than 1.789 s from its own mean, so a 3 s rule never fires; what is suspect is judged by
+medians pooled over the targets. Nothing is dropped: each finding shows the result with and without.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import permutations
+from typing import Final
+
+import numpy as np
+
+from compwright.evaluation.statistics import standard_deviation
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.positioning import PositioningTest
+
+#: Returns one sentence that compares the result with and without some readings; "" where nothing can be compared.
+Compare = Callable[[PositioningTest], str]
+
+#: Runs in random order look ordered with this chance at most before it is called a drift; 2/5! of five runs is 1/60.
+DRIFT_CHANCE: Final = 0.02
+#: A traverse is suspect when its median shift exceeds so many robust standard deviations of a reading. Simulated with five runs
+#: this calls 0.1 % of sound tests suspect when the readings scatter on their own and 1.2 % when whole runs shift together.
+TRAVERSE_LIMIT: Final = 5.0
+#: The same for one reading against its target and its traverse; below 0.1 % of sound tests with five runs.
+READING_LIMIT: Final = 8.0
+#: Factors that make the median absolute deviation of n normal readings unbiased, beside 1.4826 (Croux and Rousseeuw, 1992).
+_MAD_FACTORS: Final = {2: 1.196, 3: 1.495, 4: 1.363, 5: 1.206, 6: 1.200, 7: 1.140, 8: 1.129, 9: 1.107}
+_SHOWN: Final = 5
+_BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
+
+
+def text_of(value: float, test: PositioningTest) -> str:
+    """Return a deviation (mm or deg) as text in µm or arcsec."""
+    outside = value * outside_factor(test.kind.unit)
+    return f"{outside:.2f} {unit_text(test)}" if abs(outside) >= 1.0 else f"{outside:.3f} {unit_text(test)}"
+
+
+def signed_text(value: float, test: PositioningTest) -> str:
+    """Return a deviation (mm or deg) as text in µm or arcsec, with its sign."""
+    return f"{'+' if value > 0 else ''}{text_of(value, test)}"
+
+
+def unit_text(test: PositioningTest) -> str:
+    """Return the unit in which deviations are told to the user."""
+    return "µm" if test.kind.unit == "mm" else "arcsec"
+
+
+def position_text(position: float, test: PositioningTest) -> str:
+    """Return a target position with its unit."""
+    return f"{position:.10g} {test.kind.unit}"
+
+
+def sign_text(direction: Direction) -> str:
+    """Return the direction as a printed sign."""
+    return "+" if direction is Direction.POSITIVE else "−"
+
+
+def _run_number(test: PositioningTest, direction: Direction, column: int) -> int:
+    runs = test.runs_positive if direction is Direction.POSITIVE else test.runs_negative
+    return runs[column] if column < len(runs) else column + 1
+
+
+def reading_findings(test: PositioningTest, compare: Compare) -> list[Finding]:
+    """Return the findings about the readings of ``test``; ``compare`` words the result without some of them."""
+    return [
+        *missing_readings(test),
+        *zero_traverses(test),
+        *drift(test),
+        *suspect_traverses(test, compare),
+        *suspect_readings(test, compare),
+    ]
+
+
+def missing_readings(test: PositioningTest) -> list[Finding]:
+    """Return a finding when the number of readings differs between the targets of one direction (CW-T10)."""
+    parts = []
+    for direction in _BOTH:
+        number = test.readings(direction)
+        measured = number[number > 0]
+        if measured.size and measured.min() < number.max():
+            few = [position_text(x, test) for x, n in zip(test.targets, number, strict=True) if 0 < n < number.max()]
+            parts.append(
+                f"in {sign_text(direction)} {len(few)} of {number.size} targets "
+                f"({', '.join(few[:_SHOWN])}{' ...' * (len(few) > _SHOWN)})"
+            )
+    if not parts:
+        return []
+    return [
+        Finding(
+            "CW-T10",
+            "warning",
+            f"Readings are missing: {'; '.join(parts)} have fewer than the others; each target is evaluated with its own n.",
+        )
+    ]
+
+
+def zero_traverses(test: PositioningTest) -> list[Finding]:
+    """Return a finding for each traverse whose readings are all exactly zero, over at least two targets (CW-T11).
+
+    A file that was read with this finding of its own (CW-R010) does not get it twice.
+    """
+    if any(finding.code == "CW-R010" for finding in test.findings):
+        return []
+    findings = []
+    for direction in _BOTH:
+        deviations = test.deviations(direction)
+        for column in range(deviations.shape[1]):
+            values = deviations[:, column][np.isfinite(deviations[:, column])]
+            if values.size > 1 and not np.any(values):
+                findings.append(
+                    Finding(
+                        "CW-T11",
+                        "warning",
+                        f"Traverse {_run_number(test, direction, column)} in {sign_text(direction)} is exactly zero at all "
+                        f"{values.size} targets: "
+                        "probably not measured. It is part of the result as it stands.",
+                    )
+                )
+    return findings
+
+
+def drift(test: PositioningTest) -> list[Finding]:
+    """Return a finding when the readings progress in order over the runs (ISO 230-2:1997, 3.3), pooled over targets (CW-T12).
+
+    Score of a run and direction: mean over targets of its deviation from the target's median, clipped at three robust standard
+    deviations so that one bad reading cannot decide. Statistic: sum over directions of the absolute slope of the scores over the
+    runs; its significance from all permutations of the run order (common to both directions), so shifts of whole runs in
+    random order raise no alarm. At least five runs; a drift smaller than the pooled s is not mentioned.
+    """
+    scores = {
+        direction: _run_scores(residual, scale)
+        for direction, (residual, scale) in zip(_BOTH, _pooled(test), strict=True)
+        if residual.shape[1] >= 5 and np.any(np.isfinite(residual))
+    }
+    if test.cycle == "step" or not scores:
+        return []
+    runs = min(score.size for score in scores.values())
+    table = np.vstack([score[:runs] for score in scores.values()])
+    centred: FloatArray = np.arange(runs, dtype=np.float64) - 0.5 * (runs - 1)
+    chance = _chance(table, centred)
+    sizes = table @ centred * (runs - 1) / (centred @ centred)
+    s = np.concatenate([standard_deviation(test.deviations(direction)) for direction in _BOTH])
+    pooled = float(np.sqrt(np.mean(s[np.isfinite(s)] ** 2)))
+    if chance > DRIFT_CHANCE or np.abs(sizes).max() < pooled:
+        return []
+    told = " and ".join(f"{signed_text(float(size), test)} in {sign_text(d)}" for size, d in zip(sizes, scores, strict=True))
+    message = (
+        f"The readings drift: {told} from the first run to the last (mean over the targets); in runs without drift such an order "
+        f"has a chance of {100.0 * chance:.1f} %. Warm the axis up and measure again: the drift is part of R and A."
+    )
+    return [Finding("CW-T12", "warning", message)]
+
+
+def _chance(table: FloatArray, centred: FloatArray) -> float:
+    """Return the share of run orders whose statistic is at least that of the order measured."""
+    runs = centred.size
+    if runs <= 7:
+        orders = np.array(list(permutations(centred)))
+    else:
+        orders = np.random.default_rng(0).permuted(np.tile(centred, (20_000, 1)), axis=1)
+    statistic = np.abs(table @ orders.T).sum(axis=0)
+    observed = float(np.abs(table @ centred).sum())
+    at_least = float(np.mean(statistic >= observed * (1.0 - 1e-9)))
+    return max(at_least, 1.0 / len(orders))
+
+
+def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
+    """Return a finding for each traverse that lies off its fellows as a whole (CW-T13); at least three runs."""
+    findings = []
+    for direction, (residual, scale) in zip(_BOTH, _pooled(test), strict=True):
+        if residual.shape[1] < 3 or scale == 0.0:
+            continue
+        for column in range(residual.shape[1]):
+            values = residual[:, column][np.isfinite(residual[:, column])]
+            shift = float(np.median(values)) if values.size else 0.0
+            if abs(shift) > TRAVERSE_LIMIT * scale:
+                without = np.ones(test.deviations(direction).shape, dtype=bool)
+                without[:, column] = False
+                findings.append(
+                    Finding(
+                        "CW-T13",
+                        "warning",
+                        f"Traverse {_run_number(test, direction, column)} in {sign_text(direction)} lies "
+                        f"{text_of(shift, test)} off the others "
+                        f"(robust standard deviation of a reading: {text_of(scale, test)}). "
+                        f"{compare(_kept(test, direction, without))}".strip(),
+                    )
+                )
+    return findings
+
+
+def suspect_readings(test: PositioningTest, compare: Compare) -> list[Finding]:
+    """Return one finding for all readings that lie far off their target's and their traverse's others (CW-T14); n >= 4."""
+    found: list[tuple[float, Direction, int, int]] = []
+    pooled = _pooled(test)
+    inner = [residual - _run_medians(residual) for residual, _ in pooled]
+    inner = [residual - _row_medians(residual) for residual in inner]
+    scale = _scale(inner, test)
+    for direction, residual in zip(_BOTH, inner, strict=True):
+        if residual.shape[1] < 4 or scale == 0.0:
+            continue
+        far = np.argwhere(np.abs(np.nan_to_num(residual)) > READING_LIMIT * scale)
+        found.extend((float(residual[i, j]), direction, int(i), int(j)) for i, j in far)
+    if not found:
+        return []
+    found.sort(key=lambda entry: -abs(entry[0]))
+    changed = test
+    for direction in _BOTH:
+        keep = np.ones(test.deviations(direction).shape, dtype=bool)
+        for _, where, i, j in found:
+            if where is direction:
+                keep[i, j] = False
+        changed = _kept(changed, direction, keep)
+    told = ", ".join(
+        f"run {_run_number(test, d, j)} in {sign_text(d)} at {position_text(float(test.targets[i]), test)} "
+        f"({signed_text(off, test)} off)"
+        for off, d, i, j in found[:_SHOWN]
+    )
+    more = f" and {len(found) - _SHOWN} more" if len(found) > _SHOWN else ""
+    message = (
+        f"Suspect reading{'s' * (len(found) > 1)}: {told}{more}; robust standard deviation of a reading: "
+        f"{text_of(scale, test)}. {compare(changed)}"
+    )
+    return [Finding("CW-T14", "warning", message.strip())]
+
+
+def _kept(test: PositioningTest, direction: Direction, keep: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> PositioningTest:
+    changed = np.where(keep, test.deviations(direction), np.nan)
+    return replace(test, positive=changed) if direction is Direction.POSITIVE else replace(test, negative=changed)
+
+
+def _pooled(test: PositioningTest) -> list[tuple[FloatArray, float]]:
+    """Return per direction the residuals (m, n) from the target's median and the robust scale of a reading, common to both."""
+    residuals = [test.deviations(direction) - _row_medians(test.deviations(direction)) for direction in _BOTH]
+    scale = _scale(residuals, test)
+    return [(residual, scale) for residual in residuals]
+
+
+def _row_medians(values: FloatArray) -> FloatArray:
+    """Return the medians (m, 1) of the readings there are; NaN without one."""
+    medians = [np.median(row[np.isfinite(row)]) if np.any(np.isfinite(row)) else np.nan for row in values]
+    return np.array(medians, dtype=np.float64).reshape(-1, 1)
+
+
+def _run_medians(residual: FloatArray) -> FloatArray:
+    return _row_medians(residual.T).T
+
+
+def _run_scores(residual: FloatArray, scale: float) -> FloatArray:
+    """Return the mean (n,) over targets of the residuals, clipped at three ``scale``; 0 for a run without readings."""
+    clipped = np.clip(np.nan_to_num(residual), -3.0 * scale, 3.0 * scale)
+    number = np.maximum(np.isfinite(residual).sum(axis=0), 1)
+    scores: FloatArray = clipped.sum(axis=0) / number
+    return scores
+
+
+def _scale(residuals: list[FloatArray], test: PositioningTest) -> float:
+    """Return the robust standard deviation of a reading: the mean over targets of the unbiased median absolute residual.
+
+    Not smaller than the resolution of the readings (the smallest step between two of them), so that coarse readings which mostly
+    repeat exactly do not make every last digit suspect. Targets with fewer than three readings do not count.
+    """
+    estimates = []
+    for row in (row for residual in residuals for row in residual):
+        values = np.abs(row[np.isfinite(row)])
+        if values.size >= 3:
+            factor = _MAD_FACTORS.get(values.size, values.size / (values.size - 0.8))
+            estimates.append(1.4826 * factor * float(np.median(values)))
+    if not estimates:
+        return 0.0
+    return max(float(np.mean(estimates)), _resolution(test))
+
+
+def _resolution(test: PositioningTest) -> float:
+    """Return the smallest step between two different readings; 0 where all are equal."""
+    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
+    steps = np.diff(np.unique(values[np.isfinite(values)]))
+    steps = steps[steps > 1e-12]  # below a picometre: rounding of binary numbers
+    return float(steps.min()) if steps.size else 0.0

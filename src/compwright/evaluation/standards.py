@@ -1,0 +1,301 @@
+"""Evaluation of a positioning test to a standard: what each edition defines, for which tests, with which factor.
+
+The texts of 1988 and 1997 and of GOST 27843-2006 were at hand, of 2006 clauses 1 to 7. The text of 2014 was not: it is evaluated
+with the definitions of 2006, whose formulas it keeps under other words ("error" for "deviation"); that one approach per
+direction leaves out s, R and A is its clause 6.2 (as quoted by GOST ISO 230-2-2016). VDI/DGQ 3441 rests on the formulas in
+common use.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Final, Literal
+
+import numpy as np
+
+from compwright.evaluation.checks import plan_findings
+from compwright.evaluation.readings import position_text, reading_findings, sign_text, text_of
+from compwright.evaluation.statistics import (
+    ISO_NAMES,
+    RANGE_FACTORS_1988,
+    RANGE_FACTORS_GOST,
+    VDI_NAMES,
+    mean_deviation,
+    parameters,
+    repeatability,
+    standard_deviation,
+    standard_deviation_from_range,
+    vdi_parameters,
+    vdi_positional_scatter,
+)
+from compwright.evaluation.uncertainty import expanded_uncertainties
+from compwright.foundations.errors import Fault, InputError, UsageError
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.job import Thermal, UncertaintyBudget
+from compwright.records.positioning import PositioningTest
+from compwright.records.result import PositioningResult, TargetColumns
+
+Spread = Literal["std", "range"]
+DEFAULT_STANDARD: Final = "iso230-2:2014"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Standard:
+    """One edition. ``coverage`` is its factor k on s; ``undefined`` the reasons of the parameters that it does not define.
+
+    ``single_approach`` is the clause that leaves out s, R and A for n = 1; ``range_factors`` those of s = W * factor(n), or None.
+    """
+
+    id: str
+    title: str
+    coverage: float
+    single_approach: str
+    names: tuple[str, ...] = ISO_NAMES
+    undefined: Mapping[str, str] = field(default_factory=dict)
+    range_factors: Mapping[int, float] | None = None
+
+
+_NOT_IN_1988: Final = dict.fromkeys(
+    ("E", "E_positive", "E_negative", "M", "B"),
+    "not defined by ISO 230-2:1988 (clauses 2 and 6: R, A and the mean reversal value)",
+)
+
+#: The standards by the ids of the command line.
+STANDARDS: Final[Mapping[str, Standard]] = {
+    standard.id: standard
+    for standard in (
+        Standard(
+            id="iso230-2:1988",
+            title="ISO 230-2:1988",
+            coverage=3.0,
+            single_approach="clause 4.3.3",
+            undefined=_NOT_IN_1988,
+            range_factors=RANGE_FACTORS_1988,
+        ),
+        Standard(id="iso230-2:1997", title="ISO 230-2:1997", coverage=2.0, single_approach="clause 5.2"),
+        Standard(id="iso230-2:2006", title="ISO 230-2:2006", coverage=2.0, single_approach="clause 5.2"),
+        Standard(id=DEFAULT_STANDARD, title="ISO 230-2:2014", coverage=2.0, single_approach="clause 6.2; in 2006 clause 5.2"),
+        Standard(
+            id="gost27843:2006",
+            title="GOST 27843-2006",
+            coverage=2.0,
+            single_approach="clause 6.2",
+            range_factors=RANGE_FACTORS_GOST,
+        ),
+        Standard(
+            id="vdi3441", title="VDI/DGQ 3441", coverage=3.0, single_approach="no standard deviation from one", names=VDI_NAMES
+        ),
+    )
+}
+
+_NEED_S: Final = frozenset({"A", "A_positive", "A_negative", "R", "R_positive", "R_negative", "P", "Ps_max", "Ps_mean"})
+_BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
+
+
+def standard_by_id(name: str, spread: str = "std") -> Standard:
+    """Return the standard of an id. Raises UsageError for an unknown id and for a ``spread`` that the standard does not have."""
+    if name not in STANDARDS:
+        raise UsageError(Fault(message="unknown standard", place="--standard", expected=", ".join(STANDARDS), found=name))
+    standard = STANDARDS[name]
+    if spread not in {"std", "range"}:
+        raise UsageError(Fault(message="unknown estimator of s", place="--spread", expected="std or range", found=spread))
+    if spread == "range" and standard.range_factors is None:
+        having = ", ".join(other.id for other in STANDARDS.values() if other.range_factors is not None)
+        raise UsageError(
+            Fault(
+                message=f"{standard.title} has no range method", place="--spread", expected=f"std, or one of {having}", found=spread
+            )
+        )
+    return standard
+
+
+def evaluate(
+    test: PositioningTest,
+    standard: str = DEFAULT_STANDARD,
+    *,
+    spread: Spread = "std",
+    travel: tuple[float, float] | None = None,
+    periods: Sequence[float] = (),
+    budget: UncertaintyBudget | None = None,
+    thermal: Thermal | None = None,
+) -> PositioningResult:
+    """Evaluate ``test`` (mm or deg) to ``standard``; everything in the result is in mm or deg.
+
+    ``spread`` "range" takes s from the range of the readings (1988 and GOST only). ``travel`` and ``periods`` (mm or deg, machine
+    coordinates) serve the test checks, ``budget`` and ``thermal`` the uncertainty. A parameter is None where the standard does not
+    define it, the approach direction was not measured, or a target lacks the two readings that s needs; ``not_applicable`` says
+    which. A parameter is never formed over fewer targets than were measured; a finding tells R and A of the others instead.
+
+    Raises UsageError for an unknown standard or a range method that does not exist for it or this n, InputError when the test
+    holds no reading or its arrays do not fit together.
+    """
+    chosen = standard_by_id(standard, spread)
+    _require_sound(test)
+    columns = _columns(test, chosen, spread)
+    measured = np.isfinite(columns.mean_positive) | np.isfinite(columns.mean_negative)
+    values = _values(columns, chosen, measured)
+    reasons = {name: _reason(name, test, chosen, measured) for name, value in values.items() if not np.isfinite(value)}
+    reasons |= {name: why for name, why in chosen.undefined.items() if name in values}
+    given = {name: None if name in reasons else float(value) for name, value in values.items()}
+    findings = [*test.findings, *_target_findings(test, columns, chosen, measured)]
+    findings += plan_findings(test, chosen.id, travel, periods)
+
+    def compare(other: PositioningTest) -> str:
+        return _comparison(test, given, other, chosen, spread)
+
+    findings += reading_findings(test, compare)
+    uncertainty = None
+    if budget is not None:
+        uncertainty, remarks = expanded_uncertainties(test, given, columns, chosen.coverage, budget, thermal)
+        findings += remarks
+    return PositioningResult(
+        test=test,
+        standard=chosen.id,
+        coverage=chosen.coverage,
+        parameters=given,
+        targets=columns,
+        at=_located(test, columns, given),
+        uncertainty=uncertainty,
+        not_applicable=reasons,
+        findings=tuple(findings),
+        spread=spread,
+    )
+
+
+def _require_sound(test: PositioningTest) -> None:
+    m = test.targets.size
+    faults = []
+    if test.positive.ndim != 2 or test.negative.ndim != 2 or test.positive.shape[0] != m or test.negative.shape[0] != m:
+        found = f"{m} targets, {test.positive.shape} in +, {test.negative.shape} in −"
+        faults.append(
+            Fault(message="readings and targets do not fit together", file=test.name, expected="one row per target", found=found)
+        )
+    elif not np.any(np.isfinite(test.positive)) and not np.any(np.isfinite(test.negative)):
+        faults.append(Fault(message="the test holds no readings", file=test.name))
+    if not np.all(np.isfinite(test.targets)) or np.any(np.diff(test.targets) <= 0.0):
+        faults.append(Fault(message="target positions are not in ascending order", file=test.name))
+    if faults:
+        raise InputError(*faults)
+
+
+def _columns(test: PositioningTest, standard: Standard, spread: str) -> TargetColumns:
+    def s(deviations: FloatArray) -> FloatArray:
+        if spread == "range" and standard.range_factors is not None:
+            return standard_deviation_from_range(deviations, standard.range_factors)
+        return standard_deviation(deviations)
+
+    mean_positive, mean_negative = mean_deviation(test.positive), mean_deviation(test.negative)
+    s_positive, s_negative = s(test.positive), s(test.negative)
+    reversal = mean_positive - mean_negative
+    r_positive, r_negative, r = repeatability(reversal, s_positive, s_negative, standard.coverage)
+    if standard.names is VDI_NAMES:  # VDI has no R_i; its 6 s of both directions together stands in their place
+        r_positive = r_negative = np.full(test.targets.size, np.nan)
+        r = vdi_positional_scatter(s_positive, s_negative)
+    return TargetColumns(
+        mean_positive=mean_positive,
+        mean_negative=mean_negative,
+        s_positive=s_positive,
+        s_negative=s_negative,
+        reversal=reversal,
+        mean=0.5 * (mean_positive + mean_negative),
+        repeatability_positive=r_positive,
+        repeatability_negative=r_negative,
+        repeatability=r,
+    )
+
+
+def _values(columns: TargetColumns, standard: Standard, use: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> dict[str, float]:
+    """Return all parameters over the targets in ``use``, NaN where something is missing."""
+    if not np.any(use):
+        return dict.fromkeys(standard.names, float("nan"))
+    arguments = (columns.mean_positive[use], columns.s_positive[use], columns.mean_negative[use], columns.s_negative[use])
+    values = vdi_parameters(*arguments) if standard.names is VDI_NAMES else parameters(*arguments, standard.coverage)
+    return {name: float(values[name]) for name in standard.names}
+
+
+def _needed(name: str) -> tuple[Direction, ...]:
+    if name.endswith("_positive"):
+        return (Direction.POSITIVE,)
+    return (Direction.NEGATIVE,) if name.endswith("_negative") else _BOTH
+
+
+def _reason(name: str, test: PositioningTest, standard: Standard, measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> str:
+    """Say why ``name`` cannot be formed."""
+    for direction in _needed(name):
+        if not np.any(np.isfinite(test.deviations(direction))):
+            return f"not measured in the {sign_text(direction)} direction"
+    for direction in _needed(name):
+        number = test.readings(direction)
+        if np.any(number[measured] == 0):
+            where = position_text(float(test.targets[measured & (number == 0)][0]), test)
+            return f"no reading in the {sign_text(direction)} direction at {where}"
+    counts = {direction: test.readings(direction)[measured] for direction in _needed(name)}
+    if name in _NEED_S and all(number.max() == 1 for number in counts.values()):
+        return f"one approach per direction ({standard.single_approach})"
+    for direction, number in counts.items():
+        if name in _NEED_S and number.min() < 2:
+            where = position_text(float(test.targets[measured][number < 2][0]), test)
+            return f"only one reading in the {sign_text(direction)} direction at {where}, so no standard deviation there"
+    return "cannot be formed from these readings"
+
+
+def _located(test: PositioningTest, columns: TargetColumns, given: Mapping[str, float | None]) -> dict[str, float]:
+    """Return the target at which each parameter that is the extreme of one target is reached (the first one on a tie)."""
+    sources = {
+        "R": columns.repeatability,
+        "R_positive": columns.repeatability_positive,
+        "R_negative": columns.repeatability_negative,
+        "B": np.abs(columns.reversal),
+        "Ps_max": columns.repeatability,
+        "U_max": np.abs(columns.reversal),
+    }
+    return {name: float(test.targets[int(np.nanargmax(column))]) for name, column in sources.items() if given.get(name) is not None}
+
+
+def _target_findings(
+    test: PositioningTest,
+    columns: TargetColumns,
+    standard: Standard,
+    measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
+) -> list[Finding]:
+    """CW-T15: targets without any reading; CW-T16: targets without s, with the parameters over the other targets."""
+    findings = []
+    if not np.all(measured):
+        where = ", ".join(position_text(float(x), test) for x in test.targets[~measured])
+        findings.append(Finding("CW-T15", "warning", f"Targets without any reading are left out: {where}."))
+    directions = [d for d in _BOTH if np.any(np.isfinite(test.deviations(d)))]
+    complete = measured & np.all([test.readings(d) >= 2 for d in directions], axis=0)
+    if np.array_equal(complete, measured) or not np.any(complete):
+        return findings
+    where = ", ".join(position_text(float(x), test) for x in test.targets[measured & ~complete])
+    others = _values(columns, standard, complete)
+    told = ", ".join(
+        f"{name} {text_of(value, test)}"
+        for name, value in others.items()
+        if name in {"A", "R", "P", "Ps_max"} and np.isfinite(value)
+    )
+    message = f"Fewer than two readings per direction at {where}: no standard deviation there, so what needs it is not given."
+    findings.append(Finding("CW-T16", "warning", f"{message} Over the other targets: {told}." if told else message))
+    return findings
+
+
+def _comparison(
+    test: PositioningTest, given: Mapping[str, float | None], other: PositioningTest, standard: Standard, spread: str
+) -> str:
+    """Return "A 5.00 µm with it, 4.00 µm without; R ..." for the readings that ``other`` lacks; "" where s is missing."""
+    try:
+        columns = _columns(other, standard, spread)
+    except UsageError:  # fewer readings than the range method has factors for
+        return ""
+    measured = np.isfinite(columns.mean_positive) | np.isfinite(columns.mean_negative)
+    values = _values(columns, standard, measured)
+    told = []
+    for name in ("A", "A_positive", "A_negative", "R", "R_positive", "R_negative", "P", "Ps_max"):
+        value = given.get(name)
+        one_way = name.endswith(("_positive", "_negative"))
+        if value is None or not np.isfinite(values[name]) or (one_way and given.get(name[0]) is not None):
+            continue
+        told.append(f"{name} {text_of(value, test)} with, {text_of(values[name], test)} without")
+    return f"{'; '.join(told)}. Not removed." if told else ""
