@@ -281,6 +281,12 @@ class TestLinuxCnc:
         assert control.nodes("0").size == rows
         assert (control.notes == ()) == (rows == 3), "whatever is dropped must be said"
 
+    @pytest.mark.parametrize("row", ["1 2 3,4", "1.2.3.4", "1-2-3", "1 2 3abc", "1 2 3\0 4", "1 2 3\r4 5 6"])
+    def test_row_that_reads_otherwise_than_it_looks_is_said(self, row: str) -> None:
+        control = comp(row + "\n")
+        assert control.nodes("0").size == 1
+        assert any("first three numbers" in note for note in control.notes)
+
     def test_dropped_line_is_named(self) -> None:
         control = comp(OBSERVED.replace("\n0 ", "\n\n0 "))
         assert len(control.notes) == 1

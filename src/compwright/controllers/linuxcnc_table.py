@@ -80,7 +80,16 @@ def load_table(content: bytes, file: str, comp_type: int) -> CompTable:
             )
         else:
             rows.append(row)
+            if not _plain(piece):
+                notes.append(f"{file}: line {line}: only the first three numbers count: {row[0]:g} {row[1]:g} {row[2]:g}")
     return _stored(rows, comp_type, notes)
+
+
+def _plain(piece: bytes) -> bool:
+    """Whether a piece is one row of separate numbers; behind blanks anything may follow, but no second row."""
+    words = piece.split(maxsplit=3)
+    one_row = not any(mark in piece.strip() for mark in (b"\r", b"\x00"))
+    return one_row and all(_NUMBER.fullmatch(word) for word in words[:3])
 
 
 def _lost(rest: bytes) -> str:
