@@ -90,7 +90,7 @@ def _runs(test: PositioningTest) -> list[Finding]:
     return [
         *one_way,
         Finding(
-            "CW-T01", severity, f"The standard asks for 5 approaches to each target and direction; there are {' and '.join(wrong)}."
+            "CW-T01", severity, f"The standard asks for 5 approaches to each target and direction; found {' and '.join(wrong)}."
         ),
     ]
 

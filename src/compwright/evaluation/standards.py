@@ -136,8 +136,11 @@ def evaluate(
     columns = _columns(test, chosen, spread)
     measured = np.isfinite(columns.mean_positive) | np.isfinite(columns.mean_negative)
     values = _values(columns, chosen, measured)
-    reasons = {name: _reason(name, test, chosen, measured) for name, value in values.items() if not np.isfinite(value)}
-    reasons |= {name: why for name, why in chosen.undefined.items() if name in values}
+    reasons = {
+        name: chosen.undefined.get(name) or _reason(name, test, chosen, measured)
+        for name, value in values.items()
+        if name in chosen.undefined or not np.isfinite(value)
+    }
     given = {name: None if name in reasons else float(value) for name, value in values.items()}
     findings = [*test.findings, *_target_findings(test, columns, chosen, measured)]
     findings += plan_findings(test, chosen.id, travel, periods)
