@@ -1,14 +1,57 @@
-"""What the next test will show: quantiles of its parameters."""
+"""What the next test will show."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from compwright.foundations.findings import Finding
+from compwright.records.correction import AxisCompensation
+from compwright.records.fitted import Limit
+from compwright.records.result import PositioningResult
+
+Decision = Literal["accept", "reject", "undecided"]
 
 
 @dataclass(frozen=True, slots=True)
 class Quantiles:
-    """Median, 5 % and 95 % quantile of a parameter in a fresh test, in the unit of its draws (inside: mm or deg)."""
+    """Median and the limits of the 90 % interval of a predicted parameter, mm or deg."""
 
     median: float
     p05: float
     p95: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TestPrediction:
+    """One test of an axis: what it showed, and what a fresh one will show at its targets and at newly dithered ones."""
+
+    name: str
+    before: PositioningResult
+    predicted: Mapping[str, Quantiles]
+    predicted_new_targets: Mapping[str, Quantiles]
+
+    __test__ = False  # not a test class, whatever the name suggests to a collector
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AcceptDecision:
+    """A tolerance of the job against a prediction or a result. ``limit``, ``value`` and ``U`` in µm or arcsec."""
+
+    limit: float
+    decision: Decision
+    value: float | None = None
+    U: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AxisPrediction:
+    """The prediction of one axis. ``table`` is what the files give when read back; None where no table is written."""
+
+    tests: tuple[TestPrediction, ...]
+    table: AxisCompensation | None
+    quantum: float | None
+    limits: tuple[Limit, ...] = ()
+    accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
