@@ -87,7 +87,7 @@ class DecimalMarks:
         return value
 
     def check(self, *, comma_is_delimiter: bool = False) -> None:
-        """Note a fault when points and commas are mixed, the comma is the delimiter too, or a mark may be one of thousands."""
+        """Note a fault when points and commas are mixed, the comma is the delimiter too, or it may mark thousands."""
         point, comma = self._marked["."], self._marked[","]
         if comma.count and comma_is_delimiter:
             self._faults.add(
@@ -105,14 +105,20 @@ class DecimalMarks:
                 found=f"{shown(rare.text)} here and {shown(other.text)} in {other.place}"
                 f" ({point.count} with a point, {comma.count} with a comma)",
             )
-        for mark, seen in self._marked.items():
-            # A point is suspected only where its column holds whole numbers too (500, 750, 1.000): 100.000, 200.000 is how
-            # instruments print. A comma is the usual thousands mark of English text and is suspected until one number proves it.
-            suspected = mark == "," or bool(seen.columns & self._unmarked_columns)
-            if seen.count and not seen.proven and suspected and not (point.count and comma.count):
-                self._faults.add(
-                    "may be a decimal fraction or a number with thousands marks: nothing in the file tells which",
-                    place=seen.place,
-                    expected="numbers without thousands marks, decimals written so that one of them shows it (1000.0)",
-                    found=shown(seen.text),
-                )
+        # A comma is the usual thousands mark of English text: it is refused until one number of the file proves it decimal.
+        elif comma.count and not comma.proven:
+            self._faults.add(
+                "may be a decimal fraction or a number with thousands marks: nothing in the file tells which",
+                place=comma.place,
+                expected="numbers without thousands marks, decimals written so that one of them shows it (1000.0)",
+                found=shown(comma.text),
+            )
+
+    def doubtful_point(self) -> str:
+        """Return a number such as ``1.250`` that was read as a decimal fraction although it may be 1250, empty when none.
+
+        The point is the decimal mark of this form and is read so. It is doubtful where no number of the file proves it and
+        whole numbers stand in the same column (500, 750, 1.000); 100.000, 200.000 throughout is how instruments print.
+        """
+        point = self._marked["."]
+        return point.text if point.count and not point.proven and point.columns & self._unmarked_columns else ""

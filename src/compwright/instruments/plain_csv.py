@@ -33,6 +33,7 @@ class CsvReadings:
     measured: bool = False
     sign_said: bool = False
     left_out: tuple[str, ...] = ()
+    doubtful: str = ""
 
 
 def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings:
@@ -52,6 +53,7 @@ def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings
             expected="either direction, run and a value, or one column per traverse (+1, -1, ...)",
             found=_listed([*long, *traverses]),
         )
+    marks = DecimalMarks(faults)
     value = "" if traverses else _value_column(table, target, faults)
     used = (target, *traverses) if traverses else (target, "direction", "run", value)
     if not traverses:
@@ -59,15 +61,18 @@ def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings
     if not set(used) <= set(table.columns):
         faults.raise_if_any()  # without these columns every row would repeat the same fault
     if traverses:
-        readings = _wide(table, target, traverses, _wide_factor(target, comments, faults) * (sign or 1.0), faults)
+        factor = _wide_factor(target, comments, faults) * (sign or 1.0)
+        readings = _wide(table, (target, traverses), factor, marks, faults)
     else:
-        readings = _long(table, target, value, sign or 1.0, faults)
+        readings = _long(table, (target, value), sign or 1.0, marks, faults)
+    marks.check(comma_is_delimiter=table.delimiter == ",")
     return CsvReadings(
         kind=_KIND_OF_TARGET[target],
         readings=tuple(readings),
         measured=value.startswith("measured"),
         sign_said=sign is not None,
         left_out=tuple(column for column in table.columns if column not in used),
+        doubtful=marks.doubtful_point(),
     )
 
 
@@ -159,8 +164,8 @@ def _wide_factor(target: str, comments: Comments, faults: FaultList) -> float:
     return known[1]
 
 
-def _long(table: Table, target: str, value: str, sign: float, faults: FaultList) -> list[Reading]:
-    marks = DecimalMarks(faults)
+def _long(table: Table, columns: tuple[str, str], sign: float, marks: DecimalMarks, faults: FaultList) -> list[Reading]:
+    target, value = columns
     where = {name: table.columns.index(name) for name in (target, "direction", "run", value)}
     factor = TO_INSIDE[value.rpartition("_")[2]][1]
     absolute = value.startswith("measured")
@@ -177,12 +182,13 @@ def _long(table: Table, target: str, value: str, sign: float, faults: FaultList)
             continue
         deviation = number * factor - position if absolute else sign * (number * factor)
         readings.append(Reading(position + 0.0, direction, run, deviation, f"line {row.line}"))
-    marks.check(comma_is_delimiter=table.delimiter == ",")
     return readings
 
 
-def _wide(table: Table, target: str, traverses: Mapping[str, tuple[str, int]], factor: float, faults: FaultList) -> list[Reading]:
-    marks = DecimalMarks(faults)
+def _wide(
+    table: Table, columns: tuple[str, Mapping[str, tuple[str, int]]], factor: float, marks: DecimalMarks, faults: FaultList
+) -> list[Reading]:
+    target, traverses = columns
     at = table.columns.index(target)
     where = [(column, table.columns.index(column), Direction(sign), run) for column, (sign, run) in traverses.items()]
     lines: dict[float, int] = {}
@@ -206,7 +212,6 @@ def _wide(table: Table, target: str, traverses: Mapping[str, tuple[str, int]], f
             )
             if position is not None and number is not None:
                 readings.append(Reading(position + 0.0, direction, run, number * factor, place))
-    marks.check(comma_is_delimiter=table.delimiter == ",")
     return readings
 
 

@@ -16,6 +16,7 @@ Codes of this room:
 - ``CW-R012`` warning: two targets almost the same that no traverse has both
 - ``CW-R013`` warning: the key ``deviation`` has no effect on measured values
 - ``CW-R014`` warning: forward targets listed from high to low
+- ``CW-R015`` warning: a point that may mark thousands was read as a decimal point
 """
 
 from __future__ import annotations

@@ -110,6 +110,15 @@ def _measured_findings(comments: Comments, *, sign_said: bool) -> list[Finding]:
 
 def _from_csv(read: CsvReadings, comments: Comments) -> _Parsed:
     findings = _measured_findings(comments, sign_said=read.sign_said) if read.measured else []
+    if read.doubtful:
+        findings.append(
+            Finding(
+                "CW-R015",
+                "warning",
+                f"{shown(read.doubtful)} was read with a decimal point, but whole numbers stand in the same column and no number"
+                " proves the point: if it marks thousands, take it out.",
+            )
+        )
     if read.left_out:
         findings.append(Finding("CW-R005", "info", f"Columns that were left out: {', '.join(read.left_out)}."))
     return _Parsed(

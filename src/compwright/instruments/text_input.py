@@ -17,7 +17,7 @@ _SIGNATURES = (
 )
 _LINE_END = re.compile(r"\r\n|\r|\n")
 #: Control characters that no text export holds; tab, line feed and carriage return are text.
-_CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f]")
+_CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 _WANTED = "a text file in UTF-8, or in UTF-16 with byte order mark"
 
 
