@@ -107,3 +107,191 @@ def made_up(amplitude: float = 12.0, reversal: float = -6.0, *, seed: int = 4, *
 
 def quantiles(median: float, low: float, high: float) -> dict[str, float]:
     return {"median": median, "p05": low, "p95": high}
+
+
+def run_view() -> dict[str, Any]:
+    """A view of two axes: one with limits and a table in both directions, one rotary, measured in one direction."""
+    x = made_up()
+    x["uncertainty"] = {"A": {"U": 1.9, "coverage": 2}, "E": {"U": 1.7, "coverage": 2}, "B": {"U": 0.4, "coverage": 2}}
+    c = positioning(
+        [0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0, 360.0],
+        [[1.1, 2.0], [2.0, None], [3.0, 3.5], [2.0, 1.0], [0.0, 0.1], [-2.0, -2.4], [-4.0, -4.1], [-1.0, -1.2], [0.5, 0.7]],
+        None,
+        {"A": None, "A_positive": 9.13, "E": None, "E_positive": 7.52, "R": None, "R_positive": 3.24, "M": None, "B": None},
+        unit="arcsec", axis="C", name="c_before",
+    )  # fmt: skip
+    nodes = [-850.0 + 50.0 * index for index in range(18)]
+    dense = [-850.0 + 5.0 * index for index in range(171)]
+
+    def wanted(position: float, offset: float) -> float:
+        return -(12.0 * math.sin(position / 260.0) + 0.012 * position + offset) - 3.0
+
+    before = {key: value for key, value in x["parameters"].items() if value is not None}
+    predicted = {
+        "A": quantiles(4.12, 3.47, 5.03), "A_positive": quantiles(3.6, 3.0, 4.4), "E": quantiles(1.93, 1.42, 2.61),
+        "M": quantiles(1.2, 0.8, 1.9), "R": quantiles(3.91, 3.2, 4.9), "B": quantiles(0.82, 0.41, 1.31),
+        "B_mean": quantiles(0.02, -0.61, 0.63),
+    }  # fmt: skip
+    new = {key: quantiles(value["median"] + 0.77, value["p05"] + 0.5, value["p95"] + 1.0) for key, value in predicted.items()}
+    test = {"name": "x_before", "before": before, "predicted": predicted, "predicted_new_targets": new}
+    rotary = {
+        "name": "c_before",
+        "before": {"A_positive": 9.13, "E_positive": 7.52},
+        "predicted": {"A_positive": quantiles(4.1, 3.3, 5.2)},
+    }
+    return {
+        "title": "VMC 850, axes X and C",
+        "machine": {"machine": "VMC 850", "serial number": "1111111", "type": "vertical machining centre"},
+        "format": {"id": "fanuc-30i", "title": "FANUC Series 30i"},
+        "version": "0.1.0",
+        "no_tables": None,
+        "evaluation": {"schema": "compwright/evaluation/1", "results": [x, c], "errors": []},
+        "prediction": {
+            "schema": "compwright/prediction/1",
+            "format": "fanuc-30i",
+            "axes": {
+                "X": {
+                    "tests": [test],
+                    **{key: test[key] for key in ("before", "predicted", "predicted_new_targets")},
+                    "table": {
+                        "positions": nodes,
+                        "correction_positive": [float(round(wanted(node, -3.0))) for node in nodes],
+                        "correction_negative": [float(round(wanted(node, 3.0))) for node in nodes],
+                        "unit": "um",
+                    },
+                    "quantum": 1.0,
+                    "limits": [
+                        {"cause": "resolution of a table value, 1 µm", "value": 0.297, "unit": "um"},
+                        {"cause": "number of points, 18 of 128", "value": 0.115, "unit": "um"},
+                    ],
+                    "accept": {
+                        "A": {"limit": 8.0, "decision": "accept"},
+                        "E": {"limit": 2.0, "decision": "undecided"},
+                        "B": {"limit": 0.3, "decision": "reject"},
+                    },
+                },
+                "C": {
+                    "tests": [rotary],
+                    "before": rotary["before"],
+                    "predicted": rotary["predicted"],
+                    "predicted_new_targets": None,
+                    "table": None,
+                    "quantum": None,
+                    "limits": [],
+                    "accept": {},
+                },
+            },
+        },
+        "axes": {
+            "X": {
+                "address": "1",
+                "kind": "linear",
+                "unit": "um",
+                "estimate": {
+                    "positions": dense,
+                    "mean_positive": [-wanted(p, -3.0) - 3.0 for p in dense],
+                    "mean_negative": [-wanted(p, 3.0) - 3.0 for p in dense],
+                    "std_positive": [0.45 for _ in dense],
+                    "std_negative": [0.45 for _ in dense],
+                },
+                "wanted": {
+                    "positions": dense,
+                    "positive": [wanted(p, -3.0) for p in dense],
+                    "negative": [wanted(p, 3.0) for p in dense],
+                },
+                "mode": "bidirectional",
+                "mode_reason": "The reversal varies over the travel by more than its uncertainty.",
+                "certificate": {"primal_feasibility_mm": 0.0, "dual_feasibility": 1.2e-13, "stationarity": 3.1e-12},
+                "state": ["CNC-PARA.TXT", "PITCH.TXT"],
+                "predicted_targets": {
+                    "positions": [target["position"] for target in x["targets"]],
+                    "positive": [0.4 * math.sin(index) for index in range(11)],
+                    "negative": [-0.5 + 0.4 * math.cos(index) for index in range(11)],
+                    "s": 0.71,
+                },
+                "findings": [
+                    {
+                        "code": "CW-E03",
+                        "severity": "info",
+                        "message": "No screw pitch was given: a periodic error is not estimated.",
+                    },
+                    {"code": "CW-T05", "severity": "warning", "message": "The readings drift by 1.2 µm over the five traverses."},
+                ],
+            },
+            "C": {
+                "address": "4",
+                "kind": "rotary",
+                "unit": "arcsec",
+                "estimate": None,
+                "wanted": None,
+                "mode": None,
+                "mode_reason": None,
+                "certificate": {},
+                "state": None,
+                "predicted_targets": {"positions": [0.0, 90.0, 180.0], "positive": [1.0, 3.0, 0.0], "negative": None, "s": 0.4},
+                "findings": [],
+            },
+        },
+        "assumed": [
+            {"fact": "detection unit", "value": "0.001 mm", "evidence": "confirmed: given in the job"},
+            {
+                "fact": "sign of a pitch error value",
+                "value": "added to the command",
+                "evidence": "unconfirmed: B-64490EN 5.2 does not say",
+            },
+            {"fact": "compensation is active", "value": "yes", "evidence": "inferred from bit 0 of parameter 3602"},
+        ],
+        "findings": [{"code": "CW-S01", "severity": "warning", "message": "The state of axis C was not said."}],
+        "files": [
+            "plan.json",
+            "evaluation.json",
+            "prediction.json",
+            "tables/fanuc-30i/PITCH.TXT",
+            "card/card.html",
+            "card/card.md",
+        ],
+    }
+
+
+def verify_view() -> dict[str, Any]:
+    run = run_view()
+    after = made_up(0.8, -0.5, seed=9, name="x_after", parameters={"A": 4.43, "E": 2.21, "R": 3.94, "B": 1.17})
+    for target in after["targets"]:  # the slope is compensated
+        for key in ("positive", "negative"):
+            target[f"mean_{key}"] -= 0.012 * target["position"]
+            target[f"deviations_{key}"] = [round(value - 0.012 * target["position"], 2) for value in target[f"deviations_{key}"]]
+    x = run["prediction"]["axes"]["X"]
+    return {
+        "title": "VMC 850 after loading",
+        "machine": run["machine"],
+        "format": run["format"],
+        "version": "0.1.0",
+        "verification": {
+            "schema": "compwright/verification/1",
+            "axes": {
+                "X": {
+                    "before": x["before"],
+                    "predicted": x["predicted"],
+                    "after": after["parameters"],
+                    "loading": {
+                        "verdict": "loaded",
+                        "equivalent": ["thermal"],
+                        "factor": 1.0,
+                        "shift_nodes": 0,
+                        "margin": 41.2,
+                        "message": "The test after loading agrees with the table as it was written.",
+                    },
+                    "accept": {
+                        "A": {"limit": 8.0, "value": 4.43, "U": 1.9, "decision": "accept"},
+                        "E": {"limit": 2.0, "value": 2.21, "U": 1.7, "decision": "undecided"},
+                    },
+                }
+            },
+            "circles": {},
+            "verdict": "undecided",
+        },
+        "evaluation_before": {"results": [run["evaluation"]["results"][0]], "errors": []},
+        "evaluation_after": {"results": [after], "errors": [{"file": "runs/broken.csv", "message": "line 3: not a number"}]},
+        "axes": {"X": {"unit": "um", "predicted_targets": run["axes"]["X"]["predicted_targets"]}},
+        "findings": [],
+    }

@@ -110,7 +110,8 @@ def table_plot(entry: Document, *, format: str = "svg") -> bytes:  # noqa: A002
     """Return the correction over position for both directions, nodes marked, beside the correction that was wanted.
 
     ``entry`` holds ``table`` (``positions``, ``correction_positive``, ``correction_negative``, ``unit``) as in the prediction
-    document, and ``wanted`` (``positions``, ``positive``, ``negative``) or None in the same unit. Raises UsageError as `positioning_plot`.
+    document, and ``wanted`` (``positions``, ``positive``, ``negative``) or None in the same unit. Raises UsageError as
+    `positioning_plot`.
     """
     kind = known_format(format, format)
     table = entry["table"]

@@ -1,0 +1,299 @@
+"""The pieces of a page, from documents to rows of text: parameters, tests, findings, assumptions, verdicts. Computes nothing.
+
+A table of text is ``{"heads": [{"text", "unit", "numeric"}], "rows": [[str]]}``; a mark is ``{"tone", "text"}`` with the tones
+good, bad, open (undecided, or to be looked at) and none.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Final
+
+from compwright.reporting.numbers import (
+    MISSING,
+    PARAMETERS,
+    decimals_of,
+    number,
+    plain,
+    position_unit,
+    standard_text,
+    symbol,
+    unit_text,
+)
+
+Document = Mapping[str, Any]
+Mark = dict[str, str]
+TextTable = dict[str, Any]
+
+_DECISIONS: Final = {
+    "accept": {"tone": "good", "text": "✓ accept"},
+    "reject": {"tone": "bad", "text": "✗ reject"},
+    "undecided": {"tone": "open", "text": "? undecided"},
+}
+_SEVERITIES: Final = {
+    "error": {"tone": "bad", "text": "✗ error"},
+    "warning": {"tone": "open", "text": "! warning"},
+    "info": {"tone": "none", "text": "info"},
+}
+_LOADING_WORDS: Final = {"loaded": "✓ loaded", "undecided": "? undecided"}
+_BAR_WIDTH: Final = 200.0
+
+
+def decision_mark(decision: object) -> Mark:
+    """Return the mark of accept, reject or undecided; anything else is "no limit"."""
+    return dict(_DECISIONS.get(str(decision), {"tone": "none", "text": "no limit"}))
+
+
+def loading_mark(verdict: object) -> Mark:
+    """Return the mark of a loading verdict (``loaded``, ``not_active``, ...)."""
+    name = str(verdict)
+    tone = {"loaded": "good", "undecided": "open"}.get(name, "bad")
+    return {"tone": tone, "text": _LOADING_WORDS.get(name, f"✗ {name.replace('_', ' ')}")}
+
+
+def pairs(values: Document | None) -> list[tuple[str, str]]:
+    """Return what is given of a mapping as name and text."""
+    return [(str(name), plain(value)) for name, value in (values or {}).items() if value not in (None, "")]
+
+
+def heads(*columns: tuple[str, str] | str) -> list[dict[str, Any]]:
+    """Return the heads of a table: a text alone is a column of words, a pair of name and unit one of numbers."""
+    return [
+        {"text": column, "unit": "", "numeric": False}
+        if isinstance(column, str)
+        else {"text": column[0], "unit": column[1], "numeric": True}
+        for column in columns
+    ]
+
+
+def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
+    """Return the findings of several lists, each once, errors first, then warnings."""
+    ranks = list(_SEVERITIES)
+    seen: dict[tuple[str, str], dict[str, Any]] = {}
+    for item in (item for group in groups for item in group or ()):
+        severity = str(item.get("severity", "info"))
+        rank = ranks.index(severity) if severity in ranks else len(ranks)
+        mark = dict(_SEVERITIES.get(severity, _SEVERITIES["info"]))
+        code, message = plain(item.get("code")), plain(item.get("message"))
+        seen.setdefault((code, message), {"code": code, "message": message, "mark": mark, "rank": rank})
+    return sorted(seen.values(), key=lambda entry: int(entry["rank"]))
+
+
+def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:
+    """Return assumed facts as text, the unconfirmed ones marked and first."""
+    rows = [
+        {
+            "fact": plain(fact.get("fact")),
+            "value": plain(fact.get("value")),
+            "evidence": plain(fact.get("evidence")),
+            "open": "unconfirmed" in str(fact.get("evidence", "")).lower(),
+        }
+        for fact in facts or ()
+    ]
+    return sorted(rows, key=lambda row: not row["open"])
+
+
+def spread_text(quantiles: object) -> str:
+    """Return the 5-95 % of a predicted parameter, or nothing."""
+    if not isinstance(quantiles, Mapping) or quantiles.get("p05") is None:
+        return ""
+    return f"{number(quantiles['p05'])} to {number(quantiles.get('p95'))}"
+
+
+def median_text(quantiles: object) -> str:
+    """Return the median of a predicted parameter."""
+    return number(quantiles.get("median")) if isinstance(quantiles, Mapping) else MISSING
+
+
+def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
+    """Return the parameters that a verdict shows: those with a limit, else the first that the test has."""
+    if limits:
+        return [key for key in (*PARAMETERS, *limits) if key in limits][: len(limits)]
+    return [key for key in ("A", "P", "E", *PARAMETERS) if parameters.get(key) is not None][:1]
+
+
+def bar(before: object, quantiles: object, limit: object, value: object = None) -> dict[str, Any] | None:
+    """Return the lengths of a bar picture on one scale from 0: before, 5-95 %, the median or a measured value, the limit."""
+    given = quantiles if isinstance(quantiles, Mapping) else {}
+    low, high = given.get("p05"), given.get("p95")
+    shown = value if value is not None else given.get("median")
+    numbers = [float(item) for item in (before, low, high, limit, shown) if isinstance(item, int | float)]
+    largest = max(numbers, default=0.0)
+    if largest <= 0.0 or min(numbers) < 0.0:
+        return None
+
+    def place(item: object) -> float | None:
+        return round(float(item) / largest * (_BAR_WIDTH - 4.0), 1) if isinstance(item, int | float) else None
+
+    left, right = place(low), place(high)
+    return {
+        "before": place(before),
+        "low": left,
+        "width": None if left is None or right is None else round(max(right - left, 1.0), 1),
+        "value": place(shown),
+        "limit": place(limit),
+        "label": f"before {number(before)}, now {number(shown)}, limit {number(limit)}",
+    }
+
+
+def parameter_block(unit: object, standard: object, not_applicable: Document | None, columns: Sequence[Document]) -> dict[str, Any]:
+    """Return the table of parameters with one column per source.
+
+    Each of ``columns`` has ``title`` and either ``values`` (parameter -> number), with ``uncertainty`` (parameter -> U) where
+    given, or ``quantiles`` (parameter -> median, p05, p95).
+    """
+    named = {key for column in columns for key in (column.get("values") or column.get("quantiles") or {})}
+    keys = [key for key in (*PARAMETERS, *sorted(named - set(PARAMETERS))) if key in named]
+    shown = [key for key in keys if any(_value(column, key) != MISSING for column in columns)]
+    reasons: dict[str, list[str]] = {}
+    for key, reason in (not_applicable or {}).items():
+        reasons.setdefault(str(reason).rstrip("."), []).append(symbol(key))
+    return {
+        "standard": standard_text(standard),
+        "columns": [
+            {"title": column["title"], "spread": _has_spread(column), "note": _column_note(column, unit_text(unit))}
+            for column in columns
+        ],
+        "rows": [
+            {
+                "symbol": symbol(key),
+                "words": PARAMETERS.get(key, ("", ""))[1],
+                "cells": [{"value": _value(column, key), "spread": _spread(column, key)} for column in columns],
+            }
+            for key in shown
+        ],
+        "reasons": [(reason, ", ".join(symbols)) for reason, symbols in reasons.items()],
+    }
+
+
+def _has_spread(column: Document) -> bool:
+    return "quantiles" in column or bool(column.get("uncertainty"))
+
+
+def _column_note(column: Document, unit: str) -> str:
+    if "quantiles" in column:
+        return f"{unit}; median, 5–95 %"
+    if column.get("uncertainty"):
+        factor = next(iter(column["uncertainty"].values())).get("coverage", 2)
+        return f"{unit}; ± U, k = {plain(factor)}"
+    return unit
+
+
+def _value(column: Document, key: str) -> str:
+    if "quantiles" in column:
+        return median_text((column["quantiles"] or {}).get(key))
+    return number((column.get("values") or {}).get(key))
+
+
+def _spread(column: Document, key: str) -> str | None:
+    if "quantiles" in column:
+        return spread_text((column["quantiles"] or {}).get(key))
+    if not column.get("uncertainty"):
+        return None
+    entry = column["uncertainty"].get(key)
+    return f"± {number(entry['U'])}" if entry else ""
+
+
+def test_block(result: Document) -> dict[str, Any]:
+    """Return one positioning result in full: sentence, uncertainty, statistics per target and single readings."""
+    unit = unit_text(result.get("unit"))
+    where = unit_text(result.get("position_unit") or position_unit(result.get("unit")))
+    runs = result.get("n_runs") or {}
+    counts = ", ".join(f"{runs[key]} in {sign}" for key, sign in (("positive", "+"), ("negative", "−")) if runs.get(key))
+    at = "; ".join(
+        f"{symbol(key)} at {plain(value)} {where}" for key, value in (result.get("at") or {}).items() if value is not None
+    )
+    sentence = (
+        f"{standard_text(result.get('standard', ''))}, {plain(result.get('cycle', 'standard'))} cycle, "
+        f"{len(result.get('targets', []))} target positions, traverses: {counts or 'none'}, "
+        f"limits drawn at ± {plain(result.get('coverage') or 2)} s."
+    )
+    if at:
+        sentence += f" Extremes: {at}."
+    if not result.get("uncertainty"):
+        sentence += " No measurement uncertainty: no contributors were given."
+    return {
+        "title": f"Axis {plain(result.get('axis'))}, {plain(result.get('name') or 'test')}",
+        "sentence": sentence,
+        "count": len(result.get("targets", [])),
+        "uncertainty": _uncertainty(result, unit),
+        "statistics": _statistics(result, unit, where),
+        "readings": _readings(result, unit, where),
+    }
+
+
+def _uncertainty(result: Document, unit: str) -> TextTable | None:
+    entries = result.get("uncertainty")
+    if not entries:
+        return None
+    values = result.get("parameters") or {}
+    return {
+        "heads": heads("Parameter", ("Value", unit), ("Expanded uncertainty U", unit), ("Coverage factor k", "")),
+        "rows": [
+            [symbol(key), number(values.get(key)), number(entry.get("U")), plain(entry.get("coverage", 2))]
+            for key, entry in entries.items()
+        ],
+    }
+
+
+def _statistics(result: Document, unit: str, where: str) -> TextTable:
+    columns = [
+        ("mean_positive", "mean +"), ("mean_negative", "mean −"), ("s_positive", "s +"), ("s_negative", "s −"), ("reversal", "B"),
+        ("mean", "mean ±"), ("R_positive", "R +"), ("R_negative", "R −"), ("R", "R"),
+    ]  # fmt: skip
+    targets = result.get("targets", [])
+    digits = decimals_of(target.get("position") for target in targets)
+    return {
+        "heads": heads(("Position", where), *((title, unit) for _, title in columns)),
+        "rows": [[number(target.get("position"), digits), *(number(target.get(key)) for key, _ in columns)] for target in targets],
+    }
+
+
+def _readings(result: Document, unit: str, where: str) -> TextTable | None:
+    targets = result.get("targets", [])
+    widths = {
+        key: max((len(target.get(f"deviations_{key}") or []) for target in targets), default=0) for key in ("positive", "negative")
+    }
+    if not any(widths.values()):
+        return None
+    digits = decimals_of(target.get("position") for target in targets)
+    rows = []
+    for target in targets:
+        row = [number(target.get("position"), digits)]
+        for key, width in widths.items():
+            readings = list(target.get(f"deviations_{key}") or [])
+            row.extend(number(value) for value in readings + [None] * (width - len(readings)))
+        rows.append(row)
+    runs = [(f"{sign}{run}", unit) for key, sign in (("positive", "+"), ("negative", "−")) for run in range(1, widths[key] + 1)]
+    return {"heads": heads(("Position", where), *runs), "rows": rows}
+
+
+def sources(*evaluations: Document | None) -> list[dict[str, str]]:
+    """Return the files that were read, each once, with their SHA-256."""
+    seen: dict[tuple[str, str], dict[str, str]] = {}
+    for evaluation in evaluations:
+        for result in (evaluation or {}).get("results", []):
+            for source in result.get("sources") or []:
+                entry = {"file": plain(source.get("file")), "sha256": plain(source.get("sha256"))}
+                seen.setdefault((entry["file"], entry["sha256"]), entry)
+    return list(seen.values())
+
+
+def unreadable(*evaluations: Document | None) -> list[dict[str, str]]:
+    """Return the files of evaluations that could not be read, as findings of the severity error."""
+    return [
+        {"code": "not read", "severity": "error", "message": f"{plain(error.get('file'))}: {plain(error.get('message'))}"}
+        for evaluation in evaluations
+        for error in (evaluation or {}).get("errors") or []
+    ]
+
+
+def result_of(evaluation: Document | None, axis: str, name: str | None = None) -> Document | None:
+    """Return the positioning result of an axis, that of the test ``name`` where there is one of that name."""
+    found = [
+        result
+        for result in (evaluation or {}).get("results", [])
+        if result.get("kind", "positioning") == "positioning" and str(result.get("axis")) == axis
+    ]
+    named = [result for result in found if name is not None and result.get("name") == name]
+    return next(iter(named or found), None)
