@@ -40,6 +40,10 @@ class Fault:
         """Return the same fault with its file named, unless it names one already."""
         return self if self.file else replace(self, file=file)
 
+    def within(self, place: str) -> Fault:
+        """Return the same fault with ``place`` before its own place."""
+        return replace(self, place=f"{place}, {self.place}" if self.place else place)
+
 
 class CompwrightError(Exception):
     """Base of all errors that compwright raises on purpose; its message is one line per fault."""

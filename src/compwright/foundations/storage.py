@@ -1,125 +1,178 @@
 """The only code that touches the file system: read whole, write whole or not at all.
 
 Files are staged beside their target and then put in place by ``os.replace``; a failure on the way removes what was staged
-and, of files that did not exist before, what was already put in place.
+and puts back what was there before. Folders made on the way are removed too.
 """
 
 from __future__ import annotations
 
 import os
-import tempfile
+import secrets
+import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from pathlib import Path
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
 
 from compwright.foundations.errors import Fault, InputError, StorageError
 
+_MOST_BYTES = 256 * 1024 * 1024  # no measurement or control file comes near it; a device file would never end
 
-def _reason(error: OSError) -> str:
-    return error.strerror or type(error).__name__
+
+def _reason(error: OSError | ValueError) -> str:
+    strerror = getattr(error, "strerror", None)
+    return strerror or str(error) or type(error).__name__
 
 
 def read_bytes(path: Path) -> bytes:
-    """Return the bytes of a file. Raises InputError when it is missing or cannot be read."""
+    """Return the bytes of a file. Raises InputError when it is missing, cannot be read or is larger than 256 MiB."""
     try:
-        return path.read_bytes()
-    except OSError as error:
+        with path.open("rb") as stream:
+            content = stream.read(_MOST_BYTES + 1)
+    except (OSError, ValueError) as error:  # ValueError: a name that no file can have (a null byte)
         raise InputError(Fault(message="cannot be read", file=str(path), found=_reason(error))) from error
+    if len(content) > _MOST_BYTES:
+        raise InputError(Fault(message="is too large", file=str(path), expected=f"at most {_MOST_BYTES} bytes"))
+    return content
 
 
 def list_files(path: Path) -> list[Path]:
-    """Return ``[path]`` for a file, and for a folder its files in the order of their names, hidden ones left out.
+    """Return ``[path]`` for a file or for nothing, and for a folder its files by name, hidden ones left out.
 
-    Raises InputError when there is nothing at ``path`` or the folder cannot be listed.
+    Raises InputError when the folder cannot be listed.
     """
-    if not path.is_dir():
-        return [path]
     try:
+        if not path.is_dir():
+            return [path]
         return sorted(entry for entry in path.iterdir() if entry.is_file() and not entry.name.startswith("."))
-    except OSError as error:
+    except (OSError, ValueError) as error:
         raise InputError(Fault(message="folder cannot be read", file=str(path), found=_reason(error))) from error
 
 
 def refuse_overwriting(paths: Sequence[Path], *, force: bool) -> None:
-    """Raise StorageError, naming every file that exists already, unless ``force``."""
-    if force:
-        return
-    faults = [
-        Fault(message="exists already", file=str(path), expected="a new file, or --force to replace it")
-        for path in paths
-        if path.exists() and not path.is_dir()
-    ]
+    """Raise StorageError, naming every file that exists already, unless ``force``.
+
+    Folders in the place of a file, and what is no file at all (a device, a pipe), are refused with ``force`` too.
+    """
+    faults = [fault for path in paths for fault in _hindrances(path, force=force)]
     if faults:
         raise StorageError(*faults)
+
+
+def _hindrances(path: Path, *, force: bool) -> Iterator[Fault]:
+    try:
+        exists, is_file, is_folder = os.path.lexists(path), path.is_file(), path.is_dir()
+        is_link = path.is_symlink()
+    except (OSError, ValueError) as error:
+        yield Fault(message="cannot be written", file=str(path), found=_reason(error))
+        return
+    if is_folder:
+        yield Fault(message="is a folder", file=str(path), expected="the name of a file")
+    elif exists and not (is_file or is_link):
+        yield Fault(message="is no ordinary file", file=str(path), expected="the name of a file")
+    elif exists and not force:
+        yield Fault(message="exists already", file=str(path), expected="a new file, or --force to replace it")
+
+
+@dataclass(slots=True)
+class _Changes:
+    """What was done so far, so that it can be undone."""
+
+    staged: list[Path] = field(default_factory=list)
+    kept: dict[Path, Path] = field(default_factory=dict)  # target -> copy of what was there before
+    placed: list[Path] = field(default_factory=list)
+    made: list[Path] = field(default_factory=list)
+
+    def undo(self) -> None:
+        for target in self.placed:
+            with suppress(OSError):
+                if target in self.kept:
+                    self.kept[target].replace(target)
+                else:
+                    target.unlink()
+        self.clear()
+        for folder in reversed(self.made):
+            with suppress(OSError):
+                folder.rmdir()
+
+    def clear(self) -> None:
+        """Remove what was put beside the targets."""
+        for path in (*self.staged, *self.kept.values()):
+            with suppress(OSError):
+                path.unlink(missing_ok=True)
 
 
 def write_files(folder: Path, files: Mapping[str, bytes], *, force: bool = False) -> list[Path]:
     """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, all of them or none.
 
-    Returns the paths in the order given. Raises StorageError when one exists (unless ``force``), for missing permission and
-    for a full disk; then nothing half-written is left.
+    Returns the paths in the order given. Raises StorageError when one exists (unless ``force``), for missing permission, for a
+    full disk and for a name that leads out of ``folder``; then everything is as it was before, files replaced included.
     """
-    targets = {folder / name: content for name, content in files.items()}
+    targets = {_below(folder, name): content for name, content in files.items()}
     refuse_overwriting(list(targets), force=force)
-    staged: list[tuple[Path, Path]] = []
-    placed: list[Path] = []
-    made: list[Path] = []
+    changes = _Changes()
     current = folder
     try:
         for current, content in targets.items():
-            made.extend(_make_folder(current.parent))
-            staged.append((_stage(current, content), current))
-        for temporary, current in staged:
-            existed = current.exists()
+            _make_folder(current.parent, changes.made)
+            _stage(current, content, changes)
+        for temporary, current in zip(changes.staged, targets, strict=True):
             temporary.replace(current)
-            if not existed:
-                placed.append(current)
-    except OSError as error:
-        _undo([temporary for temporary, _ in staged], placed, made)
+            changes.placed.append(current)
+    except (OSError, ValueError) as error:
+        changes.undo()
         raise StorageError(Fault(message="cannot be written", file=str(current), found=_reason(error))) from error
+    except BaseException:  # Ctrl-C leaves nothing half-written either
+        changes.undo()
+        raise
+    changes.clear()
     return list(targets)
 
 
 def write_file(path: Path, content: bytes, *, force: bool = False) -> Path:
     """Write one file whole. Errors as in `write_files`."""
+    if not path.name:
+        raise StorageError(Fault(message="is a folder", file=str(path), expected="the name of a file"))
     return write_files(path.parent, {path.name: content}, force=force)[0]
 
 
-def _make_folder(folder: Path) -> list[Path]:
+def _below(folder: Path, name: str) -> Path:
+    parts = PurePosixPath(name).parts
+    if not parts or ".." in parts or PurePosixPath(name).is_absolute() or Path(name).is_absolute():
+        raise StorageError(Fault(message="leads out of the folder", file=name, expected=f"a name below {folder}"))
+    return folder.joinpath(*parts)
+
+
+def _make_folder(folder: Path, made: list[Path]) -> None:
+    """Make a folder and those above it, noting each one made, also when a later one fails."""
     missing: list[Path] = []
     probe = folder
     while not probe.exists():
         missing.append(probe)
         probe = probe.parent
-    folder.mkdir(parents=True, exist_ok=True)
-    return missing
+    for path in reversed(missing):
+        path.mkdir()
+        made.append(path)
 
 
-def _stage(target: Path, content: bytes) -> Path:
-    if target.is_dir():
-        raise IsADirectoryError(21, "is a folder", str(target))
-    handle, name = tempfile.mkstemp(prefix=f".{target.name}.", suffix=".part", dir=target.parent)
-    temporary = Path(name)
-    try:
-        with os.fdopen(handle, "wb") as stream:
-            stream.write(content)
-            stream.flush()
-            os.fsync(stream.fileno())
-        temporary.chmod(0o644)
-    except OSError:
-        with suppress(OSError):
-            temporary.unlink()
-        raise
-    return temporary
+def _beside(target: Path) -> Path:
+    """Return an unused short name beside ``target`` (one longer than the target's could be too long for the file system)."""
+    return target.with_name(f".{secrets.token_hex(6)}.part")
 
 
-def _undo(temporaries: Sequence[Path], placed: Sequence[Path], made: Sequence[Path]) -> None:
-    for path in (*temporaries, *placed):
-        with suppress(OSError):
-            path.unlink(missing_ok=True)
-    for folder in sorted(made, key=lambda path: len(path.parts), reverse=True):
-        with suppress(OSError):
-            folder.rmdir()
+def _stage(target: Path, content: bytes, changes: _Changes) -> None:
+    """Write ``content`` beside ``target``, with the rights of the file that it will replace."""
+    temporary = _beside(target)
+    changes.staged.append(temporary)
+    with temporary.open("xb") as stream:
+        stream.write(content)
+        stream.flush()
+        os.fsync(stream.fileno())
+    if target.is_file():
+        shutil.copymode(target, temporary)
+        kept = _beside(target)
+        changes.kept[target] = kept
+        shutil.copy2(target, kept)
 
 
 def definition_files() -> Iterator[tuple[str, bytes]]:

@@ -42,6 +42,7 @@ def key_path_text(path: KeyPath) -> str:
     return text
 
 
+_DEEPEST = 50  # composing recurses; a job or a definition needs less than ten levels
 _LONE_SURROGATE = re.compile("[\ud800-\udfff]")  # cannot be written to any file or terminal
 
 
@@ -144,8 +145,6 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
         raise InputError(Fault(message=f"is not valid YAML ({str(error).splitlines()[0]})", file=file)) from error
     except (ValueError, OverflowError) as error:  # an escape such as "\UFFFFFFFF" beyond the last character of Unicode
         raise InputError(Fault(message="holds an escape that is no character", file=file, found=str(error))) from error
-    except RecursionError as error:
-        raise InputError(Fault(message="is nested too deeply", file=file)) from error
     return YamlDocument(data=data, lines=reader.lines), tuple(reader.faults)
 
 
@@ -159,11 +158,16 @@ def _decoded(content: bytes, file: str) -> str:
 
 
 def _refuse_aliases_and_tags(text: str, file: str) -> None:
+    """Raise InputError for what is YAML but not plain data, and for nesting deeper than any file of ours."""
+    depth = 0
     for event in yaml.parse(text, Loader=yaml.SafeLoader):
+        depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
         if isinstance(event, yaml.AliasEvent):
             message, expected = "aliases (*name) are not accepted", "the value written out"
         elif getattr(event, "tag", None) is not None:
             message, expected = "tags (!name) are not accepted", "the plain value"
+        elif depth > _DEEPEST:
+            message, expected = "is nested too deeply", f"at most {_DEEPEST} levels"
         else:
             continue
         place = f"line {event.start_mark.line + 1}" if event.start_mark else ""
