@@ -1,0 +1,308 @@
+"""The table of one axis: nodes, best values under the control's limits, whole quanta, and what each limit costs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Final, Literal
+
+import numpy as np
+
+from compwright.fitting.grid import Grid, choose_grid
+from compwright.fitting.problem import (
+    BOTH,
+    Layout,
+    QuadraticProblem,
+    Sampled,
+    Shape,
+    hat_matrix,
+    limited_increment,
+    limited_range,
+    sampled,
+    state_problem,
+)
+from compwright.fitting.rounding import round_curve, to_quanta
+from compwright.fitting.solve import RangeProblem, solve_quadratic, solve_range
+from compwright.foundations.errors import CapacityError, Fault
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable, Goal, Limit, TableRequest
+
+#: Natural logarithm of the evidence from which on two tables are worth it ("strong": 20 to 1).
+STRONG: Final = 3.0
+#: A limit that costs less than this share of a quantum is not worth a word.
+_WORTH_SAYING: Final = 0.05
+
+
+def fit_table(wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str) -> FittedTable:
+    """Return the table that brings the control closest to ``wanted`` (totals, mm or deg) under its limits.
+
+    Goal ``expected``: least mean square of held minus wanted over the travel and both directions, which is the expected squared
+    deviation but for a constant that no table changes. Goals ``A``, ``E``: least range over both directions (A adds the same
+    noise everywhere, so that its best table is that of E); ``M``: least range of the mean of both. Zero in the
+    zero state. Raises CapacityError where the control cannot hold what is asked or no certified solution was found.
+    """
+    _refuse(capacity, request)
+    shape, reason = _shape(wanted, capacity, request)
+    grid = choose_grid(wanted, capacity, request)
+    aim, datum_findings = _with_datum(grid.wanted, grid.nodes, capacity)
+    layout = _layout(grid.nodes, shape, capacity, wanted.reference_return)
+    fit = _Fit(sampled(aim, grid.nodes, capacity), layout, capacity, wanted.reference)
+    best = fit.expected() if request.goal == "expected" else fit.least_range(aim, request.goal)
+    table = _rounded(best.x, fit, address, aim)
+    limits = _limits(fit, best, table, grid)
+    findings = (*grid.findings, *datum_findings, *_edge_findings(table, wanted), *_loss_findings(limits, wanted))
+    worst = _rounding_error(table, best.x, layout)
+    return FittedTable(
+        compensation=table,
+        mode=shape,
+        mode_reason=reason,
+        certificate={**best.certificate, "rounding": worst},
+        limits=limits,
+        findings=findings,
+    )
+
+
+def _refuse(capacity: Capacity, request: TableRequest) -> None:
+    faults = []
+    if request.mode == "bidirectional" and capacity.curves == 1:
+        faults.append(
+            Fault(
+                message=f"{capacity.format} holds one table for both directions",
+                place="table.mode",
+                expected="single or auto",
+                found="bidirectional",
+            )
+        )
+    low, high = limited_range(capacity)
+    if not low <= 0.0 <= high:
+        faults.append(
+            Fault(
+                message="the correction is zero at the reference, and the control cannot hold zero",
+                place="value range",
+                expected="a range that contains 0",
+                found=f"{capacity.value_range[0]:g} to {capacity.value_range[1]:g}",
+            )
+        )
+    if faults:
+        raise CapacityError(*faults)
+
+
+def _shape(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> tuple[Shape, str]:
+    odds = wanted.reversal_log_odds
+    if request.mode == "bidirectional":
+        return "bidirectional", "two tables, as the job asks"
+    if request.mode == "single":
+        return "single", "one table and one reversal value, as the job asks"
+    if capacity.curves == 1:
+        return "single", "one table and one reversal value: the control holds one table for both directions"
+    says = f"log odds {odds:.1f}, strong from {STRONG:g} on"
+    if odds > STRONG:
+        return "bidirectional", f"two tables: the reversal varies with position ({says})"
+    return "single", f"one table and a constant between the directions: no strong evidence that the reversal varies ({says})"
+
+
+def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction) -> Layout:
+    if capacity.curves == 2:
+        return Layout(nodes=nodes, shape=shape, reversal="free", home=home)
+    reversal = "none" if capacity.backlash_quantum is None else "backlash"
+    return Layout(nodes=nodes, shape=shape, reversal=reversal, home=home)
+
+
+def _with_datum(wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity) -> tuple[WantedCorrection, tuple[Finding, ...]]:
+    """Return ``wanted`` shifted to zero where the control's table must be zero, and what to say about it.
+
+    A constant is free: it moves the datum of the axis, not its errors. Where the reference lies outside the table and the
+    control holds its end value there, it is the end node that must be zero.
+    """
+    reference = wanted.reference
+    outside = "below" if reference < nodes[0] else "above" if reference > nodes[-1] else None
+    place = float(np.clip(reference, nodes[0], nodes[-1]))
+    findings: tuple[Finding, ...] = ()
+    if outside is not None:
+        holds = (capacity.below if outside == "below" else capacity.above) == "hold"
+        acts = "its end value, which is therefore zero" if holds else "nothing"
+        unit = wanted.kind.unit
+        message = (
+            f"the reference position ({reference:g} {unit}) lies outside the table ({nodes[0]:g} to {nodes[-1]:g} {unit}): "
+            f"there the control applies {acts}, and the error between them is not corrected"
+        )
+        findings = (Finding("CW-F03", "warning", message),)
+        if not holds:
+            place = reference
+    shift = float(np.interp(place, wanted.positions, wanted.total(wanted.reference_return)))
+    return replace(wanted, positive=wanted.positive - shift, negative=wanted.negative - shift), findings
+
+
+@dataclass(frozen=True, slots=True)
+class _Best:
+    """Unknowns before rounding, and their certificate."""
+
+    x: FloatArray
+    certificate: dict[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class _Fit:
+    """One fit: the sampled wish, where the unknowns stand, the limits."""
+
+    data: Sampled
+    layout: Layout
+    capacity: Capacity
+    reference: float
+
+    def problem(self, without: tuple[str, ...] = ()) -> QuadraticProblem:
+        return state_problem(self.data, self.layout, self.capacity, self.reference, without=without)
+
+    def expected(self, without: tuple[str, ...] = ()) -> _Best:
+        solution = solve_quadratic(self.problem(without))
+        return _Best(solution.x, solution.certificate)
+
+    def least_range(self, wanted: WantedCorrection, goal: Goal) -> _Best:
+        """Return the table of least range of the deviations that remain, at the positions of ``wanted`` and the nodes."""
+        nodes, where = self.layout.nodes, wanted.positions
+        inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]
+        points = np.union1d(where, inside)
+        table = hat_matrix(points, nodes, below=self.capacity.below, above=self.capacity.above)
+        rows = [self.layout.columns(table, direction) for direction in BOTH]
+        aims = [np.interp(points, where, wanted.total(direction)) for direction in BOTH]
+        if goal == "M":
+            rows, aims = [0.5 * (rows[0] + rows[1])], [0.5 * (aims[0] + aims[1])]
+        problem = RangeProblem(D=np.vstack(rows), d=np.concatenate(aims), limits=self.problem())
+        return _Best(*solve_range(problem, slack=0.01 * self.capacity.quantum))
+
+    def rms(self, x: FloatArray) -> float:
+        return float(np.sqrt(self.data.mean_square(self.layout, x)))
+
+    def unlimited(self, *, shape: Shape | None = None, reversal: Literal["free"] | None = None) -> float:
+        """Return the rms left without limits of value and increment, with another shape or reversal where named."""
+        layout = replace(self.layout, shape=shape or self.layout.shape, reversal=reversal or self.layout.reversal)
+        other = replace(self, layout=layout)
+        return other.rms(other.expected(_BOUNDS).x)
+
+
+_BOUNDS: Final = ("value range", "increments", "backlash range")
+
+
+def _rounded(x: FloatArray, fit: _Fit, address: str, wanted: WantedCorrection) -> AxisCompensation:
+    layout, capacity = fit.layout, fit.capacity
+    k, home = layout.nodes.size, layout.home
+    anchor = int(np.argmin(np.abs(layout.nodes - fit.reference)))
+    low, high = limited_range(capacity)
+    increment = limited_increment(capacity)
+    backlash = constant = 0.0
+    if layout.shape == "single" and layout.reversal == "free":
+        constant = float(to_quanta(x[k:], capacity.quantum)[0]) * capacity.quantum
+    elif layout.shape == "single" and layout.reversal == "backlash" and capacity.backlash_quantum is not None:
+        value = home.opposite.sign * x[k:]
+        backlash = float(
+            round_curve(value, capacity.backlash_quantum, value_range=capacity.backlash_range, max_increment=None, anchor=0)[0]
+        )
+    # Both curves keep the range: the constant between them narrows it.
+    narrowed = (max(low, low - constant), min(high, high - constant))
+    own = round_curve(x[:k], capacity.quantum, value_range=narrowed, max_increment=increment, anchor=anchor)
+    other = own + constant
+    if layout.shape == "bidirectional":
+        other = round_curve(x[k:], capacity.quantum, value_range=(low, high), max_increment=increment, anchor=anchor)
+    elif constant:
+        other = to_quanta(other, capacity.quantum) * capacity.quantum
+    positive, negative = (own, other) if home is Direction.POSITIVE else (other, own)
+    return AxisCompensation(
+        address=address,
+        kind=wanted.kind,
+        positions=layout.nodes,
+        positive=positive,
+        negative=negative,
+        backlash=backlash,
+        reference_return=home,
+        below=capacity.below,
+        above=capacity.above,
+    )
+
+
+def _as_unknowns(table: AxisCompensation, layout: Layout) -> FloatArray:
+    """Return the rounded table in the order of the unknowns."""
+    own, other = table.curve(layout.home), table.curve(layout.home.opposite)
+    if layout.shape == "bidirectional":
+        return np.concatenate([own, other])
+    if layout.reversal == "none":
+        return own
+    constant = other[0] - own[0] if layout.reversal == "free" else table.backlash_at(layout.home.opposite)
+    return np.append(own, constant)
+
+
+def _limits(fit: _Fit, best: _Best, table: AxisCompensation, grid: Grid) -> tuple[Limit, ...]:
+    """Return what each limit of the control costs: the rms (mm or deg) over the travel and both directions that it adds.
+
+    Costs add as squares: each is the root of the difference of two mean squares, with and without the limit.
+    """
+    capacity, layout = fit.capacity, fit.layout
+    costs: list[tuple[str, float]] = [("spacing too wide for the period", grid.left_out)]
+    all_shapes = fit.unlimited(shape="bidirectional")
+    costs.append(("number of points" if grid.points_loss else "spacing of the points", all_shapes))
+    this_shape = fit.unlimited()
+    if capacity.curves == 1:
+        with_constant = fit.unlimited(reversal="free")
+        costs.append(("one table for both directions", _added(with_constant, all_shapes)))
+        costs.append(("no backlash value", _added(this_shape, with_constant)))
+    limited = fit.rms(fit.expected().x)
+    if _added(limited, this_shape) > 0.0:
+        free_steps = fit.rms(fit.expected(("increments",)).x)
+        costs.append(("value range", _added(free_steps, this_shape)))
+        costs.append(("largest increment", _added(limited, free_steps)))
+    shift = _as_unknowns(table, layout) - best.x
+    zero = replace(fit.data, wanted={direction: np.zeros_like(fit.data.points) for direction in BOTH})
+    costs.append(("quantum", float(np.sqrt(zero.mean_square(layout, shift)))))
+    least = _WORTH_SAYING * capacity.quantum
+    return tuple(Limit(cause, value) for cause, value in costs if value > least)
+
+
+def _added(larger: float, smaller: float) -> float:
+    return float(np.sqrt(max(0.0, larger**2 - smaller**2)))
+
+
+def _rounding_error(table: AxisCompensation, x: FloatArray, layout: Layout) -> float:
+    """Return the largest change of a table value by rounding (mm or deg); the backlash value is not a table value."""
+    k = layout.nodes.size
+    values = 2 * k if layout.shape == "bidirectional" else k
+    return float(np.max(np.abs(_as_unknowns(table, layout)[:values] - x[:values])))
+
+
+def _edge_findings(table: AxisCompensation, wanted: WantedCorrection) -> tuple[Finding, ...]:
+    """Return what acts where the table does not cover the travel, and where it reaches beyond."""
+    unit, nodes, where = wanted.kind.unit, table.positions, wanted.positions
+    factor, small = (1e3, "µm") if unit == "mm" else (3600.0, "arcsec")
+    hair = 1e-6 * float(where[-1] - where[0])
+    findings: list[Finding] = []
+    for name, rule, uncovered, edge in (
+        ("below", table.below, nodes[0] - where[0], 0),
+        ("above", table.above, where[-1] - nodes[-1], -1),
+    ):
+        if uncovered > hair:
+            step = max(abs(float(table.positive[edge])), abs(float(table.negative[edge])))
+            acts = "the end value is held" if rule == "hold" else f"the table gives nothing: a step of {step * factor:.3g} {small}"
+            message = f"the table leaves {uncovered:g} {unit} of the travel uncovered, {name} {nodes[edge]:g} {unit}: there {acts}"
+            findings.append(Finding("CW-F01", "warning", message))
+    beyond = max(float(where[0] - nodes[0]), float(nodes[-1] - where[-1]))
+    if beyond > hair:
+        message = f"the table reaches up to {beyond:g} {unit} beyond the travel, so that its points lie at round positions"
+        findings.append(Finding("CW-F06", "info", message))
+    return tuple(findings)
+
+
+def _loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[Finding, ...]:
+    """Return warnings for limits that cost much."""
+    factor, small = (1e3, "µm") if wanted.kind.unit == "mm" else (3600.0, "arcsec")
+    says = {
+        "number of points": ("CW-F04", "the control holds too few points for this error: {} rms remain between them"),
+        "no backlash value": ("CW-F05", "the control cannot correct the reversal beside one table: {} rms remain"),
+        "value range": ("CW-F07", "the error exceeds the control's value range: {} rms remain"),
+        "largest increment": ("CW-F08", "the error is steeper than the control's largest increment: {} rms remain"),
+    }
+    return tuple(
+        Finding(says[limit.cause][0], "warning", says[limit.cause][1].format(f"{limit.value * factor:.2g} {small}"))
+        for limit in limits
+        if limit.cause in says
+    )

@@ -1,0 +1,49 @@
+"""Taking a known period out of the wanted correction, for grids that cannot hold it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.fitting.problem import hat_matrix
+from compwright.records.axis import FloatArray
+from compwright.records.estimate import WantedCorrection
+
+_HARMONICS: Final = (1, 2)
+#: Fewest points per cycle at which a harmonic can be told from the curve beneath it.
+_POINTS_PER_CYCLE: Final = 2.5
+
+
+def without_periods(wanted: WantedCorrection, periods: Sequence[float]) -> tuple[WantedCorrection, float]:
+    """Return ``wanted`` without the harmonics 1 and 2 of ``periods``, and the rms (mm or deg) of what was taken out.
+
+    The harmonics are fitted to the mean of both directions together with a piecewise straight curve whose nodes lie further
+    apart than the longest period, so that a smooth error is not mistaken for a periodic one.
+    """
+    where = wanted.positions
+    waves = _waves(where, periods)
+    if not waves.shape[1]:
+        return wanted, 0.0
+    span = float(where[-1] - where[0])
+    pieces = int(np.clip(span / (2.0 * max(periods)), 1, 60))
+    beneath = hat_matrix(where, np.linspace(where[0], where[-1], pieces + 1), below="hold", above="hold")
+    middle = 0.5 * (wanted.positive + wanted.negative)
+    solution = np.linalg.lstsq(np.hstack([beneath, waves]), middle, rcond=None)[0]
+    periodic = waves @ solution[beneath.shape[1] :]
+    smooth = replace(wanted, positive=wanted.positive - periodic, negative=wanted.negative - periodic)
+    return smooth, float(np.sqrt(np.mean(periodic**2)))
+
+
+def _waves(where: FloatArray, periods: Sequence[float]) -> FloatArray:
+    step = float(np.max(np.diff(where)))
+    columns: list[FloatArray] = []
+    for period in periods:
+        for harmonic in _HARMONICS:
+            cycle = period / harmonic
+            if cycle >= _POINTS_PER_CYCLE * step:
+                angle = 2.0 * np.pi * (where - where[0]) / cycle
+                columns += [np.cos(angle), np.sin(angle)]
+    return np.column_stack(columns) if columns else np.empty((where.size, 0))

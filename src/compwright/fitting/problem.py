@@ -1,0 +1,209 @@
+"""The fit as a quadratic problem: what the control does between its nodes, what is wanted, and the control's limits."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import numpy as np
+
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import Beyond
+from compwright.records.estimate import WantedCorrection
+
+Shape = Literal["single", "bidirectional"]
+BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
+#: Weight of the differences of neighbouring values against the fit: decides only nodes that no part of the travel sees.
+_TIE: Final = 1e-10
+
+
+def hat_matrix(positions: FloatArray, nodes: FloatArray, *, below: Beyond, above: Beyond) -> FloatArray:
+    """Return the matrix (p, k) that turns values at ``nodes`` (k,) into the control's value at ``positions`` (p,).
+
+    Linear between nodes; outside, the end value is held or nothing acts. ``nodes`` strictly ascending, k >= 2.
+    """
+    right = np.clip(np.searchsorted(nodes, positions, side="right"), 1, nodes.size - 1)
+    share = np.clip((positions - nodes[right - 1]) / (nodes[right] - nodes[right - 1]), 0.0, 1.0)
+    outside = np.zeros(positions.shape, dtype=bool)
+    if below == "zero":
+        outside |= positions < nodes[0]
+    if above == "zero":
+        outside |= positions > nodes[-1]
+    matrix = np.zeros((positions.size, nodes.size))
+    rows = np.arange(positions.size)
+    matrix[rows, right - 1] = np.where(outside, 0.0, 1.0 - share)
+    matrix[rows, right] = np.where(outside, 0.0, share)
+    return matrix
+
+
+def quadrature(positions: FloatArray, nodes: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return points (q,) and weights (q,) with sum 1 of the mean over the travel ``positions[0]`` to ``positions[-1]``.
+
+    Two Gauss points in every piece between positions and nodes: exact for the squared difference of two piecewise straight curves.
+    """
+    inside = nodes[(nodes > positions[0]) & (nodes < positions[-1])]
+    ends = np.union1d(positions, inside)
+    middle, half = 0.5 * (ends[1:] + ends[:-1]), 0.5 * np.diff(ends)
+    offset = half / np.sqrt(3.0)
+    points = np.column_stack([middle - offset, middle + offset]).ravel()
+    return points, np.repeat(half, 2) / float(ends[-1] - ends[0])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Layout:
+    """Where the unknowns stand: the curve of the return direction first, then the other's curve or the constant between them.
+
+    ``reversal``: what the single constant may be: ``free`` (two tables), ``backlash``, or ``none``.
+    """
+
+    nodes: FloatArray
+    shape: Shape
+    reversal: Literal["free", "backlash", "none"]
+    home: Direction
+
+    @property
+    def size(self) -> int:
+        """Number of unknowns."""
+        if self.shape == "bidirectional":
+            return 2 * self.nodes.size
+        return self.nodes.size + (0 if self.reversal == "none" else 1)
+
+    def columns(self, matrix: FloatArray, direction: Direction) -> FloatArray:
+        """Return the matrix (p, size) of the correction in ``direction``, from the table's own ``matrix`` (p, k)."""
+        k = self.nodes.size
+        full = np.zeros((matrix.shape[0], self.size))
+        if self.shape == "bidirectional":
+            start = 0 if direction is self.home else k
+            full[:, start : start + k] = matrix
+            return full
+        full[:, :k] = matrix
+        if self.reversal != "none" and direction is not self.home:
+            # A second table holds the constant only where a table acts; backlash acts everywhere.
+            full[:, k] = matrix.sum(axis=1) if self.reversal == "free" else 1.0
+        return full
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class QuadraticProblem:
+    """Minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper; mm or deg.
+
+    The objective is the mean square of (held - wanted) over the travel and both directions. ``groups`` names rows of A:
+    ``reference`` (equality), ``value range``, ``increments``, ``backlash range``.
+    """
+
+    P: FloatArray
+    q: FloatArray
+    constant: float
+    A: FloatArray
+    lower: FloatArray
+    upper: FloatArray
+    groups: Mapping[str, slice]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sampled:
+    """The wanted correction at points with weights, and the control's matrices there, by direction."""
+
+    points: FloatArray
+    weights: FloatArray
+    matrix: FloatArray
+    wanted: Mapping[Direction, FloatArray]
+
+    def mean_square(self, layout: Layout, x: FloatArray) -> float:
+        """Return the mean over points and directions of (held - wanted)^2 for the unknowns ``x``."""
+        return 0.5 * float(
+            sum(
+                self.weights @ (layout.columns(self.matrix, direction) @ x - self.wanted[direction]) ** 2
+                for direction in BOTH
+            )
+        )
+
+
+def sampled(wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity) -> Sampled:
+    """Return ``wanted`` at the quadrature points of the travel."""
+    points, weights = quadrature(wanted.positions, nodes)
+    return Sampled(
+        points=points,
+        weights=weights,
+        matrix=hat_matrix(points, nodes, below=capacity.below, above=capacity.above),
+        wanted={direction: np.interp(points, wanted.positions, wanted.total(direction)) for direction in BOTH},
+    )
+
+
+def limited_range(capacity: Capacity) -> tuple[float, float]:
+    """Return the value range on the lattice of the quantum."""
+    quantum = capacity.quantum
+    low, high = capacity.value_range
+    return float(np.ceil(low / quantum - 1e-9)) * quantum, float(np.floor(high / quantum + 1e-9)) * quantum
+
+
+def limited_increment(capacity: Capacity) -> float | None:
+    """Return the largest increment on the lattice of the quantum."""
+    if capacity.max_increment is None:
+        return None
+    return float(np.floor(capacity.max_increment / capacity.quantum + 1e-9)) * capacity.quantum
+
+
+def state_problem(
+    data: Sampled, layout: Layout, capacity: Capacity, reference: float, *, without: tuple[str, ...] = ()
+) -> QuadraticProblem:
+    """Return the quadratic problem of the table; ``without`` leaves out groups of limits, to learn what they cost."""
+    P, q, constant = _objective(data, layout)
+    blocks = [block for block in _limits(layout, capacity, reference) if block[0] not in without and block[1].shape[0]]
+    groups: dict[str, slice] = {}
+    start = 0
+    for name, rows, _, _ in blocks:
+        groups[name] = slice(start, start + rows.shape[0])
+        start += rows.shape[0]
+    return QuadraticProblem(
+        P=P,
+        q=q,
+        constant=constant,
+        A=np.vstack([np.empty((0, layout.size)), *(rows for _, rows, _, _ in blocks)]),
+        lower=np.concatenate([np.empty(0), *(np.full(rows.shape[0], low) for _, rows, low, _ in blocks)]),
+        upper=np.concatenate([np.empty(0), *(np.full(rows.shape[0], high) for _, rows, _, high in blocks)]),
+        groups=groups,
+    )
+
+
+def _objective(data: Sampled, layout: Layout) -> tuple[FloatArray, FloatArray, float]:
+    k = layout.nodes.size
+    P, q, constant = np.zeros((layout.size, layout.size)), np.zeros(layout.size), 0.0
+    for direction in BOTH:
+        columns = layout.columns(data.matrix, direction)
+        weighted = columns * data.weights[:, np.newaxis]
+        P += columns.T @ weighted
+        q -= weighted.T @ data.wanted[direction]
+        constant += 0.5 * float(data.weights @ data.wanted[direction] ** 2)
+    steps = np.diff(np.eye(k), axis=0)
+    tie = _TIE / k * steps.T @ steps
+    P[:k, :k] += tie
+    if layout.shape == "bidirectional":
+        P[k:, k:] += tie
+    return P, q, constant
+
+
+def _limits(layout: Layout, capacity: Capacity, reference: float) -> list[tuple[str, FloatArray, float, float]]:
+    """Return name, rows, lower and upper bound of every group of limits."""
+    k = layout.nodes.size
+    at_reference = hat_matrix(np.array([reference]), layout.nodes, below=capacity.below, above=capacity.above)
+    zero = layout.columns(at_reference, layout.home)
+    blocks = [("reference", zero[np.any(zero != 0.0, axis=1)], 0.0, 0.0)]
+    two_curves = layout.shape == "bidirectional" or layout.reversal == "free"
+    curves = [layout.columns(np.eye(k), layout.home)]
+    if two_curves:
+        curves.append(layout.columns(np.eye(k), layout.home.opposite))
+    low, high = limited_range(capacity)
+    if np.isfinite(low) or np.isfinite(high):
+        blocks.append(("value range", np.vstack(curves), low, high))
+    increment = limited_increment(capacity)
+    if increment is not None:
+        distinct = curves if layout.shape == "bidirectional" else curves[:1]
+        blocks.append(("increments", np.vstack([np.diff(curve, axis=0) for curve in distinct]), -increment, increment))
+    if layout.shape == "single" and layout.reversal == "backlash":
+        row = np.zeros((1, layout.size))
+        row[0, k] = layout.home.opposite.sign  # from the correction in the other direction to the backlash
+        blocks.append(("backlash range", row, *capacity.backlash_range))
+    return blocks
