@@ -132,6 +132,8 @@ def test_sign_key_turns_deviations_but_not_measured_values() -> None:
     measured = read("# deviation: target minus measured\ntarget_mm,direction,run,measured_mm\n0,+,1,0.0025")
     assert measured.positive[0, 0] == 0.0025
     assert "CW-R013" in codes(measured)
+    unsaid = read("target_mm,direction,run,measured_mm\n0,+,1,0.0025")
+    assert message(unsaid, "CW-R001") == "Not said in the file and taken as: cycle: standard."
 
 
 def test_wide_form_with_an_empty_cell() -> None:
@@ -159,7 +161,8 @@ def test_what_spreadsheets_do_to_a_file() -> None:
     header, *rows = COMPLETE.splitlines()
     quoted = [";".join(f' "{cell.replace(".", ",")}" ' for cell in row.split(",")) + ";" for row in rows]
     lines = ["# axis: X;;;;", '"# note: a, b";;;;', header.replace(",", " ; ") + ";", *quoted, ";;;;", ""]
-    for content in ("\r\n".join(lines).encode("utf-8-sig"), "\r".join(lines).encode("utf-16")):
+    twice_marked = "\ufeff" + "\n".join(lines)
+    for content in (twice_marked.encode("utf-8-sig"), "\r\n".join(lines).encode("utf-8-sig"), "\r".join(lines).encode("utf-16")):
         other = read_positioning(content, "runs/x_before.csv")
         np.testing.assert_array_equal(other.positive, plain.positive)
         np.testing.assert_array_equal(other.negative, plain.negative)
@@ -238,6 +241,7 @@ def test_a_traverse_of_zeros() -> None:
     test = read("# unit: um\ntarget_mm,+1,-1,+2,-2\n0.5,1,2,1,0\n10,1,2,0,0\n20,1,2,1,0\n")
     assert message(test, "CW-R010").startswith("Every deviation of run -2 is exactly zero while others are not")
     assert "CW-R010" not in codes(read("# unit: um\ntarget_mm,+1,-1\n0.5,0,0\n10,0,0\n"))  # all zero: CW-R009 says so
+    assert "CW-R010" not in codes(read(LONG + "0.5,+,1,2\n10,+,1,3\n0.5,+,2,0\n"))  # one zero is a reading, not a traverse
 
 
 def test_measured_positions_in_a_deviation_column() -> None:
@@ -251,6 +255,8 @@ def test_targets_almost_the_same_in_one_direction() -> None:
     rows = "".join(f"{t},+,{r},1.5\n" for t in (0, 50, 100, 150) for r in (1, 2) if (t, r) != (100, 2))
     assert "100 and 100.01 mm" in message(read(LONG + rows + "100.010,+,2,1.5\n"), "CW-R012")
     assert "CW-R012" not in codes(read(LONG + rows + "100,+,2,1.5\n"))
+    near = "100.010,+,1,1.5\n100.010,+,2,1.5\n"  # run 1 has both: two targets, however near
+    assert "CW-R012" not in codes(read(LONG + rows + near))
 
 
 def test_different_numbers_of_traverses() -> None:
@@ -349,6 +355,7 @@ def test_a_missing_column(missing: str) -> None:
         ("target_mm,direction,run,deviation_um,deviation_mm\n0,+,1,1,0.001\n", "more than one value column"),
         ("target_mm,direction,run,run,deviation_um\n0,+,1,1,1\n", "a column is given twice"),
         ("# unit: um\ntarget_mm,1,2\n0,1,1\n", "traverse columns are not named by direction and run"),
+        ("# unit: um\ntarget_mm,+1,-0\n0,1,1\n", "traverse columns are not named by direction and run"),
         ("# unit: um\ntarget_mm,+1,+1\n0,1,1\n", "a column is given twice"),
         ("# unit: um\ntarget_mm,+1,-1\n0,1,1\n0.0,2,2\n", "line 4, column target_mm: a target is given twice"),
         ("# unit: um\ntarget_mm,+1,direction\n0,1,+\n", "mixes the long and the wide form"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from compwright.foundations.errors import InputError
@@ -53,6 +53,9 @@ WORDS = (
 )
 PIECES = st.sampled_from(WORDS)
 
+#: No time limit per example: a busy computer must not make these fail.
+UNHURRIED = settings(deadline=None)
+
 
 def check(content: bytes) -> None:
     try:
@@ -75,16 +78,19 @@ def check_record(test: PositioningTest) -> None:
     assert np.isfinite(test.positive).any() or np.isfinite(test.negative).any()
 
 
+@UNHURRIED
 @given(st.binary(max_size=300))
 def test_random_bytes(content: bytes) -> None:
     check(content)
 
 
+@UNHURRIED
 @given(st.lists(PIECES, max_size=60).map("".join), st.sampled_from(["utf-8", "utf-8-sig", "utf-16"]))
 def test_random_pieces(text: str, encoding: str) -> None:
     check(text.encode(encoding))
 
 
+@UNHURRIED
 @given(st.sampled_from([LONG, WIDE, DATA]), st.data())
 def test_mutated_files(content: bytes, data: st.DataObject) -> None:
     for _ in range(data.draw(st.integers(1, 4))):
@@ -122,6 +128,7 @@ def same(one: PositioningTest, other: PositioningTest) -> None:
     assert one.runs_negative == other.runs_negative
 
 
+@UNHURRIED
 @given(tables(), st.sampled_from([(",", "."), (";", ","), ("\t", ","), (";", ".")]))
 def test_wide_and_long_say_the_same(table: tuple[list[float], list[str], list[list[float | None]]], marks: tuple[str, str]) -> None:
     targets, traverses, rows = table

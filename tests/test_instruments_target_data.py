@@ -149,6 +149,7 @@ def without(entry: str) -> str:
     ("text", "words"),
     [
         (without("REF_DATA_BWD[2,1]"), "x.dat: entries are missing; expected REF_DATA_BWD[2,1]"),
+        (without("REF_DATA_BWD[1,2]"), "x.dat: entries are missing; expected REF_DATA_BWD[1,2]"),
         (without("TGT_DATA[1]"), "x.dat: entries are missing; expected TGT_DATA[1]"),
         (COMPLETE + "TGT_DATA[2]=1\n", "line 16, TGT_DATA[2]: is given twice; expected each index once, found the first in line 7"),
         (COMPLETE + "REF_DATA_FWD[2,2]=1\n", "line 16, REF_DATA_FWD[2,2]: is given twice"),
