@@ -3,27 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from compwright.documents.prediction import table_outside
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
-from compwright.records.axis import Direction, FloatArray
-from compwright.records.correction import Assumption, AxisCompensation
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.correction import Assumption
 
 SCHEMA = "compwright/decode/1"
 
 
-def decode_document(
-    axes: Mapping[str, AxisCompensation],
-    positions: Mapping[str, FloatArray],
-    assumed: Iterable[Assumption],
-    findings: Iterable[Finding],
-) -> dict[str, Any]:
-    """Return what the control does on each axis at ``positions[address]`` (mm or deg, kept in their order)."""
+@dataclass(frozen=True, slots=True)
+class DecodedAxis:
+    """What a control does on one axis: corrections (k,) by approach direction at ``positions`` (k,), mm or deg."""
+
+    kind: AxisKind
+    positions: FloatArray
+    positive: FloatArray
+    negative: FloatArray
+
+
+def decode_document(axes: Mapping[str, DecodedAxis], assumed: Iterable[Assumption], findings: Iterable[Finding]) -> dict[str, Any]:
+    """Return what the control does, by address; positions keep their order."""
     return {
         "schema": SCHEMA,
-        "axes": {address: _axis(axis, positions[address]) for address, axis in axes.items()},
+        "axes": {address: _axis(axis) for address, axis in axes.items()},
         "cross": [],
         "assumed": assumed_documents(assumed),
         "findings": finding_documents(findings),
@@ -42,8 +48,6 @@ def finding_documents(findings: Iterable[Finding]) -> list[dict[str, str]]:
     return [{"code": entry.code, "severity": entry.severity, "message": entry.message} for entry in unique]
 
 
-def _axis(axis: AxisCompensation, where: FloatArray) -> dict[str, Any]:
+def _axis(axis: DecodedAxis) -> dict[str, Any]:
     factor = outside_factor(axis.kind.unit)
-    positive = axis.at(where, Direction.POSITIVE) * factor
-    negative = axis.at(where, Direction.NEGATIVE) * factor
-    return table_outside(where, positive, negative, axis.kind)
+    return table_outside(axis.positions, axis.positive * factor, axis.negative * factor, axis.kind)

@@ -9,11 +9,22 @@ from typing import Any, Literal
 from compwright.documents.decode import finding_documents
 from compwright.documents.prediction import parameters_outside, quantiles_outside
 from compwright.foundations.findings import Finding
-from compwright.foundations.units import outside_unit
+from compwright.foundations.units import outside_factor, outside_unit
+from compwright.records.axis import FloatArray
 from compwright.records.prediction import AcceptDecision, Quantiles
 from compwright.records.result import PositioningResult
 
 SCHEMA = "compwright/verification/1"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExpectedMeans:
+    """Mean deviations (m,) that the plan expects after loading, mm or deg, and the scatter ``s`` of one reading."""
+
+    positions: FloatArray
+    positive: FloatArray
+    negative: FloatArray
+    s: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -22,6 +33,7 @@ class VerifiedAxis:
 
     before: PositioningResult
     predicted: Mapping[str, Quantiles]
+    expected: ExpectedMeans
     after: PositioningResult
     loading: Mapping[str, Any]
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
@@ -43,6 +55,7 @@ def verification_document(
 
 def _axis(axis: VerifiedAxis) -> dict[str, Any]:
     kind = axis.after.test.kind
+    factor = outside_factor(kind.unit)
     after = parameters_outside(axis.after)
     predicted = quantiles_outside(axis.predicted, kind)
     return {
@@ -51,6 +64,12 @@ def _axis(axis: VerifiedAxis) -> dict[str, Any]:
         "before": parameters_outside(axis.before),
         "predicted": predicted,
         "after": after,
+        "expected": {
+            "positions": axis.expected.positions.tolist(),
+            "positive": (axis.expected.positive * factor).tolist(),
+            "negative": (axis.expected.negative * factor).tolist(),
+            "s": axis.expected.s * factor,
+        },
         "within_prediction": {name: _within(after.get(name), band) for name, band in predicted.items()},
         "loading": dict(axis.loading),
         "accept": {

@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import PurePath
 from typing import Any, Final
 
-from rich.console import Group, RenderableType
+from rich.console import Console, Group, RenderableType
 from rich.padding import Padding
 from rich.rule import Rule
 from rich.table import Table
@@ -48,7 +48,8 @@ _STYLES: Final = {"info": "dim", "warning": "yellow", "error": "red"}
 def evaluation_tables(document: Mapping[str, Any], *, targets: bool = False) -> list[RenderableType]:
     """Return the renderables of a ``compwright/evaluation/1`` document, one group per result and one for the errors.
 
-    ``targets`` adds the table per target. A finding that several standards share is told once per file. Deviations are shown as the document holds them, in µm or arcsec.
+    ``targets`` adds the table per target. A finding that several standards share is told once per file. Deviations are shown as the
+    document holds them, in µm or arcsec.
     """
     shown: list[RenderableType] = []
     told: dict[str, set[str]] = {}
@@ -59,6 +60,15 @@ def evaluation_tables(document: Mapping[str, Any], *, targets: bool = False) -> 
     if document["errors"]:
         shown.append(_errors(document["errors"]))
     return shown
+
+
+def print_renderables(renderables: Sequence[RenderableType]) -> None:
+    """Print renderables on standard output: in colour on a terminal, plain and at least 100 columns wide elsewhere."""
+    console = Console(highlight=False)
+    if not console.is_terminal:
+        console = Console(highlight=False, width=max(console.width, 100))
+    for renderable in renderables:
+        console.print(renderable)
 
 
 def number(value: float | None, digits: int = 2, *, signed: bool = False) -> str:

@@ -1,0 +1,372 @@
+"""The command line: thin, and quick to start; what a command needs is imported inside it."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from functools import wraps
+from pathlib import Path
+from typing import Any, NoReturn, ParamSpec
+
+import click
+
+from compwright import __version__
+from compwright.foundations.errors import CompwrightError, Fault, UsageError
+
+P = ParamSpec("P")
+
+_STANDARDS = "iso230-2:1988, iso230-2:1997, iso230-2:2006, iso230-2:2014 (default), gost27843:2006, vdi3441"
+_json = click.option(
+    "--json", "json_path", metavar="PATH|-", help="Write the answer as JSON to a file, or with - to standard output."
+)
+_force = click.option("--force", is_flag=True, help="Replace files that exist already.")
+_option = click.option(
+    "--option", "options", multiple=True, metavar="K=V", help="An option of the control; see compwright formats show ID."
+)
+_state = click.option(
+    "--state", "states", multiple=True, metavar="none|FILE", help="What is active in the control: none, or each of its files."
+)
+
+
+def main() -> NoReturn:
+    """Run the command line and leave with the exit code of what happened."""
+    sys.exit(run(sys.argv[1:]))
+
+
+def run(arguments: list[str]) -> int:
+    """Run a command and return its exit code. Every error becomes lines on standard error, never a traceback."""
+    try:
+        code = compwright.main(args=arguments, prog_name="compwright", standalone_mode=False)
+    except click.exceptions.Exit as leaving:
+        return leaving.exit_code
+    except click.Abort:
+        click.echo("stopped", err=True)
+        return 130
+    except click.ClickException as error:
+        click.echo(f"error: {error.format_message()}", err=True)
+        if isinstance(error, click.UsageError) and error.ctx is not None:
+            click.echo(f"see: {error.ctx.command_path} --help", err=True)
+        return UsageError.exit_code
+    except CompwrightError as error:
+        for fault in error.faults:
+            click.echo(f"error: {fault}", err=True)
+        return error.exit_code
+    except BrokenPipeError:
+        return 0
+    except Exception as error:  # noqa: BLE001 - the last line of defence: a fault of our own, said as one
+        return _own_fault(error)
+    return code if isinstance(code, int) else 0
+
+
+def _own_fault(error: Exception) -> int:
+    import traceback
+
+    frames = traceback.extract_tb(error.__traceback__)
+    where = next((frame for frame in reversed(frames) if "compwright" in frame.filename), frames[-1])
+    click.echo(
+        f"error: a fault of compwright itself: {type(error).__name__}: {error} ({Path(where.filename).name}, line {where.lineno}).\n"
+        f"Please report this line with the command, the input files and the version {__version__}.",
+        err=True,
+    )
+    return 70
+
+
+def _exiting(command: Callable[P, int]) -> Callable[P, None]:
+    """Turn the number that a command returns into its exit code."""
+
+    @wraps(command)
+    def wrapper(*args: P.args, **kwargs: P.kwargs) -> None:
+        raise click.exceptions.Exit(command(*args, **kwargs))
+
+    return wrapper
+
+
+def _pairs(options: Iterable[str]) -> dict[str, object]:
+    given: dict[str, object] = {}
+    faults = []
+    for text in options:
+        key, mark, value = text.partition("=")
+        if not mark or not key.strip():
+            faults.append(Fault(message="cannot be read", place="--option", expected="K=V", found=text))
+        elif key.strip() in given:
+            faults.append(Fault(message="option given twice", place="--option", found=key.strip()))
+        given[key.strip()] = value.strip()
+    if faults:
+        raise UsageError(*faults)
+    return given
+
+
+def _answer(document: Mapping[str, Any], json_path: str | None, *, force: bool) -> None:
+    """Write a document where ``--json`` asks for it."""
+    from compwright.workflow.answers import document_text, write_document
+
+    if json_path == "-":
+        click.echo(document_text(document), nl=False)
+    elif json_path is not None:
+        write_document(document, Path(json_path), force=force)
+
+
+@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.version_option(__version__, prog_name="compwright")
+def compwright() -> None:
+    """Bring a machine axis back to accuracy: evaluate tests, fit and export compensation tables, predict, verify."""
+
+
+@compwright.command()
+@click.argument("paths", nargs=-1, required=True, metavar="FILE|FOLDER...", type=click.Path(path_type=Path))
+@click.option("--standard", "standards", multiple=True, metavar="ID", help=f"Standard to evaluate to: {_STANDARDS}.")
+@click.option(
+    "--spread", type=click.Choice(["std", "range"]), default="std", help="How s is estimated (range: 1988 and GOST only)."
+)
+@click.option("--plot", type=click.Path(path_type=Path), help="Plot to a file: .svg, .png or .pdf.")
+@click.option("--targets", is_flag=True, help="Show the values of every target too.")
+@_json
+@_force
+@_exiting
+def evaluate(
+    paths: tuple[Path, ...],
+    standards: tuple[str, ...],
+    spread: str,
+    plot: Path | None,
+    targets: bool,  # noqa: FBT001 - a flag of the command line
+    json_path: str | None,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Evaluate positioning tests to a standard."""
+    from compwright.workflow.answers import show
+    from compwright.workflow.evaluate import evaluate_files, evaluation_renderables, write_evaluation
+
+    outcome = evaluate_files(paths, standards, spread)
+    to_file = Path(json_path) if json_path not in {None, "-"} else None
+    written = write_evaluation(outcome.document, json_path=to_file, plot_path=plot, force=force)
+    if json_path == "-":
+        _answer(outcome.document, "-", force=force)
+    else:
+        show(evaluation_renderables(outcome.document, targets=targets))
+    _errors(entry["message"] for entry in outcome.document["errors"])
+    for path in written:
+        click.echo(f"written: {path}", err=True)
+    return outcome.exit_code
+
+
+@compwright.command("run")
+@click.argument("inputs", nargs=-1, required=True, metavar="JOB.yaml|FILE...", type=click.Path())
+@click.option("--format", "format_id", metavar="ID", help="Without a job file: the control, see compwright formats list.")
+@click.option("--axis", metavar="NAME", help="Without a job file: the axis that was measured.")
+@click.option("--travel", metavar="LO:HI", help="Without a job file: its travel in machine coordinates, mm or deg.")
+@_state
+@_option
+@click.option(
+    "--out", type=click.Path(path_type=Path), help="Folder for the results; default: the name of the job file, beside it."
+)
+@click.option("--accept-worse", is_flag=True, help="Write a table even if it would not improve the axis.")
+@_json
+@_force
+@_exiting
+def run_command(inputs: tuple[str, ...], out: Path | None, json_path: str | None, **words: Any) -> int:
+    """Evaluate, fit, export, predict and report: the whole job."""
+    from compwright.workflow.answers import run_summary, show
+    from compwright.workflow.jobs import job_of
+    from compwright.workflow.run import run_job
+
+    job, folder, default_out = job_of(
+        inputs,
+        format_id=words["format_id"],
+        axis=words["axis"],
+        travel=words["travel"],
+        states=words["states"],
+        options=words["options"],
+    )
+    outcome = run_job(job, folder, out or default_out, force=words["force"], accept_worse=words["accept_worse"])
+    if json_path == "-":
+        _answer(outcome.prediction, "-", force=words["force"])
+    else:
+        show(run_summary(outcome))
+        _answer(outcome.prediction, json_path, force=words["force"])
+    if outcome.no_tables:
+        click.echo(f"error: {job.file}: {outcome.no_tables}", err=True)
+    _errors(f"axis {name}: no table is written: {why}" for name, why in outcome.refused.items())
+    for note in outcome.notes:
+        click.echo(f"note: {note}", err=True)
+    return outcome.exit_code
+
+
+@compwright.command()
+@click.argument("plan", metavar="PLAN.json", type=click.Path(path_type=Path))
+@click.option("--format", "format_id", required=True, metavar="ID", help="The control, see compwright formats list.")
+@_option
+@_state
+@click.option("--out", required=True, type=click.Path(path_type=Path), help="Folder for the control's files.")
+@_force
+@_exiting
+def export(
+    plan: Path,
+    format_id: str,
+    options: tuple[str, ...],
+    states: tuple[str, ...],
+    out: Path,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Write the tables of a plan again, for its control or another."""
+    from compwright.workflow.export import export_plan
+
+    outcome = export_plan(plan, format_id, _pairs(options), states, out, force=force)
+    for entry in outcome.assumed:
+        click.echo(f"assumed: {entry.fact} = {entry.value} ({entry.evidence})", err=True)
+    for name in outcome.missing:
+        click.echo(f"note: axis {name} has no table in this plan", err=True)
+    for path in outcome.files:
+        click.echo(str(path))
+    return 0
+
+
+@compwright.command()
+@click.argument("paths", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path))
+@click.option("--format", "format_id", required=True, metavar="ID", help="The control, see compwright formats list.")
+@_option
+@click.option("--axis", metavar="ADDRESS", help="Only this axis, by the control's own name.")
+@click.option("--at", metavar="LIST", help="Positions: numbers and LO:HI:STEP, separated by commas; default: the nodes.")
+@_json
+@_force
+@_exiting
+def decode(
+    paths: tuple[Path, ...],
+    format_id: str,
+    options: tuple[str, ...],
+    axis: str | None,
+    at: str | None,
+    json_path: str | None,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Say what a control would do with these files."""
+    from compwright.workflow.answers import decode_summary, show
+    from compwright.workflow.decode import decode_files
+
+    document = decode_files(paths, format_id, _pairs(options), axis=axis, at=at)
+    if json_path != "-":
+        show(decode_summary(document))
+    _answer(document, json_path, force=force)
+    return 0
+
+
+@compwright.command()
+@click.argument("job_file", metavar="JOB.yaml", type=click.Path(path_type=Path))
+@click.option("--after", multiple=True, required=True, metavar="[TEST=]FILE", help="A test made after loading.")
+@click.option("--plan", type=click.Path(path_type=Path), help="Folder of the run, or its plan.json; default: where run puts it.")
+@click.option(
+    "--loaded", multiple=True, type=click.Path(path_type=Path), metavar="FILE", help="What was read back from the control."
+)
+@click.option("--out", type=click.Path(path_type=Path), help="Folder for the results; default: that of the run.")
+@_json
+@_force
+@_exiting
+def verify(
+    job_file: Path,
+    after: tuple[str, ...],
+    plan: Path | None,
+    loaded: tuple[Path, ...],
+    out: Path | None,
+    json_path: str | None,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Judge the test after loading against the plan."""
+    from compwright.workflow.answers import show, verify_summary
+    from compwright.workflow.jobs import default_folder, read_job_file
+    from compwright.workflow.verify import plan_path, verify_job
+
+    job = read_job_file(job_file)
+    folder = default_folder(job_file)
+    outcome = verify_job(
+        job,
+        job_file.parent,
+        after,
+        plan_file=plan_path(plan, folder),
+        out=out or folder,
+        loaded=loaded,
+        force=force,
+    )
+    if json_path != "-":
+        show(verify_summary(outcome))
+    _answer(outcome.document, json_path, force=force)
+    for note in outcome.notes:
+        click.echo(f"note: {note}", err=True)
+    return outcome.exit_code
+
+
+@compwright.command()
+@click.argument("machine", metavar="MACHINE.yaml", type=click.Path(path_type=Path))
+@click.option("--out", required=True, type=click.Path(path_type=Path), help="Folder for the measurement files.")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the noise.")
+@click.option("--with-tables", "tables", type=click.Path(path_type=Path), help="Folder with the control's files that are loaded.")
+@_force
+@_exiting
+def simulate(
+    machine: Path,
+    out: Path,
+    seed: int,
+    tables: Path | None,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Measure a virtual machine; see docs/simulation.md."""
+    from compwright.workflow.simulate import load_machine, simulate_files
+
+    for path in simulate_files(load_machine(machine), out, seed=seed, tables=tables, force=force):
+        click.echo(str(path))
+    return 0
+
+
+@compwright.command()
+@click.option("--out", type=click.Path(path_type=Path), default=Path("demo"), show_default=True, help="Folder for the demo.")
+@_force
+@_exiting
+def demo(out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command line
+    """Play the whole loop on a virtual machine."""
+    from compwright.workflow.answers import demo_summary, show
+    from compwright.workflow.demo import run_demo
+
+    outcome = run_demo(out, force=force)
+    show(demo_summary(outcome))
+    return max(outcome.run.exit_code, outcome.verification.exit_code)
+
+
+@compwright.group()
+def formats() -> None:
+    """List, show and check the definitions of the controls."""
+
+
+@formats.command("list")
+@_exiting
+def formats_list() -> int:
+    """List the controls that compwright can write for."""
+    from compwright.workflow.formats import list_formats
+
+    click.echo("\n".join(list_formats()))
+    return 0
+
+
+@formats.command("show")
+@click.argument("format_id", metavar="ID")
+@_exiting
+def formats_show(format_id: str) -> int:
+    """Show what a control can hold, its options, and how well each fact is known."""
+    from compwright.workflow.formats import show_format
+
+    click.echo("\n".join(show_format(format_id)))
+    return 0
+
+
+@formats.command("check")
+@click.argument("paths", nargs=-1, metavar="[PATH...]", type=click.Path(path_type=Path))
+@_exiting
+def formats_check(paths: tuple[Path, ...]) -> int:
+    """Check definitions: those that ship with compwright, or files and folders of your own."""
+    from compwright.workflow.formats import check_formats
+
+    lines = check_formats(paths)
+    click.echo("\n".join(lines))
+    return 0
+
+
+def _errors(lines: Iterable[str]) -> None:
+    for line in lines:
+        click.echo(f"error: {line}", err=True)

@@ -1,0 +1,184 @@
+"""What run, decode, verify and demo say at the terminal, as rich renderables. Computes nothing.
+
+This module loads rich; whoever serves a command that may not print tables imports it inside a function.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
+
+from rich.console import RenderableType
+from rich.rule import Rule
+from rich.table import Table
+from rich.text import Text
+
+from compwright.reporting.numbers import MISSING, number, plain, symbol, unit_text
+
+_STYLES: Final = {
+    "accept": "green",
+    "good": "green",
+    "loaded": "green",
+    "reject": "red",
+    "bad": "red",
+    "not_active": "red",
+    "undecided": "yellow",
+    "error": "red",
+    "warning": "yellow",
+}
+#: Rows of a table of corrections that a terminal shows without being asked; a longer table is cut visibly.
+_MOST_ROWS: Final = 60
+
+
+def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
+    """Return, for each axis and test of a prediction document, what was measured and what a fresh test will show."""
+    shown: list[RenderableType] = []
+    for name, axis in prediction["axes"].items():
+        unit = unit_text(axis["unit"])
+        for index, test in enumerate(axis["tests"]):
+            accept = axis["accept"] if index == 0 else {}
+            shown += [
+                Rule(Text(f"axis {name} · test {test['name']}", style="bold"), align="left", characters="─"),
+                _prediction_table(test, accept, unit),
+            ]
+        shown.append(Text(_table_line(axis, unit)))
+        shown += [Text(f"Limit: {entry['cause']}, costs {number(entry['value'])} {unit}.") for entry in axis["limits"]]
+        shown += [*finding_lines(axis["findings"]), Text()]
+    return shown
+
+
+def _prediction_table(test: Mapping[str, Any], accept: Mapping[str, Any], unit: str) -> Table:
+    table = _plain_table()
+    table.add_column("", no_wrap=True)
+    for heading in (f"before, {unit}", "predicted", "5 to 95 %", "new targets", "limit"):
+        table.add_column(heading, justify="right", no_wrap=True)
+    table.add_column("", no_wrap=True)
+    for name, value in test["before"].items():
+        if value is None:
+            continue
+        band = test["predicted"].get(name)
+        fresh = test["predicted_new_targets"].get(name)
+        entry = accept.get(name)
+        table.add_row(
+            symbol(name),
+            number(value),
+            number(band["median"]) if band else MISSING,
+            f"{number(band['p05'])} to {number(band['p95'])}" if band else "",
+            number(fresh["median"]) if fresh else MISSING,
+            plain(entry["limit"]) if entry else "",
+            _word(entry["decision"]) if entry else "",
+        )
+    return table
+
+
+def _table_line(axis: Mapping[str, Any], unit: str) -> str:
+    table = axis["table"]
+    if table is None:
+        return "No table is written; predicted is what happens without one."
+    positions = table["positions"]
+    values = [*table["correction_positive"], *table["correction_negative"]]
+    if not positions:
+        return "Table: none, backlash alone."
+    return (
+        f"Table: {len(positions)} points from {plain(positions[0])} to {plain(positions[-1])}, "
+        f"corrections {number(min(values))} to {number(max(values))} {unit}, as read back from the files."
+    )
+
+
+def assumed_table(assumed: Sequence[Mapping[str, str]]) -> list[RenderableType]:
+    """Return what had to be assumed, or nothing."""
+    if not assumed:
+        return []
+    table = _plain_table()
+    table.add_column("Assumed", overflow="fold")
+    table.add_column("value", overflow="fold")
+    table.add_column("evidence", overflow="fold")
+    for entry in assumed:
+        table.add_row(entry["fact"], entry["value"], entry["evidence"])
+    return [table, Text()]
+
+
+def finding_lines(findings: Sequence[Mapping[str, str]]) -> list[RenderableType]:
+    """Return findings, the gravest first, each with its code."""
+    if not findings:
+        return []
+    order = {"error": 0, "warning": 1, "info": 2}
+    table = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))
+    table.add_column(no_wrap=True)
+    table.add_column(no_wrap=True, style="dim")
+    table.add_column(overflow="fold")
+    for finding in sorted(findings, key=lambda entry: order.get(entry["severity"], 3)):
+        table.add_row(_word(finding["severity"]), finding["code"], Text(finding["message"]))
+    return [table]
+
+
+def file_lines(title: str, files: Sequence[str]) -> list[RenderableType]:
+    """Return the files that were written."""
+    return [Text(title, style="bold"), *(Text(f"  {name}") for name in files)] if files else []
+
+
+def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
+    """Return what a control adds to the command, by axis, position and approach direction."""
+    shown: list[RenderableType] = []
+    for address, axis in document["axes"].items():
+        unit = unit_text(axis["unit"])
+        position = "deg" if axis["unit"] == "arcsec" else "mm"
+        table = _plain_table()
+        for heading in (f"position, {position}", f"+ {unit}", f"− {unit}"):
+            table.add_column(heading, justify="right", no_wrap=True)
+        rows = list(zip(axis["positions"], axis["correction_positive"], axis["correction_negative"], strict=True))
+        for where, positive, negative in rows[:_MOST_ROWS]:
+            table.add_row(plain(where), number(positive, 3), number(negative, 3))
+        shown += [
+            Rule(Text(f"axis {address}: what the control adds to the command", style="bold"), align="left", characters="─"),
+            table,
+        ]
+        if len(rows) > _MOST_ROWS:
+            shown.append(Text(f"({len(rows) - _MOST_ROWS} more rows: see --json)", style="dim"))
+        shown.append(Text())
+    return [*shown, *assumed_table(document["assumed"]), *finding_lines(document["findings"])]
+
+
+def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
+    """Return before, predicted and after side by side, the verdict on loading and the verdict on the whole."""
+    shown: list[RenderableType] = []
+    for name, axis in document["axes"].items():
+        unit = unit_text(axis["unit"])
+        table = _plain_table()
+        table.add_column("", no_wrap=True)
+        for heading in (f"before, {unit}", "predicted", "5 to 95 %", "after", "within", "limit"):
+            table.add_column(heading, justify="right", no_wrap=True)
+        table.add_column("", no_wrap=True)
+        for parameter, value in axis["after"].items():
+            if value is None:
+                continue
+            band = axis["predicted"].get(parameter)
+            within = axis["within_prediction"].get(parameter)
+            entry = axis["accept"].get(parameter)
+            table.add_row(
+                symbol(parameter),
+                number(axis["before"].get(parameter)),
+                number(band["median"]) if band else MISSING,
+                f"{number(band['p05'])} to {number(band['p95'])}" if band else "",
+                number(value),
+                "" if within is None else "yes" if within else "no",
+                plain(entry["limit"]) if entry else "",
+                _word(entry["decision"]) if entry else "",
+            )
+        loading = axis["loading"]
+        shown += [
+            Rule(Text(f"axis {name} · test {axis['test']}", style="bold"), align="left", characters="─"),
+            table,
+            Text.assemble("Loading: ", _word(loading["verdict"]), f". {loading['message']}"),
+            *finding_lines(axis["findings"]),
+            Text(),
+        ]
+    return [*shown, Text.assemble("Verdict: ", _word(document["verdict"]))]
+
+
+def _plain_table() -> Table:
+    return Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold")
+
+
+def _word(word: str) -> Text:
+    return Text(word.replace("_", " "), style=_STYLES.get(word, ""))

@@ -1,0 +1,70 @@
+"""What the commands say: documents to text and tables, written where the command line asks for it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from compwright.documents.json_text import to_json
+from compwright.foundations import storage
+
+
+def document_text(document: Mapping[str, Any]) -> str:
+    """Return a document as the text that ``--json -`` prints."""
+    return to_json(document)
+
+
+def write_document(document: Mapping[str, Any], path: Path, *, force: bool) -> None:
+    """Write a document to a file of its own. Raises StorageError."""
+    storage.write_file(path, to_json(document).encode(), force=force)
+
+
+def show(renderables: list[Any]) -> None:
+    """Print renderables on standard output."""
+    from compwright.reporting.terminal import print_renderables
+
+    print_renderables(renderables)
+
+
+def run_summary(outcome: Any) -> list[Any]:
+    """Return what ``run`` says: assumptions first, then each axis, then the files."""
+    from compwright.reporting import summaries
+
+    told = {(finding["code"], finding["message"]) for axis in outcome.prediction["axes"].values() for finding in axis["findings"]}
+    rest = [finding for finding in outcome.findings if (finding["code"], finding["message"]) not in told]
+    return [
+        *summaries.assumed_table(outcome.assumed),
+        *summaries.prediction_tables(outcome.prediction),
+        *summaries.finding_lines(rest),
+        *summaries.file_lines("Written", [str(path) for path in outcome.files]),
+    ]
+
+
+def decode_summary(document: Mapping[str, Any]) -> list[Any]:
+    """Return what ``decode`` says."""
+    from compwright.reporting import summaries
+
+    return summaries.decode_tables(document)
+
+
+def verify_summary(outcome: Any) -> list[Any]:
+    """Return what ``verify`` says."""
+    from compwright.reporting import summaries
+
+    return [
+        *summaries.verification_tables(outcome.document),
+        *summaries.file_lines("Written", [str(path) for path in outcome.files]),
+    ]
+
+
+def demo_summary(outcome: Any) -> list[Any]:
+    """Return what ``demo`` says: the predictions, the verification, and where the pages are."""
+    from compwright.reporting import summaries
+
+    pages = [path for path in (*outcome.run.files, *outcome.verification.files) if path.suffix == ".html"]
+    return [
+        *summaries.prediction_tables(outcome.run.prediction),
+        *summaries.verification_tables(outcome.verification.document),
+        *summaries.file_lines("Reports", [str(path) for path in pages]),
+    ]

@@ -1,0 +1,160 @@
+"""The commissioning card: what to set, what the control must then show, a quick check, and the way back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from compwright.documents.decode import assumed_documents
+from compwright.formats.card import card_steps
+from compwright.foundations.units import outside_factor, outside_unit
+from compwright.records.axis import Direction
+from compwright.records.correction import Assumption, AxisCompensation
+from compwright.records.job import Job
+from compwright.workflow.control import Control, DecodedState
+from compwright.workflow.inputs import JobInputs
+from compwright.workflow.outlook import Change
+from compwright.workflow.work import AS_FOUND, AxisWork, correction_of
+
+SCHEMA = "compwright/card/1"
+#: A reading further off than this many times the scatter of one reading is no accident (with a normal scatter, one in 10^6).
+STOP_SCATTER = 5.0
+
+
+def card_document(
+    job: Job,
+    control: Control,
+    works: Mapping[str, AxisWork],
+    loaded: DecodedState | None,
+    inputs: JobInputs,
+    assumed: Iterable[Assumption],
+) -> dict[str, Any]:
+    """Return the card of a run as plain data, values in µm or arcsec."""
+    written = {name: work for name, work in works.items() if work.planned.fitted is not None}
+    facts = assumed_documents(assumed)
+    return {
+        "schema": SCHEMA,
+        "title": f"Commissioning card: {', '.join(written)}",
+        "machine": dict(job.machine),
+        "format": {"id": control.id, "title": control.definition.title},
+        "axes": [_axis(job, work, loaded) for work in written.values()],
+        "steps": _steps(control, written),
+        "unconfirmed": [f"{entry['fact']}: {entry['value']}" for entry in facts if "unconfirmed" in entry["evidence"]],
+        "assumed": facts,
+        "restore": _restore(control, inputs),
+        "files": [f"tables/{control.id}/{file.name}" for file in (loaded.files if loaded else ())],
+        "proven": "; ".join(", ".join(entry.values()) for entry in job.proven)
+        or "not yet: the first good verification on this machine proves it",
+    }
+
+
+def _axis(job: Job, work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
+    axis = work.planned.axis
+    factor = outside_factor(axis.kind.unit)
+    new = correction_of(loaded, axis)
+    table = loaded.state.axes[axis.address] if loaded else None
+    low, high = axis.travel
+    where = np.array([low, (low + high) / 2, high])
+    return {
+        "name": axis.name,
+        "address": axis.address,
+        "unit": outside_unit(axis.kind.unit),
+        "position_unit": axis.kind.unit,
+        "rows": _rows(work.planned.active, table, factor, axis.kind.unit),
+        "display": [
+            {
+                "position": float(position),
+                "positive": float(new(np.array([position]), Direction.POSITIVE)[0] * factor),
+                "negative": float(new(np.array([position]), Direction.NEGATIVE)[0] * factor),
+            }
+            for position in where
+        ],
+        "quick_check": _quick_check(work, loaded, factor),
+        "points_needed": int(table.positions.size) if table is not None else None,
+        "fixed_positions": [
+            {"name": name, "position": places[axis.name], "moves": _moves(work, loaded, places[axis.name]) * factor}
+            for name, places in job.fixed_positions.items()
+            if axis.name in places
+        ],
+    }
+
+
+def _rows(old: AxisCompensation | None, new: AxisCompensation | None, factor: float, unit: str) -> list[dict[str, str]]:
+    def describe(table: AxisCompensation | None) -> dict[str, str]:
+        if table is None or table.positions.size == 0:
+            return {
+                "points": "none",
+                "range": "-",
+                "largest": "-",
+                "backlash": f"{(table.backlash if table else 0.0) * factor:.2f}",
+            }
+        curves = np.concatenate([table.positive, table.negative]) * factor
+        return {
+            "points": str(table.positions.size),
+            "range": f"{table.positions[0]:g} to {table.positions[-1]:g} {unit}",
+            "largest": f"{curves.min():.2f} to {curves.max():.2f}",
+            "backlash": f"{table.backlash * factor:.2f}",
+        }
+
+    before, after = describe(old), describe(new)
+    titles = {
+        "points": "points of the table",
+        "range": "range of the table",
+        "largest": "corrections from, to",
+        "backlash": "backlash beside the table",
+    }
+    return [{"quantity": title, "old": before[key], "new": after[key]} for key, title in titles.items()]
+
+
+def _quick_check(work: AxisWork, loaded: DecodedState | None, factor: float) -> list[dict[str, Any]]:
+    """Three targets up and down, the instrument zeroed at the first one going up; stop where a reading is further off."""
+    axis = work.planned.axis
+    change = Change(correction_of(loaded, axis), work.active)
+    targets = work.results[0].test.targets
+    chosen = targets[[0, targets.size // 2, -1]]
+    estimate = work.posterior.summary(chosen)
+    zero = float(estimate.mean_positive[0] + change.at(chosen[:1], Direction.POSITIVE)[0])
+    rows = []
+    for direction, order in ((Direction.POSITIVE, (0, 1, 2)), (Direction.NEGATIVE, (2, 1, 0))):
+        shift = change.at(chosen, direction)
+        for index in order:
+            expected = float(estimate.mean(direction)[index] + shift[index]) - zero
+            spread = STOP_SCATTER * np.hypot(estimate.noise * np.sqrt(2), estimate.std_positive[index])
+            rows.append(
+                {
+                    "position": float(chosen[index]),
+                    "direction": direction.value,
+                    "expected": expected * factor,
+                    "stop": float(spread) * factor,
+                }
+            )
+    return rows
+
+
+def _moves(work: AxisWork, loaded: DecodedState | None, position: float) -> float:
+    axis = work.planned.axis
+    change = Change(correction_of(loaded, axis), work.as_found)
+    return float(change.at(np.array([position]), axis.reference_return)[0])
+
+
+def _steps(control: Control, written: Mapping[str, AxisWork]) -> list[dict[str, str]]:
+    steps: dict[tuple[str, str, str], None] = {}
+    for work in written.values():
+        fitted = work.planned.fitted
+        points = fitted.compensation.positions.size if fitted else 0
+        for step in card_steps(control.definition, work.planned.axis, {"points": str(points)}):
+            steps[step.title, step.text, step.evidence] = None
+    return [{"title": title, "text": text, "evidence": evidence} for title, text, evidence in steps]
+
+
+def _restore(control: Control, inputs: JobInputs) -> list[str]:
+    files = inputs.states[AS_FOUND].files
+    if not files:
+        return [
+            "The job says that nothing was active: to go back, switch the compensation of these axes off "
+            "(an empty table, backlash 0), restart and reference."
+        ]
+    names = ", ".join(file.name for file in files)
+    return [f"Load the untouched copies in rollback/{control.id}/ ({names}) the same way, restart and reference."]

@@ -1,0 +1,176 @@
+"""A control as the commands meet it: its definition, its options, and its files read twice.
+
+Every set of files is read by ``formats`` (from the definition) and by ``controllers`` (the judge). Where the two do not agree
+nothing is done with the files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.formats.addresses import normal_address
+from compwright.formats.definitions import Definition, definitions_from
+from compwright.formats.options import resolve_options
+from compwright.formats.reading import read_state
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import Assumption, ControlFile, ControlState
+from compwright.records.job import Job
+
+#: Largest difference of the two readers, mm or deg: a control that keeps single precision rounds 1 mm to 6e-8 mm.
+AGREEMENT = 2e-7
+
+
+@dataclass(frozen=True, slots=True)
+class Control:
+    """A control by its definition, with every option settled."""
+
+    definition: Definition
+    options: Mapping[str, object]
+    given: frozenset[str]
+
+    @property
+    def id(self) -> str:
+        """The format's name, such as ``siemens-840d-sl``."""
+        return self.definition.id
+
+    def assumed(self) -> tuple[Assumption, ...]:
+        """Return every option that was left at its default."""
+        return tuple(
+            Assumption(f"option {name}", str(self.options[name]), "default") for name in self.options if name not in self.given
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class DecodedState:
+    """A set of control files as both readers understand it; without files (the state ``none``) nothing acts and nobody judges."""
+
+    files: tuple[ControlFile, ...]
+    state: ControlState
+    judge: VirtualControl | None
+
+
+def open_control(format_id: str, given: Mapping[str, object]) -> Control:
+    """Return a control by name. Raises UsageError for an unknown name or option (saying which exist)."""
+    definitions = definitions_from(storage.definition_files())
+    if format_id not in definitions:
+        raise UsageError(
+            Fault(message="no such control format", place="format", expected=" or ".join(definitions), found=format_id)
+        )
+    definition = definitions[format_id]
+    return Control(definition=definition, options=resolve_options(definition, given), given=frozenset(given))
+
+
+def named_axes(job: Job, control: Control) -> tuple[Job, tuple[Assumption, ...]]:
+    """Return the job with every axis named as the control names it, and what had to be assumed for that.
+
+    Raises UsageError for an address that the control cannot have, and for two axes at one address.
+    """
+    axes = {}
+    assumed: list[Assumption] = []
+    faults: list[Fault] = []
+    for name, entry in job.axes.items():
+        try:
+            address, assumption = normal_address(control.definition, entry.axis)
+        except UsageError as error:
+            faults.extend(fault.within(f"axes.{name}.address").in_file(job.file) for fault in error.faults)
+            continue
+        taken = next((other for other, mine in axes.items() if mine.axis.address == address), None)
+        if taken is not None:
+            faults.append(
+                Fault(message=f"axes {taken} and {name} have one address", file=job.file, place=f"axes.{name}", found=address)
+            )
+        assumed.extend([assumption] if assumption else [])
+        axes[name] = replace(entry, axis=replace(entry.axis, address=address))
+    raise_all(UsageError, faults)
+    return replace(job, axes=axes), tuple(assumed)
+
+
+def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
+    """Read control files; a folder stands for all files in it. Raises InputError with every file that cannot be read."""
+    faults: list[Fault] = []
+    files: list[ControlFile] = []
+    for path in paths:
+        try:
+            files.extend(ControlFile(entry.name, storage.read_bytes(entry)) for entry in storage.list_files(path))
+        except InputError as error:
+            faults.extend(error.faults)
+    names = [file.name for file in files]
+    faults.extend(
+        Fault(message="two files of this name were given", file=name, expected="each file once")
+        for name in dict.fromkeys(names)
+        if names.count(name) > 1
+    )
+    raise_all(InputError, faults)
+    return tuple(files)
+
+
+def decode(control: Control, files: Sequence[ControlFile], axes: Sequence[Axis] = ()) -> DecodedState:
+    """Read control files with both readers and hold them against each other.
+
+    Raises InputError when the files cannot be read or contradict themselves, and CompwrightError (a fault of our own) when
+    the two readers do not agree.
+    """
+    if not files:
+        return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
+    state = read_state(control.definition, files, control.options, axes)
+    judge = virtual_control(
+        control.id,
+        files,
+        reference_return={address: axis.reference_return for address, axis in state.axes.items()},
+        kinds={address: axis.kind for address, axis in state.axes.items()},
+        encoder={axis.address: axis.encoder.system for axis in axes},
+        options=control.options,
+    )
+    raise_all(CompwrightError, _disagreements(state, judge))
+    return DecodedState(files=tuple(files), state=state, judge=judge)
+
+
+def judged(state: DecodedState, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
+    """Return the judge's correction at ``positions`` (mm or deg); zero for an axis that the files do not hold."""
+    if state.judge is None or address not in state.judge.addresses():
+        return np.zeros(np.shape(positions))
+    return state.judge.correction(address, positions, direction)
+
+
+def _disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
+    faults = []
+    if set(state.axes) != set(judge.addresses()):
+        faults.append(
+            Fault(
+                message="the two readers of compwright find different axes in these files; please report this",
+                expected=", ".join(sorted(state.axes)) or "no axis",
+                found=", ".join(sorted(judge.addresses())) or "no axis",
+            )
+        )
+    for address in sorted(set(state.axes) & set(judge.addresses())):
+        axis = state.axes[address]
+        where = probe_positions(axis.positions)
+        for direction in Direction:
+            difference = np.abs(axis.at(where, direction) - judge.correction(address, where, direction))
+            if not np.all(difference <= AGREEMENT):
+                worst = int(np.argmax(difference))
+                faults.append(
+                    Fault(
+                        message="the two readers of compwright do not agree on these files; please report this",
+                        place=f"axis {address}, position {where[worst]:g}, direction {direction.value}",
+                        found=f"a difference of {difference[worst]:.3g} {axis.kind.unit}",
+                    )
+                )
+    return faults
+
+
+def probe_positions(nodes: FloatArray) -> FloatArray:
+    """Return positions that show a whole table: its nodes, between them, and outside on both sides."""
+    if nodes.size == 0:
+        return np.array([-1000.0, 0.0, 1000.0])
+    step = float(nodes[-1] - nodes[0]) / max(nodes.size - 1, 1) or 1.0
+    between = nodes[:-1] + 0.3 * np.diff(nodes)
+    outside = np.array([nodes[0] - 0.7 * step, nodes[0] - 3 * step, nodes[-1] + 0.7 * step, nodes[-1] + 3 * step])
+    return np.concatenate([nodes, between, outside])

@@ -1,0 +1,88 @@
+"""``export``: the tables of a plan again, for this control or another."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from compwright.documents.plan import read_plan
+from compwright.fitting.fit import fit_table
+from compwright.formats.addresses import normal_address
+from compwright.formats.capacity import capacity_for
+from compwright.foundations import storage
+from compwright.foundations.errors import CapacityError, CompwrightError, Fault, UsageError, collect, raise_all
+from compwright.records.correction import Assumption, ControlFile
+from compwright.records.plan import Plan
+from compwright.workflow.control import Control, DecodedState, decode, open_control, read_files
+from compwright.workflow.work import AS_FOUND, write_fitted
+
+
+@dataclass(frozen=True, slots=True)
+class ExportOutcome:
+    """The files written, what had to be assumed, and the axes for which the plan holds no table (with the reason)."""
+
+    files: tuple[Path, ...]
+    assumed: tuple[Assumption, ...]
+    missing: tuple[str, ...]
+
+
+def export_plan(
+    path: Path, format_id: str, options: dict[str, object], states: Sequence[str], out: Path, *, force: bool = False
+) -> ExportOutcome:
+    """Fit the plan's wanted totals to a control and write its files into ``out``.
+
+    ``states``: what is in the control, ``none`` or its files; empty: as the plan says, where it is for the same format. Raises
+    UsageError (2) where the state is not known, InputError (3), CapacityError (4), StorageError (5).
+    """
+    plan = read_plan(storage.read_bytes(path), str(path))
+    given = {**plan.options, **options} if plan.format == format_id else options
+    control = open_control(format_id, given)
+    state = _state(plan, control, states, str(path))
+    fitted = []
+    errors: list[CompwrightError] = []
+    assumed: list[Assumption] = [*control.assumed(), *state.state.assumed]
+    for name, entry in plan.axes.items():
+        if entry.wanted is None or entry.fitted is None:
+            continue
+        address, assumption = normal_address(control.definition, entry.axis)
+        axis = replace(entry.axis, address=address)
+        assumed.extend([assumption] if assumption else [])
+        try:
+            capacity = capacity_for(control.definition, axis, control.options, state.state)
+            fitted.append((axis, fit_table(entry.wanted, capacity, entry.request, address=address)))
+        except CapacityError as error:
+            errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))
+    raise_all(CapacityError, collect(errors))
+    missing = tuple(name for name, entry in plan.axes.items() if entry.fitted is None)
+    if not fitted:
+        raise UsageError(
+            Fault(
+                message="the plan holds no table",
+                file=str(path),
+                found="every axis was left as it is, because no table would improve it",
+            )
+        )
+    files, _ = write_fitted(control, fitted)
+    written = storage.write_files(out, {file.name: file.content for file in files}, force=force)
+    return ExportOutcome(files=tuple(written), assumed=tuple(dict.fromkeys(assumed)), missing=missing)
+
+
+def _state(plan: Plan, control: Control, states: Sequence[str], file: str) -> DecodedState:
+    axes = [entry.axis for entry in plan.axes.values()]
+    if list(states) == ["none"]:
+        return decode(control, (), axes)
+    if states:
+        return decode(control, read_files([Path(text) for text in states]), axes)
+    if plan.format == control.id and AS_FOUND in plan.states:
+        files: tuple[ControlFile, ...] = plan.states[AS_FOUND]
+        return decode(control, files, axes)
+    raise UsageError(
+        Fault(
+            message="the state of the control is not known",
+            file=file,
+            place="--state",
+            expected="--state none, or --state with each file of the control",
+            found=f"a plan made for {plan.format}",
+        )
+    )

@@ -1,0 +1,110 @@
+"""The files of a job: tests and states, read with every fault collected."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from compwright.evaluation.expansion import remove_differential_expansion
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
+from compwright.instruments.reading import read_positioning
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.job import AxisJob, Job, TestRequest
+from compwright.records.plan import PlannedTest
+from compwright.records.positioning import PositioningTest, merge, to_machine
+from compwright.workflow.control import Control, DecodedState, decode, read_files
+
+
+@dataclass(frozen=True, slots=True)
+class JobInputs:
+    """What the files of a job say: tests by axis name (machine coordinates), states by name (None where not said)."""
+
+    tests: Mapping[str, tuple[PlannedTest, ...]]
+    states: Mapping[str, DecodedState]
+
+
+def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
+    """Read every file that a job names. Raises InputError with the faults of all of them."""
+    errors: list[CompwrightError] = []
+    tests: dict[str, tuple[PlannedTest, ...]] = {}
+    for name, entry in job.axes.items():
+        found = []
+        for request in entry.before:
+            try:
+                found.append(PlannedTest(test=read_test(job, entry, request, folder), measured_in=request.measured_in))
+            except InputError as error:
+                errors.append(error)
+        tests[name] = tuple(found)
+    states: dict[str, DecodedState] = {}
+    axes = [entry.axis for entry in job.axes.values()]
+    for name, paths in job.states.items():
+        try:
+            states[name] = decode(control, read_files([folder / path for path in paths]), axes)
+        except InputError as error:
+            errors.append(error)
+    raise_all(InputError, collect(errors))
+    raise_all(InputError, _missing_axes(job, states))
+    return JobInputs(tests=tests, states=states)
+
+
+def read_measurement(path: Path) -> PositioningTest:
+    """Read one measurement file. Raises InputError."""
+    return read_positioning(storage.read_bytes(path), str(path))
+
+
+def read_test(job: Job, entry: AxisJob, request: TestRequest, folder: Path) -> PositioningTest:
+    """Read the files of one test into one record in machine coordinates, expansion removed where the job says so."""
+    errors: list[CompwrightError] = []
+    parts = []
+    for text in request.files:
+        for path in storage.list_files(folder / text):
+            try:
+                parts.append(read_measurement(path))
+            except InputError as error:
+                errors.append(error)
+    raise_all(InputError, collect(errors))
+    for part in parts:
+        _check_axis(entry.axis, part)
+    test = to_machine(merge(parts, request.name), request.position_map)
+    if job.thermal is not None and test.kind is AxisKind.LINEAR:
+        test = remove_differential_expansion(test, job.thermal)
+    return replace(test, axis=entry.axis.name)
+
+
+def _check_axis(axis: Axis, test: PositioningTest) -> None:
+    file = test.sources[0].file if test.sources else test.name
+    faults = []
+    if test.kind is not axis.kind:
+        faults.append(
+            Fault(
+                message=f"is a test of a {test.kind.value} axis",
+                file=file,
+                expected=f"a test of the {axis.kind.value} axis {axis.name}",
+                found=f"positions in {test.kind.unit}",
+            )
+        )
+    if test.axis and test.axis.upper() != axis.name.upper():
+        faults.append(Fault(message="is a test of another axis", file=file, place="key axis", expected=axis.name, found=test.axis))
+    raise_all(InputError, faults)
+
+
+def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
+    """Missing is not zero: files of a state must speak of every axis under work."""
+    faults = []
+    for name, decoded in states.items():
+        if not decoded.files:
+            continue
+        faults.extend(
+            Fault(
+                message=f"the files of this state say nothing of axis {entry.axis.name} (address {entry.axis.address})",
+                file=job.file,
+                place=f"states.{name}",
+                expected="the file that holds its table or backlash, or the word none",
+                found=f"only {', '.join(sorted(decoded.state.axes)) or 'no axis at all'}",
+            )
+            for entry in job.axes.values()
+            if entry.axis.address not in decoded.state.axes
+        )
+    return faults

@@ -1,0 +1,61 @@
+"""Where a job comes from: a file, or the words of the command line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.jobs.command_line import job_from_options
+from compwright.jobs.reading import read_job
+from compwright.records.job import Job
+
+_YAML = {".yaml", ".yml"}
+
+
+def read_job_file(path: Path) -> Job:
+    """Read a job file. Raises InputError when it cannot be read, UsageError with every fault of the job."""
+    return read_job(storage.read_bytes(path), str(path))
+
+
+def default_folder(job_file: Path) -> Path:
+    """Return the folder of a job's results: the job file's name without its ending, beside it."""
+    return job_file.with_suffix("") if job_file.suffix else job_file.with_name(f"{job_file.name}-results")
+
+
+def job_of(
+    inputs: Sequence[str],
+    *,
+    format_id: str | None,
+    axis: str | None,
+    travel: str | None,
+    states: Sequence[str],
+    options: Sequence[str],
+) -> tuple[Job, Path, Path]:
+    """Return the job of a run, the folder that its paths are relative to, and the default folder of its results.
+
+    One YAML file without ``--format`` is a job; anything else are measurement files of one test. Raises UsageError with every fault.
+    """
+    first = Path(inputs[0])
+    if len(inputs) == 1 and first.suffix.lower() in _YAML:
+        extra = {"--format": format_id, "--axis": axis, "--travel": travel, "--state": states, "--option": options}
+        raise_all(
+            UsageError,
+            [
+                Fault(message="does not go with a job file, which says it itself", file=str(first), place=name)
+                for name, value in extra.items()
+                if value
+            ],
+        )
+        return read_job_file(first), first.parent, default_folder(first)
+    missing = [name for name, value in (("--format", format_id), ("--axis", axis), ("--travel", travel)) if not value]
+    raise_all(
+        UsageError,
+        [
+            Fault(message="is missing", place=name, expected="a value, or one job file JOB.yaml instead of measurement files")
+            for name in missing
+        ],
+    )
+    job = job_from_options(inputs, format=format_id or "", axis=axis or "", travel=travel or "", states=states, options=options)
+    return job, Path(), default_folder(first)

@@ -1,0 +1,152 @@
+"""What the next test will show, and whether a table is worth loading."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.estimation.axis import AxisPosterior
+from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.foundations.units import outside_factor, outside_unit
+from compwright.prediction.positioning import decide_prediction, dithered_targets, predict_test
+from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
+from compwright.records.job import Acceptance, AxisJob
+from compwright.records.prediction import AcceptDecision, Quantiles, TestPrediction
+from compwright.records.result import PositioningResult
+
+DRAWS = 2000
+#: Newly dithered targets stay this far from the ends of the travel: mm, and for rotary axes deg.
+END_MARGIN = {AxisKind.LINEAR: 4.0, AxisKind.ROTARY: 0.0}
+
+#: A correction by position (mm or deg, any shape) and approach direction.
+Correction = Callable[[FloatArray, Direction], FloatArray]
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """New correction minus the one that acted during the test from which the posterior comes."""
+
+    new: Correction
+    active: Correction
+
+    def at(self, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return the change at ``positions``, mm or deg."""
+        return self.new(positions, direction) - self.active(positions, direction)
+
+
+def predict(result: PositioningResult, posterior: AxisPosterior, change: Change, axis: Axis) -> TestPrediction:
+    """Return what a fresh test like ``result`` will show with the changed correction, at its targets and at new ones."""
+    test = result.test
+    new_targets = dithered_targets(
+        axis.travel, test.targets.size, _generator(axis.name, test.name, "targets"), END_MARGIN[axis.kind]
+    )
+    return TestPrediction(
+        name=test.name,
+        before=result,
+        predicted=_predict_at(result, posterior, change, test.targets, axis),
+        predicted_new_targets=_predict_at(result, posterior, change, new_targets, axis),
+    )
+
+
+def why_not_better(
+    before: PositioningResult, after: PositioningResult, old: Mapping[str, Quantiles], new: Mapping[str, Quantiles]
+) -> str:
+    """Return why a table would not improve the axis, or an empty text when it does.
+
+    ``before``, ``after``: the measured test re-evaluated with what the control does now and with what the new files give; ``old``,
+    ``new``: what newly dithered targets will show, from the same draws. Judged by the first of A, E, ... that the test has.
+    """
+    name = _yardstick(before)
+    if name is None:
+        return ""
+    factor = outside_factor(before.test.kind.unit)
+    unit = outside_unit(before.test.kind.unit)
+    was, becomes = before.parameters[name], after.parameters[name]
+    if was is not None and becomes is not None and abs(becomes) >= abs(was):
+        return (
+            f"the measured test re-evaluated with the table gives {name} {becomes * factor:.2f} {unit}, "
+            f"without it {was * factor:.2f} {unit}"
+        )
+    if name in new and name in old and abs(new[name].median) >= abs(old[name].median):
+        return (
+            f"at new targets {name} is expected to be {new[name].median * factor:.2f} {unit} with the table, "
+            f"{old[name].median * factor:.2f} {unit} without it"
+        )
+    return ""
+
+
+def accept_decisions(entry: AxisJob, predictions: tuple[TestPrediction, ...]) -> Mapping[str, AcceptDecision]:
+    """Return the decision about each tolerance of the job from the predicted values (limits in µm or arcsec)."""
+    accept = entry.accept
+    if accept is None:
+        return {}
+    prediction = predictions[accepted_index(accept, tuple(item.name for item in predictions))]
+    factor = outside_factor(entry.axis.kind.unit)
+    return {
+        name: AcceptDecision(limit=limit, decision=decide_prediction(prediction.predicted[name], limit / factor))
+        for name, limit in accept.limits.items()
+    }
+
+
+def check_limits(job_file: str, entry: AxisJob, results: tuple[PositioningResult, ...]) -> None:
+    """Raise UsageError for every tolerance on a parameter that the test does not have."""
+    accept = entry.accept
+    if accept is None:
+        return
+    result = results[accepted_index(accept, tuple(item.test.name for item in results))]
+    faults = [
+        Fault(
+            message=f"the test {result.test.name} has no {name} under {result.standard}",
+            file=job_file,
+            place=f"axes.{entry.axis.name}.accept.{name}",
+            expected=", ".join(key for key, value in result.parameters.items() if value is not None),
+            found=result.not_applicable.get(name, ""),
+        )
+        for name in accept.limits
+        if result.parameters.get(name) is None
+    ]
+    raise_all(UsageError, faults)
+
+
+def accepted_index(accept: Acceptance, names: tuple[str, ...]) -> int:
+    """Return the place of the test that the tolerances are meant for: the first, or the one named."""
+    return 0 if accept.test is None else names.index(accept.test)
+
+
+def _predict_at(
+    result: PositioningResult, posterior: AxisPosterior, change: Change, targets: FloatArray, axis: Axis
+) -> Mapping[str, Quantiles]:
+    rng = _generator(axis.name, result.test.name, "draws")
+    draws = posterior.draw(targets, DRAWS, rng)
+    same = targets is result.test.targets
+    runs = {
+        direction: result.test.readings(direction) if same else float(np.max(result.test.readings(direction), initial=0.0))
+        for direction in Direction
+    }
+    predicted = predict_test(
+        draws.positive,
+        draws.negative,
+        draws.noise,
+        runs_positive=runs[Direction.POSITIVE],
+        runs_negative=runs[Direction.NEGATIVE],
+        change_positive=change.at(targets, Direction.POSITIVE),
+        change_negative=change.at(targets, Direction.NEGATIVE),
+        coverage=result.coverage,
+        rng=rng,
+        vdi=result.standard == "vdi3441",
+    )
+    return {name: value for name, value in predicted.items() if result.parameters.get(name) is not None}
+
+
+def _yardstick(result: PositioningResult) -> str | None:
+    names = ("A", "E", "A_positive", "A_negative", "E_positive", "E_negative", "P", "R", "B_mean")
+    return next((name for name in names if result.parameters.get(name) is not None), None)
+
+
+def _generator(*names: str) -> np.random.Generator:
+    """Return a generator that depends on the names only: the same job predicts the same numbers."""
+    digest = hashlib.sha256("\x1f".join(names).encode()).digest()
+    return np.random.default_rng(int.from_bytes(digest[:8], "big"))

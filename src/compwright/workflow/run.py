@@ -1,0 +1,194 @@
+"""``run``: evaluate, estimate, fit, export, read back, predict, report."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from compwright import __version__
+from compwright.documents.decode import assumed_documents, finding_documents
+from compwright.documents.evaluation import evaluation_document
+from compwright.documents.json_text import to_json
+from compwright.documents.plan import plan_document
+from compwright.documents.prediction import prediction_document
+from compwright.foundations import storage
+from compwright.foundations.errors import UsageError
+from compwright.foundations.findings import Finding
+from compwright.records.correction import Assumption, ControlFile
+from compwright.records.job import Job
+from compwright.records.plan import Plan
+from compwright.records.prediction import AxisPrediction
+from compwright.workflow.card import card_document
+from compwright.workflow.control import Control, DecodedState, named_axes, open_control
+from compwright.workflow.inputs import JobInputs, read_job_inputs
+from compwright.workflow.view import run_view
+from compwright.workflow.work import AS_FOUND, AxisWork, export, fit_all, predict_axis, start_axis
+
+NO_STATE = (
+    "no table is written: the job does not say what is active in the control; "
+    "add states: {as_found: none} or states: {as_found: [files of the control]}"
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunOutcome:
+    """What a run found and wrote. ``no_tables`` and ``refused`` (by axis) say why a table is missing."""
+
+    exit_code: int
+    evaluation: Mapping[str, Any]
+    prediction: Mapping[str, Any]
+    assumed: tuple[Mapping[str, str], ...]
+    findings: tuple[Mapping[str, str], ...]
+    files: tuple[Path, ...]
+    no_tables: str = ""
+    refused: Mapping[str, str]
+    notes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Finished:
+    """Everything that the files of a run are made from."""
+
+    job: Job
+    control: Control
+    inputs: JobInputs
+    works: Mapping[str, AxisWork]
+    predictions: Mapping[str, AxisPrediction]
+    tables: tuple[ControlFile, ...]
+    loaded: DecodedState | None
+    assumed: tuple[Assumption, ...]
+
+    @property
+    def stated(self) -> bool:
+        return AS_FOUND in self.inputs.states
+
+
+def run_job(job: Job, folder: Path, out: Path, *, force: bool = False, accept_worse: bool = False) -> RunOutcome:
+    """Do a whole job and write its files below ``out``, all of them or none. ``folder``: what the job's paths are relative to.
+
+    Raises UsageError (2), InputError (3), CapacityError (4) and StorageError (5); nothing is written then. Without a state of the
+    control, evaluation, prediction and report are written but no table (exit 2).
+    """
+    finished = _work_through(job, folder, accept_worse=accept_worse)
+    evaluation = evaluation_document([result for work in finished.works.values() for result in work.results], [])
+    prediction = prediction_document(job.format, finished.predictions)
+    files, notes = _files(finished, evaluation, prediction)
+    written = storage.write_files(out, files, force=force)
+    return RunOutcome(
+        exit_code=_exit_code(finished),
+        evaluation=evaluation,
+        prediction=prediction,
+        assumed=tuple(assumed_documents(finished.assumed)),
+        findings=tuple(finding_documents(_findings(finished))),
+        files=tuple(written),
+        no_tables="" if finished.stated else NO_STATE,
+        refused={name: work.refused for name, work in finished.works.items() if work.refused},
+        notes=notes,
+    )
+
+
+def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
+    control = open_control(job.format, job.options)
+    job, renamed = named_axes(job, control)
+    inputs = read_job_inputs(job, control, folder)
+    works = {name: start_axis(job, entry, inputs) for name, entry in job.axes.items()}
+    tables: tuple[ControlFile, ...] = ()
+    loaded: DecodedState | None = None
+    if AS_FOUND in inputs.states:
+        works = fit_all(works, control, inputs.states[AS_FOUND].state)
+        works, tables, loaded = export(works, control, accept_worse=accept_worse)
+    states = [decoded.state for decoded in inputs.states.values()]
+    capacities = [work.capacity for work in works.values() if work.capacity is not None]
+    assumed = (
+        *control.assumed(),
+        *renamed,
+        *(entry for state in states for entry in state.assumed),
+        *(entry for capacity in capacities for entry in capacity.assumed),
+    )
+    return _Finished(
+        job=job,
+        control=control,
+        inputs=inputs,
+        works=works,
+        predictions={name: predict_axis(work, loaded) for name, work in works.items()},
+        tables=tables,
+        loaded=loaded,
+        assumed=assumed,
+    )
+
+
+def _files(
+    finished: _Finished, evaluation: Mapping[str, Any], prediction: Mapping[str, Any]
+) -> tuple[dict[str, bytes], tuple[str, ...]]:
+    """Return every file of the run by its relative name, and what the user should know about missing ones."""
+    format_id = finished.control.id
+    files = {
+        "evaluation.json": to_json(evaluation).encode(),
+        "prediction.json": to_json(prediction).encode(),
+    }
+    notes: list[str] = []
+    card: Mapping[str, Any] | None = None
+    if finished.stated:
+        files["plan.json"] = to_json(plan_document(_plan(finished))).encode()
+        files |= {f"tables/{format_id}/{file.name}": file.content for file in finished.tables}
+        as_found = finished.inputs.states[AS_FOUND].files
+        files |= {f"rollback/{format_id}/{file.name}": file.content for file in as_found}
+    if finished.tables:
+        card = card_document(finished.job, finished.control, finished.works, finished.loaded, finished.inputs, finished.assumed)
+        from compwright.reporting.card import card_markdown
+
+        files["card/card.md"] = card_markdown(dict(card)).encode()
+    try:
+        from compwright.reporting.card import card_html
+        from compwright.reporting.report import run_report
+
+        if card is not None:
+            files["card/card.html"] = card_html(dict(card))
+        view = run_view(
+            finished.job,
+            finished.control,
+            finished.works,
+            finished.loaded,
+            evaluation=evaluation,
+            prediction=prediction,
+            assumed=assumed_documents(finished.assumed),
+            findings=finding_documents(_findings(finished)),
+            files=[*files, "report.html"],
+            no_tables=None if finished.stated else NO_STATE,
+            stated=finished.stated,
+            state_files=[file.name for file in finished.inputs.states[AS_FOUND].files] if finished.stated else [],
+        )
+        files["report.html"] = run_report(view)
+    except UsageError as error:
+        notes.append(f"report.html is not written: {error}")
+    return files, tuple(notes)
+
+
+def _plan(finished: _Finished) -> Plan:
+    job = finished.job
+    return Plan(
+        version=__version__,
+        format=job.format,
+        options=finished.control.options,
+        standard=job.standard,
+        axes={name: work.planned for name, work in finished.works.items()},
+        states={name: decoded.files for name, decoded in finished.inputs.states.items()},
+        machine=job.machine,
+        sources=tuple(source for tests in finished.inputs.tests.values() for planned in tests for source in planned.test.sources),
+        assumed=finished.assumed,
+    )
+
+
+def _findings(finished: _Finished) -> tuple[Finding, ...]:
+    state = [finding for decoded in finished.inputs.states.values() for finding in decoded.state.findings]
+    return (*finished.job.findings, *state, *(finding for work in finished.works.values() for finding in work.findings))
+
+
+def _exit_code(finished: _Finished) -> int:
+    if not finished.stated:
+        return UsageError.exit_code
+    refused = any(work.refused for work in finished.works.values())
+    decisions = [entry.decision for axis in finished.predictions.values() for entry in axis.accept.values()]
+    return 1 if refused or any(decision != "accept" for decision in decisions) else 0

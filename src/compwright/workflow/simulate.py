@@ -1,0 +1,82 @@
+"""``simulate``: measurement files of a virtual machine, with or without tables loaded."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.simulation.files import to_csv
+from compwright.simulation.machine import Correction, VirtualMachine
+from compwright.simulation.reading import read_machine
+from compwright.workflow.control import Control, DecodedState, decode, judged, open_control, read_files
+from compwright.formats.addresses import normal_address
+
+
+def load_machine(path: Path) -> VirtualMachine:
+    """Read a machine file. Raises UsageError with every fault of it, InputError when it cannot be read."""
+    return read_machine(storage.read_bytes(path), str(path))
+
+
+def simulate_files(
+    machine: VirtualMachine, out: Path, *, seed: int = 0, tables: Path | None = None, force: bool = False
+) -> list[Path]:
+    """Measure every axis of a virtual machine and write one CSV file per axis (``x.csv``, ...) into ``out``.
+
+    ``tables``: a folder with what the control loads. Noise comes from ``seed`` alone: the same seed gives the same bytes.
+    """
+    loaded = None if tables is None else _load(machine, tables)
+    files = {}
+    for number, name in enumerate(machine.axes):
+        correction = None if loaded is None else _correction(loaded, machine.axes[name].axis)
+        rng = np.random.default_rng([seed, number])
+        test = machine.measure(name, rng=rng, correction=correction)
+        files[f"{name.lower()}.csv"] = to_csv(test)
+    return storage.write_files(out, files, force=force)
+
+
+def _load(machine: VirtualMachine, tables: Path) -> tuple[Control, DecodedState]:
+    if not machine.format:
+        raise UsageError(
+            Fault(message="the machine file names no control", place="control.format", expected="a format, to load tables into")
+        )
+    control = open_control(machine.format, machine.options)
+    axes = [_addressed(control, virtual.axis) for virtual in machine.axes.values()]
+    decoded = decode(control, read_files([tables]), axes)
+    unknown = sorted(set(decoded.state.axes) - {axis.address for axis in axes})
+    raise_all(
+        InputError,
+        [
+            Fault(
+                message=f"holds a table for axis {address}, which this machine does not have",
+                file=str(tables),
+                expected=", ".join(axis.address for axis in axes),
+            )
+            for address in unknown
+        ],
+    )
+    return control, decoded
+
+
+def _addressed(control: Control, axis: Axis) -> Axis:
+    return replace(axis, address=normal_address(control.definition, axis)[0])
+
+
+def _correction(loaded: tuple[Control, DecodedState], axis: Axis) -> Correction:
+    control, decoded = loaded
+    address = _addressed(control, axis).address
+
+    def correction(positions: FloatArray, direction: Direction) -> FloatArray:
+        return judged(decoded, address, positions, direction)
+
+    return correction
+
+
+def simulated_names(machine: VirtualMachine) -> Sequence[str]:
+    """Return the names of the files that `simulate_files` writes."""
+    return [f"{name.lower()}.csv" for name in machine.axes]

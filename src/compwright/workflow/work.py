@@ -1,0 +1,195 @@
+"""One axis on its way through a run: evaluated, estimated, fitted, exported, predicted."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from compwright.estimation.axis import AxisPosterior
+from compwright.evaluation.standards import evaluate
+from compwright.fitting.fit import fit_table
+from compwright.formats.capacity import capacity_for
+from compwright.formats.writing import write_tables
+from compwright.foundations.errors import CapacityError, CompwrightError, collect, raise_all
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState, no_compensation
+from compwright.records.fitted import FittedTable
+from compwright.records.job import AxisJob, Job
+from compwright.records.plan import PlannedAxis
+from compwright.records.prediction import AxisPrediction
+from compwright.records.result import PositioningResult
+from compwright.workflow.control import Control, DecodedState, decode, judged
+from compwright.workflow.inputs import JobInputs
+from compwright.workflow.outlook import Change, Correction, accept_decisions, check_limits, predict, why_not_better
+from compwright.workflow.planning import dense_positions, posterior_of, wanted_correction, with_change
+
+AS_FOUND = "as_found"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AxisWork:
+    """One axis of a run. ``as_found``: what the control does now, by the judge; ``refused``: why its table is not written."""
+
+    entry: AxisJob
+    results: tuple[PositioningResult, ...]
+    posterior: AxisPosterior
+    planned: PlannedAxis
+    as_found: Correction
+    capacity: Capacity | None = None
+    refused: str = ""
+
+    @property
+    def active(self) -> Correction:
+        """What acted during the first test; zero where nobody said."""
+        active = self.planned.active
+
+        def correction(positions: FloatArray, direction: Direction) -> FloatArray:
+            return np.zeros(np.shape(positions)) if active is None else active.at(positions, direction)
+
+        return correction
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What was noticed on this axis beside the findings of its tests."""
+        fitted = self.planned.fitted
+        own = (*self.planned.estimate.findings, *self.posterior.findings, *(fitted.findings if fitted else ()))
+        if self.refused:
+            own = (*own, Finding("CW-P001", "error", f"No table is written for axis {self.entry.axis.name}: {self.refused}."))
+        return tuple(dict.fromkeys(own))
+
+
+def start_axis(job: Job, entry: AxisJob, inputs: JobInputs) -> AxisWork:
+    """Evaluate the tests of an axis and estimate its error from the first. Raises UsageError for tolerances that fit no test."""
+    axis = entry.axis
+    tests = inputs.tests[axis.name]
+    results = tuple(
+        evaluate(planned.test, job.standard, travel=axis.travel, periods=axis.screw_pitch, budget=job.uncertainty)
+        for planned in tests
+    )
+    check_limits(job.file, entry, results)
+    posterior = posterior_of(tests[0].test, axis)
+    planned = PlannedAxis(
+        axis=axis,
+        tests=tests,
+        estimate=posterior.summary(dense_positions(axis)),
+        active=_compensation(inputs.states.get(tests[0].measured_in), axis),
+        wanted=None,
+        request=entry.table,
+        fitted=None,
+        accept=entry.accept,
+    )
+    return AxisWork(
+        entry=entry,
+        results=results,
+        posterior=posterior,
+        planned=planned,
+        as_found=correction_of(inputs.states.get(AS_FOUND), axis),
+    )
+
+
+def _compensation(decoded: DecodedState | None, axis: Axis) -> AxisCompensation | None:
+    """Return what a state does on an axis; None where nobody said what the state is."""
+    if decoded is None:
+        return None
+    return decoded.state.axes.get(axis.address, no_compensation(axis.address, axis.kind, axis.reference_return))
+
+
+def correction_of(decoded: DecodedState | None, axis: Axis) -> Correction:
+    """Return the correction of an axis by the judge's reading of ``decoded``; zero where there are no files."""
+
+    def correction(positions: FloatArray, direction: Direction) -> FloatArray:
+        if decoded is None:
+            return np.zeros(np.shape(positions))
+        return judged(decoded, axis.address, positions, direction)
+
+    return correction
+
+
+def fit_all(works: Mapping[str, AxisWork], control: Control, state: ControlState) -> dict[str, AxisWork]:
+    """Fit every axis under the limits of the control. Raises CapacityError with the faults of all axes."""
+    errors: list[CompwrightError] = []
+    fitted: dict[str, AxisWork] = {}
+    for name, work in works.items():
+        planned = work.planned
+        if planned.active is None:
+            fitted[name] = work
+            continue
+        wanted = wanted_correction(
+            planned.estimate, planned.active, planned.axis, reversal_log_odds=work.posterior.reversal_log_odds
+        )
+        try:
+            capacity = capacity_for(control.definition, planned.axis, control.options, state)
+            table = fit_table(wanted, capacity, planned.request, address=planned.axis.address)
+        except CapacityError as error:
+            errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))
+            continue
+        fitted[name] = replace(work, capacity=capacity, planned=replace(planned, wanted=wanted, fitted=table))
+    raise_all(CapacityError, collect(errors))
+    return fitted
+
+
+def write_fitted(control: Control, fitted: list[tuple[Axis, FittedTable]]) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
+    """Write fitted tables as the control's files and read them back with both readers; (), None where there are none."""
+    if not fitted:
+        return (), None
+    axes = [axis for axis, _ in fitted]
+    files = write_tables(control.definition, [table.compensation for _, table in fitted], axes, control.options)
+    return files, decode(control, files, axes)
+
+
+def export(
+    works: Mapping[str, AxisWork], control: Control, *, accept_worse: bool
+) -> tuple[dict[str, AxisWork], tuple[ControlFile, ...], DecodedState | None]:
+    """Write the tables, read them back through the judge, and leave out those that would not improve their axis."""
+    files, loaded = write_fitted(control, _fitted(works))
+    if accept_worse or loaded is None:
+        return dict(works), files, loaded
+    kept: dict[str, AxisWork] = {}
+    for name, work in works.items():
+        why = _no_gain(work, loaded)
+        fitted = None if why else work.planned.fitted
+        kept[name] = replace(work, refused=why, planned=replace(work.planned, fitted=fitted))
+    if any(work.refused for work in kept.values()):
+        files, loaded = write_fitted(control, _fitted(kept))
+    return kept, files, loaded
+
+
+def predict_axis(work: AxisWork, loaded: DecodedState | None) -> AxisPrediction:
+    """Return what fresh tests of an axis will show: with the table as read back, or with what is in the control now."""
+    axis = work.planned.axis
+    fitted = work.planned.fitted
+    new = work.as_found if fitted is None else correction_of(loaded, axis)
+    tests = tuple(predict(result, work.posterior, Change(new, work.active), axis) for result in work.results)
+    return AxisPrediction(
+        tests=tests,
+        table=loaded.state.axes[axis.address] if fitted is not None and loaded is not None else None,
+        quantum=work.capacity.quantum if work.capacity is not None else None,
+        limits=fitted.limits if fitted is not None else (),
+        accept=accept_decisions(work.entry, tests),
+        findings=work.findings,
+    )
+
+
+def _fitted(works: Mapping[str, AxisWork]) -> list[tuple[Axis, FittedTable]]:
+    planned = [work.planned for work in works.values()]
+    return [(entry.axis, entry.fitted) for entry in planned if entry.fitted is not None]
+
+
+def _no_gain(work: AxisWork, loaded: DecodedState) -> str:
+    """Return why the table as read back would not improve the axis over what the control does now; empty when it does."""
+    axis = work.planned.axis
+    if work.planned.fitted is None:
+        return ""
+    changed = Change(correction_of(loaded, axis), work.active)
+    unchanged = Change(work.as_found, work.active)
+    first = work.results[0]
+    after, before = (
+        evaluate(with_change(first.test, *(change.at(first.test.targets, direction) for direction in Direction)), first.standard)
+        for change in (changed, unchanged)
+    )
+    new, old = (predict(first, work.posterior, change, axis) for change in (changed, unchanged))
+    return why_not_better(before, after, old.predicted_new_targets, new.predicted_new_targets)
