@@ -295,3 +295,57 @@ def verify_view() -> dict[str, Any]:
         "axes": {"X": {"unit": "um", "predicted_targets": run["axes"]["X"]["predicted_targets"]}},
         "findings": [],
     }
+
+
+def sample_card() -> dict[str, Any]:
+    """A card with every kind of entry."""
+    return {
+        "title": "Commissioning card: VMC 850",
+        "machine": {"machine": "VMC 850", "serial number": "1111111"},
+        "format": {"id": "fanuc-30i", "title": "FANUC Series 30i"},
+        "axes": [
+            {
+                "name": "X",
+                "address": "1",
+                "unit": "um",
+                "rows": [
+                    {"quantity": "3620 number of the reference point", "old": 0, "new": 17},
+                    {"quantity": "3621 smallest number", "old": 0, "new": 0},
+                    {"quantity": "3624 interval, mm", "old": None, "new": 50.0},
+                    {"quantity": "1851 backlash, detection units", "old": 4, "new": -2},
+                ],
+                "display": [
+                    {"position": -800.0, "positive": 10.0, "negative": 4.0},
+                    {"position": -425.0, "positive": 17.0, "negative": 11.0},
+                    {"position": -50.5, "positive": 3.0, "negative": -3.0},
+                ],
+                "quick_check": [
+                    {"position": -800.0, "direction": "+", "expected": 0.31, "stop": 8.0},
+                    {"position": -425.0, "direction": "-", "expected": -0.62, "stop": "8 µm either way"},
+                ],
+                "points_needed": 18,
+                "fixed_positions": [{"name": "tool change", "position": -20.0, "moves": 1.2}],
+            }
+        ],
+        "steps": [
+            {
+                "title": "Save what is in the control",
+                "text": "Punch out the parameters and the pitch error data to a card.",
+                "evidence": "confirmed: B-64484EN 8.1",
+            },
+            {
+                "title": "Load the pitch error file",
+                "text": "EDIT mode, parameter write enabled, F INPUT, N READ.\nThen power off and on.",
+                "evidence": "unconfirmed: the line form N1nnnnQ0P was not seen in a manual",
+            },
+            {"title": "Return the axis to its reference", "text": "Slowly, with a hand on the feed override.", "evidence": ""},
+        ],
+        "unconfirmed": ["The sign of a pitch error value: do the quick check at one position before the whole travel."],
+        "assumed": [
+            {"fact": "detection unit", "value": "0.001 mm", "evidence": "confirmed: given in the job"},
+            {"fact": "sign", "value": "added", "evidence": "unconfirmed"},
+        ],
+        "restore": ["Load rollback/fanuc-30i/PITCH.TXT in the same way.", "Power off and on; return all axes to their references."],
+        "files": ["tables/fanuc-30i/PITCH.TXT", "rollback/fanuc-30i/PITCH.TXT"],
+        "proven": "Not yet proven on a real machine.",
+    }

@@ -38,6 +38,7 @@ def run_report(view: Document) -> bytes:
             "done": _what_was_done(view, axes),
             "verdict": _run_verdict(view, axes, predicted),
             "axes": blocks,
+            "findings": _remaining(view, blocks, view.get("evaluation")),
             "cross": [_cross(entry) for entry in prediction.get("cross") or []],
             "assumed": sections.assumed(view.get("assumed")),
             "files": [str(file) for file in view.get("files") or []],
@@ -62,12 +63,15 @@ def verify_report(view: Document) -> bytes:
         for index, (name, axis) in enumerate(axes.items(), 1)
         for row in _verify_rows(index, name, axis, _verify_unit(name, view))
     ]
+    blocks = [_verify_axis(index, name, axis, view) for index, (name, axis) in enumerate(axes.items(), 1)]
+    evaluations = (view.get("evaluation_before"), view.get("evaluation_after"))
     return render_page(
         "verify.html",
         {
-            **_common(view, view.get("evaluation_before"), view.get("evaluation_after")),
+            **_common(view, *evaluations),
             "verdict": {"tone": tone, "text": text, "rows": rows},
-            "axes": [_verify_axis(index, name, axis, view) for index, (name, axis) in enumerate(axes.items(), 1)],
+            "axes": blocks,
+            "findings": _remaining(view, blocks, *evaluations),
         },
     )
 
@@ -83,11 +87,17 @@ def _common(view: Document, *evaluations: Document | None) -> dict[str, Any]:
             "id": plain((view.get("format") or {}).get("id", "")),
             "title": plain((view.get("format") or {}).get("title", "")),
         },
-        "findings": sections.findings(sections.unreadable(*evaluations), view.get("findings")),
         "tests": [sections.test_block(result) for result in results if result.get("kind", "positioning") == "positioning"],
         "sources": sections.sources(*evaluations),
         "version": plain(view.get("version", "")),
     }
+
+
+def _remaining(view: Document, blocks: Iterable[Document], *evaluations: Document | None) -> list[dict[str, Any]]:
+    """The findings that stand in no axis' section, and the files that could not be read."""
+    shown = {(item["code"], item["message"]) for block in blocks for item in block["findings"]}
+    every = sections.findings(sections.unreadable(*evaluations), view.get("findings"))
+    return [item for item in every if (item["code"], item["message"]) not in shown]
 
 
 # --- run -----------------------------------------------------------------------------------------------------------------------
@@ -120,9 +130,12 @@ def _run_verdict(view: Document, axes: Document, predicted: Document) -> dict[st
         row for index, name in enumerate(axes, 1) for row in _run_rows(index, name, axes[name], predicted.get(name) or {}, view)
     ]
     decisions = [entry.get("decision") for name in axes for entry in ((predicted.get(name) or {}).get("accept") or {}).values()]
-    why = ""
+    refused = {name: plain(axis["refused"]) for name, axis in axes.items() if axis.get("refused")}
+    why = " ".join(f"Axis {name}: {reason.rstrip('.')}." for name, reason in refused.items())
     if view.get("no_tables"):
         tone, text, why = "bad", "No table was written", plain(view["no_tables"])
+    elif refused:
+        tone, text = "bad", f"No table was written for axis {_list_of(refused)}"
     elif "reject" in decisions:
         tone, text = "bad", "At least one limit is predicted to be missed"
     elif "undecided" in decisions:
@@ -135,7 +148,8 @@ def _run_verdict(view: Document, axes: Document, predicted: Document) -> dict[st
 
 
 def _run_rows(index: int, name: str, axis: Document, predicted: Document, view: Document) -> list[dict[str, Any]]:
-    before, quantiles, limits = _before(name, predicted, view), predicted.get("predicted") or {}, predicted.get("accept") or {}
+    limits = predicted.get("accept") or {}
+    before, quantiles = _decided_test(name, predicted, view)
     unit = unit_text(axis.get("unit"))
     return [
         {
@@ -153,10 +167,12 @@ def _run_rows(index: int, name: str, axis: Document, predicted: Document, view: 
     ]
 
 
-def _before(name: str, predicted: Document, view: Document) -> Document:
-    """The parameters of the first test, as predicted beside them; else those of the evaluation."""
-    result = sections.result_of(view.get("evaluation"), name) or {}
-    return predicted.get("before") or result.get("parameters") or {}
+def _decided_test(name: str, predicted: Document, view: Document) -> tuple[Document, Document]:
+    """Before and predicted of the test that the limits are about (their key ``test``), else of the first one."""
+    about = next((limit["test"] for limit in (predicted.get("accept") or {}).values() if limit.get("test")), None)
+    test = next((test for test in predicted.get("tests") or [] if about is not None and test.get("name") == about), predicted)
+    result = sections.result_of(view.get("evaluation"), name, about) or {}
+    return test.get("before") or result.get("parameters") or {}, test.get("predicted") or {}
 
 
 def _run_axis(index: int, name: str, axis: Document, predicted: Document, view: Document) -> dict[str, Any]:
@@ -177,9 +193,10 @@ def _run_axis(index: int, name: str, axis: Document, predicted: Document, view: 
         if axis.get("predicted_targets") and result
         else "",
         "parameters": _run_parameters(tests[0], result, unit) if result or tests[0].get("before") else None,
-        "findings": sections.findings(axis.get("findings"), (result or {}).get("findings")),
+        "findings": sections.findings(axis.get("findings"), predicted.get("findings"), (result or {}).get("findings")),
         "mode": mode.get(str(axis.get("mode")), "") + plain(axis.get("mode_reason") or ""),
         "table": _table(prefix, name, table, axis, predicted) if table else None,
+        "refused": plain(axis.get("refused") or ""),
         "limits": _limits(predicted, unit),
         "state": _state(axis.get("state")),
         "estimate": _figure(f"{prefix}e", f"estimated error of axis {name}", estimate_plot(axis["estimate"], result))
@@ -336,7 +353,7 @@ def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[
         "figure": _after_figure(index, name, before, after, extra, axis),
         "parameters": sections.parameter_block(unit, measured.get("standard", ""), measured.get("not_applicable"), columns),
         "accept": _acceptance(axis.get("accept") or {}, unit),
-        "findings": sections.findings(extra.get("findings"), (after or {}).get("findings")),
+        "findings": sections.findings(extra.get("findings"), axis.get("findings"), (after or {}).get("findings")),
     }
 
 

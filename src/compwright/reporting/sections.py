@@ -82,15 +82,19 @@ def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:
     """Return assumed facts as text, the unconfirmed ones marked and first."""
     rows = [
-        {
-            "fact": plain(fact.get("fact")),
-            "value": plain(fact.get("value")),
-            "evidence": plain(fact.get("evidence")),
-            "open": "unconfirmed" in str(fact.get("evidence", "")).lower(),
-        }
+        {"fact": plain(fact.get("fact")), "value": plain(fact.get("value")), **evidence_mark(fact.get("evidence"))}
         for fact in facts or ()
     ]
     return sorted(rows, key=lambda row: not row["open"])
+
+
+def evidence_mark(evidence: object) -> dict[str, Any]:
+    """Return ``evidence`` as text and ``open``: whether it is unconfirmed. The page shows the mark: the word is not repeated."""
+    text = plain(evidence) if evidence else ""
+    unconfirmed = "unconfirmed" in text.lower()
+    if text.lower().startswith("unconfirmed"):
+        text = text[len("unconfirmed") :].lstrip(" :;,.-")
+    return {"evidence": text, "open": unconfirmed}
 
 
 def spread_text(quantiles: object) -> str:

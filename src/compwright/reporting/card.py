@@ -1,0 +1,202 @@
+"""The commissioning card: what to type, what to look at and how to go back, as Markdown and as a page of one or two A4 sheets.
+
+A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``axes``, ``steps`` (``title``, ``text``,
+``evidence``), ``unconfirmed`` and ``restore`` (sentences), ``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and
+``proven`` (a sentence). Each axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``, ``new``),
+``display`` (``position``, ``positive``, ``negative``: the compensation that the control itself shows), ``quick_check``
+(``position``, ``direction``, ``expected``, ``stop``), ``points_needed`` and ``fixed_positions`` (``name``, ``position``, ``moves``).
+Values to be typed carry a plain minus sign, so that they can be copied.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+from compwright.reporting.numbers import MISSING, decimals_of, number, plain, position_unit, unit_text
+from compwright.reporting.page import render_page
+from compwright.reporting.sections import Document, assumed, evidence_mark, pairs
+
+_BOX = "[ ]"
+
+
+def card_html(card: Document) -> bytes:
+    """Return the card as a self-contained page. Raises UsageError when the report extra is missing."""
+    return render_page("card.html", _content(card))
+
+
+def card_markdown(card: Document) -> str:
+    """Return the card as Markdown with boxes to tick; it reads well as plain text too. Needs no extra."""
+    content = _content(card)
+    lines = [f"# {_escape(content['title'])}", "", *_machine(content), ""]
+    lines += _bullets("## Not confirmed: look before the axis moves fast", content["unconfirmed"])
+    lines += _steps(content["steps"])
+    for axis in content["axes"]:
+        lines += _axis(axis)
+    lines += _bullets("## Way back", content["restore"])
+    if content["assumed"]:
+        rows = [
+            [
+                _escape(fact["fact"]),
+                _escape(fact["value"]),
+                ("**unconfirmed** " if fact["open"] else "") + _escape(fact["evidence"]),
+            ]
+            for fact in content["assumed"]
+        ]
+        lines += ["## Assumed facts", "", *_table(["Fact", "Assumed value", "Evidence"], rows), ""]
+    if content["files"]:
+        lines += ["## Files", "", *(f"- `{_one_line(file).replace('`', '')}`" for file in content["files"]), ""]
+    if content["proven"]:
+        lines += ["## Proven", "", _escape(content["proven"]), ""]
+    lines += ["Loaded by: ______________________   Date: ______________   Measured after loading: [ ]", ""]
+    return "\n".join(lines)
+
+
+# --- one content for both forms ------------------------------------------------------------------------------------------------
+
+
+def _content(card: Document) -> dict[str, Any]:
+    title = plain(card.get("title") or "Commissioning card")
+    return {
+        "page_title": title,
+        "page_class": "card",
+        "title": title,
+        "machine": pairs(card.get("machine")),
+        "format": {
+            "id": plain((card.get("format") or {}).get("id", "")),
+            "title": plain((card.get("format") or {}).get("title", "")),
+        },
+        "unconfirmed": [plain(text) for text in card.get("unconfirmed") or []],
+        "steps": [_step(step) for step in card.get("steps") or []],
+        "axes": [_axis_content(axis) for axis in card.get("axes") or []],
+        "restore": [plain(text) for text in card.get("restore") or []],
+        "assumed": assumed(card.get("assumed")),
+        "files": [plain(file) for file in card.get("files") or []],
+        "proven": plain(card.get("proven") or ""),
+    }
+
+
+def _step(step: Document) -> dict[str, Any]:
+    return {"title": plain(step.get("title") or ""), "text": plain(step.get("text") or ""), **evidence_mark(step.get("evidence"))}
+
+
+def _axis_content(axis: Document) -> dict[str, Any]:
+    unit = axis.get("unit", "um")
+    display = axis.get("display") or []
+    checks = axis.get("quick_check") or []
+    fixed = axis.get("fixed_positions") or []
+    places = decimals_of(row.get("position") for row in (*display, *checks, *fixed))
+    shown = decimals_of((row.get(key) for row in display for key in ("positive", "negative")), 3)
+    return {
+        "name": plain(axis.get("name")),
+        "address": plain(axis.get("address")),
+        "unit": unit_text(unit),
+        "where": position_unit(unit),
+        "points": axis.get("points_needed"),
+        "rows": [[plain(row.get("quantity")), _typed(row.get("old")), _typed(row.get("new"))] for row in axis.get("rows") or []],
+        "display": [
+            [number(row.get("position"), places), *(number(row.get(key), shown) for key in ("positive", "negative"))]
+            for row in display
+        ],
+        "checks": [
+            [
+                number(row.get("position"), places),
+                _direction(row.get("direction")),
+                _amount(row.get("expected")),
+                _amount(row.get("stop")),
+            ]
+            for row in checks
+        ],
+        "zeroed": bool(checks) and number(checks[0].get("expected")) == number(0.0),
+        "fixed": [[plain(row.get("name")), number(row.get("position"), places), _signed(row.get("moves"))] for row in fixed],
+    }
+
+
+def _typed(value: object) -> str:
+    return plain(value).replace("−", "-") if isinstance(value, int | float) else plain(value)
+
+
+def _direction(value: object) -> str:
+    return {"-": "−"}.get(str(value), plain(value))
+
+
+def _amount(value: object) -> str:
+    return number(value) if isinstance(value, int | float) else plain(value)
+
+
+def _signed(value: object) -> str:
+    text = _amount(value)
+    return f"+{text}" if isinstance(value, int | float) and value > 0 and text not in {MISSING, "0.00"} else text
+
+
+# --- Markdown ------------------------------------------------------------------------------------------------------------------
+
+
+def _machine(content: Document) -> list[str]:
+    control = " ".join(
+        filter(None, [content["format"]["title"], f"({content['format']['id']})" if content["format"]["id"] else ""])
+    )
+    return [f"- {_escape(name)}: {_escape(value)}" for name, value in [*content["machine"], ("control", control)]]
+
+
+def _steps(steps: Iterable[Document]) -> list[str]:
+    lines = []
+    for step in steps:
+        mark = " **(unconfirmed)**" if step["open"] else ""
+        lines.append(f"- {_BOX} **{_escape(step['title'])}**{mark}")
+        lines += [f"  {_paragraph(line)}" for line in step["text"].splitlines() if line.strip()]
+        if step["evidence"]:
+            lines.append(f"  Evidence: {_escape(step['evidence'])}")
+    return ["## Steps", "", *lines, ""] if lines else []
+
+
+def _axis(axis: Document) -> list[str]:
+    unit, where = axis["unit"], axis["where"]
+    lines = [f"## Axis {_escape(axis['name'])}, control address {_escape(axis['address'])}", ""]
+    if axis["points"] is not None:
+        lines += [f"- {_BOX} The control must hold at least {plain(axis['points'])} points for this axis.", ""]
+    if axis["rows"]:
+        rows = [[_BOX, *map(_escape, row)] for row in axis["rows"]]
+        lines += ["### Values that change", "", *_table(["", "Quantity", "Old", "New"], rows), ""]
+    if axis["display"]:
+        head = [f"Position ({where})", f"approach + ({unit})", "read", f"approach − ({unit})", "read"]
+        rows = [[position, positive, "", negative, ""] for position, positive, negative in axis["display"]]
+        lines += ["### Compensation that the control displays", "", *_table(head, rows), ""]
+    if axis["checks"]:
+        head = [f"Position ({where})", "Approach", f"Expected deviation ({unit})", f"Stop if further off than ({unit})", "Measured"]
+        rows = [[*map(_escape, row), ""] for row in axis["checks"]]
+        zero = ["In this order, the instrument set to zero at the first row.", ""] if axis["zeroed"] else []
+        lines += ["### Quick check after loading", "", *zero, *_table(head, rows), ""]
+    if axis["fixed"]:
+        rows = [list(map(_escape, row)) for row in axis["fixed"]]
+        lines += ["### Fixed positions that move", "", *_table(["Name", f"Position ({where})", f"Moves by ({unit})"], rows), ""]
+    return lines
+
+
+def _bullets(heading: str, items: Sequence[str]) -> list[str]:
+    return [heading, "", *(f"- {_BOX} {_escape(item)}" for item in items), ""] if items else []
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+    """Cells padded to one width: the source reads as a table too."""
+    widths = [max(3, *(len(row[column]) for row in [head, *rows])) for column in range(len(head))]
+    lines = ["| " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) + " |" for row in [head, *rows]]
+    return [lines[0], "|" + "|".join("-" * (width + 2) for width in widths) + "|", *lines[1:]]
+
+
+def _one_line(text: str) -> str:
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in text).split())
+
+
+def _paragraph(text: str) -> str:
+    """A line of text that begins no heading, list, quotation or rule."""
+    line = _escape(text)
+    return f"\\{line}" if line[:1] in set("#-+>=~_") else line
+
+
+def _escape(text: str) -> str:
+    """One line in which nothing is markup; underscores inside names stay as they are."""
+    line = _one_line(text)
+    for letter in "\\`*[]|":
+        line = line.replace(letter, f"\\{letter}")
+    return line.replace("&", "&amp;").replace("<", "&lt;")
