@@ -242,3 +242,11 @@ def test_definitions_come_in_the_order_of_their_names() -> None:
     names = [name for name, _ in storage.definition_files()]
     assert names == sorted(names)
     assert all(name.endswith(".yaml") for name in names)
+
+
+def test_looking_never_fails(tmp_path: Path) -> None:
+    storage.write_file(tmp_path / "x", b"")
+    (tmp_path / "link").symlink_to(tmp_path / "nowhere")
+    there = {name: storage.is_there(tmp_path / name) for name in (".", "x", "link", "y", "n" * 300, "a\0b", "x/y")}
+    assert there == {".": True, "x": True, "link": True, "y": False, "n" * 300: False, "a\0b": False, "x/y": False}
+    assert [name for name in there if storage.is_folder(tmp_path / name)] == ["."]

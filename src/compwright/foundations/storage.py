@@ -49,6 +49,19 @@ def list_files(path: Path) -> list[Path]:
         raise InputError(Fault(message="folder cannot be read", file=str(path), found=_reason(error))) from error
 
 
+def is_there(path: Path) -> bool:
+    """Whether there is a file, folder or link at ``path``; False for a name that no file can have."""
+    return os.path.lexists(path)
+
+
+def is_folder(path: Path) -> bool:
+    """Whether ``path`` is a folder that can be looked at."""
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):
+        return False
+
+
 def refuse_overwriting(paths: Sequence[Path], *, force: bool) -> None:
     """Raise StorageError, naming every file that exists already, unless ``force``.
 

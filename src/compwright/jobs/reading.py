@@ -177,6 +177,10 @@ def _pending_findings(section: JobSection) -> list[Finding]:
         keys += [f"axes.{name}.{key}" for key in _PENDING_OF_AXIS if getattr(axis, key) is not None]
         if axis.programmed == "diameter":
             keys.append(f"axes.{name}.programmed: diameter")
+        if axis.encoder.type != "incremental":
+            keys.append(f"axes.{name}.encoder.type: {axis.encoder.type}")
+    if section.report.language != "en":
+        keys.append(f"report.language: {section.report.language}")
     return [Finding("CW-J001", "warning", f"read, but not used yet: {key}") for key in keys]
 
 

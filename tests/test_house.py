@@ -1,0 +1,394 @@
+"""The house rules that no single test sees: who may import whom, who touches the disk, what start-up loads, finding codes.
+
+Everything is read from the syntax trees of ``src/compwright``; the table of edges repeats ``docs/architecture.md`` on
+purpose, and a test compares the two.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from places import PROJECT
+
+SOURCE = PROJECT / "src" / "compwright"
+ROOMS = (
+    *("foundations", "records", "instruments", "evaluation", "estimation", "fitting", "formats", "controllers", "prediction"),
+    *("verification", "simulation", "documents", "reporting", "jobs", "workflow"),
+)
+MAY_IMPORT: dict[str, set[str]] = {
+    "foundations": set(),
+    "records": {"foundations"},
+    "instruments": {"foundations", "records"},
+    "evaluation": {"foundations", "records"},
+    "estimation": {"foundations", "records"},
+    "fitting": {"foundations", "records"},
+    "formats": {"foundations", "records"},
+    "controllers": {"foundations", "records"},
+    "prediction": {"foundations", "records", "evaluation"},
+    "verification": {"foundations", "records", "evaluation"},
+    "simulation": {"foundations", "records"},
+    "documents": {"foundations", "records"},
+    "reporting": {"foundations"},
+    "jobs": {"foundations", "records"},
+    "workflow": set(ROOMS) - {"workflow"},
+    "cli": {"foundations", "workflow"},
+    "__main__": {"cli"},
+    "__init__": set(),
+}
+
+#: Packages of others -> rooms that may import them anywhere. What is not listed here needs an entry, and so a thought.
+OTHERS: dict[str, set[str]] = {
+    "numpy": set(ROOMS) - {"foundations", "jobs"},
+    "scipy": {"fitting", "estimation"},
+    "osqp": {"fitting"},
+    "cvxpy": {"fitting"},
+    "yaml": {"foundations"},
+    "pydantic": {"jobs", "formats", "documents"},
+    "pydantic_core": {"jobs", "formats", "documents"},
+    "click": {"cli"},
+    "rich": {"reporting"},
+    "matplotlib": {"reporting"},
+    "jinja2": {"reporting"},
+}
+SLOW_TO_IMPORT = {"scipy", "osqp", "cvxpy", "matplotlib", "pydantic", "rich", "jinja2", "numpy"}
+
+# What reaches the file system, other programs or the network.
+REACHING_MODULES = {
+    *("os", "shutil", "tempfile", "glob", "fileinput", "subprocess", "socket", "ssl", "http", "ftplib", "sqlite3", "dbm", "shelve"),
+    *("urllib.request", "webbrowser", "mmap", "fcntl", "multiprocessing", "requests", "linecache"),
+}
+REACHING_CALLS = {
+    *("read_text", "read_bytes", "write_text", "write_bytes", "mkdir", "rmdir", "unlink", "touch", "rename", "exists", "is_file"),
+    *(
+        "is_dir",
+        "is_symlink",
+        "iterdir",
+        "rglob",
+        "hardlink_to",
+        "symlink_to",
+        "chmod",
+        "lstat",
+        "expanduser",
+        "resolve",
+        "cwd",
+        "home",
+    ),
+    *("savetxt", "loadtxt", "genfromtxt", "fromfile", "tofile", "open_memmap", "savez", "open"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Import:
+    """One imported name: by which module (dotted, without compwright), from where, and whether when that module is loaded."""
+
+    by: str
+    target: str
+    name: str
+    at_load: bool
+    line: int
+
+    @property
+    def room(self) -> str:
+        return self.by.partition(".")[0]
+
+    def __str__(self) -> str:
+        return f"{self.by} line {self.line} imports {self.target}{f'.{self.name}' if self.name else ''}"
+
+
+@cache
+def trees() -> dict[str, ast.Module]:
+    """Return every module of the source: dotted name below compwright -> tree."""
+    found = {}
+    for path in sorted(SOURCE.rglob("*.py")):
+        parts = path.relative_to(SOURCE).with_suffix("").parts
+        name = ".".join(parts[:-1] if parts[-1] == "__init__" and len(parts) > 1 else parts)
+        found[name] = ast.parse(path.read_text(encoding="utf-8"), str(path))
+    return found
+
+
+def imports_in(node: ast.AST, by: str, *, at_load: bool = True) -> Iterator[Import]:
+    for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.Import):
+            for alias in child.names:
+                yield Import(by, alias.name, "", at_load, child.lineno)
+        elif isinstance(child, ast.ImportFrom):
+            assert child.level == 0, f"{by} line {child.lineno}: relative import"
+            for alias in child.names:
+                yield Import(by, child.module or "", alias.name, at_load, child.lineno)
+        else:
+            inside = isinstance(child, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+            yield from imports_in(child, by, at_load=at_load and not inside)
+
+
+@cache
+def all_imports() -> tuple[Import, ...]:
+    return tuple(found for name, tree in trees().items() for found in imports_in(tree, name))
+
+
+def inside(found: Import) -> str | None:
+    """Return the module of the house that is imported, None for a module of others."""
+    package, _, below = found.target.partition(".")
+    if package != "compwright":
+        return None
+    deeper = f"{below}.{found.name}" if below else found.name
+    return deeper if deeper in trees() else below or "__init__"
+
+
+def test_source_was_found_with_every_room_known() -> None:
+    assert len(trees()) > 20
+    assert {name.partition(".")[0] for name in trees()} <= set(MAY_IMPORT)
+
+
+def test_table_of_edges_is_that_of_the_page() -> None:
+    page = (PROJECT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `([\w.]+)` \|[^|]*\|([^|]*)\|$", page, re.MULTILINE)
+    by_page: dict[str, set[str]] = {}
+    for room, allowed in rows:
+        words = set() if "nothing" in allowed else {word.strip() for word in allowed.split(",")}
+        by_page[room.removesuffix(".py")] = set(ROOMS) - {room} if words == {"all"} else words
+    assert by_page == {room: allowed for room, allowed in MAY_IMPORT.items() if not room.startswith("__")}
+
+
+def test_rooms_import_only_what_the_table_allows() -> None:
+    wrong = []
+    for found in all_imports():
+        target = inside(found)
+        room = (target or "").partition(".")[0]
+        # the version in compwright/__init__.py is everybody's
+        if target is None or room in ("", found.room) or (target == "__init__" and found.name == "__version__"):
+            continue
+        if room not in MAY_IMPORT[found.room]:
+            wrong.append(str(found))
+    assert wrong == []
+
+
+def test_packages_of_others_are_imported_only_where_they_belong() -> None:
+    wrong = []
+    for found in all_imports():
+        package = found.target.partition(".")[0]
+        if package == "compwright" or package in sys.stdlib_module_names:
+            continue
+        if found.room not in OTHERS.get(package, set()):
+            wrong.append(str(found))
+    assert wrong == []
+
+
+def test_estimation_uses_of_scipy_only_linear_algebra_and_minimisers() -> None:
+    targets = {
+        found.target if found.target != "scipy" else f"scipy.{found.name}" for found in all_imports() if found.room == "estimation"
+    }
+    parts = {".".join(target.split(".")[:2]) for target in targets if target.partition(".")[0] == "scipy"}
+    assert parts <= {"scipy.linalg", "scipy.optimize"}
+
+
+def test_modules_by_name_are_imported_only_for_the_report_extra() -> None:
+    users = {found.by for found in all_imports() if found.target.partition(".")[0] in ("importlib", "pkgutil", "runpy")}
+    assert users <= {"reporting.extra"}
+
+
+def test_no_import_cycles() -> None:
+    edges: dict[str, set[str]] = {name: set() for name in trees()}
+    for found in all_imports():
+        target = inside(found)
+        if target is not None and target in edges and target != found.by:
+            edges[found.by].add(target)
+    # an import of a package's own __init__ by a module inside it is how packages work, not a cycle of meaning
+    finished: set[str] = set()
+
+    def visit(name: str, way: tuple[str, ...]) -> None:
+        assert name not in way, " -> ".join((*way[way.index(name) :], name))
+        if name in finished:
+            return
+        for target in sorted(edges[name]):
+            visit(target, (*way, name))
+        finished.add(name)
+
+    for name in edges:
+        visit(name, ())
+
+
+def test_only_storage_reaches_the_file_system() -> None:
+    wrong = []
+    for name, tree in trees().items():
+        if name == "foundations.storage":
+            continue
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Call):
+                wrong += [f"{name} line {node.lineno}: {call}" for call in reaching(node.func)]
+    for found in all_imports():
+        if found.by != "foundations.storage" and {found.target, found.target.partition(".")[0]} & REACHING_MODULES:
+            wrong.append(str(found))
+    assert wrong == []
+
+
+def reaching(function: ast.expr) -> Iterator[str]:
+    if isinstance(function, ast.Name) and function.id in ("open", "exec", "eval", "__import__", "input", "print"):
+        yield function.id
+    if isinstance(function, ast.Attribute) and function.attr in REACHING_CALLS:
+        owner = function.value
+        if not (isinstance(owner, ast.Name) and owner.id == "storage"):
+            yield ast.unparse(function)
+
+
+def test_only_workflow_calls_storage() -> None:
+    users = {found.room for found in all_imports() if inside(found) == "foundations.storage"}
+    assert users <= {"workflow"}
+
+
+def test_judge_shares_nothing_with_the_judged() -> None:
+    """``controllers`` know bytes and assumptions, not the records that the writing side computes with."""
+    allowed = {"ControlFile", "Assumption"}
+    wrong = [
+        str(found)
+        for found in all_imports()
+        if found.room == "controllers" and inside(found) == "records.correction" and found.name not in allowed
+    ]
+    assert wrong == []
+    for one, other in (("controllers", "formats"), ("formats", "controllers")):
+        assert [str(f) for f in all_imports() if f.room == one and (inside(f) or "").partition(".")[0] == other] == []
+
+
+def test_starting_loads_nothing_slow_by_the_source() -> None:
+    """Follow the imports that happen when ``compwright.cli`` is loaded."""
+    if "cli" not in trees():
+        pytest.skip("there is no command line yet")
+    by_module: dict[str, list[Import]] = {name: [] for name in trees()}
+    for found in all_imports():
+        if found.at_load:
+            by_module[found.by].append(found)
+    waiting, loaded, slow = ["cli"], set[str](), []
+    while waiting:
+        name = waiting.pop()
+        if name in loaded or name not in by_module:
+            continue
+        loaded.add(name)
+        waiting += [".".join(name.split(".")[:count]) for count in range(1, name.count(".") + 1)]  # packages above
+        for found in by_module[name]:
+            target = inside(found)
+            if target is not None:
+                waiting.append(target)
+            elif found.target.partition(".")[0] in SLOW_TO_IMPORT:
+                slow.append(str(found))
+    assert slow == []
+
+
+def loaded_by(*arguments: str) -> set[str]:
+    """Return the top-level packages that a fresh interpreter has loaded after running compwright with ``arguments``."""
+    command = [sys.executable, "-X", "importtime", "-m", "compwright", *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+    assert done.returncode in (0, 1), done.stderr[-2000:]
+    names = re.findall(r"^import time:[^|]*\|[^|]*\| +(\S+)$", done.stderr, re.MULTILINE)
+    assert "compwright" in {name.partition(".")[0] for name in names}
+    return {name.partition(".")[0] for name in names}
+
+
+CSV = """# axis: X
+target_mm,direction,run,deviation_um
+0,+,1,0.0
+0,-,1,-1.0
+0,+,2,0.5
+0,-,2,-1.5
+100,+,1,2.0
+100,-,1,1.0
+100,+,2,2.5
+100,-,2,0.5
+"""
+
+
+def test_help_and_version_load_nothing_slow() -> None:
+    if "cli" not in trees():
+        pytest.skip("there is no command line yet")
+    assert loaded_by("--help") & SLOW_TO_IMPORT == set()
+    assert loaded_by("--version") & SLOW_TO_IMPORT == set()
+
+
+def test_evaluating_loads_no_solver_no_schema_and_no_plotting(tmp_path: Path) -> None:
+    if "cli" not in trees():
+        pytest.skip("there is no command line yet")
+    file = tmp_path / "x.csv"
+    file.write_text(CSV, encoding="utf-8")
+    loaded = loaded_by("evaluate", str(file), "--json", str(tmp_path / "x.json"))
+    assert "numpy" in loaded  # it was evaluated at all
+    assert loaded & {"scipy", "osqp", "cvxpy", "matplotlib", "pydantic", "jinja2"} == set()
+
+
+CODE = re.compile(r"CW-[A-Z]+\d+")
+FAMILIES = {
+    "R": {"instruments"},
+    "T": {"evaluation"},
+    "J": {"jobs"},
+    "S": {"workflow", "formats", "controllers"},
+    "E": {"estimation"},
+    "F": {"fitting"},
+    "X": {"formats", "controllers", "workflow"},
+    "P": {"prediction", "workflow"},
+    "V": {"verification", "workflow"},
+}
+
+
+@cache
+def codes() -> dict[str, set[str]]:
+    """Return each finding code that stands alone in a text of the source -> modules in which it stands."""
+    found: dict[str, set[str]] = {}
+    for name, tree in trees().items():
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Constant) and isinstance(node.value, str) and CODE.fullmatch(node.value):
+                found.setdefault(node.value, set()).add(name)
+    return found
+
+
+@cache
+def made() -> dict[str, set[str]]:
+    """Return each code -> modules that make a finding with it (others only look for it)."""
+    found: dict[str, set[str]] = {}
+    for name, tree in trees().items():
+        constants = dict(constants_of(tree))
+        for node in ast.walk(tree):
+            if not (isinstance(node, ast.Call) and ast.unparse(node.func).split(".")[-1] == "Finding"):
+                continue
+            for word in (*node.args[:1], *(word.value for word in node.keywords if word.arg == "code")):
+                code = constants.get(word.id) if isinstance(word, ast.Name) else getattr(word, "value", None)
+                if isinstance(code, str):
+                    assert CODE.fullmatch(code), f"{name} line {node.lineno}: {code!r} is no finding code"
+                    found.setdefault(code, set()).add(name)
+    return found
+
+
+def constants_of(tree: ast.Module) -> Iterator[tuple[str, object]]:
+    """Yield name and value of the constants at the top of a module."""
+    for node in tree.body:
+        targets = node.targets if isinstance(node, ast.Assign) else [node.target] if isinstance(node, ast.AnnAssign) else []
+        if targets and isinstance(node, ast.Assign | ast.AnnAssign) and isinstance(node.value, ast.Constant):
+            yield from ((target.id, node.value.value) for target in targets if isinstance(target, ast.Name))
+
+
+def listed() -> Counter[str]:
+    """Return how often each code heads a row of ``docs/findings.md``."""
+    page = (PROJECT / "docs" / "findings.md").read_text(encoding="utf-8")
+    return Counter(re.findall(rf"^\| `({CODE.pattern})` \|", page, re.MULTILINE))
+
+
+def test_each_finding_code_is_made_in_one_place() -> None:
+    assert {code: modules for code, modules in made().items() if len(modules) > 1} == {}
+
+
+def test_finding_codes_belong_to_the_room_that_makes_them() -> None:
+    for code, modules in made().items():
+        rooms = {module.partition(".")[0] for module in modules}
+        assert rooms <= FAMILIES[code[3]], f"{code} in {rooms}"
+
+
+def test_every_finding_code_is_explained_once() -> None:
+    assert {code: count for code, count in listed().items() if count != 1} == {}
+    assert set(codes()) - set(listed()) == set(), "not in docs/findings.md"
+    assert set(listed()) - set(codes()) == set(), "in docs/findings.md, but not in the source"
