@@ -1,0 +1,293 @@
+"""A real LinuxCNC, without a screen, as the judge of exported compensation files.
+
+For tests. `applied_corrections` loads the files as they are into a running control, drives to stops and returns what the control
+adds at each of them. `measure` puts a virtual machine with a known error behind the control's motor positions and "measures" it
+like a laser would. Both take 1 to 2 s to start and stop and about 0.06 s per stop; several joints are driven at the same time, and
+several sessions can run at once. Say ``pytestmark = REAL_LINUXCNC`` in the test module: where the control is not
+installed, or the kernel does not allow separate namespaces, they are skipped with the reason.
+
+The files are used as a user would: ``joint_N.ini`` is included by the machine's INI (``#INCLUDE``), so its keys (COMP_FILE,
+COMP_FILE_TYPE, BACKLASH) are what the control itself read.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from compwright.records.axis import AxisKind, Direction, FloatArray
+
+SCRIPTS = Path(__file__).resolve().parent / "real_linuxcnc"
+SECONDS = 60  # a session takes 2 to 10 s; a loaded computer some more
+
+#: error(positions, direction) -> deviation of the machine, mm or deg, positions being those of the motor.
+Error = Callable[[FloatArray, Direction], FloatArray]
+
+
+@functools.cache
+def why_not() -> str:
+    """Return why no session can run here, empty when one can."""
+    if shutil.which("linuxcnc", path="/usr/bin:/bin") is None:
+        return "LinuxCNC is not installed"
+    rights = [] if os.geteuid() == 0 else ["--user", "--map-current-user", "--keep-caps"]
+    command = ["unshare", *rights, "--pid", "--fork", "--mount-proc", "--ipc", "--net", "--mount"]
+    try:
+        tried = subprocess.run([*command, "mount", "-t", "tmpfs", "tmpfs", "/tmp"], capture_output=True, timeout=20, check=False)  # noqa: S108  # in its own namespace
+    except (OSError, subprocess.TimeoutExpired) as error:
+        return f"unshare cannot be used: {error}"
+    return "" if tried.returncode == 0 else f"separate namespaces are not allowed: {tried.stderr.decode(errors='replace').strip()}"
+
+
+REAL_LINUXCNC = [pytest.mark.real_linuxcnc, pytest.mark.skipif(bool(why_not()), reason=why_not())]
+
+
+@dataclass(frozen=True, slots=True)
+class Stop:
+    """One joint at one stop, all in machine units (mm or deg unless the machine is said to be an inch one).
+
+    ``direction`` is that of the last motion that arrived here, None for a joint that has not moved yet. ``motor`` is the commanded
+    motor position less the motor offset; ``correction`` what the control applies: motor - position.
+    """
+
+    number: int
+    joint: str
+    target: float
+    direction: Direction | None
+    position: float
+    motor: float
+
+    @property
+    def correction(self) -> float:
+        """What the control adds to the command."""
+        return self.motor - self.position
+
+
+@dataclass(frozen=True, slots=True)
+class Session:
+    """What a run of the control gave. ``messages``: its own error messages; ``trouble``: why it ended early, or empty."""
+
+    stops: tuple[Stop, ...]
+    messages: tuple[str, ...]
+    trouble: str
+    log: str
+
+    def of(self, joint: str, direction: Direction | None = None) -> list[Stop]:
+        """Return the stops of one joint, in one approach direction or all that were approached."""
+        return [s for s in self.stops if s.joint == joint and s.direction is not None and direction in {None, s.direction}]
+
+
+def applied_corrections(
+    files: Mapping[str, bytes], joints: Mapping[str, AxisKind], stops: Sequence[Sequence[float]], *, inch: bool = False
+) -> list[Stop]:
+    """Return what the control applies at each of ``stops``, one `Stop` per stop and joint, in that order.
+
+    ``files``: bare name -> bytes; ``joint_N.ini`` is included into the INI's section of that joint, other files lie beside it.
+    ``joints``: number as text -> kind, numbered from "0" without gaps, at most six linear and three rotary. ``stops`` (n, joints),
+    machine units. The control homes in place at 0. Raises AssertionError when it reports an error or does not arrive.
+    """
+    session = run_session(files, joints, stops, inch=inch)
+    assert not session.trouble, f"{session.trouble}; {session.messages}\n{session.log}"
+    assert not session.messages, session.messages
+    return list(session.stops)
+
+
+def run_session(
+    files: Mapping[str, bytes], joints: Mapping[str, AxisKind], stops: Sequence[Sequence[float]], *, inch: bool = False
+) -> Session:
+    """As `applied_corrections`, but messages and trouble of the control are returned, not raised."""
+    letters = _letters(joints)
+    with tempfile.TemporaryDirectory(prefix="linuxcnc-") as name:
+        folder = Path(name)
+        folder.chmod(0o777)
+        for file, content in files.items():
+            (folder / file).write_bytes(content)
+        (folder / "machine.ini").write_text(_machine_ini(files, joints, letters, inch=inch), encoding="utf-8")
+        (folder / "machine.hal").write_text(_machine_hal(len(letters)), encoding="utf-8")
+        (folder / "stops.json").write_text(json.dumps({"letters": letters, "stops": [[float(x) for x in row] for row in stops]}))
+        shutil.copy(SCRIPTS / "display.py", folder / "display.py")
+        ran = subprocess.run(
+            [str(SCRIPTS / "session.sh"), name, "machine.ini", str(SECONDS)],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            timeout=SECONDS + 20,
+            check=False,
+        )
+        log = ran.stdout.decode(errors="replace")
+        result = folder / "result.json"
+        assert result.exists(), f"the control ended without a result (exit {ran.returncode}):\n{log}"
+        found = json.loads(result.read_text())
+    return Session(
+        stops=tuple(_stops(found["stops"], list(joints), stops)),
+        messages=tuple(found["messages"]),
+        trouble=found["trouble"],
+        log=log,
+    )
+
+
+def _stops(readings: list[list[list[float]]], joints: list[str], stops: Sequence[Sequence[float]]) -> list[Stop]:
+    found = []
+    before = [0.0] * len(joints)
+    arriving: list[Direction | None] = [None] * len(joints)
+    for number, (targets, row) in enumerate(zip(stops, readings, strict=False)):
+        for j, (joint, (position, motor, _)) in enumerate(zip(joints, row, strict=True)):
+            if targets[j] != before[j]:
+                arriving[j] = Direction.POSITIVE if targets[j] > before[j] else Direction.NEGATIVE
+            found.append(Stop(number, joint, float(targets[j]), arriving[j], position, motor))
+        before = [float(x) for x in targets]
+    return found
+
+
+def _letters(joints: Mapping[str, AxisKind]) -> str:
+    """Return the axis letter of each joint: XYZUVW for linear ones, ABC for rotary ones."""
+    assert list(joints) == [str(n) for n in range(len(joints))], "joints are numbered from 0 without gaps"
+    free = {AxisKind.LINEAR: iter("XYZUVW"), AxisKind.ROTARY: iter("ABC")}
+    return "".join(next(free[kind]) for kind in joints.values())
+
+
+def _machine_ini(files: Mapping[str, bytes], joints: Mapping[str, AxisKind], letters: str, *, inch: bool) -> str:
+    """Return the INI of a machine whose joints have the exported files.
+
+    The axis limits plan the motion. The joint limits only shape the ramp of the correction: they are far above, so that every
+    correction below 2.5 mm is applied within one servo tick and the control's dead zone for small steps is out of reach.
+    """
+    limits = "MIN_LIMIT = -99999\nMAX_LIMIT = 99999\n"
+    head = f"""[EMC]
+VERSION = 1.1
+[DISPLAY]
+DISPLAY = ./display.py stops.json result.json
+[TASK]
+TASK = milltask
+CYCLE_TIME = 0.001
+[EMCMOT]
+EMCMOT = motmod
+SERVO_PERIOD = 1000000
+[EMCIO]
+EMCIO = io
+[HAL]
+HALFILE = machine.hal
+[KINS]
+KINEMATICS = trivkins coordinates={letters}
+JOINTS = {len(letters)}
+[TRAJ]
+COORDINATES = {letters}
+LINEAR_UNITS = {"inch" if inch else "mm"}
+ANGULAR_UNITS = degree
+MAX_LINEAR_VELOCITY = 5000
+MAX_ANGULAR_VELOCITY = 5000
+"""
+    axes = "".join(f"[AXIS_{letter}]\n{limits}MAX_VELOCITY = 5000\nMAX_ACCELERATION = 50000\n" for letter in letters)
+    joint_limits = "MAX_VELOCITY = 1e6\nMAX_ACCELERATION = 1e7\nFERROR = 1000\nMIN_FERROR = 1000\nHOME_SEQUENCE = 0\n"
+    parts = []
+    for number, kind in joints.items():
+        own = f"joint_{number}.ini"
+        table = f"COMP_FILE = joint_{number}.comp\n" if f"joint_{number}.comp" in files else ""
+        opening = f"#INCLUDE {own}\n" if own in files else f"[JOINT_{number}]\n{table}"
+        angular = "ANGULAR" if kind is AxisKind.ROTARY else "LINEAR"
+        parts.append(f"{opening}TYPE = {angular}\n{limits}{joint_limits}")
+    return head + axes + "".join(parts)
+
+
+def _machine_hal(joints: int) -> str:
+    """Return the wiring: motor commands straight back as motor feedback, the emergency stop closed."""
+    lines = [
+        "loadrt [KINS]KINEMATICS",
+        "loadrt [EMCMOT]EMCMOT servo_period_nsec=[EMCMOT]SERVO_PERIOD num_joints=[KINS]JOINTS",
+        "addf motion-command-handler servo-thread",
+        "addf motion-controller servo-thread",
+        "net ready iocontrol.0.user-enable-out => iocontrol.0.emc-enable-in",
+    ]
+    lines += [f"net motor{j} joint.{j}.motor-pos-cmd => joint.{j}.motor-pos-fb" for j in range(joints)]
+    return "\n".join(lines) + "\n"
+
+
+def measure(
+    files: Mapping[str, bytes],
+    error: Error,
+    targets: FloatArray,
+    runs: int = 5,
+    rng: np.random.Generator | None = None,
+    *,
+    noise: float = 0.0,
+    kind: AxisKind = AxisKind.LINEAR,
+    beyond: float = 5.0,
+    control_runs: int = 1,
+) -> tuple[FloatArray, FloatArray]:
+    """Return deviations (m, runs) for approaches in + and -, mm or deg: joint 0 of a machine with ``error``, measured.
+
+    As `measure_joints` for joint "0" alone.
+    """
+    found = measure_joints(
+        files,
+        {"0": kind},
+        {"0": error},
+        {"0": targets},
+        runs,
+        rng,
+        noise=noise,
+        beyond=beyond,
+        control_runs=control_runs,
+    )
+    return found["0"]
+
+
+def measure_joints(
+    files: Mapping[str, bytes],
+    joints: Mapping[str, AxisKind],
+    errors: Mapping[str, Error],
+    targets: Mapping[str, FloatArray],
+    runs: int = 5,
+    rng: np.random.Generator | None = None,
+    *,
+    noise: float = 0.0,
+    beyond: float = 5.0,
+    control_runs: int = 1,
+) -> dict[str, tuple[FloatArray, FloatArray]]:
+    """Return by joint the deviations (m, runs) for approaches in + and -, mm or deg (measured minus target).
+
+    The control with ``files`` loaded drives each joint from ``beyond`` below its first target upward through all targets,
+    beyond the last and back. A stop's measured position is the motor position plus ``errors[joint]`` there, plus normal noise
+    of standard deviation ``noise`` from ``rng``. The control repeats exactly, so it drives the cycle ``control_runs`` times
+    only and run i takes cycle i modulo that; the noise is fresh in every run. A joint with fewer targets than another waits
+    by moving on beyond its end.
+    """
+    assert control_runs <= runs
+    most = max(column.size for column in targets.values())
+    ways = {joint: _way(np.asarray(targets[joint], dtype=np.float64), most, beyond) for joint in joints}
+    cycle = np.column_stack([ways[joint] for joint in joints])
+    stops = applied_corrections(files, joints, np.vstack([cycle] * control_runs).tolist())
+    found: dict[str, tuple[FloatArray, FloatArray]] = {}
+    for joint in joints:
+        motor = np.array([s.motor for s in stops if s.joint == joint]).reshape(control_runs, cycle.shape[0])
+        wanted = np.asarray(targets[joint], dtype=np.float64)
+        # a cycle is: one below, the targets upward (and waiting), one above, the targets downward (and waiting)
+        upward = motor[:, 1 : 1 + wanted.size]
+        downward = motor[:, most + 2 : most + 2 + wanted.size][:, ::-1]
+        sides = []
+        for direction, positions in ((Direction.POSITIVE, upward), (Direction.NEGATIVE, downward)):
+            once = positions + errors[joint](positions, direction) - wanted
+            column = np.array([once[i % control_runs] for i in range(runs)]).T
+            if noise:
+                assert rng is not None, "noise needs a generator"
+                column = column + rng.normal(0.0, noise, column.shape)
+            sides.append(column)
+        found[joint] = (sides[0], sides[1])
+    return found
+
+
+def _way(targets: FloatArray, most: int, beyond: float) -> FloatArray:
+    """Return one cycle of positions (2 most + 2,): below, upward, waiting above, turn, downward, waiting below."""
+    idle = np.arange(1, most - targets.size + 1) * beyond
+    above = targets[-1] + idle
+    turn = targets[-1] + (idle.size + 1) * beyond
+    return np.concatenate([[targets[0] - beyond], targets, above, [turn], targets[::-1], targets[0] - idle])
