@@ -1,0 +1,1 @@
+"""Corrections to and from the text that a control loads, driven by the definitions in ``controller_formats``."""

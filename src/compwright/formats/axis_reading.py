@@ -1,0 +1,333 @@
+"""What the files say about one axis -> its compensation, with every assumption and doubt on the way."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from decimal import Decimal
+
+import numpy as np
+
+from compwright.formats.consistency import grid
+from compwright.formats.gathering import Found, Gathered, same_value, the_one
+from compwright.formats.options import ENCODER_SYSTEM, REFERENCE, REFERENCE_RETURN
+from compwright.formats.scale import Scale, in_range
+from compwright.formats.schema import Binding, Choice, Definition
+from compwright.formats.tables import Table, TableSource, read_table
+from compwright.foundations.errors import Fault
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Axis, AxisKind, Direction
+from compwright.records.correction import Assumption, AxisCompensation
+
+Fact = float | int | str | bool
+
+
+@dataclass(slots=True)
+class Notes:
+    """What is collected while files are read."""
+
+    faults: list[Fault] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    assumed: list[Assumption] = field(default_factory=list)
+
+    def assume(self, fact: str, value: str, evidence: str) -> None:
+        """Note an assumption once."""
+        note = Assumption(fact, value, evidence)
+        if note not in self.assumed:
+            self.assumed.append(note)
+
+    def find(self, code: str, severity: str, message: str) -> None:
+        """Note a finding."""
+        self.findings.append(Finding(code, "warning" if severity == "warning" else "info", message))
+
+
+@dataclass(frozen=True, slots=True)
+class AxisReading:
+    """The compensation of one axis and further facts about it; ``endless``: its table repeats, which is not built yet."""
+
+    compensation: AxisCompensation
+    facts: Mapping[str, Fact]
+    endless: bool
+
+
+class AxisReader:
+    """Reads one axis. ``rows``: the rows of its table where they are not named by axis; None where the text names them itself."""
+
+    def __init__(
+        self,
+        gathered: Gathered,
+        address: str,
+        axis: Axis | None,
+        options: Mapping[str, object],
+        notes: Notes,
+        rows: Sequence[Found] | None,
+    ) -> None:
+        self.definition: Definition = gathered.definition
+        self.gathered = gathered
+        self.address = address
+        self.axis = axis
+        self.notes = notes
+        self.label = f"axis {address}"
+        self.system = self._measuring_system(options)
+        if self.system is not None:
+            self.label += f", measuring system {int(self.system) + 1}"
+        self.rows = gathered.rows.get((address, self.system), []) if rows is None else rows
+        self.options = self._settled(options)
+
+    def read(self) -> AxisReading:
+        """Return what acts on the axis; what is wrong goes to the notes."""
+        kind = self._kind()
+        returns = self.axis.reference_return if self.axis else Direction(str(self.options[REFERENCE_RETURN]))
+        facts: dict[str, Fact] = {} if self.system is None else {ENCODER_SYSTEM: int(self.system) + 1}
+        facts.update({name: word for name in ("length_unit",) if (word := self._word(name)) is not None})
+        max_points = self._single("max_points")
+        if max_points is not None:
+            facts["max_points"] = int(max_points.text)
+        has_table = bool(self.rows) or any(self._single(name) for name in grid(self.definition) if name in self._names())
+        enabled = self._enabled(has_table=has_table, max_points=max_points)
+        facts["enabled"] = enabled
+        endless = has_table and enabled and self._choice("repeats") == "yes"
+        table: Table | None = None
+        scale = self._scale(kind, has_table=has_table)
+        if has_table and enabled and not endless and scale is not None:
+            table = self._table(scale, max_points)
+        backlash, constant = self._backlash(scale, has_table=table is not None) if scale is not None else (0.0, 0.0)
+        if table is None:
+            table = self._constant(constant)
+        compensation = AxisCompensation(
+            address=self.address,
+            kind=kind,
+            positions=table.positions,
+            positive=table.positive,
+            negative=table.negative,
+            backlash=backlash,
+            reference_return=returns,
+            below=self.definition.layout.below,
+            above=self.definition.layout.above,
+        )
+        return AxisReading(compensation, facts, endless)
+
+    def _names(self) -> set[str]:
+        return set(self.definition.bindings)
+
+    def _single(self, quantity: str, *, quiet: bool = True) -> Found | None:
+        """Return the value that counts. Unless ``quiet``, contradictions and repetitions are noted (once, where it is used)."""
+        binding = self.definition.bindings.get(quantity)
+        if binding is None:
+            return None
+        places = self.gathered.found(quantity, self.address, self.system)
+        faults: list[Fault] = []
+        findings: list[Finding] = []
+        found = the_one(binding, places, f"{self.label}: {self._name_in_file(binding)}", faults, findings)
+        known = self.notes.faults
+        self.notes.faults.extend(fault for fault in faults if fault not in known)
+        if not quiet:
+            self.notes.findings.extend(findings)
+        return found
+
+    def _name_in_file(self, binding: Binding) -> str:
+        form = self.definition.statements[binding.statement].form
+        return form.split("{", 1)[0].rstrip(" =[")
+
+    def _word(self, quantity: str) -> str | None:
+        """Return the neutral word of a choice that is in the files, else None."""
+        binding = self.definition.bindings.get(quantity)
+        found = self._single(quantity)
+        if found is None or not isinstance(binding, Choice):
+            return None
+        ignores_case = self.definition.dialect.case == "ignored"
+        for text, word in binding.values.items():
+            if same_value(text, found.text) or (ignores_case and text.upper() == found.text.upper()):
+                return word
+        fault = Fault(
+            message=f"{self.label}: {self._name_in_file(binding)} has a value that is not known",
+            file=found.occurrence.file,
+            place=found.occurrence.place,
+            expected=f"one of {', '.join(binding.values)}",
+            found=found.text[:40],
+        )
+        if fault not in self.notes.faults:
+            self.notes.faults.append(fault)
+        return None
+
+    def _choice(self, quantity: str) -> str | None:
+        """Return the neutral word of a choice, with what counts when it is absent; None where the control has no such thing."""
+        binding = self.definition.bindings.get(quantity)
+        if binding is None:
+            return None
+        if self._single(quantity, quiet=False) is not None:
+            return self._word(quantity)
+        return self._absent(binding)
+
+    def _absent(self, binding: Binding) -> str | None:
+        absent = binding.when_absent
+        if absent is None:
+            return None
+        name = self._name_in_file(binding)
+        if absent.say != "nothing":
+            self.notes.assume(f"{self.label}: {name} ({binding.quantity.replace('_', ' ')})", absent.value, str(absent.evidence))
+        if absent.say == "warning":
+            self.notes.find("CW-S05", "warning", f"{self.label}: {name} is not in the files; counted as {absent.value}")
+        return absent.value
+
+    def _measuring_system(self, options: Mapping[str, object]) -> str | None:
+        systems = self.gathered.systems(self.address)
+        if not systems:
+            return None
+        tables = [system for system in systems if self.gathered.rows.get((self.address, system))]
+        active = [system for system in tables if self._switched_on(system)]
+        if self.axis is not None or options.get(ENCODER_SYSTEM, "auto") != "auto":
+            wanted = self.axis.encoder.system if self.axis else int(str(options[ENCODER_SYSTEM]))
+            chosen = str(wanted - 1)
+            if chosen not in systems or (chosen not in tables and active):
+                self.notes.faults.append(
+                    Fault(
+                        message=f"axis {self.address}: the files hold no table for measuring system {wanted}, but for another one",
+                        expected=f"measuring system {wanted}, as the job or the option says",
+                        found=", ".join(f"system {int(system) + 1}" for system in (active or systems)),
+                    )
+                )
+            return chosen
+        chosen = (active or tables or self._with_backlash(systems) or systems)[0]
+        if len(systems) > 1:
+            self.notes.assume(
+                f"axis {self.address}: measuring system", str(int(chosen) + 1), "inferred: the one that holds a table"
+            )
+        if len(active) > 1:
+            self.notes.find(
+                "CW-S06",
+                "warning",
+                f"axis {self.address}: several measuring systems hold a table; system {int(chosen) + 1} is shown",
+            )
+        return chosen
+
+    def _switched_on(self, system: str) -> bool:
+        places = self.gathered.found("enabled", self.address, system)
+        binding = self.definition.bindings.get("enabled")
+        if not places or not isinstance(binding, Choice):
+            return True
+        return binding.values.get(places[-1].text) != "no"
+
+    def _with_backlash(self, systems: Sequence[str]) -> list[str]:
+        return [
+            system
+            for system in systems
+            if any(Decimal(found.text) != 0 for found in self.gathered.found("backlash", self.address, system))
+        ]
+
+    def _settled(self, options: Mapping[str, object]) -> Mapping[str, object]:
+        """Return the options with what the files themselves answer."""
+        settled = dict(options)
+        for name, rule in self.definition.options.items():
+            if rule.settled_by is not None and isinstance(self.definition.bindings[rule.settled_by], Choice):
+                word = self._word(rule.settled_by)
+                if word is not None:
+                    settled[name] = word
+                elif self.axis is None:
+                    self.notes.assume(f"option {name}", str(options[name]), "not in the files that were given")
+        return settled
+
+    def _kind(self) -> AxisKind:
+        if self.axis is None:
+            return AxisKind(self._choice("rotary") or "linear")
+        word = self._word("rotary")
+        if word is not None and word != self.axis.kind:
+            self.notes.faults.append(
+                Fault(
+                    message=f"{self.label}: the job and the control's files disagree about its kind",
+                    expected=self.axis.kind,
+                    found=word,
+                )
+            )
+        return self.axis.kind
+
+    def _scale(self, kind: AxisKind, *, has_table: bool) -> Scale | None:
+        """Return how numbers are read; None when a sign depends on a choice that cannot be read."""
+        choices: dict[str, str] = {}
+        if has_table and "table_form" in self._names():
+            word = self._choice("table_form")
+            if word is None:
+                return None
+            choices["table_form"] = word
+        return Scale(self.definition, kind, self.options, choices)
+
+    def _enabled(self, *, has_table: bool, max_points: Found | None) -> bool:
+        if "enabled" not in self._names():
+            return True
+        if has_table:
+            word = self._choice("enabled")
+            if word == "no":
+                self.notes.find("CW-S07", "info", f"{self.label}: the table is switched off in the files; it corrects nothing")
+            return word != "no"
+        found = self._single("enabled")
+        if found is not None and self._word("enabled") == "yes" and not (max_points is not None and int(max_points.text) == 0):
+            self.notes.faults.append(
+                Fault(
+                    message=f"{self.label}: the table is switched on, but no file holds it",
+                    file=found.occurrence.file,
+                    place=found.occurrence.place,
+                    expected="the file with the table too",
+                )
+            )
+        if found is None:
+            self.notes.assume(f"{self.label}: table", "none", "unconfirmed: no file that was given holds one")
+            self.notes.find("CW-S08", "warning", f"{self.label}: no file holds a table; counted as none")
+        return self._word("enabled") != "no"
+
+    def _table(self, scale: Scale, max_points: Found | None) -> Table | None:
+        singles = {
+            name: found
+            for name in grid(self.definition)
+            if (found := self._single(name, quiet=False)) is not None and name != "node_position"
+        }
+        source = TableSource(self.label, self.rows, singles, self.notes.faults, self.notes.findings)
+        table = read_table(self.definition, source, scale)
+        if table is None:
+            return None
+        limit = self.definition.limit_number("max_points")
+        if limit is not None and table.positions.size > limit:
+            source.fault(
+                "more rows than the control takes", self.rows[limit], expected=f"at most {limit}", what=str(table.positions.size)
+            )
+        reserved = int(max_points.text) if max_points is not None else 0
+        if 0 < reserved < table.positions.size:
+            source.fault(
+                "the control has not reserved so many points", max_points, expected=f"{reserved}", what=str(table.positions.size)
+            )
+        return table
+
+    def _backlash(self, scale: Scale, *, has_table: bool) -> tuple[float, float]:
+        """Return the backlash value beside the table, and the constant correction that takes its place where there is no table."""
+        binding = self.definition.bindings.get("backlash")
+        if binding is None:
+            return 0.0, 0.0
+        found = self._single("backlash", quiet=False)
+        text = found.text if found is not None else self._absent(binding) or "0"
+        value = scale.read("backlash", text)
+        if found is not None and not in_range(self.definition.measure("backlash"), scale, value):
+            low, high = scale.range("backlash")
+            self.notes.faults.append(
+                Fault(
+                    message=f"{self.label}: a backlash this large is not plausible",
+                    file=found.occurrence.file,
+                    place=found.occurrence.place,
+                    expected=f"{low:g} .. {high:g} {scale.kind.unit}",
+                    found=text,
+                )
+            )
+        if scale.sign("backlash") == "lost_motion":
+            return float(value) + 0.0, 0.0
+        if has_table and value != 0:
+            self.notes.find(
+                "CW-S09",
+                "warning",
+                f"{self.label}: {self._name_in_file(binding)} = {text} is ignored by the control, which has a table",
+            )
+        return 0.0, 0.0 if has_table else float(value) / 2.0
+
+    def _constant(self, half: float) -> Table:
+        """Return no table, or one node (the reference) whose value holds everywhere."""
+        if half == 0.0:
+            return Table(np.empty(0), np.empty(0), np.empty(0))
+        reference = self.axis.reference if self.axis else float(str(self.options[REFERENCE]))
+        return Table(np.array([reference]), np.array([half]), np.array([-half]))

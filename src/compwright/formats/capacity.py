@@ -1,0 +1,84 @@
+"""What one axis of the control can hold, from the definition, the options and the control's own files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from compwright.formats.addresses import normal_address
+from compwright.formats.consistency import curves, grid
+from compwright.formats.options import resolve_options, settled_number
+from compwright.formats.scale import Scale
+from compwright.formats.schema import Choice, Definition, OptionValue
+from compwright.records.axis import Axis
+from compwright.records.capacity import Capacity
+from compwright.records.correction import Assumption, ControlState
+
+
+def scale_for_writing(definition: Definition, axis: Axis, options: Mapping[str, object]) -> Scale:
+    """Return how numbers of an axis are written; choices are those that the options ask for."""
+    return Scale(definition, axis.kind, options, written_choices(definition, options))
+
+
+def written_choices(definition: Definition, options: Mapping[str, object]) -> dict[str, str]:
+    """Return the neutral word of every choice as it will be written."""
+    return {
+        name: binding.values[written_text(binding, options)]
+        for name, binding in definition.bindings.items()
+        if isinstance(binding, Choice)
+    }
+
+
+def written_text(binding: Choice, options: Mapping[str, object]) -> str:
+    """Return the text of a choice as it will be written."""
+    return str(options[binding.writes.option]) if isinstance(binding.writes, OptionValue) else binding.writes
+
+
+def capacity_for(definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None) -> Capacity:
+    """Return the limits of one axis' table in mm or deg.
+
+    Where the control's own files (``state``) answer an option, their answer counts. Raises UsageError for a wrong option, a value
+    that contradicts the files, or an address that the control cannot have.
+    """
+    resolved = resolve_options(definition, options, state)
+    address, assumption = normal_address(definition, axis)
+    assumed = [assumption] if assumption is not None else []
+    scale = scale_for_writing(definition, axis, resolved)
+    facts = state.facts.get(address, {}) if state is not None else {}
+    value, node = curves(definition)[0], grid(definition)[0]
+    beside = "backlash" in definition.bindings and definition.limit("no_backlash_beside_table") is None
+    return Capacity(
+        format=definition.id,
+        curves=1 if definition.layout.pairing == "none" else 2,
+        spacing="equidistant" if definition.layout.shape == "values_by_index" else "free",
+        quantum=scale.quantum(value),
+        position_quantum=scale.quantum(node),
+        value_range=scale.range(value),
+        backlash_quantum=scale.quantum("backlash") if beside else None,
+        backlash_range=scale.range("backlash") if beside else (0.0, 0.0),
+        min_points=definition.limit_number("min_points") or 1,
+        max_points=_max_points(definition, axis, resolved, facts.get("max_points"), assumed),
+        below=definition.layout.below,
+        above=definition.layout.above,
+        assumed=tuple(assumed),
+    )
+
+
+def _max_points(
+    definition: Definition, axis: Axis, options: Mapping[str, object], fact: object, assumed: list[Assumption]
+) -> int | None:
+    hard = definition.limit_number("max_points")
+    if definition.limit("points_reserved") is None:
+        return hard
+    name = next(name for name, option in definition.options.items() if option.settled_by == "max_points")
+    reserved = settled_number(definition, name, options, fact)
+    if reserved is None:
+        what = "the control has reserved none yet" if fact == 0 else "the control's files do not say it"
+        assumed.append(
+            Assumption(
+                fact=f"axis {axis.name}: number of points the control can hold",
+                value="as many as are needed; the card says how many to set",
+                evidence=f"unconfirmed: {what}",
+            )
+        )
+        return None
+    return reserved if hard is None else min(reserved, hard)

@@ -1,0 +1,146 @@
+"""Options of a control: defaults, values from a job or the command line, and what the control's own files already answer."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from difflib import get_close_matches
+
+from compwright.formats.schema import Definition, OptionRule
+from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.records.correction import ControlState
+
+#: What every control's files are read with where no job says more about the axis: the zero state.
+REFERENCE = "reference"
+REFERENCE_RETURN = "reference_return"
+#: The option that names the measuring system to read where no job does.
+ENCODER_SYSTEM = "encoder_system"
+
+
+def resolve_options(definition: Definition, given: Mapping[str, object], state: ControlState | None = None) -> Mapping[str, object]:
+    """Return a value for every option: the given one, converted, or the default.
+
+    ``given`` may hold text from the command line (``"0.001"``, ``"3,4"``). With a ``state``, an option that the control's own files
+    answer for all axes alike (such as the unit) takes that answer. Raises UsageError with every fault: unknown option, a value of
+    the wrong kind, a choice that is not built yet, a value that contradicts the control's files.
+    """
+    faults: list[Fault] = []
+    known = [*definition.options, REFERENCE, REFERENCE_RETURN]
+    for name in given:
+        if name not in known:
+            near = get_close_matches(name, known, 1)
+            faults.append(
+                Fault(
+                    message=f"{definition.id} has no option {name}",
+                    expected=f"{near[0]}?" if near else f"one of {', '.join(known)}",
+                )
+            )
+    values: dict[str, object] = {
+        name: _value(rule, given[name], definition, faults) if name in given else rule.default
+        for name, rule in definition.options.items()
+    }
+    values[REFERENCE] = _number(REFERENCE, given.get(REFERENCE, 0.0), definition, faults, whole=False)
+    values[REFERENCE_RETURN] = str(given.get(REFERENCE_RETURN, "+"))
+    if values[REFERENCE_RETURN] not in ("+", "-"):
+        faults.append(_wrong(REFERENCE_RETURN, definition, "+ or -", values[REFERENCE_RETURN]))
+    if state is not None:
+        _settle_shared(definition, values, given, state, faults)
+    raise_all(UsageError, faults)
+    return values
+
+
+def describe_options(definition: Definition) -> tuple[str, ...]:
+    """Return one line per option: name, default, choices, what it does, how sure that is."""
+    lines = []
+    for name, rule in definition.options.items():
+        default = "not given" if rule.default is None else _shown(rule.default)
+        choices = f"; one of {', '.join(rule.choices)}" if rule.choices else ""
+        later = "".join(f"; {choice} is not built yet" for choice in rule.not_built)
+        lines.append(f"{name} (default {default}{choices}{later}): {rule.help} [{rule.evidence}]")
+    lines.append(f"{REFERENCE} (default 0): position at which the correction is zero, for reading files without a job")
+    lines.append(f"{REFERENCE_RETURN} (default +): direction in which the reference is approached, for reading files without a job")
+    return tuple(lines)
+
+
+def settled_number(definition: Definition, name: str, options: Mapping[str, object], fact: object) -> int | None:
+    """Return a whole-number option, or what the control's files say (``fact``, None: nothing) where the option is not given.
+
+    A fact of 0 says that nothing is reserved yet, which is no limit: it has to be set anyway.
+    """
+    given = options.get(name)
+    rule = definition.options[name]
+    if isinstance(given, int) and (rule.option_wins or not isinstance(fact, int)):
+        return given
+    return fact if isinstance(fact, int) and fact > 0 else None
+
+
+def _settle_shared(
+    definition: Definition, values: dict[str, object], given: Mapping[str, object], state: ControlState, faults: list[Fault]
+) -> None:
+    for name, rule in definition.options.items():
+        if rule.settled_by is None or rule.option_wins:
+            continue
+        said = {facts[rule.settled_by] for facts in state.facts.values() if rule.settled_by in facts}
+        if len(said) != 1:
+            continue
+        fact = said.pop()
+        if name in given and values[name] != fact:
+            faults.append(
+                Fault(
+                    message=f"option {name} of {definition.id} contradicts the control's own files",
+                    expected=str(fact),
+                    found=str(values[name]),
+                )
+            )
+        values[name] = fact
+
+
+def _value(rule: OptionRule, value: object, definition: Definition, faults: list[Fault]) -> object:
+    if value is None and rule.default is None:
+        return None
+    if rule.type == "choice":
+        text = str(value)
+        if text in rule.not_built:
+            faults.append(
+                Fault(
+                    message=f"option {rule.name} of {definition.id}: {rule.not_built[text]} are not built yet",
+                    expected=", ".join(choice for choice in rule.choices if choice not in rule.not_built),
+                    found=text,
+                )
+            )
+        elif text not in rule.choices:
+            faults.append(_wrong(rule.name, definition, f"one of {', '.join(rule.choices)}", value))
+        return text
+    if rule.type == "text":
+        return str(value)
+    if rule.type == "integers":
+        return _integers(rule.name, value, definition, faults)
+    return _number(rule.name, value, definition, faults, whole=rule.type == "integer")
+
+
+def _integers(name: str, value: object, definition: Definition, faults: list[Fault]) -> tuple[int, ...]:
+    items = value.split(",") if isinstance(value, str) else value if isinstance(value, (list, tuple)) else [value]
+    numbers = [_number(name, item, definition, faults, whole=True) for item in items if item != ""]
+    return tuple(int(number) for number in numbers)
+
+
+def _number(name: str, value: object, definition: Definition, faults: list[Fault], *, whole: bool) -> float | int:
+    kind = "a whole number, 0 or more" if whole else "a number with a decimal point"
+    try:
+        number = float(value) if isinstance(value, (str, int, float)) and not isinstance(value, bool) else math.nan
+    except (ValueError, OverflowError):
+        number = math.nan
+    if not math.isfinite(number) or (whole and (number != int(number) or not 0 <= number <= 10**9)):
+        faults.append(_wrong(name, definition, kind, value))
+        return 0
+    return int(number) if whole else number
+
+
+def _wrong(name: str, definition: Definition, expected: str, found: object) -> Fault:
+    return Fault(message=f"option {name} of {definition.id} has a wrong value", expected=expected, found=repr(found)[:60])
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, tuple):
+        return ",".join(str(item) for item in value) or "none"
+    return str(value)

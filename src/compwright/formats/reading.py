@@ -1,0 +1,220 @@
+"""A control's own files -> the compensation that acts in it, for every axis that they name.
+
+Missing is not zero: a grid without values, a table that is switched on but was not given, an axis that no file names are errors.
+What had to be assumed is listed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+from compwright.formats.addresses import normal_address, normal_text
+from compwright.formats.axis_reading import AxisReader, Fact, Notes
+from compwright.formats.consistency import curves
+from compwright.formats.gathering import Found, Gathered, gather
+from compwright.formats.options import REFERENCE, REFERENCE_RETURN, resolve_options
+from compwright.formats.schema import Definition
+from compwright.formats.statements import field_matches
+from compwright.formats.texts import ReadText, TextReader
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.axis import Axis
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+
+
+def read_state(
+    definition: Definition,
+    files: Sequence[ControlFile],
+    options: Mapping[str, object],
+    axes: Sequence[Axis] = (),
+    *,
+    address: str | None = None,
+) -> ControlState:
+    """Return what a control does with ``files``.
+
+    ``axes`` (where a job knows them) give kind, measuring system and direction of the reference return, and limit the reading
+    to these axes; otherwise every axis in the files is read, or only ``address``, and the options ``reference`` and
+    ``reference_return`` are listed in ``assumed``. The axes of the result stand under the address as `normal_address` gives it.
+    Raises InputError with every fault that was found (file and line), UsageError for a wrong option or address.
+    """
+    return _StateReader(definition, resolve_options(definition, options), axes, address).read(files)
+
+
+class _StateReader:
+    def __init__(self, definition: Definition, options: Mapping[str, object], axes: Sequence[Axis], address: str | None) -> None:
+        self.definition = definition
+        self.options = options
+        self.notes = Notes()
+        self.wanted: dict[str, Axis | None] = {}
+        if address is not None:
+            self.wanted[normal_text(definition, address)] = None
+        for axis in axes:
+            name, assumption = normal_address(definition, axis)
+            self.wanted[name] = axis
+            if assumption is not None:
+                self.notes.assumed.append(assumption)
+                self.notes.find(
+                    "CW-S10", "warning", f"axis {axis.name} is taken as {name} of the control: check it, or give its address"
+                )
+        self.used_files: set[int] = set()
+
+    def read(self, files: Sequence[ControlFile]) -> ControlState:
+        texts, reader = self._texts(files)
+        gathered = gather(self.definition, texts)
+        for text in texts:
+            self.notes.findings.extend(text.findings)
+        named = self._named(gathered, texts, reader)
+        compensations: dict[str, AxisCompensation] = {}
+        facts: dict[str, Mapping[str, Fact]] = {}
+        for address, axis in (self.wanted or dict.fromkeys(named)).items():
+            if address not in named and not self._only_table(texts):
+                self.notes.faults.append(
+                    Fault(
+                        message=f"no file says anything about axis {address}; missing is not zero",
+                        file=", ".join(text.file for text in texts),
+                        expected=f"lines for {address}, or the state `none`",
+                        found=f"axes {', '.join(named)}" if named else "no axis at all",
+                    )
+                )
+                continue
+            rows = self._rows(gathered, texts, address, spoken_of=address in self._spoken_of(gathered, reader))
+            reading = AxisReader(gathered, address, axis, self.options, self.notes, rows).read()
+            if reading.endless:
+                self._endless(address, asked=address in self.wanted or len(named) == 1)
+                continue
+            compensations[address] = reading.compensation
+            facts[address] = reading.facts
+        raise_all(InputError, self.notes.faults)
+        self._after(texts)
+        return ControlState(
+            format=self.definition.id,
+            axes=compensations,
+            facts=facts,
+            assumed=tuple(self.notes.assumed),
+            findings=tuple(dict.fromkeys(self.notes.findings)),
+        )
+
+    def _texts(self, files: Sequence[ControlFile]) -> tuple[list[ReadText], TextReader]:
+        if not files:
+            raise UsageError("no file of the control was given; expected its own files, or the state `none`")
+        reader = TextReader(self.definition)
+        texts = [reader.read(file, self.notes.faults, number) for number, file in enumerate(files)]
+        raise_all(InputError, self.notes.faults)
+        read = [text for text in texts if text is not None]
+        if not any(text.occurrences or text.sections for text in read):
+            forms = [self.definition.statements[self.definition.bindings[name].statement].form for name in curves(self.definition)]
+            raise InputError(
+                Fault(
+                    message=f"nothing in it is compensation data of {self.definition.id}",
+                    file=", ".join(text.file for text in read),
+                    expected=f"lines like {forms[0].replace('{', '<').replace('}', '>')}",
+                )
+            )
+        return read, reader
+
+    def _spoken_of(self, gathered: Gathered, reader: TextReader) -> list[str]:
+        """Return the addresses that lines or sections name."""
+        found = gathered.addresses()
+        for name in gathered.sections:
+            for matcher in reader.matchers.values():
+                match = matcher.section.fullmatch(name) if matcher.section is not None else None
+                if match is not None and "axis" in match.groupdict():
+                    found.append(normal_text(self.definition, match["axis"]))
+        return list(dict.fromkeys(found))
+
+    def _named(self, gathered: Gathered, texts: Sequence[ReadText], reader: TextReader) -> list[str]:
+        """Return the addresses that lines, sections or the names of table files name."""
+        found = self._spoken_of(gathered, reader)
+        for text in self._table_texts(texts):
+            address = self._address_in_name(text.file)
+            if address is not None:
+                found.append(address)
+        return list(dict.fromkeys(found))
+
+    def _table_texts(self, texts: Sequence[ReadText]) -> list[ReadText]:
+        """Return the files whose rows do not name an axis."""
+        row = self.definition.statements[self.definition.bindings[curves(self.definition)[0]].statement]
+        if "axis" in row.fields:
+            return []
+        return [text for text in texts if text.kind == row.text]
+
+    def _address_in_name(self, file: str) -> str | None:
+        template = next(written.name for written in self.definition.writing if written.rows is not None)
+        before, after = template.split("{axis}")
+        match = re.fullmatch(re.escape(before) + "(.+)" + re.escape(after), file)
+        if match is None or not field_matches(self.definition.addresses.type, match[1]):
+            return None
+        return normal_text(self.definition, match[1])
+
+    def _only_table(self, texts: Sequence[ReadText]) -> bool:
+        """Whether one table file was given alone: then the axis that was asked for is meant."""
+        return len(texts) == len(self._table_texts(texts)) == len(self.wanted) == 1
+
+    def _rows(self, gathered: Gathered, texts: Sequence[ReadText], address: str, *, spoken_of: bool) -> list[Found] | None:
+        """Return the rows of the axis' table file; None where rows name their axis themselves."""
+        candidates = self._table_texts(texts)
+        if "table_file" not in self.definition.bindings:
+            return None
+        if spoken_of:
+            named = gathered.found("table_file", address, None)
+            if not named:
+                return []
+            base = re.split(r"[/\\]", named[0].text)[-1]
+            matching = [text for text in candidates if text.file == base]
+            if not matching:
+                self.notes.faults.append(
+                    Fault(
+                        message=f"axis {address}: the table file that it names was not given",
+                        file=named[0].occurrence.file,
+                        place=named[0].occurrence.place,
+                        expected=base,
+                        found=", ".join(text.file for text in candidates) or "no table file",
+                    )
+                )
+                return []
+        else:
+            matching = [text for text in candidates if self._address_in_name(text.file) == address] or candidates
+        self.used_files.update(text.number for text in matching)
+        if len(matching) > 1:
+            self.notes.faults.append(
+                Fault(message=f"axis {address}: its table file was given {len(matching)} times", file=matching[0].file)
+            )
+        rows = gathered.file_rows.get(matching[0].number, [])
+        if not rows:
+            self.notes.faults.append(
+                Fault(
+                    message=f"axis {address}: the table file holds no rows: this is contradictory, not an empty table",
+                    file=matching[0].file,
+                )
+            )
+        return rows
+
+    def _endless(self, address: str, *, asked: bool) -> None:
+        if asked:
+            self.notes.faults.append(
+                Fault(
+                    message=f"axis {address}: a table that repeats (endless rotary axis) is not built yet",
+                    expected="an axis with ends",
+                )
+            )
+        else:
+            self.notes.find(
+                "CW-S11", "warning", f"axis {address} is left out: a table that repeats (endless rotary axis) is not built yet"
+            )
+
+    def _after(self, texts: Sequence[ReadText]) -> None:
+        """Note what concerns the files as a whole."""
+        for text in self._table_texts(texts):
+            if text.number not in self.used_files and not self.wanted:
+                self.notes.find("CW-S12", "warning", f"{text.file} is not named by any axis: the control does not load it")
+        for text in texts:
+            variants = [occurrence.line for occurrence in text.occurrences if occurrence.variant]
+            if variants:
+                self.notes.find(
+                    "CW-S13",
+                    "warning",
+                    f"{text.file}, line {variants[0]}: a form that some tools write but no manual shows ({len(variants)} lines) was read",
+                )
+        if any(axis is None for axis in self.wanted.values()) or not self.wanted:
+            self.notes.assume(REFERENCE, f"{self.options[REFERENCE]:g}", "option or its default")
+            self.notes.assume(REFERENCE_RETURN, str(self.options[REFERENCE_RETURN]), "option or its default")

@@ -1,0 +1,290 @@
+"""What a definition of a control says, as records. `definitions` reads them from YAML; docs/formats.md explains each key."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from compwright.records.axis import AxisKind, Direction
+from compwright.records.correction import Beyond, Evidence
+
+#: Version of the schema; a definition that names a newer one is refused.
+SCHEMA_VERSION = 1
+
+#: The quantities that a definition may bind: lengths and angles, choices between few values, and what is taken as it stands.
+MEASURES = ("value", "value_positive", "value_negative", "node_position", "table_start", "table_end", "table_spacing", "backlash")
+CHOICES = ("repeats", "enabled", "table_form", "length_unit", "rotary")
+PLAIN = ("max_points", "table_file")
+
+AddressType = Literal["integer", "name"]
+Case = Literal["ignored", "kept"]
+FieldType = Literal["integer", "decimal", "real", "name", "label", "word", "text"]
+Rest = Literal["none", "after_blank", "anything"]
+Shape = Literal["values_by_index", "rows_by_position"]
+Pairing = Literal["none", "two_columns"]
+Sign = Literal["position", "error", "correction", "actual_position", "lost_motion", "half_each_way"]
+Repeated = Literal["first", "last", "same"]
+Say = Literal["nothing", "assumed", "warning"]
+Predicate = Literal[
+    "min_points",
+    "max_points",
+    "points_reserved",
+    "line_length",
+    "line_length_read",
+    "no_backlash_beside_table",
+    "no_endless_axis",
+]
+OptionType = Literal["integer", "number", "choice", "text", "integers"]
+
+
+@dataclass(frozen=True, slots=True)
+class EvidenceNote:
+    """How well a fact is known (confirmed, inferred, unconfirmed) and from what."""
+
+    state: Evidence
+    source: str
+
+    def __str__(self) -> str:
+        """Return the note as one line."""
+        return f"{self.state}: {self.source}"
+
+
+@dataclass(frozen=True, slots=True)
+class OptionValue:
+    """A value that an option of the definition gives."""
+
+    option: str
+
+
+@dataclass(frozen=True, slots=True)
+class Addresses:
+    """How the control names an axis. ``letters``: axis letters whose place in the row is assumed to be the number."""
+
+    type: AddressType
+    case: Case
+    letters: str | None
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class Dialect:
+    """What holds for every line: line ends written and read, letters, a block number before and a checksum behind a line."""
+
+    newline: str
+    newlines_read: tuple[str, ...]
+    case: Case
+    block_number: str | None
+    line_checksum: str | None
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class TextKind:
+    """How the lines of one kind of file are read.
+
+    ``recognised_by`` names a statement that such a file contains (None: any text). A line that contains a ``claims_anywhere``
+    word or begins with a ``claims_at_start`` word has to be readable. ``other_lines_refused``: every line has to.
+    """
+
+    name: str
+    recognised_by: str | None
+    sections: str | None
+    comment_marks: tuple[str, ...]
+    comments_anywhere: bool
+    blank_lines_anywhere: bool
+    claims_at_start: tuple[str, ...]
+    claims_anywhere: tuple[str, ...]
+    other_lines_refused: bool
+    because: str
+    ends_with: tuple[str, ...]
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """A line with typed fields in braces. ``within``: the section in which it counts; ``rest``: what may follow on the line."""
+
+    name: str
+    text: str
+    form: str
+    also_read: tuple[str, ...]
+    fields: Mapping[str, FieldType]
+    within: str | None
+    rest: Rest
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class Absent:
+    """What counts when a quantity is not in the files, and whether the user is told."""
+
+    value: str
+    say: Say
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class Binding:
+    """Where a quantity stands in the text. ``repeated``: which one counts within a file; between files they must agree."""
+
+    quantity: str
+    statement: str
+    field: str
+    repeated: Repeated
+    when_absent: Absent | None
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class Measure(Binding):
+    """A length or an angle. ``sign`` may depend on a choice; ``range`` bounds position, correction or backlash in ``unit``."""
+
+    linear_unit: str | OptionValue
+    rotary_unit: str
+    sign: Sign | None
+    sign_by: str | None
+    signs: Mapping[str, Sign]
+    digits: int
+    range: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Choice(Binding):
+    """A quantity with few values: text in the file -> neutral word. ``writes``: the text that is written."""
+
+    values: Mapping[str, str]
+    writes: str | OptionValue
+
+
+@dataclass(frozen=True, slots=True)
+class Plain(Binding):
+    """A count or a file name, taken as it stands."""
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """The shape of the table, from a closed list. ``singles``: quantities that stand alone, one value each."""
+
+    shape: Shape
+    pairing: Pairing
+    below: Beyond
+    above: Beyond
+    singles: tuple[str, ...]
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class LimitRule:
+    """One limit of the control, from a closed list of predicates."""
+
+    predicate: Predicate
+    number: int | None
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class OptionRule:
+    """An option. ``settled_by``: the quantity in the control's files that answers it; ``option_wins`` where both differ."""
+
+    name: str
+    type: OptionType
+    default: object
+    choices: tuple[str, ...]
+    not_built: Mapping[str, str]
+    settled_by: str | None
+    option_wins: bool
+    help: str
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class WrittenFile:
+    """One file of the complete set: its name, the lines around the table, the statement of a table row (None: no table)."""
+
+    name: str
+    text: str
+    header: tuple[str, ...]
+    rows: str | None
+    footer: tuple[str, ...]
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class CardRule:
+    """One step of the commissioning card, with ``{name}`` fields."""
+
+    title: str
+    text: str
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class Expected:
+    """Corrections worked by hand, in the unit of the expectation."""
+
+    position: float
+    positive: float
+    negative: float
+
+
+@dataclass(frozen=True, slots=True)
+class Expectation:
+    """Control files and what the control does with them at some positions: worked by hand, never computed here."""
+
+    name: str
+    files: Mapping[str, str]
+    options: Mapping[str, object]
+    axis: str
+    kind: AxisKind
+    reference_return: Direction
+    unit: str
+    at: tuple[Expected, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Definition:
+    """Everything that is known about one control's compensation files."""
+
+    id: str
+    title: str
+    file: str
+    sources: Mapping[str, str]
+    proven: tuple[Mapping[str, str], ...]
+    addresses: Addresses
+    dialect: Dialect
+    texts: Mapping[str, TextKind]
+    statements: Mapping[str, Statement]
+    layout: Layout
+    bindings: Mapping[str, Binding]
+    limits: tuple[LimitRule, ...]
+    options: Mapping[str, OptionRule]
+    writing: tuple[WrittenFile, ...]
+    card: tuple[CardRule, ...]
+    sample_files: Mapping[str, str]
+    sample_options: Mapping[str, object]
+    expect: tuple[Expectation, ...]
+    lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict)
+
+    def measure(self, quantity: str) -> Measure:
+        """Return the binding of a length or an angle. Raises KeyError where the definition has none."""
+        binding = self.bindings[quantity]
+        if not isinstance(binding, Measure):
+            raise KeyError(quantity)
+        return binding
+
+    def choice(self, quantity: str) -> Choice:
+        """Return the binding of a choice. Raises KeyError where the definition has none."""
+        binding = self.bindings[quantity]
+        if not isinstance(binding, Choice):
+            raise KeyError(quantity)
+        return binding
+
+    def limit(self, predicate: Predicate) -> LimitRule | None:
+        """Return the rule of a predicate, None where the control has no such limit."""
+        return next((rule for rule in self.limits if rule.predicate == predicate), None)
+
+    def limit_number(self, predicate: Predicate) -> int | None:
+        """Return the number of a limit, None where the control has no such limit."""
+        rule = self.limit(predicate)
+        return None if rule is None else rule.number
