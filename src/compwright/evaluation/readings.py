@@ -13,7 +13,6 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.statistics import standard_deviation
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import Direction, FloatArray
@@ -131,11 +130,12 @@ def drift(test: PositioningTest) -> list[Finding]:
     Score of a run and direction: mean over targets of its deviation from the target's median, clipped at three robust standard
     deviations so that one bad reading cannot decide. Statistic: sum over directions of the absolute slope of the scores over the
     runs; its significance from all permutations of the run order (common to both directions), so shifts of whole runs in
-    random order raise no alarm. At least five runs; a drift smaller than the pooled s is not mentioned.
+    random order raise no alarm. At least five runs; a drift smaller than the robust s is not mentioned.
     """
+    residuals, scale = _pooled(test)
     scores = {
         direction: _run_scores(residual, scale)
-        for direction, (residual, scale) in zip(_BOTH, _pooled(test), strict=True)
+        for direction, residual in zip(_BOTH, residuals, strict=True)
         if residual.shape[1] >= 5 and np.any(np.isfinite(residual))
     }
     if test.cycle == "step" or not scores:
@@ -145,9 +145,7 @@ def drift(test: PositioningTest) -> list[Finding]:
     centred: FloatArray = np.arange(runs, dtype=np.float64) - 0.5 * (runs - 1)
     chance = _chance(table, centred)
     sizes = table @ centred * (runs - 1) / (centred @ centred)
-    s = np.concatenate([standard_deviation(test.deviations(direction)) for direction in _BOTH])
-    pooled = float(np.sqrt(np.mean(s[np.isfinite(s)] ** 2)))
-    if chance > DRIFT_CHANCE or np.abs(sizes).max() < pooled:
+    if chance > DRIFT_CHANCE or np.abs(sizes).max() < scale:
         return []
     told = " and ".join(f"{signed_text(float(size), test)} in {sign_text(d)}" for size, d in zip(sizes, scores, strict=True))
     message = (
@@ -173,7 +171,8 @@ def _chance(table: FloatArray, centred: FloatArray) -> float:
 def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
     """Return a finding for each traverse that lies off its fellows as a whole (CW-T13); at least three runs."""
     findings = []
-    for direction, (residual, scale) in zip(_BOTH, _pooled(test), strict=True):
+    residuals, scale = _pooled(test)
+    for direction, residual in zip(_BOTH, residuals, strict=True):
         if residual.shape[1] < 3 or scale == 0.0:
             continue
         for column in range(residual.shape[1]):
@@ -187,7 +186,7 @@ def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
                         "CW-T13",
                         "warning",
                         f"Traverse {_run_number(test, direction, column)} in {sign_text(direction)} lies "
-                        f"{text_of(shift, test)} off the others "
+                        f"{signed_text(shift, test)} off the others "
                         f"(robust standard deviation of a reading: {text_of(scale, test)}). "
                         f"{compare(_kept(test, direction, without))}".strip(),
                     )
@@ -198,8 +197,7 @@ def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
 def suspect_readings(test: PositioningTest, compare: Compare) -> list[Finding]:
     """Return one finding for all readings that lie far off their target's and their traverse's others (CW-T14); n >= 4."""
     found: list[tuple[float, Direction, int, int]] = []
-    pooled = _pooled(test)
-    inner = [residual - _run_medians(residual) for residual, _ in pooled]
+    inner = [residual - _run_medians(residual) for residual in _pooled(test)[0]]
     inner = [residual - _row_medians(residual) for residual in inner]
     scale = _scale(inner, test)
     for direction, residual in zip(_BOTH, inner, strict=True):
@@ -235,11 +233,10 @@ def _kept(test: PositioningTest, direction: Direction, keep: np.ndarray[tuple[in
     return replace(test, positive=changed) if direction is Direction.POSITIVE else replace(test, negative=changed)
 
 
-def _pooled(test: PositioningTest) -> list[tuple[FloatArray, float]]:
-    """Return per direction the residuals (m, n) from the target's median and the robust scale of a reading, common to both."""
+def _pooled(test: PositioningTest) -> tuple[list[FloatArray], float]:
+    """Return the residuals (m, n) from the target's median in + and −, and the robust scale of a reading, common to both."""
     residuals = [test.deviations(direction) - _row_medians(test.deviations(direction)) for direction in _BOTH]
-    scale = _scale(residuals, test)
-    return [(residual, scale) for residual in residuals]
+    return residuals, _scale(residuals, test)
 
 
 def _row_medians(values: FloatArray) -> FloatArray:

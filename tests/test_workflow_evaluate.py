@@ -1,0 +1,147 @@
+"""``evaluate`` from files to exit code, and what stands at the terminal."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from rich.console import Console
+
+from compwright.foundations.errors import StorageError, UsageError
+from compwright.workflow.evaluate import evaluate_files, evaluation_json, evaluation_renderables, write_evaluation
+from places import PROJECT
+
+GOOD = "# axis: X\n# machine: VMC 850\ntarget_mm,direction,run,deviation_um\n"
+
+
+def csv_file(folder: Path, name: str, scale: float = 1.0, directions: str = "+-") -> Path:
+    rows = [
+        f"{x},{d},{j},{scale * (x / 100 + (d == '-') * 2 + (0.0, 0.3, -0.8, 0.6, -0.2, 0.1)[j] * (1 + x / 400)):.3f}\n"
+        for x in (3.0, 110.5, 190.0, 310.0, 402.0)
+        for d in directions
+        for j in range(1, 6)
+    ]
+    path = folder / name
+    path.write_text(GOOD + "".join(rows), encoding="utf-8")
+    return path
+
+
+def test_files_and_standards(tmp_path: Path) -> None:
+    paths = [csv_file(tmp_path, "a.csv"), csv_file(tmp_path, "b.csv", 2.0)]
+    run = evaluate_files(paths, ["iso230-2:2006", "vdi3441", "iso230-2:2006"])
+    assert run.exit_code == 0
+    found = [(r["name"], r["standard"]) for r in run.document["results"]]
+    assert found == [(n, s) for n in "ab" for s in ("iso230-2:2006", "vdi3441")]
+    assert run.document["results"][0]["sources"][0]["file"] == str(paths[0])
+    single = evaluate_files(paths[:1]).document["results"][0]
+    assert single["standard"] == "iso230-2:2014"
+    # 2 µm more in − at every target
+    assert single["parameters"]["B"] == pytest.approx(2.0, abs=1e-6)
+
+
+def test_a_folder_is_read_whole_and_what_is_unreadable_is_listed(tmp_path: Path) -> None:
+    good = csv_file(tmp_path, "b.csv")
+    (tmp_path / "a.txt").write_text("shopping list\n", encoding="utf-8")
+    (tmp_path / "c.csv").write_text("target_mm,direction,run,deviation_um\n1,+,1,abc\n", encoding="utf-8")
+    (tmp_path / ".hidden").write_text("x", encoding="utf-8")
+    (tmp_path / "inner").mkdir()
+    run = evaluate_files([tmp_path, good, tmp_path / "nowhere.csv"])
+    assert run.exit_code == 3
+    assert [r["name"] for r in run.document["results"]] == ["b"]  # once, though named twice
+    files = [Path(error["file"]).name for error in run.document["errors"]]
+    assert sorted(set(files)) == ["a.txt", "c.csv", "nowhere.csv"]
+    assert all(error["message"] for error in run.document["errors"])
+    json.loads(evaluation_json(run.document))
+
+
+def test_an_empty_folder_is_an_error(tmp_path: Path) -> None:
+    run = evaluate_files([tmp_path])
+    assert run.exit_code == 3
+    assert run.document["errors"] == [{"file": str(tmp_path), "message": "the folder holds no files"}]
+
+
+def test_wrong_options_are_told_all_at_once(tmp_path: Path) -> None:
+    path = csv_file(tmp_path, "a.csv")
+    with pytest.raises(UsageError) as caught:
+        evaluate_files([path], ["iso230-4:2005", "iso230-2:1999"])
+    assert len(caught.value.faults) == 2
+    assert "circular tests: not yet" in str(caught.value)
+    assert "found iso230-2:1999" in str(caught.value)
+    with pytest.raises(UsageError, match="range"):
+        evaluate_files([path], [], "range")
+    with pytest.raises(UsageError, match="nothing to evaluate"):
+        evaluate_files([])
+    assert evaluate_files([path], ["iso230-2:1988"], "range").document["results"][0]["spread"] == "range"
+
+
+def test_writing(tmp_path: Path) -> None:
+    run = evaluate_files([csv_file(tmp_path, "a.csv")])
+    target = tmp_path / "out.json"
+    assert write_evaluation(run.document, json_path=target) == [target]
+    assert json.loads(target.read_text("utf-8")) == run.document
+    with pytest.raises(StorageError, match="exists"):
+        write_evaluation(run.document, json_path=target)
+    first = target.read_bytes()
+    write_evaluation(evaluate_files([tmp_path / "a.csv"]).document, json_path=target, force=True)
+    assert target.read_bytes() == first
+
+
+def shown(folder: Path, standards: list[str], width: int, *, targets: bool = False) -> str:
+    document = evaluate_files([folder], standards).document
+    console = Console(width=width, record=True, file=None, force_terminal=False, color_system=None)
+    with console.capture() as captured:
+        for part in evaluation_renderables(document, targets=targets):
+            console.print(part)
+    return captured.get()
+
+
+@pytest.mark.parametrize("width", [80, 120])
+def test_terminal_shows_the_documents_numbers(tmp_path: Path, width: int) -> None:
+    csv_file(tmp_path, "spindle.csv")
+    text = shown(tmp_path, ["iso230-2:2014", "iso230-2:1988", "vdi3441"], width, targets=True)
+    results = evaluate_files([tmp_path], ["iso230-2:2014", "iso230-2:1988", "vdi3441"]).document["results"]
+    assert all(len(line.rstrip()) <= width for line in text.splitlines())
+    for title in ("ISO 230-2:2014 (2 s)", "ISO 230-2:1988 (3 s)", "VDI/DGQ 3441 (3 s)"):
+        assert title in text
+    assert "spindle.csv · axis X (linear)" in text
+    assert "5 targets from 3 to 402 mm, 5 runs in each direction" in text
+    for result in results:
+        for value in result["parameters"].values():
+            if value is not None:
+                assert f"{abs(value):.2f}" in text
+    for finding in results[0]["findings"]:
+        assert finding["code"] in text
+    assert "…" not in text  # nothing cut off
+    # what three standards share is told once
+    assert sum(line.lstrip().startswith(("info", "warning")) for line in text.splitlines()) == len(results[0]["findings"])
+
+
+def test_terminal_shows_what_is_missing(tmp_path: Path) -> None:
+    csv_file(tmp_path, "a.csv", directions="+")
+    (tmp_path / "z.txt").write_text("nothing", encoding="utf-8")
+    text = shown(tmp_path, [], 80)
+    assert "not measured in the − direction" in text
+    assert "Not evaluated" in text
+    assert "z.txt" in text
+
+
+def test_hostile_text_is_shown_as_it_is(tmp_path: Path) -> None:
+    path = csv_file(tmp_path, "a.csv")
+    path.write_text(path.read_text("utf-8").replace("# axis: X", "# axis: [red]X[/]"), encoding="utf-8")
+    assert "axis [red]X[/] (linear)" in shown(tmp_path, [], 80)
+
+
+def test_the_evaluate_path_loads_nothing_heavy(tmp_path: Path) -> None:
+    path = csv_file(tmp_path, "a.csv")
+    code = (
+        "import sys; from pathlib import Path; from compwright.workflow.evaluate import evaluate_files, evaluation_json;"
+        f"evaluation_json(evaluate_files([Path({str(path)!r})]).document);"
+        "print([m for m in ('scipy', 'cvxpy', 'osqp', 'matplotlib', 'pydantic', 'rich') if m in sys.modules])"
+    )
+    environment = {**os.environ, "PYTHONPATH": str(PROJECT / "src")}
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment)
+    assert answer.stdout.strip() == "[]"
