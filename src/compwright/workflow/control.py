@@ -14,14 +14,15 @@ import numpy as np
 
 from compwright.controllers.virtual import VirtualControl, virtual_control
 from compwright.formats.addresses import normal_address
-from compwright.formats.definitions import Definition, definitions_from
+from compwright.formats.definitions import definitions_from
 from compwright.formats.options import resolve_options
 from compwright.formats.reading import read_state
+from compwright.formats.schema import Definition
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile, ControlState
-from compwright.records.job import Job
+from compwright.records.job import AxisJob, Job
 
 #: Largest difference of the two readers, mm or deg: a control that keeps single precision rounds 1 mm to 6e-8 mm.
 AGREEMENT = 2e-7
@@ -72,7 +73,7 @@ def named_axes(job: Job, control: Control) -> tuple[Job, tuple[Assumption, ...]]
 
     Raises UsageError for an address that the control cannot have, and for two axes at one address.
     """
-    axes = {}
+    axes: dict[str, AxisJob] = {}
     assumed: list[Assumption] = []
     faults: list[Fault] = []
     for name, entry in job.axes.items():

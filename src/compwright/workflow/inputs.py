@@ -92,7 +92,7 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
 
 def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
     """Missing is not zero: files of a state must speak of every axis under work."""
-    faults = []
+    faults: list[Fault] = []
     for name, decoded in states.items():
         if not decoded.files:
             continue

@@ -122,8 +122,8 @@ def _predict_at(
     rng = _generator(axis.name, result.test.name, "draws")
     draws = posterior.draw(targets, DRAWS, rng)
     same = targets is result.test.targets
-    runs = {
-        direction: result.test.readings(direction) if same else float(np.max(result.test.readings(direction), initial=0.0))
+    runs: dict[Direction, int | FloatArray] = {
+        direction: result.test.readings(direction) if same else int(np.max(result.test.readings(direction), initial=0.0))
         for direction in Direction
     }
     predicted = predict_test(

@@ -61,7 +61,7 @@ class _After:
 def plan_path(given: Path | None, default: Path) -> Path:
     """Return the plan file: ``given`` (a file or the folder of a run) or that of the default folder."""
     chosen = default if given is None else given
-    return chosen / "plan.json" if chosen.is_dir() or not chosen.suffix else chosen
+    return chosen if chosen.suffix.lower() == ".json" else chosen / "plan.json"
 
 
 def verify_job(
@@ -143,7 +143,7 @@ def _assign(job: Job, spec: str) -> tuple[tuple[str, str], str]:
     """Return (axis, test name) and the path of an ``--after`` value: ``TEST=FILE``, else by the file's axis."""
     names = {request.name: axis for axis, entry in job.axes.items() for request in entry.before}
     head, mark, tail = spec.partition("=")
-    if mark and head in names and not Path(spec).exists():
+    if mark and head in names:
         return (_axis_of_name(job, head, tail), head), tail
     test = read_measurement(Path(spec))
     if test.axis:

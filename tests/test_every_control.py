@@ -1,0 +1,218 @@
+"""One contract for every control: inject a known error, measure, fit, write, load into the virtual control, measure again.
+
+With a mistake in the definition (sign, direction, start, unit) the same demand fails: that is tried for each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from loop import Floats, Machine, accuracy, allowed, csv_of
+
+from compwright.cli import run as compwright
+from compwright.controllers.virtual import virtual_control
+from compwright.formats.definitions import definitions_from, load_definition
+from compwright.formats.options import resolve_options
+from compwright.formats.writing import write_tables
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError
+from compwright.records.axis import Axis, AxisKind, Direction
+from compwright.records.correction import AxisCompensation, ControlFile
+
+FORMATS = ("siemens-840d-sl", "linuxcnc")
+ADDRESS = {"siemens-840d-sl": "AX1", "linuxcnc": "0"}
+MACHINES = {
+    "plain": Machine(),
+    "negative travel, referenced in -": Machine(low=-500, high=0, slope=-40e-6, lost=0.003, reference_return=-1),
+    "short axis": Machine(low=-20, high=130, slope=60e-6, bow=0.002, lost=0.008, noise=0.0003),
+}
+
+
+def loaded(files: list[ControlFile] | tuple[ControlFile, ...], format_id: str, machine: Machine) -> Callable[[Floats, int], Floats]:
+    """The correction that the virtual control applies with ``files`` loaded."""
+    address = ADDRESS[format_id]
+    returns = Direction.POSITIVE if machine.reference_return > 0 else Direction.NEGATIVE
+    control = virtual_control(format_id, files, reference_return={address: returns})
+    assert control.addresses() == (address,)
+    return lambda x, sign: control.correction(address, x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE)
+
+
+def run_arguments(folder: Path, format_id: str, machine: Machine, *states: str) -> list[str]:
+    state = [word for name in states for word in ("--state", name)]
+    option = [
+        f"address={ADDRESS[format_id]}",
+        f"reference_return={'+' if machine.reference_return > 0 else '-'}",
+    ]
+    return [
+        "run", str(folder / "x.csv"), "--format", format_id, "--axis", "X", "--travel", f"{machine.low}:{machine.high}", *state,
+        *(word for entry in option for word in ("--option", entry)), "--out", str(folder / "out"),
+    ]  # fmt: skip
+
+
+def tables_in(folder: Path, format_id: str) -> list[ControlFile]:
+    return [ControlFile(path.name, path.read_bytes()) for path in sorted((folder / "out" / "tables" / format_id).iterdir())]
+
+
+def one_round(
+    folder: Path, format_id: str, machine: Machine, targets: Floats, seed: int, states: list[str], now: object
+) -> list[ControlFile]:
+    """Measure with ``now`` active in the control, run compwright, return the new files."""
+    folder.mkdir()
+    readings = machine.measure(targets, seed, now)  # type: ignore[arg-type]  # a correction or None
+    (folder / "x.csv").write_text(csv_of(targets, readings))
+    code = compwright(run_arguments(folder, format_id, machine, *states))
+    assert code == 0
+    return tables_in(folder, format_id)
+
+
+def spacing_of(files: list[ControlFile], format_id: str) -> float:
+    nodes = virtual_control(format_id, files).nodes(ADDRESS[format_id])
+    return float(np.max(np.diff(nodes)))
+
+
+@pytest.mark.parametrize("machine", MACHINES.values(), ids=list(MACHINES))
+@pytest.mark.parametrize("format_id", FORMATS)
+def test_accuracy_falls_to_the_noise_floor(format_id: str, machine: Machine, tmp_path: Path) -> None:
+    targets = machine.targets()
+    before = accuracy(machine.measure(targets, seed=1))
+    files = one_round(tmp_path / "first", format_id, machine, targets, 1, ["none"], None)
+    fresh = machine.targets(seed=8)  # new targets: what the old ones hide would show
+    after = accuracy(machine.measure(fresh, 2, loaded(files, format_id, machine)))
+    limit = allowed(machine, fresh, spacing_of(files, format_id))
+    assert before > 3 * limit, "the machine must be bad enough for the demand to mean something"
+    assert after <= limit  # mm
+
+
+@pytest.mark.parametrize("format_id", FORMATS)
+def test_a_wrong_old_table_is_replaced_in_one_round_and_stays_so_after_a_second(format_id: str, tmp_path: Path) -> None:
+    machine = Machine()
+    targets = machine.targets()
+    # A table from another machine, loaded by mistake: 15 µm of bow and 12 µm of backlash too much.
+    wrong = Machine(slope=-30e-6, bow=0.015, lost=0.012)
+    old = one_round(tmp_path / "other", format_id, wrong, targets, 5, ["none"], None)
+    active = loaded(old, format_id, machine)
+    assert accuracy(machine.measure(targets, 6, active)) > accuracy(machine.measure(targets, 6))
+
+    old_files = [str(tmp_path / "other" / "out" / "tables" / format_id / file.name) for file in old]
+    new = one_round(tmp_path / "first", format_id, machine, targets, 6, old_files, active)
+    spacing = max(spacing_of(old, format_id), spacing_of(new, format_id))
+    limit = allowed(machine, targets, spacing)
+    first = loaded(new, format_id, machine)
+    assert accuracy(machine.measure(targets, 7, first)) <= limit
+
+    new_files = [str(tmp_path / "first" / "out" / "tables" / format_id / file.name) for file in new]
+    folder = tmp_path / "second"
+    folder.mkdir()
+    (folder / "x.csv").write_text(csv_of(targets, machine.measure(targets, 8, first)))
+    code = compwright([*run_arguments(folder, format_id, machine, *new_files), "--accept-worse"])
+    assert code == 0
+    second = loaded(tables_in(folder, format_id), format_id, machine)
+    assert accuracy(machine.measure(targets, 9, second)) <= limit
+
+
+def test_rollback_holds_the_old_files_byte_by_byte(tmp_path: Path) -> None:
+    machine = Machine()
+    old = one_round(tmp_path / "a", "siemens-840d-sl", machine, machine.targets(), 1, ["none"], None)
+    folder = tmp_path / "a" / "out" / "tables" / "siemens-840d-sl"
+    active = loaded(old, "siemens-840d-sl", machine)
+    shifted = replace(machine, slope=machine.slope + 50e-6)
+    one_round(tmp_path / "b", "siemens-840d-sl", shifted, machine.targets(), 2, [str(folder)], active)
+    rollback = tmp_path / "b" / "out" / "rollback" / "siemens-840d-sl"
+    assert {path.name: path.read_bytes() for path in rollback.iterdir()} == {file.name: file.content for file in old}
+    assert not (tmp_path / "a" / "out" / "rollback").exists()
+
+
+# The definition, made wrong on purpose --------------------------------------------------------------------------------------
+
+#: What to change in the text of a definition -> (old, new); each is a mistake that a hand-written definition can have.
+MUTATIONS = {
+    "siemens-840d-sl": {
+        "flipped sign of the table": ("    sign: error", "    sign: correction"),
+        "wrong unit of the table": (
+            "unit: {linear: mm, rotary: deg}\n    sign: error",
+            "unit: {linear: um, rotary: deg}\n    sign: error",
+        ),
+        "start and end exchanged": ("$AA_ENC_COMP_MIN[{system},{axis}]={value}", "$AA_ENC_COMP_MAX[{system},{axis}]={value}"),
+        "backlash on the other measuring system": ("$MA_BACKLASH[{system},{axis}]=0", "$MA_BACKLASH[1,{axis}]=0"),
+    },
+    "linuxcnc": {
+        "flipped sign of the table": ("actual: actual_position, trim: correction", "actual: correction, trim: actual_position"),
+        "columns exchanged": ('form: "{position} {positive} {negative}"', 'form: "{position} {negative} {positive}"'),
+        "wrong unit of one column": (
+            "field: positive\n    unit: {linear: {option: units}, rotary: deg}",
+            "field: positive\n    unit: {linear: inch, rotary: deg}",
+        ),
+        "wrong form": ('"COMP_FILE_TYPE = 0"', '"COMP_FILE_TYPE = 1"'),
+    },
+}
+
+
+def perfect_table(machine: Machine, format_id: str) -> AxisCompensation:
+    """The table that knows the truth, on 41 nodes, zero in the zero state (reference 0)."""
+    nodes = np.linspace(machine.low, machine.high, 41)
+    zero = float(machine.error(np.array([0.0]), machine.reference_return)[0])
+    positive, negative = (-(machine.error(nodes, sign) - zero) for sign in (1, -1))
+    one_curve = format_id == "siemens-840d-sl"
+    return AxisCompensation(
+        address=ADDRESS[format_id],
+        kind=AxisKind.LINEAR,
+        positions=nodes,
+        positive=positive,
+        negative=positive if one_curve else negative,
+        backlash=machine.lost if one_curve else 0.0,
+        below="zero" if one_curve else "hold",
+    )
+
+
+def accuracy_with(text: bytes, format_id: str, table: AxisCompensation | None = None) -> float:
+    """A after loading what a definition writes for the perfect table (or ``table``), by the virtual control; mm."""
+    machine = MACHINES["plain"]
+    definition = load_definition(text, f"{format_id}.yaml")
+    axis = Axis(name="X", kind=AxisKind.LINEAR, travel=(machine.low, machine.high), address=ADDRESS[format_id])
+    files = write_tables(definition, [table or perfect_table(machine, format_id)], [axis], resolve_options(definition, {}))
+    fresh = machine.targets(seed=8)
+    return accuracy(machine.measure(fresh, 2, loaded(files, format_id, machine)))
+
+
+def definition_text(format_id: str) -> bytes:
+    return dict(storage.definition_files())[f"{format_id}.yaml"]
+
+
+@pytest.mark.parametrize("format_id", FORMATS)
+def test_the_definition_as_it_is_keeps_the_demand(format_id: str) -> None:
+    machine = MACHINES["plain"]
+    assert accuracy_with(definition_text(format_id), format_id) <= allowed(machine, machine.targets(seed=8), 20.0)
+
+
+@pytest.mark.parametrize(("format_id", "name"), [(format_id, name) for format_id, changes in MUTATIONS.items() for name in changes])
+def test_a_mistake_in_the_definition_breaks_the_demand(format_id: str, name: str) -> None:
+    old, new = MUTATIONS[format_id][name]
+    text = definition_text(format_id).decode()
+    assert old in text, "the mutation must hit something"
+    machine = MACHINES["plain"]
+    limit = allowed(machine, machine.targets(seed=8), 20.0)
+    try:
+        after = accuracy_with(text.replace(old, new, 1).encode(), format_id)
+    except (CompwrightError, AssertionError):
+        return  # refused by the writer, or by the virtual control that cannot read it
+    assert after > limit
+
+
+@pytest.mark.parametrize("format_id", FORMATS)
+def test_a_table_one_node_off_breaks_the_demand(format_id: str) -> None:
+    machine = Machine()
+    table = perfect_table(machine, format_id)
+    shifted = replace(table, positive=np.roll(table.positive, 3), negative=np.roll(table.negative, 3))
+    assert accuracy_with(definition_text(format_id), format_id, shifted) > allowed(machine, machine.targets(seed=8), 20.0)
+
+
+@pytest.mark.parametrize("format_id", FORMATS)
+def test_exchanged_directions_break_the_demand(format_id: str) -> None:
+    machine = Machine()
+    table = perfect_table(machine, format_id)
+    swapped = replace(table, positive=table.negative, negative=table.positive, backlash=-table.backlash)
+    assert accuracy_with(definition_text(format_id), format_id, swapped) > allowed(machine, machine.targets(seed=8), 20.0)
