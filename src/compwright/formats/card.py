@@ -30,7 +30,10 @@ class CardStep:
 
 
 def card_steps(definition: Definition, axis: Axis, values: Mapping[str, str]) -> tuple[CardStep, ...]:
-    """Return the steps for one axis. ``values`` fill the fields of the text (see `card_values`); a missing one reads "(not known)"."""
+    """Return the steps for one axis.
+
+    ``values`` fill the fields of the text (see `card_values`); a missing one reads "(not known)".
+    """
     known = {**_axis_values(definition, axis), **values}
     return tuple(
         CardStep(

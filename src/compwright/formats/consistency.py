@@ -108,16 +108,23 @@ def _bindings(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
         if isinstance(binding, Measure):
             yield from _measure(definition, binding, path)
         if isinstance(binding, Choice):
-            words = WORDS.get(name, set(binding.values.values()))
-            for word in set(binding.values.values()) - words:
-                yield (*path, "values"), f"{word} is not one of {', '.join(sorted(words))}"
-            if binding.when_absent is not None and binding.when_absent.value not in binding.values.values():
-                yield (*path, "when_absent"), f"{binding.when_absent.value} is not one of the values"
-            if isinstance(binding.writes, OptionValue):
-                if binding.writes.option not in definition.options:
-                    yield (*path, "writes"), f"no option is called {binding.writes.option}"
-            elif binding.writes not in binding.values:
-                yield (*path, "writes"), f"{binding.writes} is not one of the values"
+            yield from _choice(definition, binding, path)
+
+
+def _choice(definition: Definition, binding: Choice, path: KeyPath) -> Iterator[tuple[KeyPath, str]]:
+    words = WORDS.get(binding.quantity, set(binding.values.values()))
+    for word in sorted(set(binding.values.values()) - words):
+        yield (*path, "values"), f"{word} is not one of {', '.join(sorted(words))}"
+    if binding.when_absent is not None and binding.when_absent.value not in binding.values.values():
+        yield (*path, "when_absent"), f"{binding.when_absent.value} is not one of the values"
+    if isinstance(binding.writes, OptionValue):
+        option = definition.options.get(binding.writes.option)
+        if option is None:
+            yield (*path, "writes"), f"no option is called {binding.writes.option}"
+        elif set(option.choices) - set(binding.values):
+            yield (*path, "writes"), f"the option {option.name} has a choice that is not one of the values"
+    elif binding.writes not in binding.values:
+        yield (*path, "writes"), f"{binding.writes} is not one of the values"
 
 
 def _measure(definition: Definition, binding: Measure, path: KeyPath) -> Iterator[tuple[KeyPath, str]]:

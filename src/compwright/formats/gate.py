@@ -1,4 +1,4 @@
-"""The gate over a definition: its sample can be read, hand-worked corrections come out, what is written is read back as the same."""
+"""The gate over a definition: its sample can be read, hand-worked corrections come out, what is written is read back."""
 
 from __future__ import annotations
 

@@ -213,7 +213,7 @@ class _StateReader:
                 self.notes.find(
                     "CW-S13",
                     "warning",
-                    f"{text.file}, line {variants[0]}: a form that some tools write but no manual shows ({len(variants)} lines) was read",
+                    f"{text.file}, line {variants[0]}: read, although no manual shows this form ({len(variants)} lines)",
                 )
         if any(axis is None for axis in self.wanted.values()) or not self.wanted:
             self.notes.assume(REFERENCE, f"{self.options[REFERENCE]:g}", "option or its default")

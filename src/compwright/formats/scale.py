@@ -71,7 +71,10 @@ class Scale:
         return position - number if sign == "actual_position" else number
 
     def write(self, quantity: str, value: float, position: float = 0.0) -> str:
-        """Return the text of a neutral quantity in mm or deg. Raises NotHeld when the decimal places or the range do not allow it."""
+        """Return the text of a neutral quantity in mm or deg.
+
+        Raises NotHeld when the decimal places or the range do not allow it.
+        """
         binding = self.definition.measure(quantity)
         count = self._count(quantity, value)
         low, high = self.range(quantity)

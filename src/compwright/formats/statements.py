@@ -38,7 +38,7 @@ class Token:
 class Occurrence:
     """A statement as it stands in a file. ``tokens`` by field name, those of the section too; ``line`` counts from 1.
 
-    ``variant``: written in one of the forms that are read but never written. ``checksum``: a line checksum with the blanks before it.
+    ``variant``: in one of the forms that are read but never written. ``checksum``: a line checksum with the blanks before it.
     """
 
     statement: str

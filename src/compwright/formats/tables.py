@@ -23,7 +23,7 @@ WHOLE_STEPS = Decimal("1e-6")
 
 @dataclass(slots=True)
 class TableSource:
-    """What was found for one table. ``label`` names it in messages; ``singles`` hold start, end and spacing where the shape has them."""
+    """What was found for one table. ``label`` names it in messages; ``singles``: start, end and spacing."""
 
     label: str
     rows: Sequence[Found]
