@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from compwright.controllers.linuxcnc_table import load_table, three_numbers
@@ -331,6 +331,9 @@ class TestLinuxCnc:
         assert control.nodes("0").tolist() == [0.0, 25.4]
         assert values(control, "0", [25.4, 12.7], UP) == pytest.approx([-0.0254, -0.0127], abs=25.4 * SINGLE)
         assert values(control, "1", [1.0], UP) == pytest.approx([-0.001], abs=SINGLE)
+        # a number there counts machine units per mm
+        by_number = linuxcnc(files=files | {"m.ini": files["m.ini"].replace("inch", f"{1 / 25.4:.12f}")})
+        assert values(by_number, "0", [25.4], UP) == pytest.approx([-0.0254], abs=25.4 * SINGLE)
         alone = {"joint_0.comp": files["a"]}
         assert values(linuxcnc(files=alone, options={"units": "inch"}), "0", [25.4], UP) == pytest.approx([-0.0254], abs=1e-7)
         rotary = linuxcnc(files=alone, options={"units": "inch"}, kinds={"0": AxisKind.ROTARY})
@@ -349,10 +352,26 @@ class TestLinuxCnc:
         assert values(control, "10", [1], UP) == [0.25]
         assert any("second section [JOINT_0]" in note for note in control.notes)
 
+    def test_key_of_a_later_section_and_continued_line(self) -> None:
+        text = "[JOINT_0]\nTYPE = LINEAR\n[JOINT_1]\nBACKLASH = 1.\\\n5\n[DISPLAY]\nBACKLASH = 7\n"
+        control = linuxcnc(files={"m.ini": text})
+        assert values(control, "0", [0], UP) == [0.0]
+        assert values(control, "1", [0], UP) == [0.75]
+
+    def test_longest_line(self) -> None:
+        # 254 bytes with the line end still are one row; one more, and the line end is left over as a line without numbers
+        for length, rows in ((254, 3), (255, 1)):
+            first, rest = OBSERVED.split("\n", 1)
+            assert comp(first.ljust(length - 1) + "\n" + rest).nodes("0").size == rows
+
     def test_included_joint_file(self) -> None:
         part = "[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 1\nBACKLASH = 0\n"
         machine = "[TRAJ]\nLINEAR_UNITS = mm\n#INCLUDE joint_0.ini\nTYPE = LINEAR\n"
         control = linuxcnc(files={"m.ini": machine, "joint_0.ini": part, "joint_0.comp": "0 0.01 0.02\n"})
+        assert values(control, "0", [1], UP) == pytest.approx([0.01], abs=SINGLE)
+        assert control.notes == ()
+        keys_only = {"m.ini": "[JOINT_0]\n#INCLUDE keys.inc\n", "keys.inc": part.split("\n", 1)[1], "joint_0.comp": "0 0.01 0.02\n"}
+        control = linuxcnc(files=keys_only)
         assert values(control, "0", [1], UP) == pytest.approx([0.01], abs=SINGLE)
         assert control.notes == ()
         with pytest.raises(InputError, match=r"m\.ini: line 3: included file was not given"):
@@ -400,6 +419,13 @@ class TestNumbers:
     @given(
         st.text(alphabet="0123456789.-+eExXpPinfatyINF# ,\t\r(_", max_size=24) | st.text(alphabet="0123456789.eE+- ", max_size=30)
     )
+    @example("infi 2 3")
+    @example("infinity 2 -inf")
+    @example("nan(1) 1 2")
+    @example("1e 2 3e+")
+    @example("0x 2 3")
+    @example("0x.p1 0x1p3 0X1.8P-1")
+    @example("1e400 1e-400 0x1p9999")
     @settings(max_examples=1500, deadline=None)
     def test_as_scanf_does(self, text: str) -> None:
         assert self.libc is not None

@@ -82,6 +82,10 @@ class TestVirtualAgreesWithReal:
         walk = np.cumsum(rng.uniform(-2e-4, 2e-4, (2, 256)), axis=1)
         texts["3"] = rows(nodes["3"], walk[0], walk[1], 0)
         texts["1"] = texts["1"].replace("\n", " 9 text behind\r\n")  # the control takes these
+        lines = texts["0"].split("\n")
+        texts["0"] = "\n".join([*lines[:5], lines[5].ljust(253), *lines[6:]])  # the longest line that is taken whole
+        lines = texts["6"].split("\n")
+        texts["6"] = "\n".join([*lines[:7], lines[7].ljust(254), *lines[8:]])  # one byte more: the table ends there
         files = {f"joint_{joint}.comp": text.encode() for joint, text in texts.items()}
         files |= {f"joint_{joint}.ini": ini(int(joint), {"1": 1, "6": 1}.get(joint, 0)) for joint in texts}
         files["joint_5.ini"] = ini(5, None)  # type left out: 0
@@ -106,6 +110,8 @@ class TestVirtualAgreesWithReal:
 
     def test_the_comparison_could_fail(self, ran: tuple[Session, VirtualControl]) -> None:
         session, control = ran
+        assert control.nodes("0").size == 12
+        assert control.nodes("6").size == 8
         for joint in ("0", "1", "3", "5", "6", "2"):
             applied = [stop.correction for stop in session.of(joint)]
             assert max(applied) - min(applied) > 1e-3
