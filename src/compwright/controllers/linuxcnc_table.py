@@ -28,7 +28,8 @@ _NUMBER = re.compile(
         ([+-]?)
         (?:(?P<nan>nan)
           |(?P<inf>inf(?:inity|(?!i)))
-          |0x(?P<hex>[0-9a-f]+(?:\.[0-9a-f]*)?|\.[0-9a-f]*)(?:p(?P<hexpower>[+-]?[0-9]*))?
+          |0x(?P<hex>[0-9a-f]+(?:\.[0-9a-f]*)?|\.[0-9a-f]+)(?:p(?P<hexpower>[+-]?[0-9]*))?
+          |0x(?P<hexpoint>\.)
           |(?!0x)(?P<decimal>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:e(?P<power>[+-]?[0-9]*))?)""",
     re.VERBOSE | re.IGNORECASE,
 )
@@ -134,6 +135,8 @@ def _value(match: re.Match[bytes]) -> float:
         value = float("nan")
     elif match["inf"]:
         value = float("inf")
+    elif match["hexpoint"]:
+        value = 0.0
     elif match["hex"] is not None:
         value = _hexadecimal(match["hex"].decode("ascii"), match["hexpower"])
     else:
@@ -142,8 +145,6 @@ def _value(match: re.Match[bytes]) -> float:
 
 
 def _hexadecimal(digits: str, power: bytes | None) -> float:
-    if digits == ".":
-        return 0.0
     try:
         return float.fromhex("0x" + digits + _power("p", power))
     except OverflowError:
