@@ -411,6 +411,7 @@ axes:
             "ascend",
         ),
         ("virtual_machine: 1\naxes: {X: {travel: [0, 10], address: [1]}}", "address: is not a text"),
+        ("virtual_machine: 1\naxes: {X: {travel: [0, 10]}, x: {travel: [0, 10]}}", "upper and lower case only"),
         ("virtual_machine: 1\naxes: {X: 3}", "axes.X: is not a mapping"),
     ],
 )

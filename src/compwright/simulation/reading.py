@@ -93,6 +93,8 @@ def _axes(top: Section) -> dict[str, VirtualAxis]:
     for name in axes.data:
         if not _AXIS_NAME.fullmatch(name):  # it becomes part of file names
             axes.reject(name, "is not the name of an axis", "a letter, then letters, digits or _")
+    if len({name.lower() for name in axes.data}) < len(axes.data):
+        top.reject("axes", "has names that differ in upper and lower case only", "names that make different file names")
     return {name: _axis(name, section) for name in axes.data if (section := axes.section(name)) is not None}
 
 
