@@ -37,7 +37,7 @@ def positioning(
             entry[f"s_{key}"] = statistics.stdev(values) if len(values) > 1 else None
             entry[f"R_{key}"] = 2 * coverage * entry[f"s_{key}"] if len(values) > 1 else None
             entry[f"deviations_{key}"] = list(readings[index]) if readings else []
-        both = positive is not None and negative is not None
+        both = entry["mean_positive"] is not None and entry["mean_negative"] is not None
         entry["reversal"] = entry["mean_positive"] - entry["mean_negative"] if both else None
         entry["mean"] = (entry["mean_positive"] + entry["mean_negative"]) / 2 if both else None
         entry["R"] = None

@@ -4,8 +4,8 @@ A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title`
 ``evidence``), ``unconfirmed`` and ``restore`` (sentences), ``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and
 ``proven`` (a sentence). Each axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``, ``new``),
 ``display`` (``position``, ``positive``, ``negative``: the compensation that the control itself shows), ``quick_check``
-(``position``, ``direction``, ``expected``, ``stop``), ``points_needed`` and ``fixed_positions`` (``name``, ``position``, ``moves``).
-Values to be typed carry a plain minus sign, so that they can be copied.
+(``position``, ``direction``, ``expected``, ``stop``), ``points_needed`` and ``fixed_positions`` (``name``, ``position``,
+``moves``). Values to be typed carry a plain minus sign, so that they can be copied.
 """
 
 from __future__ import annotations
