@@ -84,7 +84,7 @@ def _settle_shared(
         if len(said) != 1:
             continue
         fact = said.pop()
-        if name in given and values[name] != fact:
+        if name in given and values[name] not in (fact, rule.default):
             faults.append(
                 Fault(
                     message=f"option {name} of {definition.id} contradicts the control's own files",

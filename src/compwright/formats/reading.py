@@ -64,6 +64,15 @@ class _StateReader:
         for text in texts:
             self.notes.findings.extend(text.findings)
         named = self._named(gathered, texts, reader)
+        if not self.wanted and not named:
+            template = next(file.name for file in self.definition.writing if file.rows is not None)
+            self.notes.faults.append(
+                Fault(
+                    message="nothing says to which axis this table belongs",
+                    file=", ".join(text.file for text in texts),
+                    expected=f"the axis named, the file called {template.replace('{axis}', '<number>')}, or the file that names it",
+                )
+            )
         compensations: dict[str, AxisCompensation] = {}
         facts: dict[str, Mapping[str, Fact]] = {}
         for address, axis in (self.wanted or dict.fromkeys(named)).items():

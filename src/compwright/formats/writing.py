@@ -12,36 +12,48 @@ from compwright.formats.options import resolve_options
 from compwright.formats.patching import Change, apply_changes, set_field
 from compwright.formats.scale import NotHeld, Scale
 from compwright.formats.schema import Choice, Definition, WrittenFile
-from compwright.formats.statements import print_form
+from compwright.formats.statements import Occurrence, print_form
 from compwright.formats.tables import WrittenTable, write_table
 from compwright.formats.texts import TextReader
 from compwright.foundations.errors import CapacityError, Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis
-from compwright.records.correction import AxisCompensation, ControlFile
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 
 
 def write_tables(
-    definition: Definition, compensations: Sequence[AxisCompensation], axes: Sequence[Axis], options: Mapping[str, object]
+    definition: Definition,
+    compensations: Sequence[AxisCompensation],
+    axes: Sequence[Axis],
+    options: Mapping[str, object],
+    state: ControlState | None = None,
 ) -> tuple[ControlFile, ...]:
     """Return exactly the files that put ``compensations`` into the control, in the order of the axes.
 
-    ``axes`` holds the axis of every compensation. ``options`` should have been resolved with the state of the control, so that
-    its own unit is used. Raises UsageError for a compensation without an axis, CapacityError with everything that the control
+    ``axes`` holds the axis of every compensation. With a ``state`` what the control's own files answer (its unit, the points it has
+    reserved) counts. Raises UsageError for a compensation without an axis, CapacityError with everything that the control
     cannot hold exactly: all limits are checked here again, whatever was checked before.
     """
-    resolved = resolve_options(definition, options)
+    resolved = resolve_options(definition, options, state)
     pairs = _pairs(definition, compensations, axes)
     faults: list[Fault] = []
     files: list[ControlFile] = []
     for address, axis, compensation in pairs:
-        broken = check_limits(definition, axis, compensation, resolved)
+        broken = check_limits(definition, axis, compensation, resolved, state)
         faults.extend(broken)
         scale = scale_for_writing(definition, axis, resolved)
         if compensation.positions.size >= 2 and not _unsound(compensation):
-            table = write_table(definition, compensation, scale, faults if not broken else [])
-            files.extend(_file(definition, file, address, axis, compensation, table, scale, faults) for file in definition.writing)
+            inexact: list[Fault] = []
+            table = write_table(definition, compensation, scale, inexact)
+            files.extend(_file(definition, file, address, axis, compensation, table, scale, inexact) for file in definition.writing)
+            faults.extend(_first_few(inexact, address))
     raise_all(CapacityError, list(dict.fromkeys(faults)))
     return tuple(files)
+
+
+def _first_few(faults: list[Fault], address: str) -> list[Fault]:
+    """One wrong rounding spoils every row: three of them say it."""
+    rest = len(faults) - 3
+    return faults if rest <= 0 else [*faults[:3], Fault(message=f"axis {address}: {rest} more values like these")]
 
 
 def _pairs(
@@ -76,7 +88,11 @@ def _unsound(compensation: AxisCompensation) -> str:
 
 
 def check_limits(
-    definition: Definition, axis: Axis, compensation: AxisCompensation, options: Mapping[str, object]
+    definition: Definition,
+    axis: Axis,
+    compensation: AxisCompensation,
+    options: Mapping[str, object],
+    state: ControlState | None = None,
 ) -> tuple[Fault, ...]:
     """Return what keeps the control from holding a compensation, apart from single values that are not exact.
 
@@ -86,7 +102,7 @@ def check_limits(
     unsound = _unsound(compensation)
     if unsound:
         return (Fault(message=f"{label}: {unsound}"),)
-    capacity = capacity_for(definition, axis, options, None)
+    capacity = capacity_for(definition, axis, options, state)
     faults: list[Fault] = []
 
     def fault(message: str, expected: str, found: object) -> None:
@@ -158,8 +174,12 @@ def _file(
         rows = [print_form(form, {**named, **row}) for row in table.rows]
         changes.append(Change(len(header), len(header), "".join(row + newline for row in rows).encode("ascii")))
         _check_lines(definition, name, rows, faults)
-    for quantity, text in _singles(definition, compensation, table, scale, named, faults).items():
-        changes.extend(_set(definition, skeleton, name, quantity, text))
+    texts = _singles(definition, compensation, table, scale, named, faults)
+    for place in _statements(definition, ControlFile(name, skeleton)):
+        for quantity, text in texts.items():
+            binding = definition.bindings[quantity]
+            if binding.statement == place.statement:
+                changes.extend(set_field(place, binding.field, text))
     return ControlFile(name, apply_changes(skeleton, changes))
 
 
@@ -185,14 +205,12 @@ def _singles(
     return texts
 
 
-def _set(definition: Definition, skeleton: bytes, name: str, quantity: str, text: str) -> tuple[Change, ...]:
-    """Return the change that puts a single value where the skeleton has a place for it."""
-    binding = definition.bindings[quantity]
+def _statements(definition: Definition, skeleton: ControlFile) -> tuple[Occurrence, ...]:
+    """Return the places of the single values in a skeleton."""
     faults: list[Fault] = []
-    read = TextReader(definition).read(ControlFile(name, skeleton), faults)
+    read = TextReader(definition).read(skeleton, faults)
     raise_all(InputError, faults)
-    places = [] if read is None else [found for found in read.occurrences if found.statement == binding.statement]
-    return tuple(change for place in places for change in set_field(place, binding.field, text))
+    return () if read is None else read.occurrences
 
 
 def _check_lines(definition: Definition, name: str, rows: Sequence[str], faults: list[Fault]) -> None:
