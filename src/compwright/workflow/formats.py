@@ -79,14 +79,12 @@ def check_formats(paths: Sequence[Path]) -> tuple[str, ...]:
         faults.extend(found)
         if definition.id in ids:
             faults.append(
-                Fault(message="the id is given twice", file=file, place="id", found=f"{definition.id}, in {ids[definition.id]}")
+                Fault(message="the id is given twice", file=file, place="id", found=f"{definition.id} ({ids[definition.id]})")
             )
         ids[definition.id] = file
         if not found:
             positions = sum(len(expectation.at) for expectation in definition.expect)
-            lines.append(
-                f"{file}: {definition.id} is complete; {positions} hand-worked positions agree; written and read back the same"
-            )
+            lines.append(f"{file}: {definition.id}: {positions} positions worked by hand agree; the sample is read back as written")
     raise_all(InputError, faults)
     if not lines:
         raise InputError(Fault(message="no definition was found", file=", ".join(str(path) for path in paths), expected="*.yaml"))
