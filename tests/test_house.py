@@ -354,11 +354,12 @@ def made() -> dict[str, set[str]]:
     for name, tree in trees().items():
         constants = dict(constants_of(tree))
         for node in ast.walk(tree):
-            if not (isinstance(node, ast.Call) and ast.unparse(node.func).split(".")[-1] == "Finding"):
+            called = ast.unparse(node.func).split(".")[-1] if isinstance(node, ast.Call) else ""
+            if not isinstance(node, ast.Call) or called not in ("Finding", "find"):
                 continue
             for word in (*node.args[:1], *(word.value for word in node.keywords if word.arg == "code")):
                 code = constants.get(word.id) if isinstance(word, ast.Name) else getattr(word, "value", None)
-                if isinstance(code, str):
+                if isinstance(code, str) and (called == "Finding" or CODE.fullmatch(code)):  # str.find is no finding
                     assert CODE.fullmatch(code), f"{name} line {node.lineno}: {code!r} is no finding code"
                     found.setdefault(code, set()).add(name)
     return found

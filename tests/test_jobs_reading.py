@@ -361,3 +361,12 @@ def test_what_is_no_job_at_all_is_a_fault_of_the_job(content: bytes) -> None:
     with pytest.raises(UsageError) as caught:
         read_job(content, "job.yaml")
     assert all(fault.file == "job.yaml" for fault in caught.value.faults)
+
+
+def test_defaults_of_thermal_and_uncertainty() -> None:
+    """The contract: device without expansion (alpha_d 0), 20 °C, fixed point at 0, referred to the scale; U contributors 0."""
+    read = job(SMALLEST + "thermal: {alpha_m: 11.5, T_m: 22}\nuncertainty: {E_VE: 2}\n")
+    assert read.thermal == Thermal(alpha_m=11.5, T_m=22.0, alpha_d=0.0, T_d=20.0, x_fix=0.0, refer_to="scale")
+    assert read.uncertainty == UncertaintyBudget(
+        device=0.0, device_per_m=0.0, misalignment_mm=0.0, U_theta=0.0, U_alpha=0.0, setup=0.0, E_VE=2.0
+    )
