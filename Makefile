@@ -2,6 +2,8 @@
 PYTHON ?= python3
 VENV ?= .venv
 BIN := $(VENV)/bin
+# Small matrices: threads of the linear algebra only get in each other's way.
+export OPENBLAS_NUM_THREADS ?= 1
 
 .PHONY: demo test lint real-linuxcnc bench clean
 

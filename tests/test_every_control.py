@@ -146,7 +146,7 @@ MUTATIONS = {
             "field: positive\n    unit: {linear: {option: units}, rotary: deg}",
             "field: positive\n    unit: {linear: inch, rotary: deg}",
         ),
-        "wrong form": ('"COMP_FILE_TYPE = 0"', '"COMP_FILE_TYPE = 1"'),
+        "forms exchanged": ('values: {"0": actual, "1": trim}', 'values: {"0": trim, "1": actual}'),
     },
 }
 
@@ -155,7 +155,7 @@ def perfect_table(machine: Machine, format_id: str) -> AxisCompensation:
     """The table that knows the truth, on 41 nodes, zero in the zero state (reference 0)."""
     nodes = np.linspace(machine.low, machine.high, 41)
     zero = float(machine.error(np.array([0.0]), machine.reference_return)[0])
-    positive, negative = (-(machine.error(nodes, sign) - zero) for sign in (1, -1))
+    positive, negative = (np.round(-(machine.error(nodes, sign) - zero), 6) for sign in (1, -1))
     one_curve = format_id == "siemens-840d-sl"
     return AxisCompensation(
         address=ADDRESS[format_id],

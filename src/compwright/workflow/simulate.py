@@ -43,7 +43,7 @@ def simulate_files(
 def _load(machine: VirtualMachine, tables: Path) -> tuple[Control, DecodedState]:
     if not machine.format:
         raise UsageError(
-            Fault(message="the machine file names no control", place="control.format", expected="a format, to load tables into")
+            Fault(message="the machine file names no control", place="controller.format", expected="a format, to load tables into")
         )
     control = open_control(machine.format, machine.options)
     axes = [_addressed(control, virtual.axis) for virtual in machine.axes.values()]
