@@ -26,7 +26,7 @@ AUTO_MOST: Final = 500
 POINTS_PER_PERIOD: Final = 3.0
 #: The grid may lose this share of the noise of a reading (rms), or one quantum.
 NOISE_SHARE: Final = 0.1
-_NICE: Final = (1.0, 2.0, 2.5, 4.0, 5.0)
+_NICE: Final = (10, 20, 25, 40, 50)  # tenths of a power of ten
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -112,9 +112,7 @@ def _nodes(start: int, step: int, count: int, quantum: float) -> FloatArray:
 def _explicit(span: _Span, spacing: float, capacity: Capacity, wanted: WantedCorrection) -> FloatArray:
     quantum, unit = capacity.position_quantum, wanted.kind.unit
     if not spacing > 0.0:
-        raise UsageError(
-            Fault(message="the spacing must be positive", place="table.spacing", found=f"{spacing:g} {unit}")
-        )
+        raise UsageError(Fault(message="the spacing must be positive", place="table.spacing", found=f"{spacing:g} {unit}"))
     length = span.high - span.low
     step = round(spacing / quantum)
     if not (step > 0 and _whole(spacing / quantum)):
@@ -204,54 +202,59 @@ def _leaving_out(nodes: FloatArray, wanted: WantedCorrection, periods: list[floa
 
 @dataclass(frozen=True, slots=True)
 class _Candidate:
+    """An equally spaced grid in quanta of the position; ``last`` cuts the last section short (free spacing only)."""
+
     start: int
     step: int
     count: int
+    last: int | None = None
+
+    def nodes(self, quantum: float) -> FloatArray:
+        nodes = _nodes(self.start, self.step, self.count, quantum)
+        if self.last is not None:
+            nodes[-1] = np.round(self.last * quantum, 10)
+        return nodes
+
+    def digits(self, quantum: float) -> int:
+        """Return the number of digits of the step: 50 has one, 53.125 has five."""
+        return len(f"{self.step * quantum:.10g}".replace(".", "").strip("0"))
 
 
 def _automatic(span: _Span, capacity: Capacity, wanted: WantedCorrection) -> Grid:
-    most = capacity.max_points or AUTO_MOST
-    on_reference, others = _candidates(span, capacity, wanted, most)
-    if not (on_reference or others):
+    most = capacity.max_points or max(AUTO_MOST, capacity.min_points)
+    quantum = capacity.position_quantum
+    pool, others = _candidates(span, capacity, wanted, most)
+    if not (pool or others):
         raise CapacityError(
             Fault(
                 message="no equally spaced grid fits the table's ends",
                 place="table",
-                expected=f"{capacity.min_points} to {most} points at multiples of {capacity.position_quantum:.10g}",
-                found=f"{span.low * capacity.position_quantum:.10g} to {span.high * capacity.position_quantum:.10g}",
+                expected=f"{capacity.min_points} to {most} points at multiples of {quantum:.10g} {wanted.kind.unit}",
+                found=f"{span.low * quantum:.10g} to {span.high * quantum:.10g} {wanted.kind.unit}",
             )
         )
-    pool, others = (on_reference, others) if on_reference else (others, [])
-    tolerance = max(capacity.quantum, NOISE_SHARE * wanted.noise)
-    chosen = _coarsest([*pool, *others], wanted, capacity, tolerance)
+    chosen = _coarsest(pool, others, wanted, capacity)
     if chosen is not None:
         return Grid(nodes=chosen, wanted=wanted)
-    quantum = capacity.position_quantum
-    finest = _finest(pool, others, quantum)
-    step = float(finest[1] - finest[0])
+    finest = _with_most_points(pool, others).nodes(quantum)
+    step = float(np.max(np.diff(finest)))
     lost = [period for period in wanted.periods if step * POINTS_PER_PERIOD > period * (1 + 1e-9)]
-    if len(lost) == len(wanted.periods) and lost:
-        smooth, _ = without_periods(wanted, lost)
-        enough = _coarsest([*pool, *others], smooth, capacity, tolerance)
+    kept = without_periods(wanted, lost)[0] if lost else wanted
+    if lost and len(lost) == len(wanted.periods):
+        enough = _coarsest(pool, others, kept, capacity)
         if enough is not None:
             return _leaving_out(enough, wanted, lost)
-        return _leaving_out(finest, wanted, lost, _loss(finest, smooth))
-    kept = without_periods(wanted, lost)[0] if lost else wanted
-    return _leaving_out(finest, wanted, lost, _loss(finest, kept))
+    return _leaving_out(finest, wanted, lost, 0.0 if capacity.max_points is None else _loss(finest, kept))
 
 
-def _finest(pool: list[_Candidate], others: list[_Candidate], quantum: float) -> FloatArray:
-    """Return the grid of most points; one without a node at the reference only where it has more than half as many again."""
-    best = max(pool, key=lambda candidate: candidate.count)
+def _with_most_points(pool: list[_Candidate], others: list[_Candidate]) -> _Candidate:
+    """Return the finest grid; one without a node at the reference only where it has half as many points again."""
+    best = max(pool or others, key=lambda candidate: candidate.count)
     spare = max(others, key=lambda candidate: candidate.count, default=best)
-    if spare.count > 1.5 * best.count:
-        best = spare
-    return _nodes(best.start, best.step, best.count, quantum)
+    return spare if spare.count > 1.5 * best.count else best
 
 
-def _candidates(
-    span: _Span, capacity: Capacity, wanted: WantedCorrection, most: int
-) -> tuple[list[_Candidate], list[_Candidate]]:
+def _candidates(span: _Span, capacity: Capacity, wanted: WantedCorrection, most: int) -> tuple[list[_Candidate], list[_Candidate]]:
     """Return grids, coarsest first: those with the reference at a node (or on the continued grid), and the others."""
     in_quanta = wanted.reference / capacity.position_quantum
     reference = round(in_quanta) if _whole(in_quanta) else None
@@ -263,41 +266,59 @@ def _candidates(
     ]
     on = [one for one in exact if reference is not None and (reference - span.low) % one.step == 0]
     off = [one for one in exact if one not in on]
-    if not (span.low_fixed and span.high_fixed):
-        anchor = span.low if span.low_fixed else span.high if span.high_fixed else reference
-        reaching = list(_reaching_out(span, span.low if anchor is None else anchor, capacity, most))
-        same = [one for one in reaching if reference is not None and (reference - one.start) % one.step == 0]
-        # A grid that ends with the travel is the better one; one that reaches out only where there is none nearly as coarse.
-        on += [one for one in same if not any(0.5 * one.step <= other.step <= one.step for other in on)]
-        off += [one for one in reaching if one not in same]
+    anchor = span.low if span.low_fixed else span.high if span.high_fixed else reference
+    reaching = list(_reaching_out(span, span.low if anchor is None else anchor, capacity, most))
+    same = [one for one in reaching if reference is not None and (reference - one.start) % one.step == 0]
+    # A grid that ends with the travel is the better one; one that reaches out only where there is none nearly as coarse.
+    on += [one for one in same if not any(0.5 * one.step <= other.step <= one.step for other in on)]
+    off += [one for one in reaching if one not in same]
     return sorted(on, key=lambda one: one.count), sorted(off, key=lambda one: one.count)
 
 
 def _reaching_out(span: _Span, anchor: int, capacity: Capacity, most: int) -> Iterator[_Candidate]:
-    """Yield grids of round steps through ``anchor`` that reach beyond the travel where the job left the end open."""
+    """Yield grids of round steps through ``anchor`` that reach beyond the travel where the job left the end open.
+
+    With free spacing, an end that the job fixed cuts the last section short.
+    """
     length = span.high - span.low
-    for exponent in range(10):
-        for digit in _NICE:
-            step = digit * 10.0**exponent
-            if step != int(step) or step > 2 * length:
-                continue
-            whole = int(step)
-            start = anchor - -(-(anchor - span.low) // whole) * whole
-            count = -(-(span.high - start) // whole) + 1
-            fixed = (span.low_fixed and start != span.low) or (span.high_fixed and start + (count - 1) * whole != span.high)
-            if capacity.min_points <= count <= most and not fixed:
-                yield _Candidate(start, whole, count)
+    for step in sorted({int(digit * 10**exponent / 10) for exponent in range(1, 11) for digit in _NICE}):
+        if step > 2 * length:
+            break
+        start = anchor - -(-(anchor - span.low) // step) * step
+        count = -(-(span.high - start) // step) + 1
+        if not capacity.min_points <= count <= most or (span.low_fixed and start != span.low):
+            continue
+        if span.high_fixed and start + (count - 1) * step != span.high:
+            if capacity.spacing == "free":
+                yield _Candidate(start, step, count, span.high)
+            continue
+        yield _Candidate(start, step, count)
 
 
-def _coarsest(
-    candidates: list[_Candidate], wanted: WantedCorrection, capacity: Capacity, tolerance: float
-) -> FloatArray | None:
-    limit = limited_increment(capacity)
+def _coarsest(pool: list[_Candidate], others: list[_Candidate], wanted: WantedCorrection, capacity: Capacity) -> FloatArray | None:
+    """Return the nodes of the coarsest grid that is good enough, preferably with the reference at a node; None: there is none."""
+    on, off = _first_good(pool, wanted, capacity), _first_good(others, wanted, capacity)
+    if on is None or (off is not None and off.count * 3 < on.count):
+        on = off
+    return None if on is None else on.nodes(capacity.position_quantum)
+
+
+def _first_good(candidates: list[_Candidate], wanted: WantedCorrection, capacity: Capacity) -> _Candidate | None:
+    """Return a grid that loses no more than the tolerance: the coarsest, or one nearly as coarse with a rounder step."""
+    limit, quantum = limited_increment(capacity), capacity.position_quantum
+    tolerance = max(capacity.quantum, NOISE_SHARE * wanted.noise)
+    best: _Candidate | None = None
+    first = 0
     for candidate in candidates:
-        nodes = _nodes(candidate.start, candidate.step, candidate.count, capacity.position_quantum)
+        if best is not None and candidate.count > 1.3 * first + 1:
+            break
+        if best is not None and candidate.digits(quantum) >= best.digits(quantum):
+            continue
+        nodes = candidate.nodes(quantum)
         if _loss(nodes, wanted) <= tolerance and (limit is None or _steepest(nodes, wanted) <= limit):
-            return nodes
-    return None
+            first = candidate.count if best is None else first
+            best = candidate
+    return best
 
 
 def _loss(nodes: FloatArray, wanted: WantedCorrection) -> float:

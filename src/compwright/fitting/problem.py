@@ -114,10 +114,7 @@ class Sampled:
     def mean_square(self, layout: Layout, x: FloatArray) -> float:
         """Return the mean over points and directions of (held - wanted)^2 for the unknowns ``x``."""
         return 0.5 * float(
-            sum(
-                self.weights @ (layout.columns(self.matrix, direction) @ x - self.wanted[direction]) ** 2
-                for direction in BOTH
-            )
+            sum(self.weights @ (layout.columns(self.matrix, direction) @ x - self.wanted[direction]) ** 2 for direction in BOTH)
         )
 
 
