@@ -121,14 +121,14 @@ def test_keys_without_work_behind_them_are_said() -> None:
         compwright: 1
         controller: {format: x}
         axes:
-          X: {travel: [0, 1], before: x.csv, programmed: diameter, gantry: 2}
+          X: {travel: [0, 1], before: x.csv, programmed: diameter, gantry: 2, axis_number: 1}
           B: {travel: [0, 360], before: b.csv, kind: rotary, modulo: 360, encoder: {type: absolute}}
         report: {language: fr}
         cross: [{input: X, output: B, positions: [0, 1], deviations: [0, 1], unit: um}]
         """)
     assert {finding.code for finding in read.findings} == {"CW-J001"}
     assert [finding.message.removeprefix("read, but not used yet: ") for finding in read.findings] == [
-        *("cross", "axes.X.gantry", "axes.X.programmed: diameter", "axes.B.modulo"),
+        *("cross", "axes.X.gantry", "axes.X.axis_number", "axes.X.programmed: diameter", "axes.B.modulo"),
         *("axes.B.encoder.type: absolute", "report.language: fr"),
     ]
     assert read.pending == ("cross",)

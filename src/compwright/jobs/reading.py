@@ -21,7 +21,7 @@ from compwright.records.job import NONE_STATE, Acceptance, AxisJob, Job, TestReq
 
 #: Keys that are read and checked, but on which nothing acts yet.
 _PENDING_AT_TOP = ("circles", "cross", "apply")
-_PENDING_OF_AXIS = ("modulo", "gantry")
+_PENDING_OF_AXIS = ("modulo", "gantry", "axis_number")
 
 
 @dataclass(frozen=True, slots=True)
