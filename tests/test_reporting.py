@@ -498,8 +498,12 @@ def test_the_verification_shows_before_predicted_and_after() -> None:
     _, parameters = table_with(page, "Parameter", "After")
     found = {row[0]: row for row in parameters}
     assert [value(found["E"][column]) for column in (2, 4, 6)] == [28.77, 1.93, 2.21]
+    assert "Axis X, x_before, before" in [text(heading) for heading in tree(page).iter("h3")]
     _, decisions = table_with(page, "Limit on")
     assert decisions[1] == ["E", "2.21", "1.70", "2.00", "? undecided"]
+    view["verification"]["axes"]["X"]["within_prediction"] = {"A": True, "E": False}
+    _, parameters = table_with(verify_report(view), "Parameter", "5–95 % of the prediction")
+    assert {row[0]: row[-1] for row in parameters if row[0] in {"A", "E", "R"}} == {"A": "within", "E": "outside", "R": ""}
     words = text(tree(page))
     assert "cannot be told from thermal" in words
     assert "runs/broken.csv: line 3: not a number" in words

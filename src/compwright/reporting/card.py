@@ -163,7 +163,7 @@ def _axis(axis: Document) -> list[str]:
         rows = [[position, positive, "", negative, ""] for position, positive, negative in axis["display"]]
         lines += ["### Compensation that the control displays", "", *_table(head, rows), ""]
     if axis["checks"]:
-        head = [f"Position ({where})", "Approach", f"Expected deviation ({unit})", f"Stop if further off than ({unit})", "Measured"]
+        head = [f"Position ({where})", "Approach", f"Expected deviation ({unit})", f"Stop if off by ({unit})", "Measured"]
         rows = [[*map(_escape, row), ""] for row in axis["checks"]]
         zero = ["In this order, the instrument set to zero at the first row.", ""] if axis["zeroed"] else []
         lines += ["### Quick check after loading", "", *zero, *_table(head, rows), ""]

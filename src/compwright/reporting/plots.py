@@ -32,6 +32,8 @@ from compwright.reporting.panels import (
     zero_line,
 )
 
+_MOST_MARKED = 150  # nodes of a table that markers can still tell apart
+
 
 def plot_format(name: str) -> PlotFormat:
     """Return the format that the ending of the file ``name`` asks for. Raises UsageError for any other than svg, png, pdf."""
@@ -130,9 +132,10 @@ def table_plot(entry: Document, *, format: str = "svg") -> bytes:  # noqa: A002
         shown = LOOKS[:1] if same else LOOKS
         for look in shown:
             positions = curve(table["positions"])
+            size = 4.0 if len(positions) <= 60 else 2.0 if len(positions) <= _MOST_MARKED else 0.0  # too dense: the line alone
             panel.plot(
                 positions, curve(table[f"correction_{look.key}"]), color=look.colour, linestyle=look.line, linewidth=1.0,
-                marker=look.marker, markersize=4.0 if len(positions) <= 60 else 2.2,
+                marker=look.marker, markersize=size,
                 label="table (+ and −)" if same else f"table ({look.sign})",
             )  # fmt: skip
         panel.set_title("Correction that the control adds to the command", fontweight="bold")

@@ -10,7 +10,7 @@ positions in mm or deg.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any, Final
 
 from compwright.reporting import sections
@@ -34,7 +34,7 @@ def run_report(view: Document) -> bytes:
     return render_page(
         "run.html",
         {
-            **_common(view, view.get("evaluation")),
+            **_common(view, [("", view.get("evaluation"))]),
             "done": _what_was_done(view, axes),
             "verdict": _run_verdict(view, axes, predicted),
             "axes": blocks,
@@ -68,7 +68,7 @@ def verify_report(view: Document) -> bytes:
     return render_page(
         "verify.html",
         {
-            **_common(view, *evaluations),
+            **_common(view, list(zip(("before", "after"), evaluations, strict=True))),
             "verdict": {"tone": tone, "text": text, "rows": rows},
             "axes": blocks,
             "findings": _remaining(view, blocks, *evaluations),
@@ -76,9 +76,9 @@ def verify_report(view: Document) -> bytes:
     )
 
 
-def _common(view: Document, *evaluations: Document | None) -> dict[str, Any]:
+def _common(view: Document, evaluations: Sequence[tuple[str, Document | None]]) -> dict[str, Any]:
     title = plain(view.get("title") or "compwright")
-    results = [result for evaluation in evaluations for result in (evaluation or {}).get("results", [])]
+    results = [(label, result) for label, evaluation in evaluations for result in (evaluation or {}).get("results", [])]
     return {
         "page_title": title,
         "title": title,
@@ -87,8 +87,10 @@ def _common(view: Document, *evaluations: Document | None) -> dict[str, Any]:
             "id": plain((view.get("format") or {}).get("id", "")),
             "title": plain((view.get("format") or {}).get("title", "")),
         },
-        "tests": [sections.test_block(result) for result in results if result.get("kind", "positioning") == "positioning"],
-        "sources": sections.sources(*evaluations),
+        "tests": [
+            sections.result_block(result, label) for label, result in results if result.get("kind", "positioning") == "positioning"
+        ],
+        "sources": sections.sources(*(evaluation for _, evaluation in evaluations)),
         "version": plain(view.get("version", "")),
     }
 
@@ -183,7 +185,6 @@ def _run_axis(index: int, name: str, axis: Document, predicted: Document, view: 
     result = sections.result_of(view.get("evaluation"), name, tests[0].get("name"))
     table = predicted.get("table")
     prefix = f"x{index}"
-    mode = {"single": "One curve and one reversal value. ", "bidirectional": "One curve for each direction of approach. "}
     return {
         "name": name,
         "anchor": _anchor(index),
@@ -194,7 +195,7 @@ def _run_axis(index: int, name: str, axis: Document, predicted: Document, view: 
         else "",
         "parameters": _run_parameters(tests[0], result, unit) if result or tests[0].get("before") else None,
         "findings": sections.findings(axis.get("findings"), predicted.get("findings"), (result or {}).get("findings")),
-        "mode": mode.get(str(axis.get("mode")), "") + plain(axis.get("mode_reason") or ""),
+        "mode": _mode(axis),
         "table": _table(prefix, name, table, axis, predicted) if table else None,
         "refused": plain(axis.get("refused") or ""),
         "limits": _limits(predicted, unit),
@@ -256,18 +257,26 @@ def _table(prefix: str, name: str, table: Document, axis: Document, predicted: D
         for where, up, down in zip(positions, positive, negative, strict=True)
     ]
     height = max(_CHUNK, -(-len(rows) // 3))
-    caption = "Markers: nodes of the table as read back from the files. Broad line: what was wanted before rounding and limits."
+    caption = f"{len(rows)} nodes, as read back from the files."
+    if axis.get("wanted"):
+        caption += " Broad line: what was wanted before rounding and limits."
     return {
         "figure": _figure(
             f"{prefix}c", f"correction of axis {name}", table_plot({"table": table, "wanted": axis.get("wanted"), "unit": unit})
         ),
-        "caption": caption if axis.get("wanted") else "Markers: nodes of the table as read back from the files.",
+        "caption": caption,
         "count": len(rows),
         "chunks": [
             {"heads": sections.heads(*title), "rows": rows[start : start + height]} for start in range(0, len(rows), height)
         ],
         "quantum": plain(predicted.get("quantum")),
     }
+
+
+def _mode(axis: Document) -> str:
+    words = {"single": "one curve and one reversal value", "bidirectional": "one curve for each direction of approach"}
+    text = plain(axis.get("mode_reason") or words.get(str(axis.get("mode")), ""))
+    return text[:1].upper() + text[1:]
 
 
 def _limits(predicted: Document, unit: object) -> TextTable | None:
@@ -346,6 +355,10 @@ def _verify_axis(index: int, name: str, axis: Document, view: Document) -> dict[
         {"title": "Predicted", "quantiles": axis.get("predicted")},
         {"title": "After", "values": axis.get("after"), "uncertainty": (after or {}).get("uncertainty")},
     ]
+    within = {True: "within", False: "outside"}
+    notes = {key: within.get(value, "") for key, value in (axis.get("within_prediction") or {}).items()}
+    if any(notes.values()):
+        columns.append({"title": "5–95 %", "notes": notes})
     return {
         "name": name,
         "anchor": _anchor(index),
@@ -380,8 +393,8 @@ def _loading(loading: Document) -> dict[str, Any]:
 
 
 def _acceptance(limits: Document, unit: object) -> TextTable | None:
-    if not limits:
-        return None
+    if all(entry.get("U") is None for entry in limits.values()):
+        return None  # the verdict above says it all
     word = unit_text(unit)
     rows = [
         [

@@ -143,12 +143,12 @@ def bar(before: object, quantiles: object, limit: object, value: object = None) 
 def parameter_block(unit: object, standard: object, not_applicable: Document | None, columns: Sequence[Document]) -> dict[str, Any]:
     """Return the table of parameters with one column per source.
 
-    Each of ``columns`` has ``title`` and either ``values`` (parameter -> number), with ``uncertainty`` (parameter -> U) where
-    given, or ``quantiles`` (parameter -> median, p05, p95).
+    Each of ``columns`` has ``title`` and one of ``values`` (parameter -> number), with ``uncertainty`` (parameter -> U) where
+    given, ``quantiles`` (parameter -> median, p05, p95) and ``notes`` (parameter -> word).
     """
     named = {key for column in columns for key in (column.get("values") or column.get("quantiles") or {})}
     keys = [key for key in (*PARAMETERS, *sorted(named - set(PARAMETERS))) if key in named]
-    shown = [key for key in keys if any(_value(column, key) != MISSING for column in columns)]
+    shown = [key for key in keys if any(_value(column, key) != MISSING for column in columns if "notes" not in column)]
     reasons: dict[str, list[str]] = {}
     for key, reason in (not_applicable or {}).items():
         reasons.setdefault(str(reason).rstrip("."), []).append(symbol(key))
@@ -175,6 +175,8 @@ def _has_spread(column: Document) -> bool:
 
 
 def _column_note(column: Document, unit: str) -> str:
+    if "notes" in column:
+        return "of the prediction"
     if "quantiles" in column:
         return f"{unit}; median, 5–95 %"
     if column.get("uncertainty"):
@@ -184,6 +186,8 @@ def _column_note(column: Document, unit: str) -> str:
 
 
 def _value(column: Document, key: str) -> str:
+    if "notes" in column:
+        return str(column["notes"].get(key, ""))
     if "quantiles" in column:
         return median_text((column["quantiles"] or {}).get(key))
     return number((column.get("values") or {}).get(key))
@@ -198,8 +202,8 @@ def _spread(column: Document, key: str) -> str | None:
     return f"± {number(entry['U'])}" if entry else ""
 
 
-def test_block(result: Document) -> dict[str, Any]:
-    """Return one positioning result in full: sentence, uncertainty, statistics per target and single readings."""
+def result_block(result: Document, label: str = "") -> dict[str, Any]:
+    """Return one positioning result under its axis, name and ``label``: sentence, uncertainty, statistics, single readings."""
     unit = unit_text(result.get("unit"))
     where = unit_text(result.get("position_unit") or position_unit(result.get("unit")))
     runs = result.get("n_runs") or {}
@@ -217,7 +221,7 @@ def test_block(result: Document) -> dict[str, Any]:
     if not result.get("uncertainty"):
         sentence += " No measurement uncertainty: no contributors were given."
     return {
-        "title": f"Axis {plain(result.get('axis'))}, {plain(result.get('name') or 'test')}",
+        "title": ", ".join(filter(None, [f"Axis {plain(result.get('axis'))}", plain(result.get("name") or "test"), label])),
         "sentence": sentence,
         "count": len(result.get("targets", [])),
         "uncertainty": _uncertainty(result, unit),
