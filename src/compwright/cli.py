@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from functools import wraps
@@ -13,6 +12,7 @@ import click
 
 from compwright import __version__
 from compwright.foundations.errors import CompwrightError, Fault, UsageError
+from compwright.foundations.processors import use_one_thread
 
 P = ParamSpec("P")
 
@@ -31,10 +31,7 @@ _state = click.option(
 
 def main() -> NoReturn:
     """Run the command line and leave with the exit code of what happened."""
-    # The matrices here are small: threads of the linear algebra cost five times what they gain (27 s of processor time against
-    # 6 s for a job of four axes). Must be said before numpy is loaded; who sets it keeps his value.
-    for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
-        os.environ.setdefault(name, "1")
+    use_one_thread()
     sys.exit(run(sys.argv[1:]))
 
 

@@ -28,6 +28,8 @@ _STYLES: Final = {
 }
 #: Rows of a table of corrections that a terminal shows without being asked; a longer table is cut visibly.
 _MOST_ROWS: Final = 60
+#: A limit that costs less (µm, arcsec) than the last digit shown is not worth a line; the JSON has it.
+_LEAST_SHOWN: Final = 0.005
 
 
 def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
@@ -42,7 +44,11 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
                 _prediction_table(test, accept, unit),
             ]
         shown.append(Text(_table_line(axis, unit)))
-        shown += [Text(f"Limit: {entry['cause']}, costs {number(entry['value'])} {unit}.") for entry in axis["limits"]]
+        shown += [
+            Text(f"Limit: {entry['cause']}, costs {number(entry['value'])} {unit}.")
+            for entry in axis["limits"]
+            if entry["value"] >= _LEAST_SHOWN
+        ]
         shown += [*finding_lines(axis["findings"]), Text()]
     return shown
 

@@ -32,7 +32,12 @@ def run_summary(outcome: Any) -> list[Any]:
     from compwright.reporting import summaries
 
     told = {(finding["code"], finding["message"]) for axis in outcome.prediction["axes"].values() for finding in axis["findings"]}
-    rest = [finding for finding in outcome.findings if (finding["code"], finding["message"]) not in told]
+    tests = [
+        {**finding, "message": f"test {result['name']}: {finding['message']}"}
+        for result in outcome.evaluation["results"]
+        for finding in result["findings"]
+    ]
+    rest = [finding for finding in (*outcome.findings, *tests) if (finding["code"], finding["message"]) not in told]
     return [
         *summaries.assumed_table(outcome.assumed),
         *summaries.prediction_tables(outcome.prediction),

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from compwright.documents.decode import assumed_documents
-from compwright.formats.card import card_steps
+from compwright.formats.card import card_steps, card_values
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Direction
 from compwright.records.correction import Assumption, AxisCompensation
@@ -140,11 +140,15 @@ def _moves(work: AxisWork, loaded: DecodedState | None, position: float) -> floa
 
 
 def _steps(control: Control, written: Mapping[str, AxisWork]) -> list[dict[str, str]]:
-    steps: dict[tuple[str, str, str], None] = {}
+    """Return the steps of all axes in the order of the definition: what is the same for several axes stands once."""
+    by_axis = []
     for work in written.values():
-        fitted = work.planned.fitted
-        points = fitted.compensation.positions.size if fitted else 0
-        for step in card_steps(control.definition, work.planned.axis, {"points": str(points)}):
+        axis, fitted = work.planned.axis, work.planned.fitted
+        values = card_values(control.definition, axis, fitted.compensation, control.options) if fitted else {}
+        by_axis.append(card_steps(control.definition, axis, values))
+    steps: dict[tuple[str, str, str], None] = {}
+    for same_step in zip(*by_axis, strict=True):
+        for step in same_step:
             steps[step.title, step.text, step.evidence] = None
     return [{"title": title, "text": text, "evidence": evidence} for title, text, evidence in steps]
 

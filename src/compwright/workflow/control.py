@@ -28,6 +28,18 @@ from compwright.records.job import AxisJob, Job
 AGREEMENT = 2e-7
 
 
+#: Options of decode that the axes of a job say themselves.
+_SAID_BY_AXES = frozenset({"reference", "reference_return"})
+
+
+def _shown(value: object) -> str:
+    if value is None:
+        return "not given"
+    if isinstance(value, tuple | list):
+        return ", ".join(str(entry) for entry in value) or "none"
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
 @dataclass(frozen=True, slots=True)
 class Control:
     """A control by its definition, with every option settled."""
@@ -41,10 +53,18 @@ class Control:
         """The format's name, such as ``siemens-840d-sl``."""
         return self.definition.id
 
-    def assumed(self) -> tuple[Assumption, ...]:
-        """Return every option that was left at its default."""
+    def assumed(self, *states: ControlState, axes_known: bool) -> tuple[Assumption, ...]:
+        """Return every option that was left at its default and that no file of ``states`` answers.
+
+        ``axes_known``: a job says where and how each axis is referenced.
+        """
+        answered = {name for state in states for facts in state.facts.values() for name in facts}
+        settled = {name for name, option in self.definition.options.items() if option.settled_by in answered}
+        said = self.given | settled | (_SAID_BY_AXES if axes_known else frozenset())
         return tuple(
-            Assumption(f"option {name}", str(self.options[name]), "default") for name in self.options if name not in self.given
+            Assumption(f"option {name}", _shown(value), "default of the definition")
+            for name, value in self.options.items()
+            if name not in said
         )
 
 

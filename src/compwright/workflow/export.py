@@ -41,7 +41,7 @@ def export_plan(
     state = _state(plan, control, states, str(path))
     fitted = []
     errors: list[CompwrightError] = []
-    assumed: list[Assumption] = [*control.assumed(), *state.state.assumed]
+    assumed: list[Assumption] = [*control.assumed(state.state, axes_known=True), *state.state.assumed]
     for name, entry in plan.axes.items():
         if entry.wanted is None or entry.fitted is None:
             continue

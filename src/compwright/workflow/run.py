@@ -102,7 +102,7 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
     states = [decoded.state for decoded in inputs.states.values()]
     capacities = [work.capacity for work in works.values() if work.capacity is not None]
     assumed = (
-        *control.assumed(),
+        *control.assumed(*states, axes_known=True),
         *renamed,
         *(entry for state in states for entry in state.assumed),
         *(entry for capacity in capacities for entry in capacity.assumed),

@@ -192,7 +192,7 @@ def _verify_axis(
     axis = planned.axis
     before_test = next((entry.test for entry in planned.tests if entry.test.name == after.repeats), planned.tests[0].test)
     before, result = (
-        evaluate(test, job.standard, travel=axis.travel, periods=axis.screw_pitch, budget=job.uncertainty)
+        evaluate(test, job.standard, travel=axis.travel, periods=axis.screw_pitch, budget=job.uncertainty, thermal=job.thermal)
         for test in (before_test, after.test)
     )
     posterior = posterior_of(planned.tests[0].test, axis)

@@ -67,7 +67,9 @@ def start_axis(job: Job, entry: AxisJob, inputs: JobInputs) -> AxisWork:
     axis = entry.axis
     tests = inputs.tests[axis.name]
     results = tuple(
-        evaluate(planned.test, job.standard, travel=axis.travel, periods=axis.screw_pitch, budget=job.uncertainty)
+        evaluate(
+            planned.test, job.standard, travel=axis.travel, periods=axis.screw_pitch, budget=job.uncertainty, thermal=job.thermal
+        )
         for planned in tests
     )
     check_limits(job.file, entry, results)
