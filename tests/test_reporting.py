@@ -195,6 +195,10 @@ def test_the_table_plot_marks_the_nodes_of_each_direction_beside_what_was_wanted
         assert list(nodes.get_ydata()) == table[f"correction_{key}"]
         assert list(lines(panel, f"wanted ({sign})").get_ydata()) == wanted[key]
     assert panel.get_ylabel() == "Correction in µm"
+    assert lines(panel, "table (+)").get_markersize() > 0
+    nodes_ = [float(node) for node in range(400)]  # markers would cover the curve
+    table_plot({"table": {**table, "positions": nodes_, "correction_positive": nodes_, "correction_negative": nodes_}})
+    assert lines(drawn().axes[0], "table (+ and −)").get_markersize() == 0
     table_plot({"table": {**table, "correction_negative": table["correction_positive"]}, "wanted": None, "unit": "um"})
     assert [line.get_label() for line in drawn().axes[0].get_lines()][1:] == ["table (+ and −)"]
 
@@ -335,6 +339,17 @@ def test_single_readings_stand_under_their_run_and_direction() -> None:
     readings = dict(zip(head, row, strict=True))
     assert value(readings["+4 µm"]) == target["deviations_positive"][3]
     assert value(readings["−2 µm"]) == target["deviations_negative"][1]
+    head, rows = table_with(run_report(view), "mean +", "s −")
+    row = next(row for row in rows if value(row[0]) == target["position"])
+    statistics = dict(zip((cell.removesuffix(" µm") for cell in head), row, strict=True))
+    for title, key in {
+        "mean +": "mean_positive",
+        "mean −": "mean_negative",
+        "s −": "s_negative",
+        "B": "reversal",
+        "R +": "R_positive",
+    }.items():
+        assert value(statistics[title]) == pytest.approx(target[key], abs=0.005 + EXACT)  # two decimals are shown
     _, rotary = next((head, rows) for head, rows in tables(run_report(view)) if head == ["Position deg", "+1 arcsec", "+2 arcsec"])
     assert rotary[1] == ["45", "2.00", MISSING]
 
