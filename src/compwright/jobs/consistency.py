@@ -129,8 +129,6 @@ def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[Contradicti
     if first is not None and last is not None and spacing is not None and 0 < spacing * _MOST_NODES < last - first:
         expected = f"at least {(last - first) / _MOST_NODES:g} mm or deg"
         yield Contradiction((*path, "table", "spacing"), f"asks for more than {_MOST_NODES} nodes", expected, f"{spacing:g}")
-    if section.get("kind", "linear") == "linear" and "modulo" in section:
-        yield Contradiction((*path, "modulo"), "belongs to an endless rotary axis", "kind: rotary, or no modulo", "a linear axis")
     if section.get("kind") == "rotary" and section.get("programmed") == "diameter":
         yield Contradiction((*path, "programmed"), "belongs to a linear axis", "radius", "'diameter' on a rotary axis")
 

@@ -95,7 +95,7 @@ def _refuse_other_versions(document: YamlDocument, file: str) -> None:
 
 def job_of(section: JobSection, file: str) -> Job:
     """Return the record of a job that was found free of faults."""
-    findings = (*_pending_findings(section), *_state_findings(section))
+    findings = (*_pending_findings(section), *_idle_findings(section), *_state_findings(section))
     thermal = Thermal(**section.thermal.model_dump()) if section.thermal else None
     return Job(
         file=file,
@@ -127,7 +127,7 @@ def _axis_job(name: str, section: AxisSection) -> AxisJob:
         kind=AxisKind(section.kind),
         travel=(float(low), float(high)),
         address=section.address or name,
-        modulo=section.modulo,
+        modulo=section.modulo if section.kind == "rotary" else None,
         axis_number=section.axis_number,
         gantry=section.gantry,
         reference=section.reference,
@@ -174,7 +174,7 @@ def _pending_findings(section: JobSection) -> list[Finding]:
     """Say of every key on which nothing acts yet that it was read and does nothing."""
     keys = [key for key in _PENDING_AT_TOP if getattr(section, key)]
     for name, axis in section.axes.items():
-        keys += [f"axes.{name}.{key}" for key in _PENDING_OF_AXIS if getattr(axis, key) is not None]
+        keys += [f"axes.{name}.{key}" for key in _PENDING_OF_AXIS if getattr(axis, key) is not None and not _idle(axis, key)]
         if axis.programmed == "diameter":
             keys.append(f"axes.{name}.programmed: diameter")
         if axis.encoder.type != "incremental":
@@ -182,6 +182,19 @@ def _pending_findings(section: JobSection) -> list[Finding]:
     if section.report.language != "en":
         keys.append(f"report.language: {section.report.language}")
     return [Finding("CW-J001", "warning", f"read, but not used yet: {key}") for key in keys]
+
+
+def _idle(axis: AxisSection, key: str) -> bool:
+    """Whether a key means nothing for this kind of axis, whatever will be built."""
+    return key == "modulo" and axis.kind == "linear"
+
+
+def _idle_findings(section: JobSection) -> list[Finding]:
+    return [
+        Finding("CW-J003", "warning", f"axes.{name}.modulo has no meaning on a linear axis and is not used")
+        for name, axis in section.axes.items()
+        if axis.modulo is not None and axis.kind == "linear"
+    ]
 
 
 def _state_findings(section: JobSection) -> list[Finding]:
