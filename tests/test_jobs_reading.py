@@ -5,6 +5,7 @@ The expected values are read off the job texts by hand and off the outside contr
 
 from __future__ import annotations
 
+import re
 import textwrap
 
 import pytest
