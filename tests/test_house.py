@@ -227,10 +227,10 @@ def test_only_storage_reaches_the_file_system() -> None:
             if isinstance(node, ast.Call):
                 wrong += [f"{name} line {node.lineno}: {call}" for call in reaching(node.func)]
     for found in all_imports():
-        environment = found.by == "cli" and found.target == "os"  # for os.environ alone, see the next lines
+        environment = found.by == "foundations.processors" and found.target == "os"  # for os.environ alone, see the next lines
         if found.by != "foundations.storage" and not environment and reached(found):
             wrong.append(str(found))
-    uses = {node.attr for node in ast.walk(trees().get("cli", ast.Module([], []))) if is_of_os(node)}
+    uses = {node.attr for node in ast.walk(trees().get("foundations.processors", ast.Module([], []))) if is_of_os(node)}
     assert uses <= {"environ"}
     assert wrong == []
 
