@@ -154,7 +154,7 @@ class _KindReader:
                 if match is not None:
                     yield from self._occurrence(line, matcher, match, variant=place > 0)
                     return
-        claimed = self._claimed(probe)
+        claimed = self._claimed(probe) if self._concerns_us(probe) else None
         if claimed is not None:
             self._fault(
                 line,
@@ -178,6 +178,11 @@ class _KindReader:
                 tokens[name] = Token(text, self.section_start + within.start(name), self.section_start + within.end(name))
         checksum = token("checksum_") if match.groupdict().get("checksum_") else None
         yield Occurrence(matcher.statement.name, self.file, line.number, tokens, variant, checksum)
+
+    def _concerns_us(self, probe: str) -> bool:
+        """Whether the line could be a statement here: a key of the same name in another section is not ours."""
+        similar = [matcher for matcher in self.matchers if matcher.head and matcher.head in probe]
+        return not similar or any(matcher.section is None or matcher.section.fullmatch(self.section) for matcher in similar)
 
     def _claimed(self, probe: str) -> str | None:
         for claim in self.kind.claims_anywhere:

@@ -1,0 +1,301 @@
+"""Definitions: complete or refused with every fault, and the gate that compares hand-worked corrections."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+import yaml
+
+from compwright.formats.card import UNKNOWN, card_steps, card_values
+from compwright.formats.definitions import definitions_from, load_definition
+from compwright.formats.gate import check_definition
+from compwright.formats.options import describe_options, resolve_options
+from compwright.formats.patching import Change, apply_changes, set_field
+from compwright.formats.texts import TextReader
+from compwright.foundations.errors import InputError, UsageError
+from compwright.records.correction import ControlFile
+from compwright.workflow.formats import check_formats, list_formats, show_format
+from format_samples import CONTENT, DEFINITIONS, LINUXCNC, SIEMENS, axis_of, table
+
+TEXT = {name: content.decode() for name, content in CONTENT.items()}
+NAMES = list(TEXT)
+
+
+@pytest.mark.parametrize("definition", DEFINITIONS.values(), ids=list(DEFINITIONS))
+def test_the_installed_definitions_pass_the_gate(definition) -> None:  # type: ignore[no-untyped-def]
+    assert check_definition(definition) == ()
+
+
+def key_paths(data: object, path: tuple[str, ...] = ()) -> list[tuple[str, ...]]:
+    """Every key whose set of neighbours is fixed by the schema (not names of statements, options, files ...)."""
+    free = {(), ("statements",), ("bindings",), ("texts",), ("options",)}
+    found = []
+    if isinstance(data, dict):
+        for key, value in data.items():
+            here = (*path, key)
+            if path not in free or path == ():
+                found.append(here)
+            if len(here) < 3 and key not in {"sources", "sample", "expect"}:
+                found += key_paths(value, here)
+    return found
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_missing_key_is_named_with_its_place(name: str) -> None:
+    data = yaml.load(TEXT[name], Loader=yaml.BaseLoader)  # noqa: S506 - plain text of our own, to list keys
+    paths = _one_of_each(key_paths(data))
+    assert len(paths) > 60
+    for path in paths:
+        damaged = _without(TEXT[name], path)
+        if damaged is None:
+            continue
+        with pytest.raises(InputError) as caught:
+            load_definition(damaged.encode(), "mine.yaml")
+        assert any(fault.file == "mine.yaml" and path[-1] in fault.place for fault in caught.value.faults), path
+
+
+def _one_of_each(paths: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
+    """One statement, text and option, and one binding of each class: the others have the same keys."""
+    kept = {"statements": {"point", "row"}, "bindings": {"value", "value_positive", "rotary", "max_points", "table_file"},
+            "options": {"points", "units"}, "texts": {"control", "table"}}  # fmt: skip
+    return [path for path in paths if len(path) < 2 or path[0] not in kept or path[1] in kept[path[0]]]
+
+
+def _without(text: str, path: tuple[str, ...]) -> str | None:
+    """Cut a key and what belongs to it out of block-style YAML text; None where it stands in a one-line mapping."""
+    lines = text.split("\n")
+    start = 0
+    for depth, key in enumerate(path):
+        start = next(
+            (i for i in range(start, len(lines)) if lines[i].startswith(" " * 2 * depth + f"{key}:")),
+            -1,
+        )
+        if start < 0:
+            return None
+    indent = 2 * (len(path) - 1)
+    end = start + 1
+    while end < len(lines) and (not lines[end].strip() or len(lines[end]) - len(lines[end].lstrip()) > indent):
+        end += 1
+    return "\n".join(lines[:start] + lines[end:])
+
+
+@pytest.mark.parametrize(
+    ("what", "file", "old", "new", "says"),
+    [
+        ("unknown key", "linuxcnc.yaml", "  encoding: ascii", "  encoding: ascii\n  colour: blue", "unknown key"),
+        ("misspelt key", "linuxcnc.yaml", "  pairing: two_columns", "  paring: two_columns", "pairing"),
+        ("key twice", "linuxcnc.yaml", "  encoding: ascii", "  encoding: ascii\n  encoding: ascii", "twice"),
+        ("unknown shape", "linuxcnc.yaml", "shape: rows_by_position", "shape: rows_by_magic", "rows_by_magic"),
+        ("unknown predicate", "linuxcnc.yaml", "predicate: max_points", "predicate: most_points", "most_points"),
+        ("limit without its number", "linuxcnc.yaml", "number: 256", "number: null", "needs a number"),
+        ("unknown evidence", "linuxcnc.yaml", "state: confirmed", "state: certain", "certain"),
+        ("number as text", "linuxcnc.yaml", "digits: 7", "digits: seven", "whole number"),
+        ("base 60", "linuxcnc.yaml", "digits: 7", "digits: 1:30", "whole number"),
+        ("range upside down", "linuxcnc.yaml", "range: [-10, 10]", "range: [10, -10]", "smaller one first"),
+        ("unknown quantity", "linuxcnc.yaml", "  node_position:", "  node_place:", "node_place"),
+        ("sign of the wrong kind", "linuxcnc.yaml", "sign: position", "sign: error", "does not suit"),
+        ("a sign for an unknown form", "linuxcnc.yaml", "trim: correction}", "trimm: correction}", "one sign for each"),
+        ("unknown statement", "linuxcnc.yaml", "    statement: row", "    statement: line", "no statement"),
+        ("unknown field", "linuxcnc.yaml", "    field: positive", "    field: forward", "no field"),
+        ("form without its fields", "linuxcnc.yaml", '"{position} {positive} {negative}"', '"{position} {positive}"', "fields"),
+        ("unknown option", "linuxcnc.yaml", "writes: {option: units}", "writes: {option: unit}", "no option"),
+        (
+            "a choice the file cannot say",
+            "linuxcnc.yaml",
+            'choices: ["0", "1"]',
+            'choices: ["0", "1", "2"]',
+            "not one of the values",
+        ),
+        ("a default outside the choices", "linuxcnc.yaml", "default: mm", "default: cm", "does not suit"),
+        ("no file for the table", "linuxcnc.yaml", "    rows: row", "    rows: null", "exactly one file"),
+        (
+            "file name with a folder",
+            "linuxcnc.yaml",
+            '"joint_{axis}.comp"\n    text',
+            '"a/joint_{axis}.comp"\n    text',
+            "plain file name",
+        ),
+        ("a single value without a place", "linuxcnc.yaml", "singles: [table_file, ", "singles: [", "no place"),
+        ("too few positions", "linuxcnc.yaml", "      - {position: -7, positive: 254, negative: -254}\n", "", "at least three"),
+        ("a newer schema", "siemens-840d-sl.yaml", "compwright_format: 1", "compwright_format: 2", "newer version"),
+        ("no index", "siemens-840d-sl.yaml", "index: integer", "index: decimal", "index: integer"),
+        ("address of another type", "siemens-840d-sl.yaml", "  type: name", "  type: integer", "type of the addresses"),
+        ("alias", "siemens-840d-sl.yaml", "proven: []", "proven: &a []\nagain: *a", "alias"),
+    ],
+)
+def test_a_damaged_definition_is_refused_with_its_place(what: str, file: str, old: str, new: str, says: str) -> None:
+    assert old in TEXT[file]
+    with pytest.raises(InputError, match=says) as caught:
+        load_definition(TEXT[file].replace(old, new, 1).encode(), "mine.yaml")
+    assert all(fault.file == "mine.yaml" and "line" in fault.place for fault in caught.value.faults)
+
+
+def test_all_faults_at_once() -> None:
+    text = TEXT["linuxcnc.yaml"].replace("digits: 7", "digits: x", 1).replace("pairing: two_columns", "pairing: three", 1)
+    with pytest.raises(InputError) as caught:
+        load_definition(text.replace("  encoding: ascii\n", "", 1).encode(), "mine.yaml")
+    assert len(caught.value.faults) == 3
+    assert sorted(fault.place.split(", ")[1] for fault in caught.value.faults) == [
+        "bindings.node_position.digits",
+        "dialect.encoding",
+        "layout.pairing",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("what", "file", "old", "new"),
+    [
+        ("flipped sign", "siemens-840d-sl.yaml", "    sign: error", "    sign: correction"),
+        ("other end", "siemens-840d-sl.yaml", "below: zero, above: hold", "below: hold, above: zero"),
+        ("start and end exchanged", "siemens-840d-sl.yaml", "_COMP_MIN[{system},{axis}]={v", "_COMP_MAX[{system},{axis}]={v"),
+        ("unit inch", "siemens-840d-sl.yaml", "mm, rotary: deg}\n    sign: error", "inch, rotary: deg}\n    sign: error"),
+        ("first value counts", "siemens-840d-sl.yaml", 'writes: "1"\n    repeated: last', 'writes: "1"\n    repeated: first'),
+        ("wrong hand-worked number", "siemens-840d-sl.yaml", "positive: -2, negative", "positive: -2.001, negative"),
+        ("broken sample", "siemens-840d-sl.yaml", "$AA_ENC_COMP[0,2,AX1]=0.0\n", "\n"),
+        ("forms exchanged", "linuxcnc.yaml", '{"0": actual, "1": trim}', '{"0": trim, "1": actual}'),
+        ("columns exchanged", "linuxcnc.yaml", "{position} {positive} {negative}", "{position} {negative} {positive}"),
+        ("whole backlash", "linuxcnc.yaml", "sign: half_each_way", "sign: lost_motion"),
+        ("form lost on writing", "linuxcnc.yaml", '"COMP_FILE_TYPE = 0", ', ""),
+        ("an unknown field on the card", "linuxcnc.yaml", "section [JOINT_{address}]", "section [JOINT_{joint}]"),
+    ],
+)  # fmt: skip
+def test_the_gate_catches_a_definition_that_means_something_else(what: str, file: str, old: str, new: str) -> None:
+    text = TEXT[file]
+    assert old in text
+    damaged = text.replace(old, new, 1)
+    if what == "form lost on writing":
+        damaged = damaged.replace('default: "0"', 'default: "1"', 1)  # then the lost key no longer says what the table is
+    definition = load_definition(damaged.encode(), "mine.yaml")
+    faults = check_definition(definition)
+    assert faults
+    assert all(fault.file == "mine.yaml" for fault in faults)
+
+
+def test_two_files_of_one_id() -> None:
+    with pytest.raises(InputError, match="given twice"):
+        definitions_from([("a.yaml", CONTENT["linuxcnc.yaml"]), ("b.yaml", CONTENT["linuxcnc.yaml"])])
+
+
+# Options -----------------------------------------------------------------------------------------------------------------------
+
+
+def test_options_have_defaults_and_are_converted() -> None:
+    assert resolve_options(LINUXCNC, {})["comp_file_type"] == "0"
+    assert resolve_options(LINUXCNC, {"comp_file_type": 1})["comp_file_type"] == "1"
+    values = resolve_options(SIEMENS, {"points": "26", "cec_tables": "3,4", "reference": "0.001"})
+    assert (values["points"], values["cec_tables"], values["reference"]) == (26, (3, 4), 0.001)
+    assert resolve_options(SIEMENS, values) == values
+    assert any(line.startswith("points (default not given)") for line in describe_options(SIEMENS))
+
+
+@pytest.mark.parametrize(
+    ("given", "says"),
+    [
+        ({"pionts": 3}, "points"),
+        ({"points": "many"}, "whole number"),
+        ({"points": 2.5}, "whole number"),
+        ({"points": True}, "whole number"),
+        ({"points": "-1"}, "whole number"),
+        ({"points": "nan"}, "whole number"),
+        ({"cec": "perhaps"}, "absent, available"),
+        ({"cec": "available"}, "not built yet"),
+        ({"cec_tables": [1, "x"]}, "whole number"),
+        ({"encoder_system": 3}, "auto, 1, 2"),
+        ({"reference": "0,5"}, "decimal point"),
+        ({"reference_return": "up"}, "\\+ or -"),
+    ],
+)
+def test_wrong_options_are_refused(given: dict[str, object], says: str) -> None:
+    with pytest.raises(UsageError, match=says):
+        resolve_options(SIEMENS, given)
+    with pytest.raises(UsageError) as caught:
+        resolve_options(SIEMENS, {**given, "nonsense": 1})
+    assert len(caught.value.faults) >= 2
+
+
+# Patches -----------------------------------------------------------------------------------------------------------------------
+
+
+def test_a_patch_leaves_everything_else_alone() -> None:
+    original = "; Größe\r\nN32450 $MA_BACKLASH[1, AX2] = +0.0005 '1A2F\r\n$MA_KP[0,AX2]=1\r\nM17\r\n".encode("latin-1")
+    faults: list = []  # type: ignore[type-arg]
+    read = TextReader(SIEMENS).read(ControlFile("a.ini", original), faults)
+    assert read is not None
+    assert not faults
+    (place,) = read.occurrences
+    assert original[place.tokens["value"].start : place.tokens["value"].end] == b"+0.0005"
+    assert original[place.tokens["axis"].start : place.tokens["axis"].end] == b"AX2"
+    changed = apply_changes(original, set_field(place, "value", "0.001200"))
+    # the new value, and no line checksum, which would no longer fit
+    assert changed == original.replace(b"+0.0005 '1A2F", b"0.001200")
+
+
+def test_spans_of_a_section_and_of_insertions() -> None:
+    text = b"[JOINT_12]\n  BACKLASH = 0.5\n"
+    read = TextReader(LINUXCNC).read(ControlFile("a.ini", text), [])
+    assert read is not None
+    (place,) = read.occurrences
+    axis = place.tokens["axis"]
+    assert text[axis.start : axis.end] == b"12"
+    assert apply_changes(b"abc", [Change(1, 1, b"x"), Change(1, 1, b"y"), Change(2, 3, b"")]) == b"axyb"
+    with pytest.raises(ValueError, match="overlaps"):
+        apply_changes(b"abc", [Change(0, 2, b""), Change(1, 3, b"")])
+    with pytest.raises(ValueError, match="outside"):
+        apply_changes(b"abc", [Change(2, 4, b"")])
+
+
+# The card and the commands -----------------------------------------------------------------------------------------------------
+
+
+def test_the_card_is_filled_in_with_its_evidence() -> None:
+    axis = axis_of("AX1", system=2)
+    compensation = table(
+        "AX1", [-100.0, -50.0, 0.0, 50.0, 100.0], [-0.003, -0.001, 0.0, 0.002, 0.0045], backlash=0.0125, below="zero"
+    )
+    steps = card_steps(SIEMENS, axis, card_values(SIEMENS, axis, compensation, {}))
+    text = "\n".join(step.text for step in steps)
+    assert UNKNOWN not in text
+    for words in (
+        "MD38000 $MA_MM_ENC_COMP_MAX_POINTS[1,AX1] must be at least 5",
+        "from -100 to 100 mm every 50 mm",
+        "AX1_EEC.INI",
+        "$MA_BACKLASH[1,AX1] = 0.0125",
+        "0 mm: +0.0 µm arriving in +, -12.5 µm in -",
+        "measuring system 2",
+    ):
+        assert words in text
+    assert {step.evidence for step in steps} <= {"confirmed", "inferred", "unconfirmed"}
+    assert UNKNOWN in "".join(step.text for step in card_steps(SIEMENS, axis, {}))
+
+
+def test_list_show_and_check(tmp_path: Path) -> None:
+    assert [line.split()[0] for line in list_formats()] == ["linuxcnc", "siemens-840d-sl"]
+    shown = "\n".join(show_format("siemens-840d-sl"))
+    for words in (
+        "error, the opposite of the correction",
+        "What is unconfirmed",
+        "max points: upper limit",
+        "cec (default absent",
+        "S1 p240",
+    ):
+        assert words in shown
+    with pytest.raises(UsageError, match="linuxcnc or siemens-840d-sl"):
+        show_format("siemens")
+    assert len(check_formats([])) == 2
+    good = tmp_path / "good.yaml"
+    good.write_bytes(CONTENT["linuxcnc.yaml"])
+    assert len(check_formats([tmp_path])) == 1
+    (tmp_path / "bad.yaml").write_text(
+        TEXT["siemens-840d-sl.yaml"].replace("    sign: error", "    sign: correction"), encoding="utf-8"
+    )
+    (tmp_path / "worse.yaml").write_text("id: 3\n", encoding="utf-8")
+    with pytest.raises(InputError) as caught:
+        check_formats([tmp_path])
+    assert {Path(fault.file).name for fault in caught.value.faults} == {"bad.yaml", "worse.yaml"}
+    with pytest.raises(InputError, match="cannot be read"):
+        check_formats([tmp_path / "missing.yaml"])
+    empty = tmp_path / "empty"
+    empty.mkdir()
+    with pytest.raises(InputError, match="no definition"):
+        check_formats([empty])
