@@ -82,7 +82,7 @@ def allowed(machine: Machine, targets: Floats, spacing: float, runs: int = 5) ->
     """
     estimate = 2 * 3 * machine.noise / np.sqrt(2 * runs)
     curvature = machine.bow * (2.3 * np.pi / (machine.high - machine.low)) ** 2
-    return floor_of(machine, targets, runs) + estimate + 2 * curvature * spacing**2 / 8
+    return float(floor_of(machine, targets, runs) + estimate + 2 * curvature * spacing**2 / 8)
 
 
 def csv_of(targets: Floats, readings: dict[int, Floats], axis: str = "X", unit: str = "mm") -> str:

@@ -11,17 +11,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from loop import Floats, Machine, accuracy, allowed, csv_of
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
-from compwright.formats.definitions import definitions_from, load_definition
+from compwright.formats.definitions import load_definition
 from compwright.formats.options import resolve_options
 from compwright.formats.writing import write_tables
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
+from loop import Floats, Machine, accuracy, allowed, csv_of
 
 FORMATS = ("siemens-840d-sl", "linuxcnc")
 ADDRESS = {"siemens-840d-sl": "AX1", "linuxcnc": "0"}

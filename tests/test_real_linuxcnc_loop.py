@@ -7,18 +7,19 @@ precision (6e-8 relative) and stands still up to 1e-4 of its speed before a stop
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
-from linuxcnc_control import REAL_LINUXCNC, Session, applied_corrections, measure_joints, run_session
-from loop import Floats, Machine, accuracy, allowed, csv_of
 
 from compwright.cli import run as compwright
 from compwright.documents.plan import read_plan
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.plan import Plan
+from linuxcnc_control import REAL_LINUXCNC, Session, applied_corrections, measure_joints, run_session
+from loop import Floats, Machine, accuracy, allowed, csv_of
 
 pytestmark = REAL_LINUXCNC
 
@@ -106,7 +107,7 @@ def stops_over(plan: Plan) -> list[list[float]]:
         middle = float(nodes[nodes.size // 2])
         turns = [middle + 0.2 * step, middle - 0.3 * step, middle + 0.1 * step, middle - 0.1 * step]
         ways[joint] = np.concatenate([up, up[::-1], turns])
-    return np.column_stack([ways[joint] for joint in NAMES]).tolist()
+    return [[float(value) for value in row] for row in np.column_stack([ways[joint] for joint in NAMES])]
 
 
 def test_the_control_applies_what_the_plan_says(first_round: tuple[Path, dict[str, bytes], Plan, dict[str, float]]) -> None:
@@ -200,7 +201,7 @@ def swapped(line: str) -> str:
     return f"{position} {negative} {positive}"
 
 
-FAULTS = {
+FAULTS: dict[str, Callable[[dict[str, bytes]], dict[str, bytes]]] = {
     "a header line": lambda files: with_lines(files, ["position forward reverse", *lines_of(files)]),
     "a blank line in the middle": lambda files: with_lines(files, [*lines_of(files)[:5], "", *lines_of(files)[5:]]),
     "columns exchanged": lambda files: with_lines(files, [swapped(line) for line in lines_of(files)]),

@@ -570,8 +570,8 @@ def test_the_card_has_every_number_and_a_box_for_every_step() -> None:
     _, rows = table_with(page, "Moves by")
     assert rows == [["", "tool change", "−20.0", "+1.20"]]
     ticks = [element for element in tree(page).iter("span") if element.get("class") == "tick"]
-    # 1 unconfirmed, 3 steps, 1 number of points, 4 values, 1 fixed position, 2 to go back
-    assert len(ticks) == 12
+    # 1 unconfirmed, 3 steps and the 2 lines of one of them, 1 number of points, 4 values, 1 fixed position, 2 to go back
+    assert len(ticks) == 14
     words = text(tree(page))
     assert "2. Load the pitch error file ! unconfirmed" in words
     assert "at least 18 points" in words

@@ -66,7 +66,7 @@ def _own_fault(error: Exception) -> int:
     frames = traceback.extract_tb(error.__traceback__)
     where = next((frame for frame in reversed(frames) if "compwright" in frame.filename), frames[-1])
     click.echo(
-        f"error: a fault of compwright itself: {type(error).__name__}: {error} ({Path(where.filename).name}, line {where.lineno}).\n"
+        f"error: a fault of compwright itself: {type(error).__name__}: {error} ({Path(where.filename).name}, line {where.lineno})\n"
         f"Please report this line with the command, the input files and the version {__version__}.",
         err=True,
     )
@@ -280,7 +280,6 @@ def verify(
     folder = default_folder(job_file)
     outcome = verify_job(
         job,
-        job_file.parent,
         after,
         plan_file=plan_path(plan, folder),
         out=out or folder,

@@ -47,8 +47,8 @@ class Draws:
 class AxisPosterior:
     """What is known of an axis after one test, mm or deg, machine coordinates.
 
-    ``noise``: standard deviation of one reading with ``noise_dof`` degrees of freedom. ``reversal_log_odds``: natural logarithm of the
-    evidence for a reversal that varies with position over a constant one (0 where only one direction was measured).
+    ``noise``: standard deviation of one reading with ``noise_dof`` degrees of freedom. ``reversal_log_odds``: natural
+    logarithm of the evidence for a reversal that varies with position over a constant one (0: one direction measured).
     """
 
     kind: AxisKind
@@ -131,8 +131,9 @@ class AxisPosterior:
 def estimate_axis(test: PositioningTest, *, travel: tuple[float, float], periods: Sequence[float] = ()) -> AxisPosterior:
     """Return the posterior of the error of an axis from one test in machine coordinates.
 
-    ``travel`` (low, high) and the known ``periods`` of the error (screw pitch, scale period), mm or deg. Raises InputError for a test with fewer
-    than two targets, UsageError for a test in the instrument's frame, an empty travel or a period that is not positive.
+    ``travel`` (low, high) and the known ``periods`` of the error (screw pitch, scale period), mm or deg. The same test
+    gives the same posterior. Raises InputError for a test with readings at fewer than two targets; UsageError for a test in
+    the instrument's frame, an empty travel, or a period that is not positive.
     """
     _refuse_misuse(test, travel, periods)
     cells = cells_of(test)

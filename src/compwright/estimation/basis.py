@@ -71,7 +71,8 @@ class Basis:
 
 
 def _frequencies(count: int) -> FloatArray:
-    return np.pi * np.arange(1, count + 1) / (2.0 * BOUNDARY)
+    frequencies: FloatArray = np.arange(1, count + 1, dtype=np.float64) * (np.pi / (2.0 * BOUNDARY))
+    return frequencies
 
 
 def _sines(u: FloatArray, count: int) -> FloatArray:

@@ -1,7 +1,8 @@
 """Marginal likelihood of the hyperparameters, its gradient, and the weights given the hyperparameters.
 
-Everything here is in units of ``CellData.scale``. The hyperparameters are logarithms, in the order of `Names`: noise of a reading, local
-(target to target) part, standard deviation and length of the smooth part, the same two of the reversal, amplitude of each period.
+Everything here is in units of ``CellData.scale``. The hyperparameters are logarithms, in this order: noise of a reading,
+local (target to target) part, standard deviation and length of the smooth part, the same two of the reversal, amplitude of
+each period.
 """
 
 from __future__ import annotations
@@ -23,8 +24,9 @@ VAGUE: Final = 1e2
 class CellData:
     """Means of the readings at each target and direction, without their straight line, in units of ``scale`` (mm or deg).
 
-    ``positive``, ``negative`` (m,) with ``count_*`` (m,) readings (0: none, the mean is 0 then); ``squares`` is the sum of squares of the
-    readings about their own means with ``dof`` degrees of freedom. ``floor``: noise below which nothing is claimed.
+    ``positive``, ``negative`` (m,) with ``count_*`` (m,) readings (0: none, the mean is 0 then); ``squares`` is the sum of
+    squares of the readings about their own means with ``dof`` degrees of freedom. ``floor``: noise below which nothing is
+    claimed.
     """
 
     positive: FloatArray
@@ -54,7 +56,7 @@ class Prior:
 
 @dataclass(frozen=True, slots=True)
 class Weights:
-    """Posterior of the weights: ``mean`` (j,) and ``root`` (j, j) with covariance root @ root.T; ``noise`` and ``local`` variances."""
+    """Posterior of the weights: ``mean`` (j,), ``root`` (j, j) with covariance root @ root.T; variances ``noise``, ``local``."""
 
     mean: FloatArray
     root: FloatArray
@@ -136,8 +138,8 @@ class Evidence:
         weighted = own[:, np.newaxis] * rows + cross[:, np.newaxis] * np.roll(rows, rows.shape[0] // 2, axis=0)
         matrix = rows.T @ weighted
         matrix.flat[:: matrix.shape[0] + 1] += 1.0
-        factor = np.linalg.cholesky(matrix)
-        inverse = np.linalg.inv(factor)
+        factor = np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
+        inverse = np.asarray(np.linalg.inv(factor), dtype=np.float64)
         moment = inverse @ (weighted.T @ self.values)
         return _Solved(
             noise, local, deviations, slopes, own, cross, shared, rows, weighted, factor, inverse, moment, inverse.T @ moment
@@ -154,7 +156,7 @@ class Evidence:
         )
         fit = float(y @ precise - solved.moment @ solved.moment)
         spread = data.dof * np.log(solved.noise) + data.squares / solved.noise
-        return -0.5 * (log_determinant + fit + spread) + self.prior.log(h)
+        return float(-0.5 * (log_determinant + fit + spread)) + self.prior.log(h)
 
     def _by_variances(self, solved: _Solved) -> tuple[float, float]:
         """Return the derivatives of the log likelihood of the means by the noise and the local variance."""

@@ -1,7 +1,8 @@
 """Posterior of the hyperparameters: its peak, its width there, and draws corrected by their true density.
 
-Laplace's approximation alone is lopsided where the data say little (a length scale, the variance of a reversal that may be constant). Draws from a
-heavier-tailed version of it are therefore weighted with the true posterior; the mean weight is the evidence of the model.
+Laplace's approximation alone is lopsided where the data say little (a length scale, the variance of a reversal that may be
+constant). Draws from a heavier-tailed version of it are therefore weighted with the true posterior; the mean weight is the
+evidence of the model.
 """
 
 from __future__ import annotations
@@ -87,7 +88,7 @@ def draw_hyperparameters(
     root = _spread(evidence, peak)
     free = np.flatnonzero(evidence.prior.free)
     normal = rng.standard_normal((proposals, free.size))
-    # Half of the proposals mirrored: the mean of the logarithms is that of the peak, less scatter between tests.
+    # The second half mirrors the first: what is odd about the peak cancels, and the evidence scatters less.
     normal[proposals // 2 :] = -normal[: proposals - proposals // 2]
     stretch = np.sqrt(_TAIL_DOF / rng.chisquare(_TAIL_DOF, proposals))
     points = np.tile(peak, (proposals, 1))

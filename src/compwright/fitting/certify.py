@@ -1,7 +1,7 @@
 """Proof of optimality in numpy alone: whatever a solver says, only these numbers count.
 
-Conditions of Karush, Kuhn and Tucker for: minimise x'Px/2 + q'x subject to lower <= Ax <= upper, with multipliers y > 0 at the upper
-and y < 0 at the lower bound (Boyd and Vandenberghe, Convex Optimization, section 5.5.3).
+Conditions of Karush, Kuhn and Tucker for: minimise x'Px/2 + q'x subject to lower <= Ax <= upper, with multipliers
+y > 0 at the upper and y < 0 at the lower bound (Boyd and Vandenberghe, Convex Optimization, section 5.5.3).
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from compwright.records.axis import FloatArray
 def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict[str, float]:
     """Return by how much each condition is missed, in mm or deg.
 
-    ``primal``: the worst violated limit. ``stationarity``: the gradient against the stiffness of each unknown, that is how far a value
-    would move. ``dual``: a multiplier of the wrong sign on a limit that has only one side, likewise. ``complementarity``: the largest
-    distance from a limit that pushes, where only limits in touch may push.
+    ``primal``: the worst violated limit. ``stationarity``: the gradient against the stiffness of each unknown, that is
+    how far a value would move. ``dual``: a multiplier of the wrong sign on a limit that has only one side, likewise.
+    ``complementarity``: the largest distance from a limit that pushes, where only limits in touch may push.
     """
     stiffness = np.maximum(np.abs(np.diag(problem.P)), 1e-300)
     gradient = problem.P @ x + problem.q + problem.A.T @ y

@@ -107,8 +107,9 @@ def _shape(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) 
 def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction) -> Layout:
     if capacity.curves == 2:
         return Layout(nodes=nodes, shape=shape, reversal="free", home=home)
-    reversal = "none" if capacity.backlash_quantum is None else "backlash"
-    return Layout(nodes=nodes, shape=shape, reversal=reversal, home=home)
+    if capacity.backlash_quantum is None:
+        return Layout(nodes=nodes, shape=shape, reversal="none", home=home)
+    return Layout(nodes=nodes, shape=shape, reversal="backlash", home=home)
 
 
 def _with_datum(wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity) -> tuple[WantedCorrection, tuple[Finding, ...]]:

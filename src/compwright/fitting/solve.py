@@ -5,7 +5,7 @@ A solver that was cut off or calls its result inaccurate has failed.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
@@ -23,7 +23,6 @@ CERTIFIED_RANGE: Final = 1e-6
 _ACTIVE_SET_ROUNDS: Final = 20
 _DUAL_SHIFT: Final = 1e-9  # keeps the equations solvable where limits repeat each other
 _REFINEMENTS: Final = 3
-_TRIALS: Final = 4
 _SOLVED: Final = "solved"
 
 BoolArray = NDArray[np.bool_]
@@ -43,15 +42,9 @@ def solve_quadratic(problem: QuadraticProblem) -> Solution:
     limited = (problem.lower < problem.upper) & (np.isfinite(problem.lower) | np.isfinite(problem.upper))
     if not np.any(limited):
         return _certified(problem, *_with_equations(problem, np.ones_like(limited), problem.lower))
-    spread = 0.0
-    for trial in range(_TRIALS):
-        near = _nudged(problem, limited, spread, trial)
-        active, bound = _active_set(near, _osqp_multipliers(near))
-        bound = np.where(bound == near.upper, problem.upper, problem.lower)
-        x, y = _with_equations(problem, active, bound)
-        if max(certificate(problem, x, y).values()) <= CERTIFIED:
-            break
-        spread = 1e-4 * float(np.max(np.abs(x))) * 0.1**trial
+    x, y = _with_equations(problem, *_active_set(problem, _osqp_multipliers(problem)))
+    if max(certificate(problem, x, y).values()) > CERTIFIED:
+        x, y = _with_equations(problem, *_least_distance_set(problem))
     return _certified(problem, x, y)
 
 
@@ -61,20 +54,6 @@ def _certified(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> Solut
     if not proof[worst] <= CERTIFIED:
         raise _no_solution("the solution does not pass its certificate", f"{worst} missed by {proof[worst]:.3g}")
     return Solution(x=x, y=y, certificate=proof)
-
-
-def _nudged(problem: QuadraticProblem, limited: BoolArray, spread: float, seed: int) -> QuadraticProblem:
-    """Return the problem with its limits widened by random parts of ``spread`` (mm or deg).
-
-    Limits are whole quanta, so that several often meet in one point (a ramp of largest increments that ends at the end of the
-    range); then more limits are in touch than needed, and which of them push is not determined. Widened a little each its own
-    way they do not meet, and the active set found there is one of those that prove the true optimum.
-    """
-    if not spread:
-        return problem
-    random = np.random.default_rng(seed)
-    lower, upper = (random.uniform(0.5, 1.0, limited.size) * spread * limited for _ in range(2))
-    return replace(problem, lower=problem.lower - lower, upper=problem.upper + upper)
 
 
 def _no_solution(message: str, found: str) -> CapacityError:
@@ -132,6 +111,33 @@ def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, Fl
     return equal | upper | lower, np.where(upper, problem.upper, problem.lower)
 
 
+def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArray]:
+    """Return the limits in touch (c,) and their bounds by an active-set method that cannot cycle.
+
+    Limits are whole quanta, so that several often meet in one point (a ramp of largest increments that ends at the end of the
+    range); which of them push is then not unique, and Newton's steps may go in circles. As a least-distance problem solved by
+    non-negative least squares the set grows one independent limit at a time (Lawson and Hanson, Solving Least Squares
+    Problems, chapter 23, algorithms NNLS and LDP).
+    """
+    from scipy.optimize import nnls
+
+    up, down = np.isfinite(problem.upper), np.isfinite(problem.lower)
+    root = np.linalg.cholesky(problem.P)
+    G = np.linalg.solve(root, np.vstack([-problem.A[up], problem.A[down]]).T).T
+    centre = np.linalg.solve(root, -problem.q)
+    h = np.concatenate([-problem.upper[up], problem.lower[down]]) - G @ centre
+    size = max(float(np.max(np.abs(h))), 1e-300)
+    try:
+        push, _ = nnls(np.vstack([G.T, h / size]), np.append(np.zeros(centre.size), 1.0), maxiter=50 * h.size)
+    except RuntimeError as error:
+        raise _no_solution("the solver gave up", str(error)) from error
+    pushing = push > 0.0
+    upper, lower = np.zeros_like(up), np.zeros_like(down)
+    upper[up], lower[down] = pushing[: np.count_nonzero(up)], pushing[np.count_nonzero(up) :]
+    equal = problem.lower == problem.upper
+    return equal | upper | lower, np.where(upper, problem.upper, problem.lower)
+
+
 def _with_equations(problem: QuadraticProblem, active: BoolArray, bound: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the optimum with the ``active`` limits as equations, and the multipliers (0 for the rest)."""
     rows = problem.A[active]
@@ -164,8 +170,8 @@ class RangeProblem:
 def solve_range(problem: RangeProblem, *, slack: float) -> tuple[FloatArray, dict[str, float]]:
     """Return unknowns of least range, and the certificate. Raises CapacityError where none is certified.
 
-    Among all unknowns within ``slack`` (mm or deg) of the least range, those of least mean square are taken. The certificate's ``gap``
-    is the distance to a lower bound that holds whatever the solver did.
+    Among all unknowns within ``slack`` (mm or deg) of the least range, those of least mean square are taken. The
+    certificate's ``gap`` is the distance to a lower bound that holds whatever the solver did.
     """
     size = max(float(np.max(np.abs(problem.d))), 10.0 * slack)
     cost, G, h = _linear_program(problem, size)

@@ -26,8 +26,8 @@ class PlannedTest:
 class PlannedAxis:
     """One axis of a plan.
 
-    ``active``: what the control did while the first test was measured. ``wanted``: the totals before rounding and limits. ``fitted``: the
-    table for the plan's own format; None where none may be written (the state is not known, or it would not improve the axis).
+    ``active``: what the control did while the first test was measured. ``wanted``: totals before rounding and limits. ``fitted``:
+    the table for the plan's own format; None where none may be written (the state is not known, or it would not improve the axis).
     """
 
     axis: Axis

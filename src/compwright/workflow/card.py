@@ -140,25 +140,26 @@ def _moves(work: AxisWork, loaded: DecodedState | None, position: float) -> floa
 
 
 def _steps(control: Control, written: Mapping[str, AxisWork]) -> list[dict[str, str]]:
-    """Return the steps of all axes in the order of the definition: what is the same for several axes stands once."""
+    """Return the steps in the order of the definition, in each a line per axis; what is the same for all axes stands once."""
     by_axis = []
     for work in written.values():
         axis, fitted = work.planned.axis, work.planned.fitted
         values = card_values(control.definition, axis, fitted.compensation, control.options) if fitted else {}
         by_axis.append(card_steps(control.definition, axis, values))
-    steps: dict[tuple[str, str, str], None] = {}
-    for same_step in zip(*by_axis, strict=True):
-        for step in same_step:
-            steps[step.title, step.text, step.evidence] = None
-    return [{"title": title, "text": text, "evidence": evidence} for title, text, evidence in steps]
+    return [
+        {
+            "title": same_step[0].title,
+            "text": "\n".join(dict.fromkeys(step.text for step in same_step)),
+            "evidence": same_step[0].evidence,
+        }
+        for same_step in zip(*by_axis, strict=True)
+    ]
 
 
 def _restore(control: Control, inputs: JobInputs) -> list[str]:
     files = inputs.states[AS_FOUND].files
     if not files:
-        return [
-            "The job says that nothing was active: to go back, switch the compensation of these axes off "
-            "(an empty table, backlash 0), restart and reference."
-        ]
+        off = "switch the compensation of these axes off (an empty table, backlash 0), restart and reference"
+        return [f"The job says that nothing was active. To go back: {off}."]
     names = ", ".join(file.name for file in files)
     return [f"Load the untouched copies in rollback/{control.id}/ ({names}) the same way, restart and reference."]

@@ -114,5 +114,5 @@ def run_demo(out: Path, *, force: bool = False) -> DemoOutcome:
     run = run_job(job, out, result, force=force)
     tables = result / "tables" / job.format
     after = simulate_files(machine, out / "after", seed=2, tables=tables, force=force)
-    verification = verify_job(job, out, [str(path) for path in after], plan_file=result / "plan.json", out=result, force=force)
+    verification = verify_job(job, [str(path) for path in after], plan_file=result / "plan.json", out=result, force=force)
     return DemoOutcome(run=run, verification=verification, folder=out)

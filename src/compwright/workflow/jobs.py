@@ -35,7 +35,7 @@ def job_of(
 ) -> tuple[Job, Path, Path]:
     """Return the job of a run, the folder that its paths are relative to, and the default folder of its results.
 
-    One YAML file without ``--format`` is a job; anything else are measurement files of one test. Raises UsageError with every fault.
+    One YAML file without ``--format`` is a job; anything else are measurement files of one test. Raises UsageError with all faults.
     """
     first = Path(inputs[0])
     if len(inputs) == 1 and first.suffix.lower() in _YAML:

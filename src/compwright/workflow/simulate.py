@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from compwright.formats.addresses import normal_address
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, Direction, FloatArray
@@ -15,7 +16,6 @@ from compwright.simulation.files import to_csv
 from compwright.simulation.machine import Correction, VirtualMachine
 from compwright.simulation.reading import read_machine
 from compwright.workflow.control import Control, DecodedState, decode, judged, open_control, read_files
-from compwright.formats.addresses import normal_address
 
 
 def load_machine(path: Path) -> VirtualMachine:

@@ -18,7 +18,7 @@ from compwright.estimation.axis import AxisPosterior
 from compwright.evaluation.decision import decide
 from compwright.evaluation.standards import evaluate
 from compwright.foundations import storage
-from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, collect, raise_all
+from compwright.foundations.errors import CompwrightError, Fault, UsageError, collect, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Direction
@@ -66,7 +66,6 @@ def plan_path(given: Path | None, default: Path) -> Path:
 
 def verify_job(
     job: Job,
-    folder: Path,
     after: Sequence[str],
     *,
     plan_file: Path,
@@ -76,13 +75,14 @@ def verify_job(
 ) -> VerifyOutcome:
     """Judge the tests after loading and write ``verification.json`` and ``verification.html`` into ``out``.
 
-    ``after``: ``FILE`` or ``TEST=FILE``; ``loaded``: what was read back from the control. Raises UsageError (2), InputError (3) and
+    ``after``: ``FILE`` or ``TEST=FILE``, relative to the working directory; ``loaded``:
+    what was read back from the control. Raises UsageError (2), InputError (3) and
     StorageError (5); nothing is written then.
     """
     plan = read_plan(storage.read_bytes(plan_file), str(plan_file))
     control = open_control(plan.format, plan.options)
     job, _ = named_axes(job, control)
-    tests = _after_tests(job, plan, after, folder)
+    tests = _after_tests(job, plan, after)
     as_found = decode(control, plan.states.get(AS_FOUND, ()), [entry.axis for entry in plan.axes.values()])
     read_back = decode(control, read_files(loaded), [entry.axis for entry in plan.axes.values()]) if loaded else None
     axes = {test.axis: _verify_axis(job, plan.axes[test.axis], test, as_found, read_back) for test in tests}
@@ -98,7 +98,7 @@ def verify_job(
     return VerifyOutcome(exit_code=0 if verdict == "good" else 1, document=document, files=tuple(written), notes=notes)
 
 
-def _after_tests(job: Job, plan: Plan, specs: Sequence[str], folder: Path) -> list[_After]:
+def _after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[_After]:
     """Read the after tests; several files of one test become one. Raises with every fault at once."""
     errors: list[CompwrightError] = []
     wanted: dict[tuple[str, str], list[str]] = {}

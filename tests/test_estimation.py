@@ -1,0 +1,282 @@
+"""The error of an axis against axes whose error is known, and against what a test can and cannot tell."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from compwright.estimation.axis import AxisPosterior, estimate_axis
+from compwright.foundations.errors import InputError, UsageError
+from compwright.records.axis import AxisKind
+from compwright.records.positioning import PositioningTest
+
+Array = NDArray[np.float64]
+TRAVEL = (0.0, 1000.0)
+UM = 1e-3
+
+
+def a_test(positive: Array, negative: Array, targets: Array, **more: object) -> PositioningTest:
+    values = {"name": "x", "axis": "X", "kind": AxisKind.LINEAR, "frame": "machine", **more}
+    return PositioningTest(targets=targets, positive=positive, negative=negative, **values)  # type: ignore[arg-type]
+
+
+def measured(
+    rng: np.random.Generator, targets: Array, error: Array, reversal: Array, noise: float, runs: int = 5
+) -> PositioningTest:
+    """A test by the definition: deviation = error + half the reversal in its direction + noise."""
+    shape = (targets.size, runs)
+    return a_test(
+        (error + reversal / 2)[:, np.newaxis] + noise * rng.standard_normal(shape),
+        (error - reversal / 2)[:, np.newaxis] + noise * rng.standard_normal(shape),
+        targets,
+    )
+
+
+def spread_targets(rng: np.random.Generator, m: int) -> Array:
+    return (np.arange(m) + 0.5 + rng.uniform(-0.3, 0.3, m)) * (TRAVEL[1] / m)
+
+
+def smooth(x: Array) -> Array:
+    return 8 * UM * np.sin(x / 150.0) + 2e-5 * x
+
+
+def codes(posterior: AxisPosterior) -> set[str]:
+    return {finding.code for finding in posterior.findings}
+
+
+def test_a_known_smooth_error_is_recovered() -> None:
+    rng = np.random.default_rng(1)
+    targets = spread_targets(rng, 25)
+    posterior = estimate_axis(measured(rng, targets, smooth(targets), 0 * targets - 3 * UM, 1 * UM), travel=TRAVEL)
+    inside = np.linspace(targets[0], targets[-1], 300)
+    summary = posterior.summary(inside)
+    # The mean of one cell has 1/sqrt(5) = 0.45 µm; smoothing must do better than 0.6 times that.
+    for mean, sign in ((summary.mean_positive, 1), (summary.mean_negative, -1)):
+        assert np.sqrt(np.mean((mean - smooth(inside) + sign * 1.5 * UM) ** 2)) < 0.27 * UM
+    assert np.mean(summary.mean_positive - summary.mean_negative) == pytest.approx(-3 * UM, abs=0.3 * UM)
+    assert summary.measured == (targets[0], targets[-1])
+
+
+def test_the_noise_is_recovered() -> None:
+    rng = np.random.default_rng(2)
+    ratios = []
+    for _ in range(20):
+        targets = spread_targets(rng, 21)
+        test = measured(rng, targets, smooth(targets), 0 * targets, 1.5 * UM)
+        posterior = estimate_axis(test, travel=TRAVEL)
+        ratios.append(posterior.noise / (1.5 * UM))
+        assert posterior.noise_dof == 21 * 2 * 4
+    # One estimate with 168 dof scatters by 1/sqrt(336) = 5.5 %; the mean of 20 by 1.2 %.
+    assert np.mean(ratios) == pytest.approx(1.0, abs=0.04)
+    assert np.max(np.abs(np.array(ratios) - 1.0)) < 0.2
+
+
+def test_noise_without_repetition_comes_from_neighbours() -> None:
+    rng = np.random.default_rng(3)
+    targets = spread_targets(rng, 60)
+    posterior = estimate_axis(measured(rng, targets, smooth(targets), 0 * targets, 1 * UM, runs=1), travel=TRAVEL)
+    assert "CW-E02" in codes(posterior)
+    assert posterior.noise == pytest.approx(1 * UM, rel=0.35)  # 60 reversals: 9 % and the weak prior
+    assert posterior.noise_dof < 2 * 60
+
+
+def test_a_known_period_is_separated() -> None:
+    rng = np.random.default_rng(4)
+    targets = spread_targets(rng, 41)
+    wave = 2 * UM * np.cos(2 * np.pi * targets / 10.0 + 0.7)
+    test = measured(rng, targets, smooth(targets) + wave, 0 * targets, 0.5 * UM)
+    posterior = estimate_axis(test, travel=TRAVEL, periods=(10.0,))
+    fine = np.linspace(400.0, 440.0, 161)
+    left = posterior.summary(fine).mean_positive - smooth(fine)
+    again = np.column_stack([np.ones_like(fine), np.cos(2 * np.pi * fine / 10), np.sin(2 * np.pi * fine / 10)])
+    constant, cosine, sine = np.linalg.lstsq(again, left, rcond=None)[0]
+    del constant
+    # Amplitude from 82 cell means of 0.22 µm: 0.22 * sqrt(2/82) = 0.035 µm.
+    assert np.hypot(cosine, sine) == pytest.approx(2 * UM, abs=0.15 * UM)
+    assert np.arctan2(-sine, cosine) == pytest.approx(0.7, abs=0.08)
+    assert not codes(posterior) & {"CW-E03", "CW-E05"}
+
+
+def test_targets_at_a_multiple_of_the_period_cannot_show_it() -> None:
+    rng = np.random.default_rng(5)
+    targets = np.arange(0.0, 1001.0, 50.0)
+    test = measured(rng, targets, smooth(targets), 0 * targets, 1 * UM)
+    assert "CW-E03" in codes(estimate_axis(test, travel=TRAVEL, periods=(10.0,)))
+    odd = measured(rng, targets + 2.3 * np.arange(21) % 10, smooth(targets), 0 * targets, 1 * UM)
+    assert "CW-E03" not in codes(estimate_axis(odd, travel=TRAVEL, periods=(10.0,)))
+    assert "CW-E05" in codes(estimate_axis(odd, travel=TRAVEL))
+
+
+def test_evidence_tells_a_varying_reversal_from_a_constant_one() -> None:
+    rng = np.random.default_rng(6)
+    constant: list[float] = []
+    varying: list[float] = []
+    for _ in range(15):
+        targets = spread_targets(rng, 15)
+        for odds, change in ((constant, 0.0), (varying, 4 * UM)):
+            reversal = -3 * UM + change * (targets / 1000.0 - 0.5)
+            test = measured(rng, targets, smooth(targets), reversal, 1 * UM)
+            odds.append(estimate_axis(test, travel=TRAVEL).reversal_log_odds)
+    # The end to end change of 4 µm is 6 standard errors of a reversal (0.63 µm); "strong" is 3.
+    assert np.mean(np.array(constant) < 0) >= 0.8
+    assert max(constant) < 3.0
+    assert min(varying) > 3.0
+
+
+def test_a_varying_reversal_is_drawn_with_its_sign() -> None:
+    rng = np.random.default_rng(7)
+    targets = spread_targets(rng, 15)
+    reversal = -5 * UM + 8 * UM * (targets / 1000.0 - 0.5)
+    posterior = estimate_axis(measured(rng, targets, smooth(targets), reversal, 1 * UM), travel=TRAVEL)
+    draws = posterior.draw(np.array([100.0, 900.0]), 400, rng)
+    shown = (draws.positive - draws.negative).mean(axis=0)
+    assert shown == pytest.approx([-8.2 * UM, -1.8 * UM], abs=0.8 * UM)  # about two standard errors of one reversal
+
+
+def parameters(positive: Array, negative: Array) -> tuple[Array, Array]:
+    """A and E of ISO 230-2:2014 for arrays (..., m, n)."""
+    mean_p, mean_n = positive.mean(axis=-1), negative.mean(axis=-1)
+    s_p, s_n = positive.std(axis=-1, ddof=1), negative.std(axis=-1, ddof=1)
+    upper = np.maximum(mean_p + 2 * s_p, mean_n + 2 * s_n).max(axis=-1)
+    lower = np.minimum(mean_p - 2 * s_p, mean_n - 2 * s_n).min(axis=-1)
+    return upper - lower, np.maximum(mean_p, mean_n).max(axis=-1) - np.minimum(mean_p, mean_n).min(axis=-1)
+
+
+def one_axis(seed: int, *, period: bool) -> list[float]:
+    """The share of predicted A and E below those of a fresh test: at the same targets, and at new ones."""
+    rng = np.random.default_rng(seed)
+    m, n, count = 15, 5, 300
+    noise, backlash = rng.uniform(0.3, 2.0) * UM, -rng.uniform(0.0, 6.0) * UM
+    order = np.arange(1, 7)
+    weight, phase = rng.standard_normal(6) * rng.uniform(1, 8) * UM / order**1.5, rng.uniform(0, 6.28, 6)
+    slope, amplitude = rng.normal(0, 2e-5), rng.uniform(0.5, 2.5) * UM * period
+
+    def error(x: Array) -> Array:
+        waves: Array = np.sin(np.outer(x, order) * np.pi / 1000.0 + phase) @ weight
+        deviation: Array = slope * x + waves + amplitude * np.cos(2 * np.pi * x / 10.0 + phase[0])
+        return deviation
+
+    targets, other = spread_targets(rng, m), spread_targets(rng, m)
+    test = measured(rng, targets, error(targets), 0 * targets + backlash, noise)
+    posterior = estimate_axis(test, travel=TRAVEL, periods=(10.0,) if period else ())
+    shares = []
+    for where in (targets, other):
+        draws = posterior.draw(where, count, rng)
+        fresh = draws.noise[:, np.newaxis, np.newaxis] * rng.standard_normal((2, count, m, n))
+        predicted = parameters(draws.positive[:, :, np.newaxis] + fresh[0], draws.negative[:, :, np.newaxis] + fresh[1])
+        again = measured(rng, where, error(where), 0 * where + backlash, noise)
+        shown = parameters(again.positive, again.negative)
+        shares += [float(np.mean(p < s)) for p, s in zip(predicted, shown, strict=True)]
+    return shares
+
+
+@pytest.mark.parametrize("period", [False, True])
+def test_ninety_percent_bands_cover_a_fresh_test(period: bool) -> None:
+    shares = np.array([one_axis(seed, period=period) for seed in range(110)])
+    covered = np.mean((shares > 0.05) & (shares < 0.95), axis=0)
+    # 110 axes per case: the share of a true 90 % scatters by 2.9 %; 82-97 % is asked.
+    assert np.all(covered >= 0.82), covered
+    assert np.all(covered <= 0.97), covered
+
+
+def test_one_direction_holds_for_both() -> None:
+    rng = np.random.default_rng(8)
+    targets = spread_targets(rng, 11)
+    full = measured(rng, targets, smooth(targets), 0 * targets, 1 * UM)
+    for missing in (np.empty((11, 0)), np.full((11, 5), np.nan)):
+        posterior = estimate_axis(a_test(full.positive, missing, targets), travel=TRAVEL)
+        summary = posterior.summary(np.linspace(0.0, 1000.0, 50))
+        assert np.array_equal(summary.mean_positive, summary.mean_negative)
+        assert "CW-E01" in codes(posterior)
+        assert posterior.reversal_log_odds == 0.0
+
+
+def test_readings_count_by_how_many_there_are() -> None:
+    rng = np.random.default_rng(9)
+    targets = spread_targets(rng, 21)
+    test = measured(rng, targets, smooth(targets), 0 * targets, 1 * UM, runs=8)
+    positive = test.positive.copy()
+    positive[10, 1:] = np.nan
+    positive[10, 0] = smooth(targets)[10] + 3 * UM  # one lonely reading, three sigma off
+    posterior = estimate_axis(a_test(positive, test.negative, targets), travel=TRAVEL)
+    assert np.all(np.isfinite(posterior.summary(targets).mean_positive))
+    pulled = posterior.summary(targets[10:11]).mean_positive[0] - smooth(targets)[10]
+    assert abs(pulled) < 0.8 * UM  # eight such readings would move it by more
+
+
+def test_draws_at_the_targets_know_what_repeats_there() -> None:
+    rng = np.random.default_rng(10)
+    targets = spread_targets(rng, 31)
+    local = 3 * UM * rng.standard_normal(31)  # repeats at each target, smooth in nothing
+    posterior = estimate_axis(measured(rng, targets, smooth(targets) + local, 0 * targets, 0.3 * UM), travel=TRAVEL)
+    draws = posterior.draw(targets, 400, rng)
+    middle = 0.5 * (draws.positive + draws.negative)
+    # Cell means of both directions: 0.3/sqrt(10) = 0.1 µm; between targets the 3 µm are unknown.
+    assert np.sqrt(np.mean((middle.mean(axis=0) - smooth(targets) - local) ** 2)) < 0.2 * UM
+    between = posterior.draw(0.5 * (targets[1:] + targets[:-1]), 400, rng)
+    assert np.mean(np.std(between.positive, axis=0)) > 1.5 * UM
+
+
+def test_beyond_the_targets_the_uncertainty_grows() -> None:
+    rng = np.random.default_rng(11)
+    targets = np.linspace(300.0, 700.0, 21)
+    posterior = estimate_axis(measured(rng, targets, smooth(targets), 0 * targets, 1 * UM), travel=TRAVEL)
+    summary = posterior.summary(np.array([0.0, 500.0, 1000.0]))
+    assert summary.std_positive[0] > 5 * summary.std_positive[1] < summary.std_positive[2]
+    assert "CW-E04" in codes(posterior)
+
+
+def test_repeated_positions_and_reproducible() -> None:
+    rng = np.random.default_rng(12)
+    targets = spread_targets(rng, 11)
+    test = measured(rng, targets, smooth(targets), 0 * targets, 1 * UM)
+    first, second = estimate_axis(test, travel=TRAVEL), estimate_axis(test, travel=TRAVEL)
+    where = np.array([500.0, 20.0, 500.0])
+    one, two = first.draw(where, 50, np.random.default_rng(1)), second.draw(where, 50, np.random.default_rng(1))
+    assert np.array_equal(one.positive, two.positive)
+    assert np.array_equal(one.positive[:, 0], one.positive[:, 2])
+    assert one.noise.shape == (50,)
+    assert len(set(one.noise)) > 8  # the noise is drawn too
+
+
+ZERO = np.zeros((11, 5))
+TEN = np.linspace(0.0, 1000.0, 11)
+
+
+@pytest.mark.parametrize(
+    "test",
+    [
+        a_test(ZERO, ZERO, TEN),
+        a_test(ZERO[:2, :1], ZERO[:2, :1], TEN[:2]),
+        a_test(ZERO[:2, :1] + [[0.0], [3.0]], ZERO[:2, :0], TEN[:2]),
+        a_test(ZERO + smooth(TEN)[:, np.newaxis], ZERO + smooth(TEN)[:, np.newaxis], TEN),
+        a_test(ZERO + 1e6 + TEN[:, np.newaxis], ZERO - 1e6, TEN),
+        a_test(ZERO + 1e-12 * np.arange(5), ZERO, TEN),
+        a_test(
+            np.where(np.arange(11)[:, np.newaxis] % 2, ZERO, np.nan), np.where(np.arange(11)[:, np.newaxis] % 2, np.nan, ZERO), TEN
+        ),
+        a_test(ZERO, ZERO + 1e-3, TEN * 0.36, kind=AxisKind.ROTARY),
+        a_test(ZERO[:2, :2], ZERO[:2, :2], np.array([499.999, 500.001])),
+    ],
+)
+@pytest.mark.parametrize("periods", [(), (10.0, 33.0)])
+def test_degenerate_tests_give_finite_numbers(test: PositioningTest, periods: tuple[float, ...]) -> None:
+    posterior = estimate_axis(test, travel=TRAVEL, periods=periods)
+    where = np.linspace(0.0, 1000.0, 41)
+    summary = posterior.summary(where)
+    draws = posterior.draw(where, 40, np.random.default_rng(0))
+    for values in (summary.mean_positive, summary.mean_negative, summary.std_positive, draws.positive, draws.noise):
+        assert np.all(np.isfinite(values))
+    assert posterior.noise > 0.0
+    assert posterior.noise_dof > 0.0
+
+
+def test_what_cannot_be_estimated_is_refused() -> None:
+    with pytest.raises(InputError, match="two targets"):
+        estimate_axis(a_test(ZERO[:1], ZERO[:1], TEN[:1]), travel=TRAVEL)
+    with pytest.raises(InputError, match="found readings at 0"):
+        estimate_axis(a_test(np.full((11, 5), np.nan), np.empty((11, 0)), TEN), travel=TRAVEL)
+    with pytest.raises(UsageError) as caught:
+        estimate_axis(a_test(ZERO, ZERO, TEN, frame="instrument"), travel=(5.0, 5.0), periods=(0.0, float("nan")))
+    assert len(caught.value.faults) == 4
