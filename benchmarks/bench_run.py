@@ -1,0 +1,60 @@
+"""``run`` of three axes, report and card included, in turn with ``python -c "import numpy"``. Prints, judges nothing."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from measure import COMPWRIGHT, NUMPY, PROJECT, in_turn, spread, two_processors
+
+RUNS = 5
+#: Axis -> travel, slope, amplitude of the smooth error, reversal, noise (µm) and targets of the virtual machine; keys of the job.
+AXES = {
+    "X": ("[0, 850]", 22, 5, -5, 0.5, 18, "screw_pitch: 10, "),
+    "Y": ("[-500, 0]", -31, 3, -3, 0.4, 11, ""),
+    "Z": ("[-510, 0]", 14, 4, -7, 0.6, 11, ""),
+}
+CONTROLS = {"siemens-840d-sl": ("AX1", "AX2", "AX3"), "linuxcnc": ("0", "1", "2")}
+
+
+def prepare(folder: Path, format_id: str) -> Path:
+    """Write a job of three simulated axes into ``folder`` and return it."""
+    folder.mkdir()
+    machine = [f"virtual_machine: 1\ncontroller: {{format: {format_id}}}\naxes:"]
+    job = [f"compwright: 1\ncontroller: {{format: {format_id}}}\nstates: {{as_found: none}}\naxes:"]
+    for address, (name, (travel, slope, smooth, reversal, noise, targets, keys)) in zip(
+        CONTROLS[format_id], AXES.items(), strict=True
+    ):
+        head = f'  {name}:\n    travel: {travel}\n    address: "{address}"\n'
+        error = f"{{slope_um_per_m: {slope}, smooth: {{amplitude_um: {smooth}, seed: 1}}, "
+        error += f"reversal: {{mean_um: {reversal}}}, noise_um: {noise}}}"
+        machine.append(f"{head}    error: {error}\n    test: {{targets: {targets}}}")
+        job.append(
+            f"{head}    accept: {{A: 12}}\n    before: [{name.lower()}.csv]" + (f"\n    {keys.rstrip(', ')}" if keys else "")
+        )
+    machine_file, job_file = folder / "machine.yaml", folder / "job.yaml"
+    machine_file.write_text("\n".join(machine) + "\n", encoding="utf-8")
+    job_file.write_text("\n".join(job) + "\n", encoding="utf-8")
+    command = [sys.executable, "-m", "compwright", "simulate", str(machine_file), "--out", str(folder)]
+    subprocess.run(command, env={"PYTHONPATH": str(PROJECT / "src")}, stdout=subprocess.DEVNULL, check=True)
+    return job_file
+
+
+def main() -> None:
+    """Print a row per control: wall and processor seconds, and the ratio to numpy."""
+    print(f"whole processes on {two_processors()}, {RUNS} pairs, min / median / max")
+    with tempfile.TemporaryDirectory() as name:
+        for format_id in CONTROLS:
+            job = prepare(Path(name) / format_id, format_id)
+            pairs = in_turn([*COMPWRIGHT, "run", str(job), "--force"], NUMPY, RUNS)
+            print(
+                f"run of three axes, {format_id:16} wall {spread([one.wall for one, _ in pairs])} s,"
+                f" processor {spread([one.cpu for one, _ in pairs])} s,"
+                f" ratio to import numpy {spread([one.wall / other.wall for one, other in pairs], 1)}; wanted below 6 s"
+            )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,44 @@
+"""Start-up: ``--help`` and ``evaluate`` of one test, in turn with ``python -c "import numpy"``. Prints ratios, judges nothing."""
+
+from __future__ import annotations
+
+import statistics
+import tempfile
+from pathlib import Path
+
+from measure import COMPWRIGHT, NUMPY, in_turn, spread, two_processors
+
+RUNS = 11
+
+
+def a_test(path: Path) -> Path:
+    """Write one test of 11 targets, 5 runs each way, in the long form of the plain CSV."""
+    rows = ["# axis: X", "# cycle: standard", "target_mm,direction,run,deviation_um"]
+    rows += [
+        f"{100 * i + 7 * (i % 3)},{direction},{run},{0.9 * i + 0.3 * run * (-1) ** i + (2 if direction == '-' else 0):.2f}"
+        for i in range(11)
+        for direction in "+-"
+        for run in range(1, 6)
+    ]
+    path.write_text("\n".join(rows) + "\n", encoding="utf-8")
+    return path
+
+
+def main() -> None:
+    """Print a row per command: wall seconds, ratio to numpy, and what is wanted."""
+    print(f"whole processes on {two_processors()}, {RUNS} pairs, min / median / max")
+    with tempfile.TemporaryDirectory() as folder:
+        test = str(a_test(Path(folder) / "x.csv"))
+        for name, words, wanted in (
+            ("--help", ["--help"], 1.5),
+            ("evaluate, table", ["evaluate", test], 3.0),
+            ("evaluate, --json -", ["evaluate", test, "--json", "-"], 3.0),
+        ):
+            pairs = in_turn([*COMPWRIGHT, *words], NUMPY, RUNS)
+            ratios = [one.wall / other.wall for one, other in pairs]
+            print(f"{name:20} {spread([one.wall for one, _ in pairs], 3)} s", end="   ")
+            print(f"ratio to import numpy {spread(ratios)}   median {statistics.median(ratios):.2f}, wanted below {wanted}")
+
+
+if __name__ == "__main__":
+    main()
