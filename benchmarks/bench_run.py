@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
-from measure import COMPWRIGHT, NUMPY, PROJECT, in_turn, spread, two_processors
+from measure import COMPWRIGHT, NUMPY, in_turn, once, spread, two_processors
 
 RUNS = 5
 #: Axis -> travel, slope, amplitude of the smooth error, reversal, noise (µm) and targets of the virtual machine; keys of the job.

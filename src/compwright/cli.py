@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from functools import wraps
+from io import TextIOWrapper
 from pathlib import Path
 from typing import Any, NoReturn, ParamSpec
 
@@ -17,6 +18,8 @@ from compwright.foundations.processors import use_one_thread
 P = ParamSpec("P")
 
 _STANDARDS = "iso230-2:1988, iso230-2:1997, iso230-2:2006, iso230-2:2014 (default), gost27843:2006, vdi3441"
+#: A file of the wrong kind is wrong in every line: nobody reads more than these.
+_MOST_ERRORS = 25
 _json = click.option(
     "--json", "json_path", metavar="PATH|-", help="Write the answer as JSON to a file, or with - to standard output."
 )
@@ -32,6 +35,9 @@ _state = click.option(
 def main() -> NoReturn:
     """Run the command line and leave with the exit code of what happened."""
     use_one_thread()
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper):  # a terminal that knows no µ gets a question mark, not a crash
+            stream.reconfigure(errors="replace")
     sys.exit(run(sys.argv[1:]))
 
 
@@ -50,8 +56,7 @@ def run(arguments: list[str]) -> int:
             click.echo(f"see: {error.ctx.command_path} --help", err=True)
         return UsageError.exit_code
     except CompwrightError as error:
-        for fault in error.faults:
-            click.echo(f"error: {fault}", err=True)
+        _errors(str(fault) for fault in error.faults)
         return error.exit_code
     except BrokenPipeError:
         return 0
@@ -103,7 +108,7 @@ def _answer(document: Mapping[str, Any], json_path: str | None, *, force: bool) 
     from compwright.workflow.answers import document_text, write_document
 
     if json_path == "-":
-        click.echo(document_text(document), nl=False)
+        click.echo(document_text(document).encode(), nl=False)  # always UTF-8, whatever the terminal speaks
     elif json_path is not None:
         write_document(document, Path(json_path), force=force)
 
@@ -144,8 +149,8 @@ def evaluate(
     if json_path == "-":
         _answer(outcome.document, "-", force=force)
     else:
-        show(evaluation_renderables(outcome.document, targets=targets))
-    _errors(entry["message"] for entry in outcome.document["errors"])
+        show(evaluation_renderables({**outcome.document, "errors": []}, targets=targets))
+    _errors(": ".join(filter(None, (entry["file"], entry["message"]))) for entry in outcome.document["errors"])
     for path in written:
         click.echo(f"written: {path}", err=True)
     return outcome.exit_code
@@ -369,5 +374,9 @@ def formats_check(paths: tuple[Path, ...]) -> int:
 
 
 def _errors(lines: Iterable[str]) -> None:
-    for line in lines:
+    """Print each error on a line of its own; of very many the first, and how many more there are."""
+    told = list(lines)
+    for line in told[:_MOST_ERRORS]:
         click.echo(f"error: {line}", err=True)
+    if len(told) > _MOST_ERRORS:
+        click.echo(f"error: ... and {len(told) - _MOST_ERRORS} more like these", err=True)

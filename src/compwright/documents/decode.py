@@ -37,9 +37,9 @@ def decode_document(axes: Mapping[str, DecodedAxis], assumed: Iterable[Assumptio
 
 
 def assumed_documents(assumed: Iterable[Assumption]) -> list[dict[str, str]]:
-    """Return assumptions, each once, in their order."""
-    unique = dict.fromkeys(assumed)
-    return [{"fact": entry.fact, "value": entry.value, "evidence": entry.evidence} for entry in unique]
+    """Return assumptions, each fact once, in their order."""
+    unique = {(entry.fact, entry.value): entry for entry in reversed(list(assumed))}
+    return [{"fact": entry.fact, "value": entry.value, "evidence": entry.evidence} for entry in reversed(unique.values())]
 
 
 def finding_documents(findings: Iterable[Finding]) -> list[dict[str, str]]:

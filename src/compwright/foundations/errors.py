@@ -10,6 +10,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
+#: What was found is quoted up to so many characters: enough to recognise it, and one line stays one line.
+MOST_QUOTED = 240
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= MOST_QUOTED else f"{text[:MOST_QUOTED]}..."
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fault:
@@ -28,7 +35,7 @@ class Fault:
             part
             for part in (
                 f"expected {self.expected}" if self.expected else "",
-                f"found {self.found}" if self.found else "",
+                f"found {_short(self.found)}" if self.found else "",
             )
             if part
         )

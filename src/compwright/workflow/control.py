@@ -28,8 +28,8 @@ from compwright.records.job import AxisJob, Job
 AGREEMENT = 2e-7
 
 
-#: Options of decode that the axes of a job say themselves.
-_SAID_BY_AXES = frozenset({"reference", "reference_return"})
+#: Options of decode that the axes of a job say themselves, and that the reading of files without a job lists itself.
+_SAID_ELSEWHERE = frozenset({"reference", "reference_return"})
 
 
 def _shown(value: object) -> str:
@@ -53,14 +53,11 @@ class Control:
         """The format's name, such as ``siemens-840d-sl``."""
         return self.definition.id
 
-    def assumed(self, *states: ControlState, axes_known: bool) -> tuple[Assumption, ...]:
-        """Return every option that was left at its default and that no file of ``states`` answers.
-
-        ``axes_known``: a job says where and how each axis is referenced.
-        """
+    def assumed(self, *states: ControlState) -> tuple[Assumption, ...]:
+        """Return every option that was left at its default and that no file of ``states`` answers."""
         answered = {name for state in states for facts in state.facts.values() for name in facts}
         settled = {name for name, option in self.definition.options.items() if option.settled_by in answered}
-        said = self.given | settled | (_SAID_BY_AXES if axes_known else frozenset())
+        said = self.given | settled | _SAID_ELSEWHERE
         return tuple(
             Assumption(f"option {name}", _shown(value), "default of the definition")
             for name, value in self.options.items()

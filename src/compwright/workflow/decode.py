@@ -39,9 +39,7 @@ def decode_files(
             positive=judged(decoded, address, where, Direction.POSITIVE),
             negative=judged(decoded, address, where, Direction.NEGATIVE),
         )
-    return decode_document(
-        answer, (*control.assumed(decoded.state, axes_known=False), *decoded.state.assumed), decoded.state.findings
-    )
+    return decode_document(answer, (*control.assumed(decoded.state), *decoded.state.assumed), decoded.state.findings)
 
 
 def positions_of(text: str) -> FloatArray:

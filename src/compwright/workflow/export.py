@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -16,6 +16,9 @@ from compwright.records.correction import Assumption, ControlFile
 from compwright.records.plan import Plan
 from compwright.workflow.control import Control, DecodedState, decode, open_control, read_files
 from compwright.workflow.work import AS_FOUND, write_fitted
+
+#: ``--option address.X=0``: how the control names axis X of the plan.
+ADDRESS = "address."
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,20 +35,24 @@ def export_plan(
 ) -> ExportOutcome:
     """Fit the plan's wanted totals to a control and write its files into ``out``.
 
+    Another control has names of its own for the axes: the options ``address.NAME`` give them, else the plan's name is taken.
     ``states``: what is in the control, ``none`` or its files; empty: as the plan says, where it is for the same format. Raises
     UsageError (2) where the state is not known, InputError (3), CapacityError (4), StorageError (5).
     """
     plan = read_plan(storage.read_bytes(path), str(path))
+    addresses = {key.removeprefix(ADDRESS): str(options.pop(key)) for key in list(options) if key.startswith(ADDRESS)}
+    raise_all(UsageError, _unknown(addresses, plan, str(path)))
     given = {**plan.options, **options} if plan.format == format_id else options
     control = open_control(format_id, given)
     state = _state(plan, control, states, str(path))
     fitted = []
     errors: list[CompwrightError] = []
-    assumed: list[Assumption] = [*control.assumed(state.state, axes_known=True), *state.state.assumed]
+    assumed: list[Assumption] = [*control.assumed(state.state), *state.state.assumed]
     for name, entry in plan.axes.items():
         if entry.wanted is None or entry.fitted is None:
             continue
-        address, assumption = normal_address(control.definition, entry.axis)
+        asked = addresses.get(name, entry.axis.address if plan.format == format_id else name)
+        address, assumption = normal_address(control.definition, replace(entry.axis, address=asked))
         axis = replace(entry.axis, address=address)
         assumed.extend([assumption] if assumption else [])
         try:
@@ -66,6 +73,14 @@ def export_plan(
     files, _ = write_fitted(control, fitted)
     written = storage.write_files(out, {file.name: file.content for file in files}, force=force)
     return ExportOutcome(files=tuple(written), assumed=tuple(dict.fromkeys(assumed)), missing=missing)
+
+
+def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]:
+    return [
+        Fault(message="the plan has no such axis", file=file, place=f"--option {ADDRESS}{name}", expected=", ".join(plan.axes))
+        for name in addresses
+        if name not in plan.axes
+    ]
 
 
 def _state(plan: Plan, control: Control, states: Sequence[str], file: str) -> DecodedState:

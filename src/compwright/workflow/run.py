@@ -97,12 +97,12 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
     tables: tuple[ControlFile, ...] = ()
     loaded: DecodedState | None = None
     if AS_FOUND in inputs.states:
-        works = fit_all(works, control, inputs.states[AS_FOUND].state)
+        works = fit_all(works, control, inputs.states[AS_FOUND].state, job.file)
         works, tables, loaded = export(works, control, accept_worse=accept_worse)
     states = [decoded.state for decoded in inputs.states.values()]
     capacities = [work.capacity for work in works.values() if work.capacity is not None]
     assumed = (
-        *control.assumed(*states, axes_known=True),
+        *control.assumed(*states),
         *renamed,
         *(entry for state in states for entry in state.assumed),
         *(entry for capacity in capacities for entry in capacity.assumed),

@@ -111,7 +111,7 @@ def correction_of(decoded: DecodedState | None, axis: Axis) -> Correction:
     return correction
 
 
-def fit_all(works: Mapping[str, AxisWork], control: Control, state: ControlState) -> dict[str, AxisWork]:
+def fit_all(works: Mapping[str, AxisWork], control: Control, state: ControlState, job_file: str) -> dict[str, AxisWork]:
     """Fit every axis under the limits of the control. Raises CapacityError with the faults of all axes."""
     errors: list[CompwrightError] = []
     fitted: dict[str, AxisWork] = {}
@@ -127,7 +127,7 @@ def fit_all(works: Mapping[str, AxisWork], control: Control, state: ControlState
             capacity = capacity_for(control.definition, planned.axis, control.options, state)
             table = fit_table(wanted, capacity, planned.request, address=planned.axis.address)
         except CapacityError as error:
-            errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))
+            errors.append(CapacityError(*(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)))
             continue
         fitted[name] = replace(work, capacity=capacity, planned=replace(planned, wanted=wanted, fitted=table))
     raise_all(CapacityError, collect(errors))
