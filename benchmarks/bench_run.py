@@ -35,8 +35,7 @@ def prepare(folder: Path, format_id: str) -> Path:
     machine_file, job_file = folder / "machine.yaml", folder / "job.yaml"
     machine_file.write_text("\n".join(machine) + "\n", encoding="utf-8")
     job_file.write_text("\n".join(job) + "\n", encoding="utf-8")
-    command = [sys.executable, "-m", "compwright", "simulate", str(machine_file), "--out", str(folder)]
-    subprocess.run(command, env={"PYTHONPATH": str(PROJECT / "src")}, stdout=subprocess.DEVNULL, check=True)
+    once([*COMPWRIGHT, "simulate", str(machine_file), "--out", str(folder)])
     return job_file
 
 
