@@ -332,6 +332,8 @@ def demo(out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command
 
     outcome = run_demo(out, force=force)
     show(demo_summary(outcome))
+    for note in (*outcome.run.notes, *outcome.verification.notes):
+        click.echo(f"note: {note}", err=True)
     return max(outcome.run.exit_code, outcome.verification.exit_code)
 
 
