@@ -7,6 +7,9 @@ import pytest
 from numpy.typing import NDArray
 
 from compwright.estimation.axis import AxisPosterior, estimate_axis
+from compwright.estimation.basis import Basis
+from compwright.estimation.cells import cells_of
+from compwright.estimation.evidence import Evidence, Prior
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
@@ -238,6 +241,93 @@ def test_repeated_positions_and_reproducible() -> None:
     assert np.array_equal(one.positive[:, 0], one.positive[:, 2])
     assert one.noise.shape == (50,)
     assert len(set(one.noise)) > 8  # the noise is drawn too
+
+
+def test_draws_agree_with_the_summary() -> None:
+    rng = np.random.default_rng(13)
+    targets = spread_targets(rng, 41)
+    wave = 2 * UM * np.cos(2 * np.pi * targets / 10.0)  # a period that nobody named: local to each target
+    posterior = estimate_axis(measured(rng, targets, smooth(targets) + wave, 0 * targets - 3 * UM, 0.5 * UM), travel=TRAVEL)
+    where = np.linspace(31.0, 969.0, 30)
+    summary, draws = posterior.summary(where), posterior.draw(where, 4000, rng)
+    # 4000 draws: mean to 1.6 % of the standard deviation, which itself to 1.1 %, or four times that in the worst of 60.
+    for drawn, mean, std in (
+        (draws.positive, summary.mean_positive, summary.std_positive),
+        (draws.negative, summary.mean_negative, summary.std_negative),
+    ):
+        assert np.all(np.abs(drawn.mean(axis=0) - mean) < 0.07 * std)
+        assert drawn.std(axis=0) == pytest.approx(std, rel=0.07)
+    assert np.mean(summary.std_positive) == pytest.approx(2 * UM / np.sqrt(2), rel=0.35)
+
+
+def test_spread_of_the_readings_by_hand() -> None:
+    positive = np.array([[0.0, 2.0], [10.0, 10.0], [20.0, np.nan]])
+    negative = np.array([[1.0, 3.0], [11.0, 15.0], [20.0, 20.0]])
+    cells = cells_of(a_test(positive, negative, np.array([0.0, 1.0, 2.0])))
+    # Sums of squares 2 + 0 + 2 + 8 + 0 = 12 with five degrees of freedom; the single reading has none.
+    assert cells.spread * cells.data.scale == pytest.approx(np.sqrt(12.0 / 5.0), rel=1e-12)
+    assert cells.data.dof == 5.0
+    assert cells.reversal == pytest.approx((-1.0 - 3.0 + 0.0) / 3.0, rel=1e-12)
+    rng = np.random.default_rng(14)
+    many = np.linspace(0.0, 1000.0, 400)
+    single = cells_of(a_test(rng.standard_normal((400, 1)), np.empty((400, 0)), many))
+    assert single.spread * single.data.scale == pytest.approx(1.0, rel=0.12)  # 400 overlapping differences: 4 %
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_evidence_equals_the_density_of_all_readings(seed: int) -> None:
+    """Against the covariance of every single reading written out, and the gradient against differences."""
+    rng = np.random.default_rng(seed)
+    targets = np.sort(rng.uniform(0.0, 1000.0, 9))
+    positive, negative = rng.standard_normal((9, 3)), rng.standard_normal((9, 4))
+    positive[2] = np.nan
+    negative[5, 1:] = np.nan
+    cells = cells_of(a_test(positive, negative, targets))
+    basis = Basis(centre=500.0, half=500.0, sines=20, reversal_sines=8, periods=(130.0,), bidirectional=True)
+    prior = Prior(centre=np.zeros(7), width=np.ones(7), free=(True,) * 7)
+    evidence = Evidence(basis, targets, cells.data, prior)
+    h = np.array([-0.3, -0.8, 0.1, -1.0, -0.5, -0.4, -0.7]) + 0.2 * rng.standard_normal(7)
+    value, gradient = evidence.with_gradient(h)
+    assert value == pytest.approx(evidence.log_posterior(h), abs=1e-9)
+    for index in range(7):
+        step = np.eye(7)[index] * 1e-5
+        difference = (evidence.log_posterior(h + step) - evidence.log_posterior(h - step)) / 2e-5
+        assert gradient[index] == pytest.approx(difference, rel=1e-5, abs=1e-5)
+
+    def density(values: Array) -> float:
+        logs, _ = evidence.log_variances(values)
+        noise, local = evidence.variances(values)
+        line = cells.line_at(targets)
+        rows, seats, readings = [], [], []
+        for design, block, taken in zip(basis.design(targets), (positive, negative), line, strict=True):
+            for seat, row in enumerate(block):
+                for reading in row[np.isfinite(row)]:
+                    rows.append(design[seat])
+                    seats.append(seat)
+                    readings.append((reading - taken[seat]) / cells.data.scale)
+        X, same = np.array(rows), np.equal.outer(seats, seats)
+        covariance = X * np.exp(logs) @ X.T + local * same + noise * np.eye(len(readings))
+        y = np.array(readings)
+        return float(-0.5 * (np.linalg.slogdet(covariance)[1] + y @ np.linalg.solve(covariance, y))) + prior.log(values)
+
+    # Constants that do not depend on the hyperparameters are left out: compare the change between two places.
+    other = h + 0.3 * rng.standard_normal(7)
+    assert evidence.log_posterior(h) - evidence.log_posterior(other) == pytest.approx(density(h) - density(other), abs=1e-6)
+
+
+def test_the_smooth_part_has_the_covariance_of_matern() -> None:
+    basis = Basis(centre=0.0, half=1.0, sines=200, reversal_sines=8, periods=(), bidirectional=False)
+    where = np.array([0.0, 0.1, 0.3])
+    targets = np.array([-1.0, 0.0, 1.0])
+    cells = cells_of(a_test(np.eye(3), np.empty((3, 0)), targets))
+    prior = Prior(centre=np.zeros(6), width=np.ones(6), free=(True,) * 6)
+    h = np.array([0.0, 0.0, np.log(2.0), np.log(0.2), 0.0, 0.0])
+    variances = np.exp(Evidence(basis, targets, cells.data, prior).log_variances(h)[0])
+    smooth_rows = basis.design(where)[0][:, 2:]
+    shown = smooth_rows * variances[2:] @ smooth_rows.T
+    distance = np.sqrt(5.0) * np.abs(np.subtract.outer(where, where)) / 0.2
+    matern = 4.0 * (1.0 + distance + distance**2 / 3.0) * np.exp(-distance)  # Rasmussen and Williams, eq. 4.17
+    assert shown == pytest.approx(matern, abs=0.01)
 
 
 ZERO = np.zeros((11, 5))

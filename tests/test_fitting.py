@@ -132,6 +132,14 @@ def test_rounding_keeps_half_a_quantum_range_and_increments(steps: list[int], la
     assert np.allclose(rounded / quantum, np.round(rounded / quantum), atol=1e-9)
 
 
+@pytest.mark.parametrize("anchor", [0, 1])
+def test_rounding_sweeps_out_arithmetic_dust(anchor: int) -> None:
+    # A difference of one quantum and 0.2 billionths of it, which rounding would make two.
+    values = np.array([0.5 - 0.9e-9, -0.5 - 1.1e-9])
+    rounded = round_curve(values, 1.0, value_range=(-9.0, 9.0), max_increment=1.0, anchor=anchor)
+    assert rounded.tolist() == ([1.0, 0.0] if anchor == 0 else [0.0, -1.0])
+
+
 def random_problem(rng: np.random.Generator, n: int, c: int) -> QuadraticProblem:
     root = rng.standard_normal((n, n))
     A = rng.standard_normal((c, n))
@@ -313,6 +321,7 @@ def test_both_curves_keep_the_range_when_they_differ_by_a_constant() -> None:
     reference=st.sampled_from([0.0, -800.0, -400.0, 33.0]),
     below=st.sampled_from(["hold", "zero"]),
     home=st.sampled_from(list(Direction)),
+    odds=st.sampled_from([-2.0, 9.0]),
 )
 def test_every_table_keeps_every_limit(
     seed: int,
@@ -322,11 +331,13 @@ def test_every_table_keeps_every_limit(
     reference: float,
     below: Literal["hold", "zero"],
     home: Direction,
+    odds: float,
 ) -> None:
     rng = np.random.default_rng(seed)
     order = np.arange(1, 20)
     shape = np.sin(np.outer(X, order) * np.pi / 800.0 + rng.uniform(0, 6, 19)) @ (rng.standard_normal(19) / order) * 0.02
-    wanted = wish(shape, shape + rng.normal() * 5 * UM, reference=reference, reference_return=home)
+    other = shape + rng.normal() * 5 * UM + 0.01 * np.sin(X / rng.uniform(20.0, 200.0))
+    wanted = wish(shape, other, reference=reference, reference_return=home, reversal_log_odds=odds)
     capacity = replace(
         COARSE, curves=curves, max_increment=increment, value_range=(-reach * UM, (reach // 2 + 1) * UM), below=below, above=below
     )
@@ -405,6 +416,21 @@ def test_a_reference_outside_the_table(rule: Literal["hold", "zero"]) -> None:
         assert abs(np.mean(plus)) == pytest.approx(abs(wavy(np.array([-100.0]))[0]), abs=1 * UM)
     else:
         assert abs(table.positive[-1]) > 5 * UM  # nothing acts outside; inside the wish itself
+
+
+def test_a_second_table_gives_nothing_where_no_table_acts() -> None:
+    """Least squares over points, where the constant between the tables ends with them."""
+    capacity = replace(TWO_CURVES, below="zero", above="zero")
+    result = fit(SMOOTH, capacity, start=-600.0, end=0.0, spacing=100.0, mode="single")
+    fine = np.linspace(X[0], X[-1], 40001)
+    nodes = np.linspace(-600.0, 0.0, 7)
+    inside = (fine >= -600.0)[:, np.newaxis]
+    hats = np.column_stack([np.interp(fine, nodes, one) for one in np.eye(7)])[:, :-1] * inside
+    matrix = np.vstack([np.hstack([hats, 0.0 * inside]), np.hstack([hats, 1.0 * inside])])
+    aims = np.concatenate([np.interp(fine, X, SMOOTH.positive), np.interp(fine, X, SMOOTH.negative)])
+    expected = np.linalg.lstsq(matrix, aims, rcond=None)[0]
+    assert result.compensation.positive[:-1] == pytest.approx(expected[:-1], abs=2e-3 * UM)
+    assert result.compensation.negative[0] - result.compensation.positive[0] == pytest.approx(expected[-1], abs=2e-3 * UM)
 
 
 def test_zero_between_nodes_holds_on_the_curve() -> None:

@@ -1,0 +1,280 @@
+"""run, export and verify as a whole: states, several tests, instruments that count the other way, refusals, and what is written."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.controllers.virtual import virtual_control
+from compwright.documents.json_text import to_json
+from compwright.documents.plan import plan_document, read_plan
+from compwright.records.axis import Direction
+from compwright.records.correction import ControlFile
+from compwright.workflow import control as control_module
+from compwright.workflow import work as work_module
+from loop import Floats, Machine, csv_of
+
+MACHINE = Machine()
+UM = 1e-3
+
+
+def sinumerik(folder: Path, home: Direction = Direction.POSITIVE) -> Callable[[Floats, int], Floats]:
+    """The correction of axis AX1 with the files in ``folder`` loaded."""
+    files = [ControlFile(path.name, path.read_bytes()) for path in sorted(folder.iterdir())]
+    judge = virtual_control("siemens-840d-sl", files, reference_return={"AX1": home})
+    return lambda x, sign: judge.correction("AX1", x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE)
+
+
+def write_test(path: Path, machine: Machine = MACHINE, seed: int = 1, correction: Any = None, **words: Any) -> Path:
+    targets = machine.targets(**words)
+    path.write_text(csv_of(targets, machine.measure(targets, seed, correction)))
+    return path
+
+
+def job(folder: Path, axis: str = "before: [x.csv]", *, states: str = "{as_found: none}", extra: str = "") -> Path:
+    path = folder / "job.yaml"
+    path.write_text(
+        f"compwright: 1\ncontroller: {{format: siemens-840d-sl}}\nstates: {states}\n{extra}"
+        f"axes:\n  X: {{travel: [0, 800], address: AX1, {axis}}}\n"
+    )
+    return path
+
+
+def document(path: Path) -> Any:
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    write_test(tmp_path / "x.csv")
+    return tmp_path
+
+
+def test_the_prediction_has_the_keys_of_the_contract(folder: Path) -> None:
+    assert compwright(["run", str(job(folder, "before: [x.csv], accept: {A: 8}"))]) == 0
+    prediction = document(folder / "job" / "prediction.json")
+    assert (prediction["schema"], prediction["format"]) == ("compwright/prediction/1", "siemens-840d-sl")
+    axis = prediction["axes"]["X"]
+    assert {"tests", "before", "predicted", "predicted_new_targets", "table", "quantum", "limits", "accept"} <= set(axis)
+    assert axis["before"] == axis["tests"][0]["before"]
+    assert axis["accept"] == {"A": {"limit": 8.0, "decision": "accept"}}
+    assert set(axis["table"]) == {"positions", "correction_positive", "correction_negative", "unit"}
+    band = axis["predicted"]["A"]
+    assert band["p05"] < band["median"] < band["p95"] < axis["before"]["A"]
+    table = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
+    nodes = np.array(axis["table"]["positions"])
+    for key, sign in (("correction_positive", 1), ("correction_negative", -1)):
+        np.testing.assert_allclose(axis["table"][key], table(nodes, sign) / UM, atol=1e-9)  # µm
+
+
+def test_the_same_input_gives_the_same_bytes(folder: Path) -> None:
+    path = str(job(folder))
+    for name in ("one", "two"):
+        assert compwright(["run", path, "--out", str(folder / name)]) == 0
+    one, two = (
+        {str(p.relative_to(folder / n)): p.read_bytes() for p in (folder / n).rglob("*") if p.is_file()} for n in ("one", "two")
+    )
+    assert one == two
+
+
+def test_a_plan_is_read_back_as_it_was_written(folder: Path) -> None:
+    assert compwright(["run", str(job(folder, "screw_pitch: 10, before: [x.csv], accept: {A: 8}"))]) == 0
+    content = (folder / "job" / "plan.json").read_bytes()
+    assert to_json(plan_document(read_plan(content, "plan.json"))).encode() == content
+
+
+def test_the_first_test_is_fitted_and_the_others_are_predicted(folder: Path) -> None:
+    write_test(folder / "later.csv", seed=7, count=9)
+    text = "before: [x.csv, {files: [later.csv], name: afternoon}], accept: {test: afternoon, A: 0.1}"
+    assert compwright(["run", str(job(folder, text)), "--out", str(folder / "both")]) == 1  # 0.1 µm: rejected
+    assert compwright(["run", str(job(folder)), "--out", str(folder / "first")]) == 0
+    both, first = (document(folder / name / "prediction.json")["axes"]["X"] for name in ("both", "first"))
+    assert [test["name"] for test in both["tests"]] == ["x", "afternoon"]
+    assert both["table"] == first["table"]
+    assert both["accept"]["A"]["decision"] == "reject"
+    assert both["tests"][1]["predicted"]["A"]["p95"] < 0.5 * both["tests"][1]["before"]["A"]
+
+
+def test_an_instrument_that_counts_the_other_way_gives_the_same_table(folder: Path) -> None:
+    """machine = -instrument + 820: the instrument's + approach is the machine's -, and its deviations have the other sign."""
+    targets = MACHINE.targets()
+    readings = MACHINE.measure(targets, 1)
+    turned = {1: -readings[-1][::-1], -1: -readings[1][::-1]}
+    (folder / "turned.csv").write_text(csv_of((820.0 - targets)[::-1], turned))
+    assert compwright(["run", str(job(folder)), "--out", str(folder / "straight")]) == 0
+    mapped = "position_map: {sense: -1, offset: 820}, before: [turned.csv]"
+    assert compwright(["run", str(job(folder, mapped)), "--out", str(folder / "turned")]) == 0
+    straight, turned_table = (document(folder / name / "prediction.json")["axes"]["X"]["table"] for name in ("straight", "turned"))
+    for key in ("positions", "correction_positive", "correction_negative"):
+        # The file holds 10⁻⁶ µm, the fit's certificate 10⁻⁶ µm; the quantum is 10⁻³ µm.
+        np.testing.assert_allclose(straight[key], turned_table[key], atol=2.1e-3)
+
+
+def test_a_test_that_was_measured_in_another_state(folder: Path) -> None:
+    """The test was made with an old table active that has since been switched off: as found is none."""
+    old = replace(MACHINE, slope=-60e-6, bow=0.0, lost=0.009)
+    write_test(folder / "other.csv", old)
+    assert compwright(["run", str(job(folder, "before: [other.csv]")), "--out", str(folder / "old")]) == 0
+    tables = folder / "old" / "tables" / "siemens-840d-sl"
+    write_test(folder / "with_old.csv", correction=sinumerik(tables))
+    states = f"{{as_found: none, last_year: [{tables}]}}"
+    text = "before: [{files: [with_old.csv], name: x, measured_in: last_year}]"
+    assert compwright(["run", str(job(folder, text, states=states)), "--out", str(folder / "new")]) == 0
+    new = sinumerik(folder / "new" / "tables" / "siemens-840d-sl")
+    x = np.linspace(20, 780, 97)
+    for sign in (1, -1):
+        left = MACHINE.error(x, sign) + new(x, sign)
+        # The estimate of a mean of 5 readings of 0.4 µm each way, three standard deviations.
+        assert np.ptp(left) < 2 * 3 * MACHINE.noise / np.sqrt(10)
+    assert not (folder / "new" / "rollback").exists()  # nothing was in the control as found
+
+
+def test_export_to_another_control_gives_the_same_correction(folder: Path) -> None:
+    assert compwright(["run", str(job(folder))]) == 0
+    words = ["export", str(folder / "job" / "plan.json"), "--format", "linuxcnc", "--state", "none", "--out", str(folder / "lcnc")]
+    assert compwright([*words, "--option", "address.X=4"]) == 0
+    judge = virtual_control("linuxcnc", [ControlFile(path.name, path.read_bytes()) for path in (folder / "lcnc").iterdir()])
+    first = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
+    x = np.linspace(0, 800, 161)
+    for sign, direction in ((1, Direction.POSITIVE), (-1, Direction.NEGATIVE)):
+        # Two grids of their own, each true to the same wish within a tenth of the noise rms: 0.2 µm at the worst place.
+        np.testing.assert_allclose(judge.correction("4", x, direction), first(x, sign), atol=0.2 * UM)
+    again = ["export", str(folder / "job" / "plan.json"), "--format", "siemens-840d-sl", "--out", str(folder / "again")]
+    assert compwright(again) == 0
+    for path in (folder / "job" / "tables" / "siemens-840d-sl").iterdir():
+        assert (folder / "again" / path.name).read_bytes() == path.read_bytes()
+
+
+def inverted(*arguments: Any, **words: Any) -> Any:
+    """A fit that gets the sign wrong."""
+    from compwright.fitting.fit import fit_table
+
+    fitted = fit_table(*arguments, **words)
+    table = fitted.compensation
+    return replace(
+        fitted,
+        compensation=replace(table, positive=-table.positive, negative=-table.negative, backlash=-table.backlash),
+    )
+
+
+def test_a_table_that_would_make_the_axis_worse_is_not_written(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(work_module, "fit_table", inverted)
+    path = str(job(folder))
+    assert compwright(["run", path]) == 1
+    assert "axis X: no table is written: the measured test re-evaluated with the table gives A" in capsys.readouterr().err
+    assert not (folder / "job" / "tables").exists()
+    prediction = document(folder / "job" / "prediction.json")["axes"]["X"]
+    assert prediction["table"] is None
+    # What happens without a table: the fresh test shows what the measured one showed.
+    assert prediction["predicted"]["A"]["median"] == pytest.approx(prediction["before"]["A"], rel=0.1)
+    assert compwright(["run", path, "--accept-worse", "--force"]) in {0, 1}
+    assert (folder / "job" / "tables" / "siemens-840d-sl" / "AX1_EEC.INI").exists()
+
+
+def test_two_readers_that_disagree_write_nothing(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    class Wrong:
+        """A judge that sees half of every correction."""
+
+        def __init__(self, judge: Any) -> None:
+            self._judge = judge
+
+        def __getattr__(self, name: str) -> Any:
+            return getattr(self._judge, name)
+
+        def correction(self, *arguments: Any) -> Any:
+            return 0.5 * self._judge.correction(*arguments)
+
+    monkeypatch.setattr(control_module, "virtual_control", lambda *a, **k: Wrong(virtual_control(*a, **k)))
+    assert compwright(["run", str(job(folder))]) == 70
+    assert "the two readers of compwright do not agree" in capsys.readouterr().err
+    assert not (folder / "job").exists()
+
+
+@pytest.mark.parametrize(
+    ("factor", "verdict", "code"), [(1.0, "loaded", 0), (0.0, "not_active", 1), (0.5, "undecided", 1), (-1.0, "undecided", 1)]
+)
+def test_verify_says_whether_the_table_acts(folder: Path, factor: float, verdict: str, code: int) -> None:
+    path = job(folder, "before: [x.csv], accept: {A: 8}")
+    assert compwright(["run", str(path)]) == 0
+    table = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
+    write_test(folder / "after.csv", seed=3, correction=lambda x, sign: factor * table(x, sign))
+    assert compwright(["verify", str(path), "--after", str(folder / "after.csv")]) == code
+    found = document(folder / "job" / "verification.json")
+    axis = found["axes"]["X"]
+    assert axis["loading"]["verdict"] == verdict
+    assert set(axis["loading"]) == {"verdict", "equivalent", "factor", "shift_nodes", "margin", "message"}
+    assert set(axis["accept"]["A"]) == {"limit", "value", "U", "decision"}
+    assert axis["accept"]["A"]["decision"] == ("accept" if factor == 1.0 else "reject")
+    assert found["verdict"] == ("good" if factor == 1.0 else "bad")
+    if verdict == "undecided":
+        assert [finding["code"] for finding in axis["findings"]] == ["CW-V001"]
+
+
+def test_a_guarded_decision_uses_the_uncertainty(folder: Path) -> None:
+    extra = "decision_rule: guarded\nuncertainty: {device: {U: 1.0, per_m: 0.5}, E_VE: 1.0}\n"
+    path = job(folder, "before: [x.csv], accept: {A: 4}", extra=extra)
+    assert compwright(["run", str(path)]) in {0, 1}
+    table = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
+    write_test(folder / "after.csv", seed=3, correction=table)
+    assert compwright(["verify", str(path), "--after", str(folder / "after.csv")]) == 1
+    accept = document(folder / "job" / "verification.json")["axes"]["X"]["accept"]["A"]
+    assert accept["value"] < 4 < accept["value"] + accept["U"]
+    assert accept["decision"] == "undecided"
+
+
+def test_what_was_read_back_from_the_control_is_compared(folder: Path) -> None:
+    path = job(folder)
+    assert compwright(["run", str(path)]) == 0
+    tables = folder / "job" / "tables" / "siemens-840d-sl"
+    write_test(folder / "after.csv", seed=3, correction=sinumerik(tables))
+    words = ["verify", str(path), "--after", str(folder / "after.csv")]
+    assert compwright([*words, "--loaded", str(tables), "--out", str(folder / "v1")]) == 0
+    wrong = folder / "control"
+    wrong.mkdir()
+    for file in tables.iterdir():
+        text = file.read_text()
+        (wrong / file.name).write_text(text.replace("$MA_BACKLASH[0,AX1]=0.00", "$MA_BACKLASH[0,AX1]=0.01"))
+    assert compwright([*words, "--loaded", str(wrong), "--out", str(folder / "v2")]) == 1
+    codes = [finding["code"] for finding in document(folder / "v2" / "verification.json")["axes"]["X"]["findings"]]
+    assert codes == ["CW-V011"]
+
+
+@pytest.mark.parametrize("signs", [(1,), (-1,)])
+def test_a_test_of_one_direction_is_fitted(folder: Path, signs: tuple[int, ...]) -> None:
+    targets = MACHINE.targets()
+    readings = MACHINE.measure(targets, 1)
+    rows = csv_of(targets, readings).splitlines()
+    mark = "+" if signs == (1,) else "-"
+    kept = [row for row in rows if row.startswith(("#", "target")) or f",{mark}," in row]
+    (folder / "x.csv").write_text("\n".join(kept) + "\n")
+    assert compwright(["run", str(job(folder))]) == 0
+    table = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
+    x = np.linspace(20, 780, 97)
+    assert np.ptp(MACHINE.error(x, signs[0]) + table(x, signs[0])) < 2 * 3 * MACHINE.noise / np.sqrt(5)
+    assert set(document(folder / "job" / "prediction.json")["axes"]["X"]["predicted"]) == {
+        f"{name}_{'positive' if signs == (1,) else 'negative'}" for name in "AER"
+    }
+
+
+def test_a_long_axis_measured_once_is_fitted(folder: Path) -> None:
+    targets = MACHINE.targets(count=25)
+    (folder / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1, runs=1)))
+    assert compwright(["run", str(job(folder))]) == 0
+    predicted = document(folder / "job" / "prediction.json")["axes"]["X"]["predicted"]
+    assert {"E", "M", "B"} <= set(predicted)
+    assert "A" not in predicted
+    table = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
+    x = np.linspace(20, 780, 97)
+    for sign in (1, -1):
+        assert np.ptp(MACHINE.error(x, sign) + table(x, sign)) < 2 * 3 * MACHINE.noise / np.sqrt(2)
