@@ -39,16 +39,21 @@ class Change:
 
 def predict(result: PositioningResult, posterior: AxisPosterior, change: Change, axis: Axis) -> TestPrediction:
     """Return what a fresh test like ``result`` will show with the changed correction, at its targets and at new ones."""
+    return TestPrediction(
+        name=result.test.name,
+        before=result,
+        predicted=_predict_at(result, posterior, change, result.test.targets, axis),
+        predicted_new_targets=predict_new_targets(result, posterior, change, axis),
+    )
+
+
+def predict_new_targets(result: PositioningResult, posterior: AxisPosterior, change: Change, axis: Axis) -> Mapping[str, Quantiles]:
+    """Return what a fresh test like ``result`` will show with the changed correction at newly dithered targets."""
     test = result.test
     new_targets = dithered_targets(
         axis.travel, test.targets.size, _generator(axis.name, test.name, "targets"), END_MARGIN[axis.kind]
     )
-    return TestPrediction(
-        name=test.name,
-        before=result,
-        predicted=_predict_at(result, posterior, change, test.targets, axis),
-        predicted_new_targets=_predict_at(result, posterior, change, new_targets, axis),
-    )
+    return _predict_at(result, posterior, change, new_targets, axis)
 
 
 def why_not_better(

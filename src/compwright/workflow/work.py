@@ -24,7 +24,15 @@ from compwright.records.prediction import AxisPrediction
 from compwright.records.result import PositioningResult
 from compwright.workflow.control import Control, DecodedState, decode, judged
 from compwright.workflow.inputs import JobInputs
-from compwright.workflow.outlook import Change, Correction, accept_decisions, check_limits, predict, why_not_better
+from compwright.workflow.outlook import (
+    Change,
+    Correction,
+    accept_decisions,
+    check_limits,
+    predict,
+    predict_new_targets,
+    why_not_better,
+)
 from compwright.workflow.planning import dense_positions, posterior_of, wanted_correction, with_change
 
 AS_FOUND = "as_found"
@@ -193,5 +201,5 @@ def _no_gain(work: AxisWork, loaded: DecodedState) -> str:
         evaluate(with_change(first.test, *(change.at(first.test.targets, direction) for direction in Direction)), first.standard)
         for change in (changed, unchanged)
     )
-    new, old = (predict(first, work.posterior, change, axis) for change in (changed, unchanged))
-    return why_not_better(before, after, old.predicted_new_targets, new.predicted_new_targets)
+    new, old = (predict_new_targets(first, work.posterior, change, axis) for change in (changed, unchanged))
+    return why_not_better(before, after, old, new)

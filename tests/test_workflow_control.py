@@ -1,0 +1,29 @@
+"""Opening a control: its definition is found by its own file, and an unknown one is told with those that exist."""
+
+import pytest
+
+from compwright.foundations import storage
+from compwright.foundations.errors import UsageError
+from compwright.workflow.control import open_control
+from format_samples import DEFINITIONS
+
+
+@pytest.mark.parametrize("format_id", DEFINITIONS)
+def test_a_control_is_opened_from_the_file_of_its_name(format_id: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    # The other files may be damaged: they are not read, which is also what keeps the start of a run short.
+    files = {name: content if name == f"{format_id}.yaml" else b"id: [" for name, content in storage.definition_files()}
+    monkeypatch.setattr(storage, "definition_files", lambda: iter(files.items()))
+    control = open_control(format_id, {})
+    assert control.definition == DEFINITIONS[format_id]
+
+
+def test_a_definition_in_a_file_of_another_name_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    files = {f"my-{name}": content for name, content in storage.definition_files()}
+    monkeypatch.setattr(storage, "definition_files", lambda: iter(files.items()))
+    assert open_control("linuxcnc", {}).definition.file == "my-linuxcnc.yaml"
+
+
+def test_an_unknown_control_is_told_with_all_that_exist() -> None:
+    with pytest.raises(UsageError) as caught:
+        open_control("linux", {})
+    assert all(format_id in str(caught.value) for format_id in DEFINITIONS)
