@@ -315,6 +315,15 @@ def test_the_evidence_equals_the_density_of_all_readings(seed: int) -> None:
     assert evidence.log_posterior(h) - evidence.log_posterior(other) == pytest.approx(density(h) - density(other), abs=1e-6)
 
 
+def test_each_direction_carries_half_of_the_reversal() -> None:
+    basis = Basis(centre=0.0, half=1.0, sines=4, reversal_sines=2, periods=(), bidirectional=True)
+    plus, minus = basis.design(np.array([-0.4, 0.9]))
+    weights = np.zeros(basis.size)
+    weights[basis.mean_size : basis.mean_size + 2] = [-3.0, 0.5]  # B = -3 + u/2: mean(+) minus mean(-)
+    assert (plus - minus) @ weights == pytest.approx([-3.2, -2.55], abs=1e-12)
+    assert (plus + minus) @ weights == pytest.approx([0.0, 0.0], abs=1e-12)
+
+
 def test_the_smooth_part_has_the_covariance_of_matern() -> None:
     basis = Basis(centre=0.0, half=1.0, sines=200, reversal_sines=8, periods=(), bidirectional=False)
     where = np.array([0.0, 0.1, 0.3])

@@ -312,6 +312,15 @@ def test_both_curves_keep_the_range_when_they_differ_by_a_constant() -> None:
         assert curve.min() >= -20 * UM - 1e-12
 
 
+def test_rounding_both_curves_up_does_not_leave_the_range() -> None:
+    # Curve 3.5 and constant 2.5 quanta reach the limit of 6 exactly; each rounded up by itself would make 7.
+    plateau = np.interp(X, [-800.0, -700.0, -100.0, 0.0], [3.5 * UM, 3.5 * UM, 3.5 * UM, 0.0])
+    capacity = replace(TWO_CURVES, quantum=1 * UM, value_range=(-50 * UM, 6 * UM))
+    result = fit(wish(plateau, plateau + 2.5 * UM), capacity, spacing=100.0, mode="single")
+    assert result.compensation.positive[0] == pytest.approx(3 * UM, abs=1e-9)
+    assert result.compensation.negative.max() == pytest.approx(6 * UM, abs=1e-9)
+
+
 @settings(max_examples=60, deadline=None)
 @given(
     seed=st.integers(0, 10_000),
