@@ -211,11 +211,11 @@ def run_view() -> dict[str, Any]:
                 },
                 "findings": [
                     {
-                        "code": "CW-E03",
+                        "code": "CW-E003",
                         "severity": "info",
                         "message": "No screw pitch was given: a periodic error is not estimated.",
                     },
-                    {"code": "CW-T05", "severity": "warning", "message": "The readings drift by 1.2 µm over the five traverses."},
+                    {"code": "CW-T005", "severity": "warning", "message": "The readings drift by 1.2 µm over the five traverses."},
                 ],
             },
             "C": {
@@ -241,7 +241,7 @@ def run_view() -> dict[str, Any]:
             },
             {"fact": "compensation is active", "value": "yes", "evidence": "inferred from bit 0 of parameter 3602"},
         ],
-        "findings": [{"code": "CW-S01", "severity": "warning", "message": "The state of axis C was not said."}],
+        "findings": [{"code": "CW-S001", "severity": "warning", "message": "The state of axis C was not said."}],
         "files": [
             "plan.json",
             "evaluation.json",

@@ -79,7 +79,7 @@ def test_noise_without_repetition_comes_from_neighbours() -> None:
     rng = np.random.default_rng(3)
     targets = spread_targets(rng, 60)
     posterior = estimate_axis(measured(rng, targets, smooth(targets), 0 * targets, 1 * UM, runs=1), travel=TRAVEL)
-    assert "CW-E02" in codes(posterior)
+    assert "CW-E002" in codes(posterior)
     assert posterior.noise == pytest.approx(1 * UM, rel=0.35)  # 60 reversals: 9 % and the weak prior
     assert posterior.noise_dof < 2 * 60
 
@@ -98,17 +98,17 @@ def test_a_known_period_is_separated() -> None:
     # Amplitude from 82 cell means of 0.22 µm: 0.22 * sqrt(2/82) = 0.035 µm.
     assert np.hypot(cosine, sine) == pytest.approx(2 * UM, abs=0.15 * UM)
     assert np.arctan2(-sine, cosine) == pytest.approx(0.7, abs=0.08)
-    assert not codes(posterior) & {"CW-E03", "CW-E05"}
+    assert not codes(posterior) & {"CW-E003", "CW-E005"}
 
 
 def test_targets_at_a_multiple_of_the_period_cannot_show_it() -> None:
     rng = np.random.default_rng(5)
     targets = np.arange(0.0, 1001.0, 50.0)
     test = measured(rng, targets, smooth(targets), 0 * targets, 1 * UM)
-    assert "CW-E03" in codes(estimate_axis(test, travel=TRAVEL, periods=(10.0,)))
+    assert "CW-E003" in codes(estimate_axis(test, travel=TRAVEL, periods=(10.0,)))
     odd = measured(rng, targets + 2.3 * np.arange(21) % 10, smooth(targets), 0 * targets, 1 * UM)
-    assert "CW-E03" not in codes(estimate_axis(odd, travel=TRAVEL, periods=(10.0,)))
-    assert "CW-E05" in codes(estimate_axis(odd, travel=TRAVEL))
+    assert "CW-E003" not in codes(estimate_axis(odd, travel=TRAVEL, periods=(10.0,)))
+    assert "CW-E005" in codes(estimate_axis(odd, travel=TRAVEL))
 
 
 def test_evidence_tells_a_varying_reversal_from_a_constant_one() -> None:
@@ -191,7 +191,7 @@ def test_one_direction_holds_for_both() -> None:
         posterior = estimate_axis(a_test(full.positive, missing, targets), travel=TRAVEL)
         summary = posterior.summary(np.linspace(0.0, 1000.0, 50))
         assert np.array_equal(summary.mean_positive, summary.mean_negative)
-        assert "CW-E01" in codes(posterior)
+        assert "CW-E001" in codes(posterior)
         assert posterior.reversal_log_odds == 0.0
 
 
@@ -227,7 +227,7 @@ def test_beyond_the_targets_the_uncertainty_grows() -> None:
     posterior = estimate_axis(measured(rng, targets, smooth(targets), 0 * targets, 1 * UM), travel=TRAVEL)
     summary = posterior.summary(np.array([0.0, 500.0, 1000.0]))
     assert summary.std_positive[0] > 5 * summary.std_positive[1] < summary.std_positive[2]
-    assert "CW-E04" in codes(posterior)
+    assert "CW-E004" in codes(posterior)
 
 
 def test_repeated_positions_and_reproducible() -> None:

@@ -135,7 +135,7 @@ def test_the_result_with_and_without_a_suspect_is_told_and_nothing_is_dropped() 
     removed[5, 2] = np.nan
     result = evaluate(replace(sound, positive=spoilt))
     without = evaluate(replace(sound, positive=removed))
-    message = next(finding.message for finding in result.findings if finding.code == "CW-T14")
+    message = next(finding.message for finding in result.findings if finding.code == "CW-T014")
     for name in ("A", "R"):
         assert (
             f"{name} {(result.parameters[name] or 0) / UM:.2f} µm with, {(without.parameters[name] or 0) / UM:.2f} µm without"
@@ -161,9 +161,9 @@ def test_a_traverse_of_zeros_is_told_once() -> None:
     test = noisy(np.random.default_rng(2))
     zeros = test.positive.copy()
     zeros[:, 1] = 0.0
-    told = [finding for finding in reading_findings(replace(test, positive=zeros), no_comparison) if finding.code == "CW-T11"]
+    told = [finding for finding in reading_findings(replace(test, positive=zeros), no_comparison) if finding.code == "CW-T011"]
     assert [finding.message[:23] for finding in told] == ["Traverse 2 in + is exac"]
-    assert not [f for f in reading_findings(test, no_comparison) if f.code == "CW-T11"]
+    assert not [f for f in reading_findings(test, no_comparison) if f.code == "CW-T011"]
 
 
 def test_run_numbers_of_the_file_are_used() -> None:
@@ -171,7 +171,7 @@ def test_run_numbers_of_the_file_are_used() -> None:
     zeros = test.positive.copy()
     zeros[:, 4] = 0.0
     told = [
-        finding.message for finding in reading_findings(replace(test, positive=zeros), no_comparison) if finding.code == "CW-T11"
+        finding.message for finding in reading_findings(replace(test, positive=zeros), no_comparison) if finding.code == "CW-T011"
     ]
     assert told[0].startswith("Traverse 7 in +")
 
@@ -181,7 +181,7 @@ def test_rotary_findings_speak_of_arcsec() -> None:
     readings = np.random.default_rng(1).normal(size=(2, 11, 5)) / 3600.0
     readings[0, :, 0] += 30.0 / 3600.0
     test = axis_test(targets, readings[0], readings[1], kind=AxisKind.ROTARY)
-    told = next(finding.message for finding in evaluate(test).findings if finding.code == "CW-T13")
+    told = next(finding.message for finding in evaluate(test).findings if finding.code == "CW-T013")
     size = re.search(r"lies \+([0-9.]+) arcsec", told)
     assert size is not None
     assert float(size[1]) == pytest.approx(

@@ -260,7 +260,7 @@ def test_missing_readings_count_by_target() -> None:
     result = evaluate(axis_test([0.0, 1.0], holed, full))
     assert result.targets.mean_positive[0] / UM == pytest.approx(2.5, abs=EXACT)
     assert result.targets.s_positive[0] / UM == pytest.approx(sqrt(5.0 / 3.0), abs=EXACT)  # n - 1 = 3
-    assert "CW-T10" in {finding.code for finding in result.findings}
+    assert "CW-T010" in {finding.code for finding in result.findings}
     assert None not in result.parameters.values()
 
 
@@ -273,7 +273,7 @@ def test_a_target_with_one_reading_takes_away_what_needs_s_in_its_direction() ->
     assert "+ direction at 10 mm" in result.not_applicable["A"]
     assert value(result, "E") == pytest.approx(7.0, abs=EXACT)  # the single reading counts as its target's mean
     assert value(result, "B") == pytest.approx(4.0, abs=EXACT)
-    told = next(finding.message for finding in result.findings if finding.code == "CW-T16")
+    told = next(finding.message for finding in result.findings if finding.code == "CW-T016")
     # over the targets 0 and 20: A = (4) - (1 - 2 sqrt 2), R = 4 sqrt 2
     assert f"A {4 - (1 - 2 * sqrt(2)):.2f} µm" in told
     assert f"R {4 * sqrt(2):.2f} µm" in told
@@ -283,7 +283,7 @@ def test_a_target_without_any_reading_is_left_out_with_a_finding() -> None:
     positive = np.array([[0.0, 2.0], [np.nan, np.nan], [4.0, 4.0]]) * UM
     result = evaluate(axis_test([0.0, 10.0, 20.0], positive, positive))
     assert value(result, "E") == pytest.approx(3.0, abs=EXACT)
-    assert "CW-T15" in {finding.code for finding in result.findings}
+    assert "CW-T015" in {finding.code for finding in result.findings}
 
 
 def test_a_test_without_readings_is_refused() -> None:

@@ -124,9 +124,9 @@ def test_uncertainty_of_what_is_not_there() -> None:
 
 def test_what_the_uncertainty_assumes_is_told() -> None:
     codes = {f.code for f in evaluate(steep_axis(), budget=UncertaintyBudget(U_theta=0.5, U_alpha=1.0)).findings}
-    assert {"CW-T20", "CW-T22", "CW-T23"} <= codes
+    assert {"CW-T020", "CW-T022", "CW-T023"} <= codes
     codes = {f.code for f in evaluate(steep_axis(), budget=UncertaintyBudget(U_theta=0.5, U_alpha=1.0), thermal=HOT).findings}
-    assert not {"CW-T22", "CW-T23"} & codes
+    assert not {"CW-T022", "CW-T023"} & codes
 
 
 # --- nominal differential expansion ---------------------------------------------------------------------------------------------

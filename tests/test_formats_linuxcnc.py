@@ -64,7 +64,7 @@ def test_backlash_without_a_table_acts_half_each_way_and_beside_one_not_at_all()
     assert correction(state, "1", 33.0, POSITIVE) == pytest.approx(0.010)  # seen on a running control: +-0.010 mm
     assert correction(state, "1", -33.0, NEGATIVE) == pytest.approx(-0.010)
     assert correction(state, "0", 0.0, POSITIVE) == 0.0
-    assert "CW-S09" in codes(state)
+    assert "CW-S009" in codes(state)
 
 
 def test_inch_machines() -> None:
@@ -164,7 +164,7 @@ def test_a_table_is_found_by_the_key_or_by_its_name() -> None:
     job = read_state(LINUXCNC, files(x__comp=ACTUAL), {}, [axis_of("4")])
     assert job.axes["4"].positions.size == 3
     stray = read(x__comp=ACTUAL, other__comp=TRIM, m__ini=MACHINE)
-    assert "CW-S12" in codes(stray)
+    assert "CW-S012" in codes(stray)
     with pytest.raises(InputError, match="holds no rows"):
         read(joint_0__comp="", joint_1__comp=ACTUAL)
 
@@ -199,7 +199,7 @@ def test_keys_that_cannot_be_read_are_refused(old: str, new: str) -> None:
 def test_the_first_of_repeated_keys_counts() -> None:
     state = read(m__ini="[JOINT_0]\nBACKLASH = 0.02\nBACKLASH = 0.04\n")
     assert correction(state, "0", 0.0, POSITIVE) == pytest.approx(0.01)
-    assert "CW-S03" in codes(state)
+    assert "CW-S003" in codes(state)
 
 
 # Writing -----------------------------------------------------------------------------------------------------------------------
@@ -226,7 +226,7 @@ def test_axis_letters_are_taken_as_joints_and_that_is_said() -> None:
     assert normal_address(LINUXCNC, axis_of("07")) == ("7", None)
     state = read_state(LINUXCNC, files(joint_2__comp=ACTUAL), {}, [axis_of("Z")])
     assert list(state.axes) == ["2"]
-    assert "CW-S10" in codes(state)
+    assert "CW-S010" in codes(state)
     assert assumption in state.assumed
     files_of_z = write_tables(LINUXCNC, [table("Z", [0.0, 1.0], [0.0, 0.0])], [axis_of("Z")], {})
     assert files_of_z[0].name == "joint_2.comp"

@@ -52,7 +52,7 @@ def test_what_the_files_do_not_say_is_listed() -> None:
     assert any("BACKLASH" in fact and value == "0" for fact, value in facts.items())
     assert facts["reference"] == "0"
     assert facts["reference_return"] == "+"
-    assert "CW-S05" in codes(state)  # no MD32450 in the files: said as a warning
+    assert "CW-S005" in codes(state)  # no MD32450 in the files: said as a warning
 
 
 def test_backlash_acts_against_the_direction_of_the_reference_return() -> None:
@@ -100,8 +100,8 @@ def test_variants_of_the_text_mean_the_same(what: str, change) -> None:  # type:
 def test_a_blank_instead_of_the_equals_sign_is_read_with_a_warning() -> None:
     state = siemens(SAMPLE.replace("=", " "))
     np.testing.assert_array_equal(state.axes["AX1"].positive, CORRECTIONS)
-    assert "CW-S13" in codes(state)
-    assert "CW-S13" not in codes(siemens(SAMPLE))
+    assert "CW-S013" in codes(state)
+    assert "CW-S013" not in codes(siemens(SAMPLE))
 
 
 def test_several_axes_and_tables_in_one_file() -> None:
@@ -124,7 +124,7 @@ def test_the_measuring_system_of_the_job_counts() -> None:
     assert first.axes["AX1"].backlash == 0.0
     shown = siemens(both)
     assert shown.axes["AX1"].positive[0] == -0.003
-    assert "CW-S06" in codes(shown)  # both hold a table: said
+    assert "CW-S006" in codes(shown)  # both hold a table: said
     assert siemens(both, options={"encoder_system": "2"}).axes["AX1"].positive[0] == -0.009
     off = both.replace("M17\n", "$MA_ENC_COMP_ENABLE[0,AX1]=0\n$MA_ENC_COMP_ENABLE[1,AX1]=1\nM17\n")
     assert siemens(off).axes["AX1"].positive[0] == -0.009
@@ -148,7 +148,7 @@ def test_a_load_sequence_counts_by_its_last_value(sequence: list[str], active: b
     state = siemens(text)
     assert state.axes["AX1"].positions.size == (5 if active else 0)
     assert state.axes["AX1"].backlash == 0.002  # MD32700 switches the table, not the backlash
-    assert ("CW-S07" in codes(state)) is not active
+    assert ("CW-S007" in codes(state)) is not active
     assert state.facts["AX1"]["enabled"] is active
 
 
@@ -160,7 +160,7 @@ def test_switched_on_without_the_table_is_contradictory() -> None:
     assert quiet.axes["AX1"].positions.size == 0
     backlash_alone = siemens("CHANDATA(1)\n$MA_BACKLASH[0,AX1]=0.003\nM17\n")
     assert backlash_alone.axes["AX1"].backlash == 0.003
-    assert "CW-S08" in codes(backlash_alone)
+    assert "CW-S008" in codes(backlash_alone)
 
 
 @pytest.mark.parametrize(
@@ -209,7 +209,7 @@ def test_cut_anywhere_a_file_is_refused_or_complete() -> None:
         except InputError:
             continue
         np.testing.assert_array_equal(state.axes["AX1"].positive, CORRECTIONS)
-        assert "CW-S02" in codes(state) or SAMPLE[:length].rstrip().endswith("M17")
+        assert "CW-S002" in codes(state) or SAMPLE[:length].rstrip().endswith("M17")
 
 
 def test_a_binary_archive_is_refused_with_a_hint() -> None:
@@ -241,7 +241,7 @@ def test_two_files_have_to_agree() -> None:
         read_state(SIEMENS, files(A__INI="$MA_BACKLASH[0,AX1]=0.001\nM17\n", B__INI="$MA_BACKLASH[0,AX1]=0.002\nM17\n"), {})
     last = siemens("$MA_BACKLASH[0,AX1]=0.001\n$MA_BACKLASH[0,AX1]=0.002\nM17\n")
     assert last.axes["AX1"].backlash == 0.002
-    assert "CW-S03" in codes(last)
+    assert "CW-S003" in codes(last)
 
 
 def test_the_kind_of_axis_from_the_machine_data() -> None:
@@ -256,7 +256,7 @@ def test_an_archive_of_a_machine_with_endless_axes_gives_the_others() -> None:
     text = SAMPLE.replace("M17", "") + SAMPLE.replace("AX1", "AX4").replace("IS_MODULO[0,AX4]=0", "IS_MODULO[0,AX4]=1")
     state = siemens(text)
     assert list(state.axes) == ["AX1"]
-    assert "CW-S11" in codes(state)
+    assert "CW-S011" in codes(state)
     with pytest.raises(InputError, match="endless"):
         siemens(text, axis_of("AX4", kind=AxisKind.ROTARY))
 

@@ -439,10 +439,10 @@ def test_findings_stand_once_with_code_and_severity() -> None:
     page = run_report(view)
     found = [text(item) for group in tree(page).iter("ul") if group.get("class") == "findings" for item in group]
     assert found == [
-        "! warning The readings drift by 1.2 µm over the five traverses. CW-T05",
-        "info No screw pitch was given: a periodic error is not estimated. CW-E03",
+        "! warning The readings drift by 1.2 µm over the five traverses. CW-T005",
+        "info No screw pitch was given: a periodic error is not estimated. CW-E003",
         "✗ error runs/y.csv: line 3: not a number not read",
-        "! warning The state of axis C was not said. CW-S01",
+        "! warning The state of axis C was not said. CW-S001",
     ]
 
 

@@ -145,13 +145,13 @@ def findings_of(
     found: list[Finding] = []
     if not cells.bidirectional:
         message = "measured in one direction only: the same error is assumed in both, lost motion is not known"
-        found.append(Finding("CW-E01", "warning", message))
+        found.append(Finding("CW-E001", "warning", message))
     if cells.data.dof == 0:
         message = "one approach per target and direction: the noise is inferred from the scatter between neighbouring targets"
-        found.append(Finding("CW-E02", "warning", message))
+        found.append(Finding("CW-E002", "warning", message))
     found += [
         Finding(
-            "CW-E03",
+            "CW-E003",
             "warning",
             f"the targets cannot show an error of period {period:g} {unit} (their spacing hides it): it is left out, "
             "and a test at other targets may show more than is predicted",
@@ -167,7 +167,7 @@ def findings_of(
             f"({cells.targets[0]:g} to {cells.targets[-1]:g} {unit}): there the error is continued with the measured slope, "
             "and its uncertainty grows"
         )
-        found.append(Finding("CW-E04", "info", message))
+        found.append(Finding("CW-E004", "info", message))
     if not periods:
-        found.append(Finding("CW-E05", "info", "no screw pitch or other period given: periodic error is not estimated"))
+        found.append(Finding("CW-E005", "info", "no screw pitch or other period given: periodic error is not estimated"))
     return tuple(found)

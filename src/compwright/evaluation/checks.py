@@ -42,7 +42,7 @@ def plan_findings(
     if test.cycle == "step":
         findings.append(
             Finding(
-                "CW-T09",
+                "CW-T009",
                 "warning",
                 "Step cycle: not for acceptance unless agreed in writing (annex of ISO 230-2). A drift D during the test "
                 "puts about 0.92 D into "
@@ -67,14 +67,14 @@ def _is_long(test: PositioningTest, travel: tuple[float, float] | None) -> bool:
 
 
 def _runs(test: PositioningTest) -> list[Finding]:
-    """CW-T01: five approaches per direction; n = 1 belongs to axes over 2 000 mm or 360° only."""
+    """CW-T001: five approaches per direction; n = 1 belongs to axes over 2 000 mm or 360° only."""
     counts = {d: int(test.readings(d).max(initial=0.0)) for d in Direction}
     measured = {d: n for d, n in counts.items() if n}
     if len(measured) == 1:
         only = next(iter(measured))
         one_way = [
             Finding(
-                "CW-T03",
+                "CW-T003",
                 "info",
                 f"Only the approach in {sign_text(only)} was measured; parameters of both directions do not exist.",
             )
@@ -90,13 +90,13 @@ def _runs(test: PositioningTest) -> list[Finding]:
     return [
         *one_way,
         Finding(
-            "CW-T01", severity, f"The standard asks for 5 approaches to each target and direction; found {' and '.join(wrong)}."
+            "CW-T001", severity, f"The standard asks for 5 approaches to each target and direction; found {' and '.join(wrong)}."
         ),
     ]
 
 
 def _linear_targets(test: PositioningTest) -> list[Finding]:
-    """CW-T02: at least five targets per metre and five in all (4.3.2); long axes with n = 1 have their own interval."""
+    """CW-T002: at least five targets per metre and five in all (4.3.2); long axes with n = 1 have their own interval."""
     length = _length(test)
     if length > LONG[test.kind] and approaches(test) == 1:
         return []
@@ -105,7 +105,7 @@ def _linear_targets(test: PositioningTest) -> list[Finding]:
         return []
     return [
         Finding(
-            "CW-T02",
+            "CW-T002",
             "warning",
             f"{test.targets.size} targets over {length:.10g} mm are too few: at least 5 per metre and 5 in all are needed, "
             f"here {needed}.",
@@ -114,7 +114,7 @@ def _linear_targets(test: PositioningTest) -> list[Finding]:
 
 
 def _rotary_targets(test: PositioningTest, standard: str) -> list[Finding]:
-    """CW-T02 and CW-T04: number of targets and principal positions of rotary axes (1988: 4.3.4; later: 4.3.4, table 1)."""
+    """CW-T002 and CW-T004: number of targets and principal positions of rotary axes (1988: 4.3.4; later: 4.3.4, table 1)."""
     length, number = _length(test), test.targets.size
     missing = [p for p in _PRINCIPAL if _within(test, p) and not _has(test.targets, p)]
     findings = []
@@ -122,7 +122,7 @@ def _rotary_targets(test: PositioningTest, standard: str) -> list[Finding]:
         others = sum(not any(_has(np.array([x]), p) for p in _PRINCIPAL) for x in test.targets)
         if others < 3:
             message = f"ISO 230-2:1988, 4.3.4 asks for three positions beside 0°, 90°, 180°, 270°; there are {others}."
-            findings.append(Finding("CW-T02", "warning", message))
+            findings.append(Finding("CW-T002", "warning", message))
     else:
         needed = 3 if length <= 90.0 else 5 if length <= 180.0 else 8
         if number < needed:
@@ -130,11 +130,11 @@ def _rotary_targets(test: PositioningTest, standard: str) -> list[Finding]:
                 f"{number} targets over {length:.10g}° are too few: this travel needs at least {needed} (table of "
                 "target positions)."
             )
-            findings.append(Finding("CW-T02", "warning", message))
+            findings.append(Finding("CW-T002", "warning", message))
     if missing:
         severity: Severity = "warning" if standard == _FIRST_EDITION else "info"
         named = ", ".join(f"{p:g}°" for p in missing)
-        findings.append(Finding("CW-T04", severity, f"Principal position not among the targets: {named}."))
+        findings.append(Finding("CW-T004", severity, f"Principal position not among the targets: {named}."))
     return findings
 
 
@@ -150,7 +150,7 @@ def _has(targets: FloatArray, principal: float) -> bool:
 
 
 def _long_axis(test: PositioningTest, standard: str, travel: tuple[float, float] | None) -> list[Finding]:
-    """CW-T05: axes over 2 000 mm or 360° have two tests: n = 1 over the whole length, n = 5 over 2 000 mm or 360°."""
+    """CW-T005: axes over 2 000 mm or 360° have two tests: n = 1 over the whole length, n = 5 over 2 000 mm or 360°."""
     if not _is_long(test, travel) or (test.kind is AxisKind.ROTARY and standard == _FIRST_EDITION):
         return []
     limit = "2 000 mm" if test.kind is AxisKind.LINEAR else "360°"
@@ -159,7 +159,7 @@ def _long_axis(test: PositioningTest, standard: str, travel: tuple[float, float]
     if single and _length(test) > LONG[test.kind]:
         findings.append(
             Finding(
-                "CW-T05",
+                "CW-T005",
                 "info",
                 f"The axis is longer than {limit}; beside this test with one approach per direction a test with n = 5 over "
                 f"{limit} belongs to it.",
@@ -169,7 +169,7 @@ def _long_axis(test: PositioningTest, standard: str, travel: tuple[float, float]
     elif _length(test) > LONG[test.kind] * (1.0 + 1e-9):
         findings.append(
             Finding(
-                "CW-T05",
+                "CW-T005",
                 "warning",
                 f"Repeated approaches over more than {limit}: the standard tests the whole length with one approach per "
                 "direction, and n = 5 over "
@@ -179,7 +179,7 @@ def _long_axis(test: PositioningTest, standard: str, travel: tuple[float, float]
     else:
         findings.append(
             Finding(
-                "CW-T05",
+                "CW-T005",
                 "info",
                 f"The axis is longer than {limit}; a test of its whole length with one approach per direction belongs to it too.",
             )
@@ -188,7 +188,7 @@ def _long_axis(test: PositioningTest, standard: str, travel: tuple[float, float]
 
 
 def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
-    """CW-T06: 250 mm (4.3.3); rotary at most 45° (1997, GOST) or eight targets per turn (2006, 2014), up to 1 800°."""
+    """CW-T006: 250 mm (4.3.3); rotary at most 45° (1997, GOST) or eight targets per turn (2006, 2014), up to 1 800°."""
     length, number = _length(test), test.targets.size
     if test.kind is AxisKind.LINEAR:
         mean = length / max(number - 1, 1)
@@ -196,7 +196,9 @@ def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
             return []
         return [
             Finding(
-                "CW-T06", "warning", f"The mean interval of the targets is {mean:.5g} mm; over 2 000 mm it is to be 250 mm at most."
+                "CW-T006",
+                "warning",
+                f"The mean interval of the targets is {mean:.5g} mm; over 2 000 mm it is to be 250 mm at most.",
             )
         ]
     findings = []
@@ -205,21 +207,23 @@ def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
         turns = length / 360.0
         if number < 8.0 * turns - 1e-9:
             findings.append(
-                Finding("CW-T06", "warning", f"{number} targets over {turns:.4g} turns: at least eight per turn are needed.")
+                Finding("CW-T006", "warning", f"{number} targets over {turns:.4g} turns: at least eight per turn are needed.")
             )
     elif widest > 45.0 * (1.0 + 1e-9):
         findings.append(
-            Finding("CW-T06", "warning", f"The widest interval of the targets is {widest:.5g}°; over 360° it is to be 45° at most.")
+            Finding(
+                "CW-T006", "warning", f"The widest interval of the targets is {widest:.5g}°; over 360° it is to be 45° at most."
+            )
         )
     if length > 1800.0 * (1.0 + 1e-9):
         findings.append(
-            Finding("CW-T06", "info", f"{length:.10g}° were measured; the standard asks for 1 800° (five turns) at most.")
+            Finding("CW-T006", "info", f"{length:.10g}° were measured; the standard asks for 1 800° (five turns) at most.")
         )
     return findings
 
 
 def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -> list[Finding]:
-    """CW-T07: targets outside the travel, or more than one mean interval of travel at an end without a target."""
+    """CW-T007: targets outside the travel, or more than one mean interval of travel at an end without a target."""
     if travel is None:
         return []
     first, last = float(test.targets[0]), float(test.targets[-1])
@@ -229,7 +233,7 @@ def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -
             f"{position_text(travel[0], test)} to "
             f"{position_text(travel[1], test)}: check the offset and the sense of the positions."
         )
-        return [Finding("CW-T07", "warning", message)]
+        return [Finding("CW-T007", "warning", message)]
     full_turn = test.kind is AxisKind.ROTARY and travel[1] - travel[0] >= 360.0 - 1e-6
     if _is_long(test, travel) or full_turn or test.targets.size < 2:
         return []
@@ -240,18 +244,18 @@ def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -
         return []
     return [
         Finding(
-            "CW-T07", "info", f"Part of the travel was not measured: {' and '.join(told)}, more than one interval of the targets."
+            "CW-T007", "info", f"Part of the travel was not measured: {' and '.join(told)}, more than one interval of the targets."
         )
     ]
 
 
 def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
-    """CW-T08: equal spacing, or targets at phases of a known period that hide a periodic error (4.2)."""
+    """CW-T008: equal spacing, or targets at phases of a known period that hide a periodic error (4.2)."""
     if test.targets.size < 3:
         return []
     hidden = [
         Finding(
-            "CW-T08",
+            "CW-T008",
             "warning",
             f"The targets hit the period of {position_text(period, test)} always at the same phases: a periodic error of "
             "this period can stay "
@@ -270,7 +274,7 @@ def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
         "scale pitch) that divides "
         "the spacing stays hidden. The standard asks for random offsets."
     )
-    return [Finding("CW-T08", "info", message)]
+    return [Finding("CW-T008", "info", message)]
 
 
 def _phases_seen(targets: FloatArray, period: float) -> float:

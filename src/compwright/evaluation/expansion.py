@@ -14,7 +14,7 @@ from compwright.records.axis import AxisKind
 from compwright.records.job import Thermal
 from compwright.records.positioning import PositioningTest
 
-_CODE: Final = "CW-T24"
+_CODE: Final = "CW-T024"
 _NOTHING: Final = frozenset({"", "-", "no", "none", "nothing", "nichts", "keine", "0", "false"})
 _AIR_ONLY: Final = re.compile(
     r"^(?:(?:air|wavelength|refractive|refraction|index|of|the|light|laser|pressure|humidity|environment|environmental|edlen|and|only"

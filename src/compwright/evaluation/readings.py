@@ -77,7 +77,7 @@ def reading_findings(test: PositioningTest, compare: Compare) -> list[Finding]:
 
 
 def missing_readings(test: PositioningTest) -> list[Finding]:
-    """Return a finding when the number of readings differs between the targets of one direction (CW-T10)."""
+    """Return a finding when the number of readings differs between the targets of one direction (CW-T010)."""
     parts = []
     for direction in _BOTH:
         number = test.readings(direction)
@@ -92,7 +92,7 @@ def missing_readings(test: PositioningTest) -> list[Finding]:
         return []
     return [
         Finding(
-            "CW-T10",
+            "CW-T010",
             "warning",
             f"Readings are missing: {'; '.join(parts)} have fewer than the others; each target is evaluated with its own n.",
         )
@@ -100,7 +100,7 @@ def missing_readings(test: PositioningTest) -> list[Finding]:
 
 
 def zero_traverses(test: PositioningTest) -> list[Finding]:
-    """Return a finding for each traverse whose readings are all exactly zero, over at least two targets (CW-T11).
+    """Return a finding for each traverse whose readings are all exactly zero, over at least two targets (CW-T011).
 
     A file that was read with this finding of its own (CW-R010) does not get it twice.
     """
@@ -114,7 +114,7 @@ def zero_traverses(test: PositioningTest) -> list[Finding]:
             if values.size > 1 and not np.any(values):
                 findings.append(
                     Finding(
-                        "CW-T11",
+                        "CW-T011",
                         "warning",
                         f"Traverse {_run_number(test, direction, column)} in {sign_text(direction)} is exactly zero at all "
                         f"{values.size} targets: "
@@ -125,7 +125,7 @@ def zero_traverses(test: PositioningTest) -> list[Finding]:
 
 
 def drift(test: PositioningTest) -> list[Finding]:
-    """Return a finding when the readings progress in order over the runs (ISO 230-2:1997, 3.3), pooled over targets (CW-T12).
+    """Return a finding when the readings progress in order over the runs (ISO 230-2:1997, 3.3), pooled over targets (CW-T012).
 
     Score of a run and direction: mean over targets of its deviation from the target's median, clipped at three robust standard
     deviations so that one bad reading cannot decide. Statistic: sum over directions of the absolute slope of the scores over the
@@ -152,7 +152,7 @@ def drift(test: PositioningTest) -> list[Finding]:
         f"The readings drift: {told} from the first run to the last (mean over the targets); in runs without drift such an order "
         f"has a chance of {100.0 * chance:.1f} %. Warm the axis up and measure again: the drift is part of R and A."
     )
-    return [Finding("CW-T12", "warning", message)]
+    return [Finding("CW-T012", "warning", message)]
 
 
 def _chance(table: FloatArray, centred: FloatArray) -> float:
@@ -169,7 +169,7 @@ def _chance(table: FloatArray, centred: FloatArray) -> float:
 
 
 def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
-    """Return a finding for each traverse that lies off its fellows as a whole (CW-T13); at least three runs."""
+    """Return a finding for each traverse that lies off its fellows as a whole (CW-T013); at least three runs."""
     findings = []
     residuals, scale = _pooled(test)
     for direction, residual in zip(_BOTH, residuals, strict=True):
@@ -183,7 +183,7 @@ def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
                 without[:, column] = False
                 findings.append(
                     Finding(
-                        "CW-T13",
+                        "CW-T013",
                         "warning",
                         f"Traverse {_run_number(test, direction, column)} in {sign_text(direction)} lies "
                         f"{signed_text(shift, test)} off the others "
@@ -195,7 +195,7 @@ def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
 
 
 def suspect_readings(test: PositioningTest, compare: Compare) -> list[Finding]:
-    """Return one finding for all readings that lie far off their target's and their traverse's others (CW-T14); n >= 4."""
+    """Return one finding for all readings that lie far off their target's and their traverse's others (CW-T014); n >= 4."""
     found: list[tuple[float, Direction, int, int]] = []
     inner = [residual - _run_medians(residual) for residual in _pooled(test)[0]]
     inner = [residual - _row_medians(residual) for residual in inner]
@@ -225,7 +225,7 @@ def suspect_readings(test: PositioningTest, compare: Compare) -> list[Finding]:
         f"Suspect reading{'s' * (len(found) > 1)}: {told}{more}; robust standard deviation of a reading: "
         f"{text_of(scale, test)}. {compare(changed)}"
     )
-    return [Finding("CW-T14", "warning", message.strip())]
+    return [Finding("CW-T014", "warning", message.strip())]
 
 
 def _kept(test: PositioningTest, direction: Direction, keep: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> PositioningTest:

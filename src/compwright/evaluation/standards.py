@@ -263,11 +263,11 @@ def _target_findings(
     standard: Standard,
     measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
 ) -> list[Finding]:
-    """CW-T15: targets without any reading; CW-T16: targets without s, with the parameters over the other targets."""
+    """CW-T015: targets without any reading; CW-T016: targets without s, with the parameters over the other targets."""
     findings = []
     if not np.all(measured):
         where = ", ".join(position_text(float(x), test) for x in test.targets[~measured])
-        findings.append(Finding("CW-T15", "warning", f"Targets without any reading are left out: {where}."))
+        findings.append(Finding("CW-T015", "warning", f"Targets without any reading are left out: {where}."))
     directions = [d for d in _BOTH if np.any(np.isfinite(test.deviations(d)))]
     complete = measured & np.all([test.readings(d) >= 2 for d in directions], axis=0)
     if np.array_equal(complete, measured) or not np.any(complete):
@@ -280,7 +280,7 @@ def _target_findings(
         if name in {"A", "R", "P", "Ps_max"} and np.isfinite(value)
     )
     message = f"Fewer than two readings per direction at {where}: no standard deviation there, so what needs it is not given."
-    findings.append(Finding("CW-T16", "warning", f"{message} Over the other targets: {told}." if told else message))
+    findings.append(Finding("CW-T016", "warning", f"{message} Over the other targets: {told}." if told else message))
     return findings
 
 

@@ -67,7 +67,7 @@ def expanded_uncertainties(
     if "P" in given:
         return None, [
             Finding(
-                "CW-T21", "info", "No uncertainty is stated for VDI/DGQ 3441: annex A of ISO 230-2 treats its own parameters only."
+                "CW-T021", "info", "No uncertainty is stated for VDI/DGQ 3441: annex A of ISO 230-2 treats its own parameters only."
             )
         ]
     v = FROM_RANGE * budget.E_VE
@@ -110,7 +110,7 @@ def _bidirectional_repeatability(columns: TargetColumns, coverage: float, v: flo
 def _assumptions(test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None) -> list[Finding]:
     findings = [
         Finding(
-            "CW-T20",
+            "CW-T020",
             "info",
             "Uncertainty: GUM combination of the annex A contributors of ISO 230-2:2006, k = 2, coefficients derived.",
         )
@@ -118,7 +118,7 @@ def _assumptions(test: PositioningTest, budget: UncertaintyBudget, thermal: Ther
     if test.kind is AxisKind.LINEAR and thermal is None and budget.U_theta > 0.0:
         findings.append(
             Finding(
-                "CW-T22",
+                "CW-T022",
                 "warning",
                 f"U_theta is given without thermal.alpha_m: {_STEEL} µm/(m K) (steel) was assumed for the machine.",
             )
@@ -126,7 +126,7 @@ def _assumptions(test: PositioningTest, budget: UncertaintyBudget, thermal: Ther
     if test.kind is AxisKind.LINEAR and thermal is None and budget.U_alpha > 0.0:
         findings.append(
             Finding(
-                "CW-T23",
+                "CW-T023",
                 "warning",
                 "U_alpha is given without thermal.T_m: the temperature is unknown, so its term is missing from U.",
             )

@@ -189,7 +189,7 @@ def _leaving_out(nodes: FloatArray, wanted: WantedCorrection, periods: list[floa
     named = ", ".join(f"{period:g}" for period in periods)
     factor, small = (1e3, "µm") if unit == "mm" else (3600.0, "arcsec")
     found = Finding(
-        "CW-F02",
+        "CW-F002",
         "info",
         f"the spacing of {float(np.max(np.diff(nodes))):g} {unit} cannot hold an error of period {named} {unit} "
         f"(a third of the period is needed): it is left out of the table, {rms * factor:.2g} {small} rms",

@@ -167,7 +167,7 @@ class AxisReader:
         if absent.say != "nothing":
             self.notes.assume(f"{self.label}: {name} ({binding.quantity.replace('_', ' ')})", absent.value, str(absent.evidence))
         if absent.say == "warning":
-            self.notes.find("CW-S05", "warning", f"{self.label}: {name} is not in the files; counted as {absent.value}")
+            self.notes.find("CW-S005", "warning", f"{self.label}: {name} is not in the files; counted as {absent.value}")
         return absent.value
 
     def _measuring_system(self, options: Mapping[str, object]) -> str | None:
@@ -195,7 +195,7 @@ class AxisReader:
             )
         if len(active) > 1:
             self.notes.find(
-                "CW-S06",
+                "CW-S006",
                 "warning",
                 f"axis {self.address}: several measuring systems hold a table; system {int(chosen) + 1} is shown",
             )
@@ -257,7 +257,7 @@ class AxisReader:
         if has_table:
             word = self._choice("enabled")
             if word == "no":
-                self.notes.find("CW-S07", "info", f"{self.label}: the table is switched off in the files; it corrects nothing")
+                self.notes.find("CW-S007", "info", f"{self.label}: the table is switched off in the files; it corrects nothing")
             return word != "no"
         found = self._single("enabled")
         if found is not None and self._word("enabled") == "yes" and not (max_points is not None and int(max_points.text) == 0):
@@ -271,7 +271,7 @@ class AxisReader:
             )
         if found is None:
             self.notes.assume(f"{self.label}: table", "none", "unconfirmed: no file that was given holds one")
-            self.notes.find("CW-S08", "warning", f"{self.label}: no file holds a table; counted as none")
+            self.notes.find("CW-S008", "warning", f"{self.label}: no file holds a table; counted as none")
         return self._word("enabled") != "no"
 
     def _table(self, scale: Scale, max_points: Found | None) -> Table | None:
@@ -319,7 +319,7 @@ class AxisReader:
             return float(value) + 0.0, 0.0
         if has_table and value != 0:
             self.notes.find(
-                "CW-S09",
+                "CW-S009",
                 "warning",
                 f"{self.label}: {self._name_in_file(binding)} = {text} is ignored by the control, which has a table",
             )

@@ -118,7 +118,7 @@ def the_one(binding: Binding, places: Sequence[Found], label: str, faults: list[
     if any(not same_value(place.text, chosen[0].text) for place in places):
         findings.append(
             Finding(
-                "CW-S03",
+                "CW-S003",
                 "info",
                 f"{label} is given several times; the {binding.repeated} value counts: {chosen[0].text} ({chosen[0].where})",
             )

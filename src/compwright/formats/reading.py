@@ -54,7 +54,7 @@ class _StateReader:
             if assumption is not None:
                 self.notes.assumed.append(assumption)
                 self.notes.find(
-                    "CW-S10", "warning", f"axis {axis.name} is taken as {name} of the control: check it, or give its address"
+                    "CW-S010", "warning", f"axis {axis.name} is taken as {name} of the control: check it, or give its address"
                 )
         self.used_files: set[int] = set()
 
@@ -208,19 +208,19 @@ class _StateReader:
             )
         else:
             self.notes.find(
-                "CW-S11", "warning", f"axis {address} is left out: a table that repeats (endless rotary axis) is not built yet"
+                "CW-S011", "warning", f"axis {address} is left out: a table that repeats (endless rotary axis) is not built yet"
             )
 
     def _after(self, texts: Sequence[ReadText]) -> None:
         """Note what concerns the files as a whole."""
         for text in self._table_texts(texts):
             if text.number not in self.used_files and not self.wanted:
-                self.notes.find("CW-S12", "warning", f"{text.file} is not named by any axis: the control does not load it")
+                self.notes.find("CW-S012", "warning", f"{text.file} is not named by any axis: the control does not load it")
         for text in texts:
             variants = [occurrence.line for occurrence in text.occurrences if occurrence.variant]
             if variants:
                 self.notes.find(
-                    "CW-S13",
+                    "CW-S013",
                     "warning",
                     f"{text.file}, line {variants[0]}: read, although no manual shows this form ({len(variants)} lines)",
                 )

@@ -208,7 +208,7 @@ def _unused(definition: Definition, source: TableSource, values: Mapping[int, Fo
             return False
     if extra:
         source.findings.append(
-            Finding("CW-S04", "info", f"{source.label}: {len(extra)} values behind the end of the table are zero and not used")
+            Finding("CW-S004", "info", f"{source.label}: {len(extra)} values behind the end of the table are zero and not used")
         )
     return True
 

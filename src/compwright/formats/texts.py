@@ -198,7 +198,7 @@ class _KindReader:
         final = lines[last - 1]
         if not self.kind.ends_with:
             if not final.ended and self.kind.other_lines_refused:
-                yield Finding("CW-S01", "warning", f"{self.file}: the last row has no line end; check that the file is complete")
+                yield Finding("CW-S001", "warning", f"{self.file}: the last row has no line end; check that the file is complete")
             return
         if any(self._code(line).strip(" \t").upper() in self.kind.ends_with for line in lines[-20:]):
             return
@@ -210,7 +210,7 @@ class _KindReader:
             )
         else:
             yield Finding(
-                "CW-S02", "warning", f"{self.file}: no {self.kind.ends_with[0]} at the end; check that the file is complete"
+                "CW-S002", "warning", f"{self.file}: no {self.kind.ends_with[0]} at the end; check that the file is complete"
             )
 
     def _refuse(self, line: Line, message: str, expected: str = "") -> None:
