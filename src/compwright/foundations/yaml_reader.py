@@ -47,7 +47,27 @@ _LONE_SURROGATE = re.compile("[\ud800-\udfff]")  # cannot be written to any file
 
 
 class _Loader(yaml.SafeLoader):
-    """A safe loader with the narrow scalar rules above."""
+    """A safe loader with the narrow scalar rules above, for plain data only."""
+
+    def __init__(self, text: str, file: str) -> None:
+        super().__init__(text)
+        self.file = file
+        self.depth = 0
+
+    def get_event(self) -> yaml.Event:
+        """Return the next event. Raises InputError for YAML that is no plain data, or nested deeper than any file of ours."""
+        event: yaml.Event = super().get_event()  # type: ignore[no-untyped-call]  # the stubs leave it open
+        self.depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+        if isinstance(event, yaml.AliasEvent):
+            message, expected = "aliases (*name) are not accepted", "the value written out"
+        elif getattr(event, "tag", None) is not None:
+            message, expected = "tags (!name) are not accepted", "the plain value"
+        elif self.depth > _DEEPEST:
+            message, expected = "is nested too deeply", f"at most {_DEEPEST} levels"
+        else:
+            return event
+        place = f"line {event.start_mark.line + 1}" if event.start_mark else ""
+        raise InputError(Fault(message=message, file=self.file, place=place, expected=expected))
 
 
 _Loader.yaml_implicit_resolvers = {}
@@ -70,7 +90,7 @@ class _Reader:
         self.file = file
         self.lines: dict[KeyPath, int] = {}
         self.faults: list[Fault] = []
-        self.loader = _Loader("")
+        self.loader = _Loader("", file)
 
     def value(self, node: yaml.Node, path: KeyPath) -> Any:
         if isinstance(node, yaml.MappingNode):
@@ -131,8 +151,7 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
     """
     text = _decoded(content, file)
     try:
-        _refuse_aliases_and_tags(text, file)
-        node = yaml.compose(text, Loader=_Loader)
+        node = _Loader(text, file).get_single_node()
         if node is None:
             raise InputError(Fault(message="is empty", file=file, expected="a YAML document"))
         reader = _Reader(file)
@@ -155,20 +174,3 @@ def _decoded(content: bytes, file: str) -> str:
         raise InputError(
             Fault(message="is not UTF-8 text", file=file, place=f"byte {error.start + 1}", expected="a YAML text file")
         ) from error
-
-
-def _refuse_aliases_and_tags(text: str, file: str) -> None:
-    """Raise InputError for what is YAML but not plain data, and for nesting deeper than any file of ours."""
-    depth = 0
-    for event in yaml.parse(text, Loader=yaml.SafeLoader):
-        depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
-        if isinstance(event, yaml.AliasEvent):
-            message, expected = "aliases (*name) are not accepted", "the value written out"
-        elif getattr(event, "tag", None) is not None:
-            message, expected = "tags (!name) are not accepted", "the plain value"
-        elif depth > _DEEPEST:
-            message, expected = "is nested too deeply", f"at most {_DEEPEST} levels"
-        else:
-            continue
-        place = f"line {event.start_mark.line + 1}" if event.start_mark else ""
-        raise InputError(Fault(message=message, file=file, place=place, expected=expected))
