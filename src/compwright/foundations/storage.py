@@ -7,7 +7,6 @@ and puts back what was there before. Folders made on the way are removed too.
 from __future__ import annotations
 
 import os
-import secrets
 import shutil
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
@@ -170,7 +169,7 @@ def _make_folder(folder: Path, made: list[Path]) -> None:
 
 def _beside(target: Path) -> Path:
     """Return an unused short name beside ``target`` (one longer than the target's could be too long for the file system)."""
-    return target.with_name(f".{secrets.token_hex(6)}.part")
+    return target.with_name(f".{os.urandom(6).hex()}.part")
 
 
 def _stage(target: Path, content: bytes, changes: _Changes) -> None:
