@@ -84,6 +84,12 @@ def test_inch_machines() -> None:
     assert write_tables(LINUXCNC, [held], [axis_of("0")], settled)[0] == comp
 
 
+def test_a_section_counts_by_its_exact_name() -> None:
+    state = read(m__ini="[ TRAJ]\nLINEAR_UNITS = inch\n[JOINT_1]\nBACKLASH = 0.020\n[joint_2]\nBACKLASH = 1\n")
+    assert list(state.axes) == ["1"]
+    assert correction(state, "1", 0.0, POSITIVE) == pytest.approx(0.010)  # not inches: the control does not know [ TRAJ]
+
+
 def test_a_rotary_joint_is_in_degrees_on_any_machine() -> None:
     text = MACHINE.replace("mm", "inch").replace("TYPE = LINEAR", "TYPE = ANGULAR")
     axis = read(x__comp=ACTUAL, m__ini=text).axes["0"]

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 from compwright.formats.capacity import capacity_for
+from compwright.formats.definitions import load_definition
 from compwright.formats.reading import read_state
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction
-from format_samples import SIEMENS, axis_of, codes, correction, files, siemens, table
+from format_samples import CONTENT, SIEMENS, axis_of, codes, correction, files, siemens, table
 
 POSITIVE, NEGATIVE = Direction.POSITIVE, Direction.NEGATIVE
 
@@ -136,6 +137,11 @@ def test_a_table_of_the_other_measuring_system_is_not_nothing() -> None:
         siemens(text, axis_of("AX1", system=1))
     assert "system 2" in str(caught.value)
     assert siemens(text).axes["AX1"].positive[0] == -0.003  # without a job: the one that holds a table
+    named = text.replace("M17", "$MA_BACKLASH[0,AX1]=0\nM17")  # the first system is spoken of, and still holds no table
+    with pytest.raises(InputError, match="measuring system 1"):
+        siemens(named, axis_of("AX1", system=1))
+    off = named.replace("M17", "$MA_ENC_COMP_ENABLE[1,AX1]=0\nM17")  # a table that is switched off does not stand in the way
+    assert siemens(off, axis_of("AX1", system=1)).axes["AX1"].positions.size == 0
 
 
 @pytest.mark.parametrize(
@@ -345,6 +351,17 @@ def test_an_endless_axis_and_wrong_addresses_are_refused() -> None:
         write_tables(SIEMENS, [table("AX7", NODES, CORRECTIONS)], [axis_of("AX1")], {})
     with pytest.raises(UsageError, match="two tables"):
         write_tables(SIEMENS, [good, good], [axis_of("AX1", kind=AxisKind.ROTARY)], {})
+
+
+def test_a_range_bounds_the_value_in_the_file() -> None:
+    text = CONTENT["siemens-840d-sl.yaml"].decode().replace("range: [-10, 10]", "range: [-0.004, 10]", 1)  # errors from -0.004 mm
+    definition = load_definition(text.encode(), "mine.yaml")
+    assert capacity_for(definition, axis_of("AX1"), {}, None).value_range == (-10.0, 0.004)
+    with pytest.raises(InputError, match="not plausible"):
+        read_state(definition, files(A__INI=SAMPLE), {})  # its last error is -0.0045 mm
+    write_tables(definition, [table("AX1", [0.0, 50.0], [-0.0045, 0.0], below="zero")], [axis_of("AX1")], {})
+    with pytest.raises(CapacityError, match="outside"):
+        write_tables(definition, [table("AX1", [0.0, 50.0], [0.0045, 0.0], below="zero")], [axis_of("AX1")], {})
 
 
 def test_a_first_value_of_zero_makes_the_lower_end_the_same() -> None:

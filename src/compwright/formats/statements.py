@@ -104,6 +104,7 @@ def _line_pattern(form: str, statement: Statement, dialect: Dialect) -> str:
 def _form_pattern(form: str, kinds: Mapping[str, FieldType]) -> str:
     pattern = ""
     previous = ""  # "" at the start, "word" for a word or a field, "mark" for punctuation
+    label: FieldType | None = None  # a label holds its own blanks: [ TRAJ] is not [TRAJ]
     blank = False
     for piece in _PIECE.finditer(form):
         if piece["blank"]:
@@ -112,8 +113,10 @@ def _form_pattern(form: str, kinds: Mapping[str, FieldType]) -> str:
         kind = "mark" if piece["mark"] else "word"
         if previous:
             both_words = previous == kind == "word"
-            pattern += (r"[ \t]+" if blank else "") if both_words else r"[ \t]*"
+            gap = (r"[ \t]+" if blank else "") if both_words else r"[ \t]*"
+            pattern += "" if "label" in (label, kinds.get(piece["field"] or "")) else gap
         field = piece["field"]
+        label = kinds.get(field or "")
         pattern += f"(?P<{field}>{_FIELD_PATTERNS[kinds[field]]})" if field else re.escape(piece[0])
         previous, blank = kind, False
     return pattern

@@ -131,11 +131,11 @@ def _read_by_index(definition: Definition, source: TableSource, scale: Scale) ->
     start, step, steps = count
     # one of the first len(values) + 1 indices is free; a few more make the message useful, however wild the grid is
     absent = [str(index) for index in range(min(steps + 1, len(values) + 8)) if index not in values]
-    if absent or len(values) < steps + 1:
+    if absent:
         source.fault(
             "values are missing; a file that was cut short?",
             expected=f"{steps + 1} values, 0 to {steps}",
-            what=f"{len(values)} values" + (f", without {', '.join(absent[:8])}" if absent else ""),
+            what=f"{len(values)} values, without {', '.join(absent[:8])}",
         )
         return None
     if not _unused(definition, source, values, steps):
