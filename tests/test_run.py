@@ -278,3 +278,64 @@ def test_a_long_axis_measured_once_is_fitted(folder: Path) -> None:
     x = np.linspace(20, 780, 97)
     for sign in (1, -1):
         assert np.ptp(MACHINE.error(x, sign) + table(x, sign)) < 2 * 3 * MACHINE.noise / np.sqrt(2)
+
+
+def lcnc_error(folder: Path, names: tuple[str, ...], **words: Any) -> Callable[[Floats, int], Floats]:
+    files = [ControlFile(name, (folder / name).read_bytes()) for name in names]
+    judge = virtual_control("linuxcnc", files, **words)
+    return lambda x, sign: judge.correction("0", x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE)
+
+
+def lcnc_job(folder: Path, states: str) -> Path:
+    path = folder / "job.yaml"
+    path.write_text(
+        f"compwright: 1\ncontroller: {{format: linuxcnc}}\nstates: {{as_found: {states}}}\n"
+        "axes:\n  X: {travel: [0, 800], address: 0, before: [x.csv]}\n"
+    )
+    return path
+
+
+def test_an_old_table_whose_two_columns_differ_along_the_axis_is_replaced_in_one_round(tmp_path: Path) -> None:
+    """The machine's reversal is constant; that of the old table is not, so the new total must vary to take it back."""
+    rows = "".join(f"{x} {x + 0.004 * np.sin(x / 130):.7f} {x - 0.009 * np.cos(x / 170):.7f}\n" for x in range(0, 801, 40))
+    (tmp_path / "joint_0.comp").write_text(rows)
+    (tmp_path / "joint_0.ini").write_text("[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 0\n")
+    old = lcnc_error(tmp_path, ("joint_0.comp", "joint_0.ini"))
+    write_test(tmp_path / "x.csv", correction=old)
+    assert compwright(["run", str(lcnc_job(tmp_path, "[joint_0.comp, joint_0.ini]"))]) == 0
+    new = lcnc_error(tmp_path / "job" / "tables" / "linuxcnc", ("joint_0.comp", "joint_0.ini"))
+    x = np.linspace(20, 780, 97)
+    left = np.concatenate([MACHINE.error(x, sign) + new(x, sign) for sign in (1, -1)])
+    # The estimate: three standard deviations of a mean at either end; the old rows are 40 mm apart, and their bends of up to
+    # 9 µm (40/170)² / 8 = 0.06 µm are no smooth curve.
+    assert np.ptp(left) < 2 * 3 * MACHINE.noise / np.sqrt(5) + 2 * 0.06 * UM
+
+
+def test_an_inch_machine_gets_an_inch_table(tmp_path: Path) -> None:
+    (tmp_path / "machine.ini").write_text("[TRAJ]\nLINEAR_UNITS = inch\n[JOINT_0]\nTYPE = LINEAR\nBACKLASH = 0.0001\n")
+    before = lcnc_error(tmp_path, ("machine.ini",))
+    np.testing.assert_allclose(before(np.array([5.0]), 1), 0.00127)  # half of 0.0001 inch, in mm
+    write_test(tmp_path / "x.csv", correction=before)
+    assert compwright(["run", str(lcnc_job(tmp_path, "[machine.ini]"))]) == 0
+    tables = tmp_path / "job" / "tables" / "linuxcnc"
+    positions = [float(line.split()[0]) for line in (tables / "joint_0.comp").read_text().splitlines()]
+    assert (min(positions), max(positions)) == (pytest.approx(0, abs=1), pytest.approx(800 / 25.4, abs=1))
+    new = lcnc_error(tables, ("joint_0.comp", "joint_0.ini"), options={"units": "inch"})
+    x = np.linspace(20, 780, 97)
+    for sign in (1, -1):
+        assert np.ptp(MACHINE.error(x, sign) + new(x, sign)) < 2 * 3 * MACHINE.noise / np.sqrt(10)
+    words = [
+        "decode",
+        str(tables),
+        "--format",
+        "linuxcnc",
+        "--option",
+        "units=inch",
+        "--at",
+        "400",
+        "--json",
+        str(tmp_path / "d.json"),
+    ]
+    assert compwright(words) == 0
+    decoded = document(tmp_path / "d.json")["axes"]["0"]
+    assert decoded["correction_positive"] == pytest.approx([new(np.array([400.0]), 1)[0] / UM], abs=1e-3)

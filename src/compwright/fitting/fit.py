@@ -7,7 +7,7 @@ from typing import Final, Literal
 
 import numpy as np
 
-from compwright.fitting.grid import Grid, choose_grid
+from compwright.fitting.grid import NOISE_SHARE, Grid, choose_grid
 from compwright.fitting.problem import (
     BOTH,
     Layout,
@@ -101,7 +101,13 @@ def _shape(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) 
     says = f"log odds {odds:.1f}, strong from {STRONG:g} on"
     if odds > STRONG:
         return "bidirectional", f"two tables: the reversal varies with position ({says})"
-    return "single", f"one table and a constant between the directions: no strong evidence that the reversal varies ({says})"
+    # What is wanted of the reversal is what the control did already plus what the test says. Both may vary: the table of an
+    # earlier visit, or a variation that the evidence favours without being strong.
+    cost = 0.5 * float(np.std(wanted.positive - wanted.negative))
+    if cost > max(capacity.quantum, NOISE_SHARE * wanted.noise):
+        factor, small = (1e3, "µm") if wanted.kind.unit == "mm" else (3600.0, "arcsec")
+        return "bidirectional", f"two tables: a constant between the directions would cost {cost * factor:.2g} {small} rms"
+    return "single", f"one table and a constant between the directions: what is wanted does not vary more ({says})"
 
 
 def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction) -> Layout:

@@ -46,18 +46,25 @@ class Control:
 
     definition: Definition
     options: Mapping[str, object]
-    given: frozenset[str]
+    given: Mapping[str, object]
 
     @property
     def id(self) -> str:
         """The format's name, such as ``siemens-840d-sl``."""
         return self.definition.id
 
+    def in_state(self, state: ControlState) -> Control:
+        """Return the control with the options that its own files answer (such as the machine's unit) taken from them.
+
+        Raises UsageError where an option that was given contradicts the files.
+        """
+        return replace(self, options=resolve_options(self.definition, self.given, state))
+
     def assumed(self, *states: ControlState) -> tuple[Assumption, ...]:
         """Return every option that was left at its default and that no file of ``states`` answers."""
         answered = {name for state in states for facts in state.facts.values() for name in facts}
         settled = {name for name, option in self.definition.options.items() if option.settled_by in answered}
-        said = self.given | settled | _SAID_ELSEWHERE
+        said = set(self.given) | settled | _SAID_ELSEWHERE
         return tuple(
             Assumption(f"option {name}", _shown(value), "default of the definition")
             for name, value in self.options.items()
@@ -77,7 +84,7 @@ class DecodedState:
 def open_control(format_id: str, given: Mapping[str, object]) -> Control:
     """Return a control by name. Raises UsageError for an unknown name or option (saying which exist)."""
     definition = _definition(format_id)
-    return Control(definition=definition, options=resolve_options(definition, given), given=frozenset(given))
+    return Control(definition=definition, options=resolve_options(definition, given), given=dict(given))
 
 
 def _definition(format_id: str) -> Definition:

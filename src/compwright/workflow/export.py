@@ -45,6 +45,7 @@ def export_plan(
     given = {**plan.options, **options} if plan.format == format_id else options
     control = open_control(format_id, given)
     state = _state(plan, control, states, str(path))
+    control = control.in_state(state.state)
     fitted = []
     errors: list[CompwrightError] = []
     assumed: list[Assumption] = [*control.assumed(state.state), *state.state.assumed]

@@ -97,6 +97,7 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
     tables: tuple[ControlFile, ...] = ()
     loaded: DecodedState | None = None
     if AS_FOUND in inputs.states:
+        control = control.in_state(inputs.states[AS_FOUND].state)
         works = fit_all(works, control, inputs.states[AS_FOUND].state, job.file)
         works, tables, loaded = export(works, control, accept_worse=accept_worse)
     states = [decoded.state for decoded in inputs.states.values()]
