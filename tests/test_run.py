@@ -296,18 +296,18 @@ def lcnc_job(folder: Path, states: str) -> Path:
 
 
 def test_an_old_table_whose_two_columns_differ_along_the_axis_is_replaced_in_one_round(tmp_path: Path) -> None:
-    """The machine's reversal is constant; that of the old table is not, so the new total must vary to take it back."""
+    """The machine's reversal varies and the old table takes just that away: the test sees a constant one, the total must not."""
     rows = "".join(f"{x} {x + 0.004 * np.sin(x / 130):.7f} {x - 0.009 * np.cos(x / 170):.7f}\n" for x in range(0, 801, 40))
     (tmp_path / "joint_0.comp").write_text(rows)
     (tmp_path / "joint_0.ini").write_text("[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 0\n")
     old = lcnc_error(tmp_path, ("joint_0.comp", "joint_0.ini"))
-    write_test(tmp_path / "x.csv", correction=old)
+    write_test(tmp_path / "x.csv")  # with the old table active the machine shows slope, bow and a constant reversal
     assert compwright(["run", str(lcnc_job(tmp_path, "[joint_0.comp, joint_0.ini]"))]) == 0
     new = lcnc_error(tmp_path / "job" / "tables" / "linuxcnc", ("joint_0.comp", "joint_0.ini"))
     x = np.linspace(20, 780, 97)
-    left = np.concatenate([MACHINE.error(x, sign) + new(x, sign) for sign in (1, -1)])
-    # The estimate: three standard deviations of a mean at either end; the old rows are 40 mm apart, and their bends of up to
-    # 9 µm (40/170)² / 8 = 0.06 µm are no smooth curve.
+    left = np.concatenate([MACHINE.error(x, sign) - old(x, sign) + new(x, sign) for sign in (1, -1)])
+    # The estimate: three standard deviations of a mean at either end; the rows of the old table are straight lines of 40 mm, which
+    # a curve of 9 µm misses by up to 9 (40/170)² / 8 = 0.06 µm.
     assert np.ptp(left) < 2 * 3 * MACHINE.noise / np.sqrt(5) + 2 * 0.06 * UM
 
 
