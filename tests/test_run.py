@@ -339,3 +339,28 @@ def test_an_inch_machine_gets_an_inch_table(tmp_path: Path) -> None:
     assert compwright(words) == 0
     decoded = document(tmp_path / "d.json")["axes"]["0"]
     assert decoded["correction_positive"] == pytest.approx([new(np.array([400.0]), 1)[0] / UM], abs=1e-3)
+
+
+def test_an_archive_that_holds_other_axes_too_is_a_state(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Only the axes under work are read and written; the others are neither judged nor touched."""
+    lines = ["CHANDATA(1)"]
+    for axis, values in (("AX1", (0.0, 0.004, 0.009)), ("AX2", (0.0, -0.002, 0.001))):
+        lines += [f"$AA_ENC_COMP[0,{i},{axis}]={value}" for i, value in enumerate(values)]
+        lines += [f"$AA_ENC_COMP_{key}[0,{axis}]={value}" for key, value in (("STEP", 400), ("MIN", 0), ("MAX", 800))]
+        lines += [f"$AA_ENC_COMP_IS_MODULO[0,{axis}]=0", f"N32450 $MA_BACKLASH[0,{axis}]=0.001"]
+    (folder / "ARCHIVE.INI").write_text("\n".join([*lines, "M17"]) + "\n")
+    assert compwright(["run", str(job(folder, states="{as_found: [ARCHIVE.INI]}"))]) == 0
+    names = sorted(path.name for path in (folder / "job" / "tables" / "siemens-840d-sl").iterdir())
+    assert names == ["AX1_EEC.INI", "AX1_MD.INI"]
+    assert (folder / "job" / "rollback" / "siemens-840d-sl" / "ARCHIVE.INI").read_bytes() == (folder / "ARCHIVE.INI").read_bytes()
+    capsys.readouterr()
+    assert compwright(["decode", str(folder / "ARCHIVE.INI"), "--format", "siemens-840d-sl", "--axis", "AX2", "--json", "-"]) == 0
+    assert list(json.loads(capsys.readouterr().out)["axes"]) == ["AX2"]
+
+
+def test_a_table_without_a_name_of_its_own_belongs_to_the_axis_that_is_asked_for(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "x.comp").write_text("0 0.001 0.002\n100 100.003 100.001\n")
+    assert compwright(["decode", str(tmp_path / "x.comp"), "--format", "linuxcnc", "--axis", "2", "--json", "-"]) == 0
+    assert json.loads(capsys.readouterr().out)["axes"]["2"]["correction_positive"] == pytest.approx([-1.0, -3.0], abs=1e-4)

@@ -145,22 +145,26 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     return tuple(files)
 
 
-def decode(control: Control, files: Sequence[ControlFile], axes: Sequence[Axis] = ()) -> DecodedState:
+def decode(
+    control: Control, files: Sequence[ControlFile], axes: Sequence[Axis] = (), *, address: str | None = None
+) -> DecodedState:
     """Read control files with both readers and hold them against each other.
 
+    ``axes``: those of a job; ``address``: the one axis that is asked for. Either names the axis of a table that does not.
     Raises InputError when the files cannot be read or contradict themselves, and CompwrightError (a fault of our own) when
     the two readers do not agree.
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
-    state = read_state(control.definition, files, control.options, axes)
+    state = read_state(control.definition, files, control.options, axes, address=address)
+    alone = address or (axes[0].address if len(axes) == 1 else None)
     judge = virtual_control(
         control.id,
         files,
         reference_return={address: axis.reference_return for address, axis in state.axes.items()},
         kinds={address: axis.kind for address, axis in state.axes.items()},
         encoder={axis.address: axis.encoder.system for axis in axes},
-        options=control.options,
+        options={**control.options, **({"axis": alone} if alone is not None else {})},
     )
     raise_all(CompwrightError, _disagreements(state, judge))
     return DecodedState(files=tuple(files), state=state, judge=judge)
@@ -175,11 +179,12 @@ def judged(state: DecodedState, address: str, positions: FloatArray, direction: 
 
 def _disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
     faults = []
-    if set(state.axes) != set(judge.addresses()):
+    unseen = sorted(set(state.axes) - set(judge.addresses()))  # the other way round: axes that nobody asked for
+    if unseen:
         faults.append(
             Fault(
                 message="the two readers of compwright find different axes in these files; please report this",
-                expected=", ".join(sorted(state.axes)) or "no axis",
+                expected=", ".join(unseen),
                 found=", ".join(sorted(judge.addresses())) or "no axis",
             )
         )

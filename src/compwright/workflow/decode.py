@@ -21,17 +21,14 @@ def decode_files(
 ) -> dict[str, Any]:
     """Return the decode document of control files: at the nodes of each table, or at the positions of ``at``.
 
-    ``axis`` restricts it to one address. Raises UsageError (options, an unknown axis, a bad list) and InputError (files).
+    ``axis`` restricts it to one address. Raises UsageError (options, a bad list) and InputError (files, or an axis that they do
+    not speak of).
     """
     control = open_control(format_id, options)
     wanted = None if at is None else positions_of(at)
-    decoded = decode(control, read_files(paths))
-    axes = decoded.state.axes
-    if axis is not None and axis not in axes:
-        raise UsageError(Fault(message="the files hold no such axis", place="--axis", expected=" or ".join(axes), found=axis))
-    chosen = {address: entry for address, entry in axes.items() if axis in {None, address}}
+    decoded = decode(control, read_files(paths), address=axis)
     answer = {}
-    for address, entry in chosen.items():
+    for address, entry in decoded.state.axes.items():
         where = entry.positions if wanted is None else wanted
         answer[address] = DecodedAxis(
             kind=entry.kind,
