@@ -144,16 +144,16 @@ def findings_of(
     unit = kind.unit
     found: list[Finding] = []
     if not cells.bidirectional:
-        message = "measured in one direction only: the same error is assumed in both, lost motion is not known"
+        message = "Measured in one direction only: the same error is assumed in both, lost motion is not known."
         found.append(Finding("CW-E001", "warning", message))
     if cells.data.dof == 0:
-        message = "one approach per target and direction: the noise is inferred from the scatter between neighbouring targets"
+        message = "One approach per target and direction: the noise is inferred from the scatter between neighbouring targets."
         found.append(Finding("CW-E002", "warning", message))
     found += [
         Finding(
             "CW-E003",
             "warning",
-            f"the targets cannot show an error of period {period:g} {unit} (their spacing hides it): it is left out, "
+            f"The targets cannot show an error of period {period:g} {unit} (their spacing hides it): it is left out, "
             "and a test at other targets may show more than is predicted",
         )
         for period in periods
@@ -163,11 +163,11 @@ def findings_of(
     beyond = max(-low, -high)
     if beyond > 0.01 * (cells.targets[-1] - cells.targets[0]):
         message = (
-            f"the travel reaches up to {beyond:g} {unit} beyond the measured range "
+            f"The travel reaches up to {beyond:g} {unit} beyond the measured range "
             f"({cells.targets[0]:g} to {cells.targets[-1]:g} {unit}): there the error is continued with the measured slope, "
             "and its uncertainty grows"
         )
         found.append(Finding("CW-E004", "info", message))
     if not periods:
-        found.append(Finding("CW-E005", "info", "no screw pitch or other period given: periodic error is not estimated"))
+        found.append(Finding("CW-E005", "info", "No screw pitch or other period is given: periodic error is not estimated."))
     return tuple(found)

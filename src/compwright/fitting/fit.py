@@ -133,7 +133,7 @@ def _with_datum(wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity)
         acts = "its end value, which is therefore zero" if holds else "nothing"
         unit = wanted.kind.unit
         message = (
-            f"the reference position ({reference:g} {unit}) lies outside the table ({nodes[0]:g} to {nodes[-1]:g} {unit}): "
+            f"The reference position ({reference:g} {unit}) lies outside the table ({nodes[0]:g} to {nodes[-1]:g} {unit}): "
             f"there the control applies {acts}, and the error between them is not corrected"
         )
         findings = (Finding("CW-F003", "warning", message),)
@@ -290,11 +290,11 @@ def _edge_findings(table: AxisCompensation, wanted: WantedCorrection) -> tuple[F
         if uncovered > hair:
             step = max(abs(float(table.positive[edge])), abs(float(table.negative[edge])))
             acts = "the end value is held" if rule == "hold" else f"the table gives nothing: a step of {step * factor:.3g} {small}"
-            message = f"the table leaves {uncovered:g} {unit} of the travel uncovered, {name} {nodes[edge]:g} {unit}: there {acts}"
+            message = f"The table leaves {uncovered:g} {unit} of the travel uncovered, {name} {nodes[edge]:g} {unit}: there {acts}"
             findings.append(Finding("CW-F001", "warning", message))
     beyond = max(float(where[0] - nodes[0]), float(nodes[-1] - where[-1]))
     if beyond > hair:
-        message = f"the table reaches up to {beyond:g} {unit} beyond the travel, so that its points lie at round positions"
+        message = f"The table reaches up to {beyond:g} {unit} beyond the travel, so that its points lie at round positions"
         findings.append(Finding("CW-F006", "info", message))
     return tuple(findings)
 
@@ -303,10 +303,10 @@ def _loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple
     """Return warnings for limits that cost much."""
     factor, small = (1e3, "µm") if wanted.kind.unit == "mm" else (3600.0, "arcsec")
     says = {
-        "number of points": ("CW-F004", "the control holds too few points for this error: {} rms remain between them"),
-        "no backlash value": ("CW-F005", "the control cannot correct the reversal beside one table: {} rms remain"),
-        "value range": ("CW-F007", "the error exceeds the control's value range: {} rms remain"),
-        "largest increment": ("CW-F008", "the error is steeper than the control's largest increment: {} rms remain"),
+        "number of points": ("CW-F004", "The control holds too few points for this error: {} rms remain between them"),
+        "no backlash value": ("CW-F005", "The control cannot correct the reversal beside one table: {} rms remain"),
+        "value range": ("CW-F007", "The error exceeds the control's value range: {} rms remain"),
+        "largest increment": ("CW-F008", "The error is steeper than the control's largest increment: {} rms remain"),
     }
     return tuple(
         Finding(says[limit.cause][0], "warning", says[limit.cause][1].format(f"{limit.value * factor:.2g} {small}"))

@@ -191,7 +191,7 @@ def _leaving_out(nodes: FloatArray, wanted: WantedCorrection, periods: list[floa
     found = Finding(
         "CW-F002",
         "info",
-        f"the spacing of {float(np.max(np.diff(nodes))):g} {unit} cannot hold an error of period {named} {unit} "
+        f"The spacing of {float(np.max(np.diff(nodes))):g} {unit} cannot hold an error of period {named} {unit} "
         f"(a third of the period is needed): it is left out of the table, {rms * factor:.2g} {small} rms",
     )
     return Grid(nodes=nodes, wanted=smooth, left_out=rms, points_loss=loss, findings=(found,))
