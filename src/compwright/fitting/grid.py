@@ -115,15 +115,25 @@ def _explicit(span: _Span, spacing: float, capacity: Capacity, wanted: WantedCor
         raise UsageError(Fault(message="the spacing must be positive", place="table.spacing", found=f"{spacing:g} {unit}"))
     length = span.high - span.low
     step = round(spacing / quantum)
+    if capacity.spacing == "free" and step > 0:
+        return _freely_spaced(span, spacing, capacity, unit)
     if not (step > 0 and _whole(spacing / quantum)):
         raise _refused(span, spacing, capacity, f"the step must be a multiple of {quantum:.10g} {unit}", unit)
-    if length % step and capacity.spacing == "equidistant":
+    if length % step:
         pieces = length / step
         raise _refused(span, spacing, capacity, f"the table is {pieces:.6g} steps long, not a whole number", unit)
-    count = -(-length // step) + 1
-    _check_count(count, span, capacity, unit)
-    nodes = _nodes(span.low, step, count, quantum)
-    nodes[-1] = np.round(span.high * quantum, 10)  # free spacing: the last section may be shorter
+    _check_count(length // step + 1, span, capacity, unit)
+    return _nodes(span.low, step, length // step + 1, quantum)
+
+
+def _freely_spaced(span: _Span, spacing: float, capacity: Capacity, unit: str) -> FloatArray:
+    """Return nodes that the control lists one by one: each the nearest that it can say, the last section perhaps shorter."""
+    quantum = capacity.position_quantum
+    sections = int(np.ceil((span.high - span.low) * quantum / spacing - 1e-9))
+    _check_count(sections + 1, span, capacity, unit)
+    counts = span.low + np.round(np.arange(sections + 1) * (spacing / quantum)).astype(np.int64)
+    counts[-1] = span.high
+    nodes: FloatArray = np.round(counts * quantum, 10)
     return nodes
 
 
