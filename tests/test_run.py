@@ -98,7 +98,7 @@ def test_the_first_test_is_fitted_and_the_others_are_predicted(folder: Path) -> 
     both, first = (document(folder / name / "prediction.json")["axes"]["X"] for name in ("both", "first"))
     assert [test["name"] for test in both["tests"]] == ["x", "afternoon"]
     assert both["table"] == first["table"]
-    assert both["accept"]["A"]["decision"] == "reject"
+    assert both["accept"]["A"] == {"limit": 0.1, "decision": "reject", "test": "afternoon"}
     assert both["tests"][1]["predicted"]["A"]["p95"] < 0.5 * both["tests"][1]["before"]["A"]
 
 
@@ -374,3 +374,13 @@ def test_a_control_that_lists_its_positions_takes_any_spacing(tmp_path: Path) ->
     assert compwright(["run", str(path)]) == 0
     rows = (tmp_path / "job" / "tables" / "linuxcnc" / "joint_0.comp").read_text().splitlines()
     np.testing.assert_allclose([float(row.split()[0]) for row in rows], np.linspace(0, 800, 25), atol=0.51e-7)  # half a quantum
+
+
+def test_a_tolerance_bounds_the_size_of_the_mean_reversal_value(folder: Path) -> None:
+    """Lost motion gives a negative mean reversal value: -5 µm does not keep a limit of 3 µm."""
+    text = job(folder, "before: [x.csv], accept: {B_mean: 3}").read_text().replace("states: {as_found: none}\n", "")
+    (folder / "job.yaml").write_text(text)
+    assert compwright(["run", str(folder / "job.yaml")]) == 2  # no state, no table: the next test shows what this one showed
+    axis = document(folder / "job" / "prediction.json")["axes"]["X"]
+    assert axis["predicted"]["B_mean"]["p95"] < -4
+    assert axis["accept"]["B_mean"]["decision"] == "reject"

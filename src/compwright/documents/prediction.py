@@ -82,6 +82,9 @@ def _axis(axis: AxisPrediction) -> dict[str, Any]:
         "table": compensation_outside(axis.table) if axis.table is not None else None,
         "quantum": axis.quantum * factor if axis.quantum is not None else None,
         "limits": [{"cause": limit.cause, "value": limit.value * factor, "unit": unit} for limit in axis.limits],
-        "accept": {name: {"limit": accept.limit, "decision": accept.decision} for name, accept in axis.accept.items()},
+        "accept": {
+            name: {"limit": entry.limit, "decision": entry.decision, **({"test": entry.test} if entry.test is not None else {})}
+            for name, entry in axis.accept.items()
+        },
         "findings": [{"code": finding.code, "severity": finding.severity, "message": finding.message} for finding in axis.findings],
     }

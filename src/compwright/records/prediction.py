@@ -37,12 +37,16 @@ class TestPrediction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AcceptDecision:
-    """A tolerance of the job against a prediction or a result. ``limit``, ``value`` and ``U`` in µm or arcsec."""
+    """A tolerance of the job against a prediction or a result. ``limit``, ``value`` and ``U`` in µm or arcsec.
+
+    ``test``: the test that it is meant for, where the job names one; else it is the first of the axis.
+    """
 
     limit: float
     decision: Decision
     value: float | None = None
     U: float | None = None
+    test: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

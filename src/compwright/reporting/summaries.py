@@ -37,8 +37,9 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
     shown: list[RenderableType] = []
     for name, axis in prediction["axes"].items():
         unit = unit_text(axis["unit"])
-        for index, test in enumerate(axis["tests"]):
-            accept = axis["accept"] if index == 0 else {}
+        first = axis["tests"][0]["name"]
+        for test in axis["tests"]:
+            accept = {key: entry for key, entry in axis["accept"].items() if entry.get("test", first) == test["name"]}
             shown += [
                 Rule(Text(f"axis {name} · test {test['name']}", style="bold"), align="left", characters="─"),
                 _prediction_table(test, accept, unit),

@@ -91,9 +91,18 @@ def accept_decisions(entry: AxisJob, predictions: tuple[TestPrediction, ...]) ->
     prediction = predictions[accepted_index(accept, tuple(item.name for item in predictions))]
     factor = outside_factor(entry.axis.kind.unit)
     return {
-        name: AcceptDecision(limit=limit, decision=decide_prediction(prediction.predicted[name], limit / factor))
+        name: AcceptDecision(
+            limit=limit, decision=decide_prediction(magnitude(prediction.predicted[name]), limit / factor), test=accept.test
+        )
         for name, limit in accept.limits.items()
     }
+
+
+def magnitude(quantiles: Quantiles) -> Quantiles:
+    """Return the quantiles of the size of a parameter: a tolerance bounds the size, and the mean reversal value has a sign."""
+    low, high = sorted((abs(quantiles.p05), abs(quantiles.p95)))
+    spans_zero = quantiles.p05 < 0.0 < quantiles.p95
+    return Quantiles(median=abs(quantiles.median), p05=0.0 if spans_zero else low, p95=high)
 
 
 def check_limits(job_file: str, entry: AxisJob, results: tuple[PositioningResult, ...]) -> None:
