@@ -76,7 +76,7 @@ def test_folder_in_the_place_of_a_file(tmp_path: Path, force: bool) -> None:
 def test_file_in_the_place_of_a_folder(tmp_path: Path) -> None:
     storage.write_file(tmp_path / "x", b"file")
     (fault,) = faults_of(lambda: storage.write_files(tmp_path, {"ok": b"", "x/y": b""}))
-    assert fault.startswith(f"{tmp_path / 'x' / 'y'}: cannot be written")
+    assert fault.startswith(f"{tmp_path / 'x'}: is no folder")
     assert tree(tmp_path) == {"x": b"file"}
 
 

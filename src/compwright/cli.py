@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+import errno
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from functools import wraps
-from io import TextIOWrapper
+from io import StringIO, TextIOWrapper
 from pathlib import Path
 from typing import Any, NoReturn, ParamSpec
 
 import click
 
 from compwright import __version__
-from compwright.foundations.errors import CompwrightError, Fault, UsageError
+from compwright.foundations.errors import CompwrightError, Fault, StorageError, UsageError
 from compwright.foundations.processors import use_one_thread
 
 P = ParamSpec("P")
@@ -20,8 +21,22 @@ P = ParamSpec("P")
 _STANDARDS = "iso230-2:1988, iso230-2:1997, iso230-2:2006, iso230-2:2014 (default), gost27843:2006, vdi3441"
 #: A file of the wrong kind is wrong in every line: nobody reads more than these.
 _MOST_ERRORS = 25
+
+
+class _PathType(click.ParamType[Path]):
+    """The name of a file or folder. Whether it can be read or written is found out, and said, where it is done."""
+
+    name = "path"
+
+    def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> Path:
+        if value == "":  # an unset variable in a script; it must not mean the working directory
+            self.fail("the name is empty", param, ctx)
+        return Path(str(value))
+
+
+_PATH = _PathType()
 _json = click.option(
-    "--json", "json_path", metavar="PATH|-", help="Write the answer as JSON to a file, or with - to standard output."
+    "--json", "json_path", type=_PATH, metavar="PATH|-", help="Write the answer as JSON to a file, or with - to standard output."
 )
 _force = click.option("--force", is_flag=True, help="Replace files that exist already.")
 _option = click.option(
@@ -48,21 +63,31 @@ def run(arguments: list[str]) -> int:
     except click.exceptions.Exit as leaving:
         return leaving.exit_code
     except click.Abort:
-        click.echo("stopped", err=True)
+        _tell("stopped")
         return 130
     except click.ClickException as error:
-        click.echo(f"error: {error.format_message()}", err=True)
-        if isinstance(error, click.UsageError) and error.ctx is not None:
-            click.echo(f"see: {error.ctx.command_path} --help", err=True)
-        return UsageError.exit_code
+        return _wrong_words(error)
     except CompwrightError as error:
         _errors(str(fault) for fault in error.faults)
         return error.exit_code
-    except BrokenPipeError:
-        return 0
     except Exception as error:  # noqa: BLE001 - the last line of defence: a fault of our own, said as one
+        if isinstance(error, OSError) and error.errno == errno.ENOSPC:  # files are written elsewhere: this is standard output
+            sys.stdout = StringIO()
+            _errors([f"standard output: cannot be written; found {error.strerror}"])
+            return StorageError.exit_code
         return _own_fault(error)
     return code if isinstance(code, int) else 0
+
+
+def _wrong_words(error: click.ClickException) -> int:
+    context = error.ctx if isinstance(error, click.UsageError) else None
+    if context is not None and error.format_message() == context.get_help():  # a group without a command shows its help
+        _tell(error.format_message())
+        return UsageError.exit_code
+    _errors([error.format_message()])
+    if context is not None:
+        _tell(f"see: {context.command_path} --help")
+    return UsageError.exit_code
 
 
 def _own_fault(error: Exception) -> int:
@@ -70,11 +95,8 @@ def _own_fault(error: Exception) -> int:
 
     frames = traceback.extract_tb(error.__traceback__)
     where = next((frame for frame in reversed(frames) if "compwright" in frame.filename), frames[-1])
-    click.echo(
-        f"error: a fault of compwright itself: {type(error).__name__}: {error} ({Path(where.filename).name}, line {where.lineno})\n"
-        f"Please report this line with the command, the input files and the version {__version__}.",
-        err=True,
-    )
+    _errors([f"a fault of compwright itself: {type(error).__name__}: {error} ({Path(where.filename).name}, line {where.lineno})"])
+    _tell(f"Please report this line with the command, the input files and the version {__version__}.")
     return 70
 
 
@@ -103,14 +125,36 @@ def _pairs(options: Iterable[str]) -> dict[str, object]:
     return given
 
 
-def _answer(document: Mapping[str, Any], json_path: str | None, *, force: bool) -> None:
-    """Write a document where ``--json`` asks for it."""
-    from compwright.workflow.answers import document_text, write_document
+def _print(say: Callable[[], None]) -> None:
+    """Print on standard output. A reader that hangs up early (``| head``) changes neither the work nor its exit code."""
+    try:
+        say()
+    except (BrokenPipeError, SystemExit):  # SystemExit: rich leaves the program then
+        sys.stdout = StringIO()
 
-    if json_path == "-":
-        click.echo(document_text(document).encode(), nl=False)  # always UTF-8, whatever the terminal speaks
-    elif json_path is not None:
-        write_document(document, Path(json_path), force=force)
+
+def _print_lines(lines: Iterable[str]) -> None:
+    _print(lambda: click.echo("\n".join(lines)))
+
+
+def _answer(document: Mapping[str, Any], json_path: Path | None, renderables: Callable[[], list[Any]]) -> None:
+    """Print the answer of a command: as JSON for ``--json -``, else for people."""
+    from compwright.workflow.answers import document_text, show
+
+    if _on_output(json_path):
+        text = document_text(document).encode()  # always UTF-8, whatever the terminal speaks
+        _print(lambda: click.echo(text, nl=False))
+    else:
+        _print(lambda: show(renderables()))
+
+
+def _on_output(json_path: Path | None) -> bool:
+    return json_path is not None and str(json_path) == "-"
+
+
+def _json_file(json_path: Path | None) -> Path | None:
+    """Return the file that ``--json`` asks for; None without it and for standard output."""
+    return None if _on_output(json_path) else json_path
 
 
 @click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
@@ -120,12 +164,12 @@ def compwright() -> None:
 
 
 @compwright.command()
-@click.argument("paths", nargs=-1, required=True, metavar="FILE|FOLDER...", type=click.Path(path_type=Path))
+@click.argument("paths", nargs=-1, required=True, metavar="FILE|FOLDER...", type=_PATH)
 @click.option("--standard", "standards", multiple=True, metavar="ID", help=f"Standard to evaluate to: {_STANDARDS}.")
 @click.option(
     "--spread", type=click.Choice(["std", "range"]), default="std", help="How s is estimated (range: 1988 and GOST only)."
 )
-@click.option("--plot", type=click.Path(path_type=Path), help="Plot to a file: .svg, .png or .pdf.")
+@click.option("--plot", type=_PATH, help="Plot to a file: .svg, .png or .pdf.")
 @click.option("--targets", is_flag=True, help="Show the values of every target too.")
 @_json
 @_force
@@ -136,74 +180,69 @@ def evaluate(
     spread: str,
     plot: Path | None,
     targets: bool,  # noqa: FBT001 - a flag of the command line
-    json_path: str | None,
+    json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Evaluate positioning tests to a standard."""
-    from compwright.workflow.answers import show
     from compwright.workflow.evaluate import evaluate_files, evaluation_renderables, write_evaluation
 
     outcome = evaluate_files(paths, standards, spread)
-    to_file = Path(json_path) if json_path not in {None, "-"} else None
-    written = write_evaluation(outcome.document, json_path=to_file, plot_path=plot, force=force)
-    if json_path == "-":
-        _answer(outcome.document, "-", force=force)
-    else:
-        show(evaluation_renderables({**outcome.document, "errors": []}, targets=targets))
+    written = write_evaluation(outcome.document, json_path=_json_file(json_path), plot_path=plot, force=force)
+    _answer(outcome.document, json_path, lambda: evaluation_renderables({**outcome.document, "errors": []}, targets=targets))
     _errors(": ".join(filter(None, (entry["file"], entry["message"]))) for entry in outcome.document["errors"])
     for path in written:
-        click.echo(f"written: {path}", err=True)
+        _tell(f"written: {path}")
     return outcome.exit_code
 
 
 @compwright.command("run")
-@click.argument("inputs", nargs=-1, required=True, metavar="JOB.yaml|FILE...", type=click.Path())
+@click.argument("inputs", nargs=-1, required=True, metavar="JOB.yaml|FILE...", type=_PATH)
 @click.option("--format", "format_id", metavar="ID", help="Without a job file: the control, see compwright formats list.")
 @click.option("--axis", metavar="NAME", help="Without a job file: the axis that was measured.")
 @click.option("--travel", metavar="LO:HI", help="Without a job file: its travel in machine coordinates, mm or deg.")
 @_state
 @_option
-@click.option(
-    "--out", type=click.Path(path_type=Path), help="Folder for the results; default: the name of the job file, beside it."
-)
+@click.option("--out", type=_PATH, help="Folder for the results; default: the name of the job file, beside it.")
 @click.option("--accept-worse", is_flag=True, help="Write a table even if it would not improve the axis.")
 @_json
 @_force
 @_exiting
-def run_command(inputs: tuple[str, ...], out: Path | None, json_path: str | None, **words: Any) -> int:
+def run_command(inputs: tuple[Path, ...], out: Path | None, json_path: Path | None, **words: Any) -> int:
     """Evaluate, fit, export, predict and report: the whole job."""
-    from compwright.workflow.answers import run_summary, show
+    from compwright.workflow.answers import run_summary
     from compwright.workflow.jobs import job_of
     from compwright.workflow.run import run_job
 
     job, folder, default_out = job_of(
-        inputs,
+        [str(path) for path in inputs],
         format_id=words["format_id"],
         axis=words["axis"],
         travel=words["travel"],
         states=words["states"],
         options=words["options"],
     )
-    outcome = run_job(job, folder, out or default_out, force=words["force"], accept_worse=words["accept_worse"])
-    if json_path == "-":
-        _answer(outcome.prediction, "-", force=words["force"])
-    else:
-        show(run_summary(outcome))
-        _answer(outcome.prediction, json_path, force=words["force"])
-    if outcome.no_tables:
-        click.echo(f"error: {job.file}: {outcome.no_tables}", err=True)
+    outcome = run_job(
+        job,
+        folder,
+        out or default_out,
+        force=words["force"],
+        accept_worse=words["accept_worse"],
+        json_path=_json_file(json_path),
+    )
+    _answer(outcome.prediction, json_path, lambda: run_summary(outcome))
+    _errors(filter(None, [outcome.no_tables]))
     _errors(f"axis {name}: no table is written: {why}" for name, why in outcome.refused.items())
     for note in outcome.notes:
-        click.echo(f"note: {note}", err=True)
+        _tell(f"note: {note}")
     return outcome.exit_code
 
 
 @compwright.command()
-@click.argument("plan", metavar="PLAN.json", type=click.Path(path_type=Path))
+@click.argument("plan", metavar="PLAN.json", type=_PATH)
 @click.option("--format", "format_id", required=True, metavar="ID", help="The control, see compwright formats list.")
 @_option
 @_state
-@click.option("--out", required=True, type=click.Path(path_type=Path), help="Folder for the control's files.")
+@click.option("--out", required=True, type=_PATH, help="Folder for the control's files.")
 @_force
 @_exiting
 def export(
@@ -219,16 +258,15 @@ def export(
 
     outcome = export_plan(plan, format_id, _pairs(options), states, out, force=force)
     for entry in outcome.assumed:
-        click.echo(f"assumed: {entry.fact} = {entry.value} ({entry.evidence})", err=True)
+        _tell(f"assumed: {entry.fact} = {entry.value} ({entry.evidence})")
     for name in outcome.missing:
-        click.echo(f"note: axis {name} has no table in this plan", err=True)
-    for path in outcome.files:
-        click.echo(str(path))
+        _tell(f"note: axis {name} has no table in this plan")
+    _print_lines(map(str, outcome.files))
     return 0
 
 
 @compwright.command()
-@click.argument("paths", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path))
+@click.argument("paths", nargs=-1, required=True, metavar="FILE...", type=_PATH)
 @click.option("--format", "format_id", required=True, metavar="ID", help="The control, see compwright formats list.")
 @_option
 @click.option("--axis", metavar="ADDRESS", help="Only this axis, by the control's own name.")
@@ -242,28 +280,27 @@ def decode(
     options: tuple[str, ...],
     axis: str | None,
     at: str | None,
-    json_path: str | None,
+    json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Say what a control would do with these files."""
-    from compwright.workflow.answers import decode_summary, show
+    from compwright.workflow.answers import decode_summary, write_document
     from compwright.workflow.decode import decode_files
 
     document = decode_files(paths, format_id, _pairs(options), axis=axis, at=at)
-    if json_path != "-":
-        show(decode_summary(document))
-    _answer(document, json_path, force=force)
+    to_file = _json_file(json_path)
+    if to_file is not None:
+        write_document(document, to_file, force=force)
+    _answer(document, json_path, lambda: decode_summary(document))
     return 0
 
 
 @compwright.command()
-@click.argument("job_file", metavar="JOB.yaml", type=click.Path(path_type=Path))
+@click.argument("job_file", metavar="JOB.yaml", type=_PATH)
 @click.option("--after", multiple=True, required=True, metavar="[TEST=]FILE", help="A test made after loading.")
-@click.option("--plan", type=click.Path(path_type=Path), help="Folder of the run, or its plan.json; default: where run puts it.")
-@click.option(
-    "--loaded", multiple=True, type=click.Path(path_type=Path), metavar="FILE", help="What was read back from the control."
-)
-@click.option("--out", type=click.Path(path_type=Path), help="Folder for the results; default: that of the run.")
+@click.option("--plan", type=_PATH, help="Folder of the run, or its plan.json; default: where run puts it.")
+@click.option("--loaded", multiple=True, type=_PATH, metavar="FILE", help="What was read back from the control.")
+@click.option("--out", type=_PATH, help="Folder for the results; default: that of the run.")
 @_json
 @_force
 @_exiting
@@ -273,11 +310,11 @@ def verify(
     plan: Path | None,
     loaded: tuple[Path, ...],
     out: Path | None,
-    json_path: str | None,
+    json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Judge the test after loading against the plan."""
-    from compwright.workflow.answers import show, verify_summary
+    from compwright.workflow.answers import verify_summary
     from compwright.workflow.jobs import default_folder, read_job_file
     from compwright.workflow.verify import plan_path, verify_job
 
@@ -290,20 +327,19 @@ def verify(
         out=out or folder,
         loaded=loaded,
         force=force,
+        json_path=_json_file(json_path),
     )
-    if json_path != "-":
-        show(verify_summary(outcome))
-    _answer(outcome.document, json_path, force=force)
+    _answer(outcome.document, json_path, lambda: verify_summary(outcome))
     for note in outcome.notes:
-        click.echo(f"note: {note}", err=True)
+        _tell(f"note: {note}")
     return outcome.exit_code
 
 
 @compwright.command()
-@click.argument("machine", metavar="MACHINE.yaml", type=click.Path(path_type=Path))
-@click.option("--out", required=True, type=click.Path(path_type=Path), help="Folder for the measurement files.")
+@click.argument("machine", metavar="MACHINE.yaml", type=_PATH)
+@click.option("--out", required=True, type=_PATH, help="Folder for the measurement files.")
 @click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the noise.")
-@click.option("--with-tables", "tables", type=click.Path(path_type=Path), help="Folder with the control's files that are loaded.")
+@click.option("--with-tables", "tables", type=_PATH, help="Folder with the control's files that are loaded.")
 @_force
 @_exiting
 def simulate(
@@ -316,13 +352,13 @@ def simulate(
     """Measure a virtual machine; see docs/simulation.md."""
     from compwright.workflow.simulate import load_machine, simulate_files
 
-    for path in simulate_files(load_machine(machine), out, seed=seed, tables=tables, force=force):
-        click.echo(str(path))
+    written = simulate_files(load_machine(machine), out, seed=seed, tables=tables, force=force, file=str(machine))
+    _print_lines(map(str, written))
     return 0
 
 
 @compwright.command()
-@click.option("--out", type=click.Path(path_type=Path), default=Path("demo"), show_default=True, help="Folder for the demo.")
+@click.option("--out", type=_PATH, default=Path("demo"), show_default=True, help="Folder for the demo.")
 @_force
 @_exiting
 def demo(out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command line
@@ -331,9 +367,9 @@ def demo(out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command
     from compwright.workflow.demo import run_demo
 
     outcome = run_demo(out, force=force)
-    show(demo_summary(outcome))
+    _print(lambda: show(demo_summary(outcome)))
     for note in (*outcome.run.notes, *outcome.verification.notes):
-        click.echo(f"note: {note}", err=True)
+        _tell(f"note: {note}")
     return max(outcome.run.exit_code, outcome.verification.exit_code)
 
 
@@ -348,7 +384,7 @@ def formats_list() -> int:
     """List the controls that compwright can write for."""
     from compwright.workflow.formats import list_formats
 
-    click.echo("\n".join(list_formats()))
+    _print_lines(list_formats())
     return 0
 
 
@@ -359,19 +395,18 @@ def formats_show(format_id: str) -> int:
     """Show what a control can hold, its options, and how well each fact is known."""
     from compwright.workflow.formats import show_format
 
-    click.echo("\n".join(show_format(format_id)))
+    _print_lines(show_format(format_id))
     return 0
 
 
 @formats.command("check")
-@click.argument("paths", nargs=-1, metavar="[PATH...]", type=click.Path(path_type=Path))
+@click.argument("paths", nargs=-1, metavar="[PATH...]", type=_PATH)
 @_exiting
 def formats_check(paths: tuple[Path, ...]) -> int:
     """Check definitions: those that ship with compwright, or files and folders of your own."""
     from compwright.workflow.formats import check_formats
 
-    lines = check_formats(paths)
-    click.echo("\n".join(lines))
+    _print_lines(check_formats(paths))
     return 0
 
 
@@ -379,6 +414,21 @@ def _errors(lines: Iterable[str]) -> None:
     """Print each error on a line of its own; of very many the first, and how many more there are."""
     told = list(lines)
     for line in told[:_MOST_ERRORS]:
-        click.echo(f"error: {line}", err=True)
+        _tell(f"error: {''.join(map(_visible, line))}")
     if len(told) > _MOST_ERRORS:
-        click.echo(f"error: ... and {len(told) - _MOST_ERRORS} more like these", err=True)
+        _tell(f"error: ... and {len(told) - _MOST_ERRORS} more like these")
+
+
+def _visible(character: str) -> str:
+    """Return what may stand in a line of a terminal: a file's name may hold line breaks and control codes."""
+    if character.isprintable():
+        return character
+    return " " if character.isspace() else "?"
+
+
+def _tell(line: str) -> None:
+    """Print a line on standard error; where that is closed or full nobody listens, and the exit code says it."""
+    try:
+        click.echo(line, err=True)
+    except OSError:
+        sys.stderr = StringIO()

@@ -31,7 +31,8 @@ def resolve_options(definition: Definition, given: Mapping[str, object], state: 
             near = get_close_matches(name, known, 1)
             faults.append(
                 Fault(
-                    message=f"{definition.id} has no option {name}",
+                    message=f"{definition.id} has no such option",
+                    place=name,
                     expected=f"{near[0]}?" if near else f"one of {', '.join(known)}",
                 )
             )
@@ -87,7 +88,8 @@ def _settle_shared(
         if name in given and values[name] not in (fact, rule.default):
             faults.append(
                 Fault(
-                    message=f"option {name} of {definition.id} contradicts the control's own files",
+                    message=f"the option of {definition.id} contradicts the control's own files",
+                    place=name,
                     expected=str(fact),
                     found=str(values[name]),
                 )
@@ -103,7 +105,8 @@ def _value(rule: OptionRule, value: object, definition: Definition, faults: list
         if text in rule.not_built:
             faults.append(
                 Fault(
-                    message=f"option {rule.name} of {definition.id}: {rule.not_built[text]} are not built yet",
+                    message=f"this choice of {definition.id} is not built yet: {rule.not_built[text]}",
+                    place=rule.name,
                     expected=", ".join(choice for choice in rule.choices if choice not in rule.not_built),
                     found=text,
                 )
@@ -137,7 +140,7 @@ def _number(name: str, value: object, definition: Definition, faults: list[Fault
 
 
 def _wrong(name: str, definition: Definition, expected: str, found: object) -> Fault:
-    return Fault(message=f"option {name} of {definition.id} has a wrong value", expected=expected, found=repr(found)[:60])
+    return Fault(message=f"the option of {definition.id} has a wrong value", place=name, expected=expected, found=repr(found)[:60])
 
 
 def _shown(value: object) -> str:

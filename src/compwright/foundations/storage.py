@@ -66,7 +66,7 @@ def refuse_overwriting(paths: Sequence[Path], *, force: bool) -> None:
 
     Folders in the place of a file, and what is no file at all (a device, a pipe), are refused with ``force`` too.
     """
-    faults = [fault for path in paths for fault in _hindrances(path, force=force)]
+    faults = dict.fromkeys(fault for path in paths for fault in _hindrances(path, force=force))
     if faults:
         raise StorageError(*faults)
 
@@ -75,10 +75,14 @@ def _hindrances(path: Path, *, force: bool) -> Iterator[Fault]:
     try:
         exists, is_file, is_folder = os.path.lexists(path), path.is_file(), path.is_dir()
         is_link = path.is_symlink()
+        above = next((folder for folder in path.parents if os.path.lexists(folder)), None)
+        blocked = above is not None and not above.is_dir()
     except (OSError, ValueError) as error:
         yield Fault(message="cannot be written", file=str(path), found=_reason(error))
         return
-    if is_folder:
+    if blocked:
+        yield Fault(message="is no folder", file=str(above), expected="a folder to write into")
+    elif is_folder:
         yield Fault(message="is a folder", file=str(path), expected="the name of a file")
     elif exists and not (is_file or is_link):
         yield Fault(message="is no ordinary file", file=str(path), expected="the name of a file")
@@ -114,13 +118,15 @@ class _Changes:
                 path.unlink(missing_ok=True)
 
 
-def write_files(folder: Path, files: Mapping[str, bytes], *, force: bool = False) -> list[Path]:
-    """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, all of them or none.
+def write_files(
+    folder: Path, files: Mapping[str, bytes], *, force: bool = False, elsewhere: Mapping[Path, bytes] | None = None
+) -> list[Path]:
+    """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, and those of ``elsewhere``, all of them or none.
 
     Returns the paths in the order given. Raises StorageError when one exists (unless ``force``), for missing permission, for a
     full disk and for a name that leads out of ``folder``; then everything is as it was before, files replaced included.
     """
-    targets = {_below(folder, name): content for name, content in files.items()}
+    targets = {_below(folder, name): content for name, content in files.items()} | dict(elsewhere or {})
     refuse_overwriting(list(targets), force=force)
     changes = _Changes()
     current = folder

@@ -30,3 +30,8 @@ def outside_factor(unit: PositionUnit) -> float:
 def outside_unit(unit: PositionUnit) -> DeviationUnit:
     """Return the unit of deviations in evaluations and reports: um for mm, arcsec for deg."""
     return "um" if unit == "mm" else "arcsec"
+
+
+def shown_unit(unit: PositionUnit) -> str:
+    """Return the unit of deviations as people read it: µm for mm, arcsec for deg."""
+    return "µm" if unit == "mm" else "arcsec"

@@ -14,7 +14,7 @@ from typing import Any
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.yaml_reader import YamlDocument
 from compwright.jobs.consistency import AS_FOUND
-from compwright.jobs.reading import check, job_of
+from compwright.jobs.reading import Further, check, job_of
 from compwright.records.job import Job
 
 #: Keys of ``--option`` that describe the axis -> their place below the axis in a job file, and whether they are numbers.
@@ -29,6 +29,7 @@ _AXIS_KEYS: dict[str, tuple[tuple[str, ...], bool]] = {
     "spacing": (("table", "spacing"), True),
     "mode": (("table", "mode"), False),
 }
+_OPTIONS = "controller.options."
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", re.ASCII)
 _WHOLE = re.compile(r"[-+]?\d{1,15}", re.ASCII)
 
@@ -41,6 +42,7 @@ def job_from_options(
     travel: str,
     states: Sequence[str],
     options: Sequence[str],
+    further: Further | None = None,
 ) -> Job:
     """Return the job that the options of ``run`` describe: one axis, one test of all ``files``, named after the first.
 
@@ -58,7 +60,8 @@ def job_from_options(
     }
     if states:
         data["states"] = {AS_FOUND: list(states)}
-    checked = check(YamlDocument(data=data), file="")
+    document = YamlDocument(data=data)
+    checked = check(document, "") if further is None else check(document, "", further)
     faults += [replace(fault, place=_option(fault.place, axis)) for fault in checked.faults]
     faults = [_whole_travel(travel) if fault.place == "--travel" else fault for fault in faults]
     if faults or checked.section is None:
@@ -113,6 +116,8 @@ def _option(place: str, axis: str) -> str:
         f"states.{AS_FOUND}": "--state",
         **{".".join(("axes", axis, *path)): f"--option {key}" for key, (path, _) in _AXIS_KEYS.items()},
     }
+    if place.startswith(_OPTIONS):
+        return f"--option {place.removeprefix(_OPTIONS)}"
     for start, option in places.items():
         if re.match(rf"{re.escape(start)}($|[.\[])", place):
             return option

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,7 +12,7 @@ from pydantic import ValidationError
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
 from compwright.foundations.yaml_reader import YamlDocument, read_yaml_with_faults
-from compwright.jobs.consistency import AS_FOUND, NONE_WORD, contradictions, default_name
+from compwright.jobs.consistency import AS_FOUND, NONE_WORD, Contradiction, contradictions, default_name
 from compwright.jobs.faults import schema_faults, shown
 from compwright.jobs.schema import SCHEMA_VERSION, AxisSection, JobSection, PositionMapSection, TestSection
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, PositionMap
@@ -32,8 +32,16 @@ class CheckedJob:
     faults: tuple[Fault, ...]
 
 
-def read_job(content: bytes, file: str) -> Job:
-    """Read a job file. ``file`` is its name for messages; paths inside stay as written.
+#: What else a job must keep to, from its plain data: the rooms that know the controls say what of it does not exist.
+Further = Callable[[Mapping[str, Any]], Iterable[Contradiction]]
+
+
+def _nothing_further(_data: Mapping[str, Any]) -> Iterable[Contradiction]:
+    return ()
+
+
+def read_job(content: bytes, file: str, further: Further = _nothing_further) -> Job:
+    """Read a job file. ``file`` is its name for messages; paths inside stay as written; ``further`` adds checks of the data.
 
     Raises UsageError with every fault at once, each with file, ``line N, key.path``, expected and found: text that is not YAML,
     keys given twice, unknown keys (with the nearest known one), wrong types and ranges, names that do not exist, and alone a
@@ -44,7 +52,7 @@ def read_job(content: bytes, file: str) -> Job:
     except InputError as error:
         raise UsageError(*error.faults) from error
     _refuse_other_versions(document, file)
-    checked = check(document, file)
+    checked = check(document, file, further)
     spoken_for = {fault.place for fault in faults}
     faults += tuple(fault for fault in checked.faults if fault.place not in spoken_for)
     if faults or checked.section is None:
@@ -52,8 +60,8 @@ def read_job(content: bytes, file: str) -> Job:
     return job_of(checked.section, file)
 
 
-def check(document: YamlDocument, file: str) -> CheckedJob:
-    """Check plain data against the schema and against itself."""
+def check(document: YamlDocument, file: str, further: Further = _nothing_further) -> CheckedJob:
+    """Check plain data against the schema, against itself and against ``further``."""
     data = document.data
     if not isinstance(data, dict):
         return CheckedJob(None, (Fault(message="is not a job", file=file, expected="keys and values", found=shown(data)),))
@@ -63,7 +71,7 @@ def check(document: YamlDocument, file: str) -> CheckedJob:
         section = JobSection.model_validate(data)
     except ValidationError as error:
         faults += schema_faults(error, JobSection, document, file)
-    for contradiction in contradictions(data):
+    for contradiction in (*contradictions(data), *further(data)):
         place = document.place(contradiction.path)
         faults.append(
             Fault(message=contradiction.message, file=file, place=place, expected=contradiction.expected, found=contradiction.found)

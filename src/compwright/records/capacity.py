@@ -5,7 +5,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from compwright.records.correction import Assumption, Beyond
+from compwright.records.correction import Assumption, Beyond, Interpolation
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lattice:
+    """A control that stores whole increments: node m's total = magnification * ``unit`` * sum of the increments from the reference.
+
+    ``unit`` is the detection unit, mm or deg; ``increments`` the least and largest increment, both included; ``magnifications`` those
+    that may be chosen, ascending. ``offset_range``: the second table's own value at the reference, in units; None: there is none.
+    ``offset_magnified``: that value is multiplied by the magnification too.
+    """
+
+    unit: float
+    increments: tuple[int, int]
+    magnifications: tuple[int, ...]
+    offset_range: tuple[int, int] | None = None
+    offset_magnified: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -17,6 +33,12 @@ class Capacity:
     and with ``spacing`` "equidistant" the step too, must be multiples of it so that the file says them exactly.
     ``max_points`` None: not known; the plan then says how many the control must be set to hold. ``max_increment`` is the largest
     difference of neighbouring values; None: unlimited.
+
+    ``lattice``: values are whole increments (``quantum`` is then that of magnification 1). ``anchored``: the nodes lie at the
+    reference plus whole spacings. ``spacings``: the only ones there are; ``min_spacing``: none below it, ``min_spacing_reason`` says
+    why. ``period``: an endless axis; the table spans exactly one period from the reference, its last value equals its first.
+    ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table at all but one slope (mm/mm, deg/deg),
+    a multiple of this number, within ``value_range`` taken as slopes.
     """
 
     format: str
@@ -30,6 +52,15 @@ class Capacity:
     min_points: int = 2
     max_points: int | None = None
     max_increment: float | None = None
+    lattice: Lattice | None = None
+    interpolation: Interpolation = "linear"
+    anchored: bool = False
+    spacings: tuple[float, ...] | None = None
+    min_spacing: float = 0.0
+    min_spacing_reason: str = ""
+    period: float | None = None
+    second_curve: Literal["chosen", "asked"] = "chosen"
+    line: float | None = None
     below: Beyond = "hold"
     above: Beyond = "hold"
     assumed: tuple[Assumption, ...] = ()

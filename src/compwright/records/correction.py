@@ -16,6 +16,8 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
 
 Beyond = Literal["hold", "zero"]
+#: Between nodes: straight lines, or the value of the nearest node (the step lies in the middle of the section).
+Interpolation = Literal["linear", "step"]
 Evidence = Literal["confirmed", "inferred", "unconfirmed"]
 
 
@@ -41,9 +43,11 @@ class AxisCompensation:
     """Everything a control does to one axis: a table for each approach direction, and backlash.
 
     ``positions`` (k,) strictly ascending, machine coordinates; ``positive``, ``negative`` (k,): the tables' correction arriving in
-    that direction (equal where the control has one curve). Linear between nodes; ``below`` / ``above`` say what acts
-    outside. ``backlash`` > 0 is compensated lost motion: nothing in the direction ``reference_return`` (the zero state),
-    ``sign * backlash`` in the other. An axis without a table has k = 0.
+    that direction (equal where the control has one curve). ``interpolation`` says what acts between nodes, ``below`` / ``above``
+    what acts outside. ``period``: the table of an endless axis repeats; its nodes span one period, the last value is the first.
+    ``backlash`` > 0 is compensated lost motion: nothing in the direction ``reference_return`` (the zero state), ``sign *
+    backlash`` in the other. ``slope``: a linear parameter beside or instead of the table, ``slope * (x - origin)`` everywhere.
+    ``others``: further tables that act on the axis at the same time. An axis without a table has k = 0.
     """
 
     address: str
@@ -55,23 +59,40 @@ class AxisCompensation:
     reference_return: Direction = Direction.POSITIVE
     below: Beyond = "hold"
     above: Beyond = "hold"
+    interpolation: Interpolation = "linear"
+    period: float | None = None
+    slope: float = 0.0
+    origin: float = 0.0
+    others: tuple[AxisCompensation, ...] = ()
 
     def curve(self, direction: Direction) -> FloatArray:
         """Return the table (k,) of one approach direction, without backlash."""
         return self.positive if direction is Direction.POSITIVE else self.negative
 
     def at(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the correction at ``positions`` (any shape) approached in ``direction``, table and backlash together."""
+        """Return the correction at ``positions`` (any shape) approached in ``direction``, everything together."""
         where = np.asarray(positions, dtype=np.float64)
         total = np.zeros(where.shape)
         if self.positions.size:
-            curve = self.curve(direction)
+            total = self._table_at(where, self.curve(direction))
+        total = total + self.slope * (where - self.origin) + self.backlash_at(direction)
+        for other in self.others:
+            total = total + other.at(where, direction)
+        return total
+
+    def _table_at(self, where: FloatArray, curve: FloatArray) -> FloatArray:
+        if self.period is not None:
+            where = self.positions[0] + np.mod(where - self.positions[0], self.period)
+        if self.interpolation == "step":
+            middles = 0.5 * (self.positions[1:] + self.positions[:-1])
+            total: FloatArray = curve[np.searchsorted(middles, where, side="right")]
+        else:
             total = np.interp(where, self.positions, curve)
-            if self.below == "zero":
-                total = np.where(where < self.positions[0], 0.0, total)
-            if self.above == "zero":
-                total = np.where(where > self.positions[-1], 0.0, total)
-        return total + self.backlash_at(direction)
+        if self.below == "zero":
+            total = np.where(where < self.positions[0], 0.0, total)
+        if self.above == "zero":
+            total = np.where(where > self.positions[-1], 0.0, total)
+        return total
 
     def backlash_at(self, direction: Direction) -> float:
         """Return the correction by backlash for an approach in ``direction``."""
@@ -91,14 +112,50 @@ def no_compensation(address: str, kind: AxisKind, reference_return: Direction = 
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class CrossCompensation:
+    """What one axis' position does to another axis: squareness, straightness.
+
+    ``positions`` (k,) of the axis ``input``, strictly ascending, mm or deg; ``positive``, ``negative`` (k,): what the control adds to
+    the axis ``output`` while ``input`` arrives in that direction (equal where one table serves both), mm or deg of the output.
+    Linear between nodes; ``below`` / ``above`` as in `AxisCompensation`.
+    """
+
+    input: str
+    output: str
+    input_kind: AxisKind
+    output_kind: AxisKind
+    positions: FloatArray
+    positive: FloatArray
+    negative: FloatArray
+    below: Beyond = "hold"
+    above: Beyond = "hold"
+    period: float | None = None
+
+    def at(self, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return the correction of ``output`` at ``positions`` (any shape) of ``input`` approached in ``direction``."""
+        as_axis = AxisCompensation(
+            address=self.input,
+            kind=self.input_kind,
+            positions=self.positions,
+            positive=self.positive,
+            negative=self.negative,
+            below=self.below,
+            above=self.above,
+            period=self.period,
+        )
+        return as_axis.at(positions, direction)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ControlState:
-    """What a set of control files says: compensation by address, and what else they fix.
+    """What a set of control files says: compensation by address, what one axis does to another, and what else they fix.
 
     ``facts[address]`` holds further quantities by neutral name: ``max_points`` (int), ``enabled`` (bool), ...
     """
 
     format: str
     axes: Mapping[str, AxisCompensation]
+    cross: tuple[CrossCompensation, ...] = ()
     facts: Mapping[str, Mapping[str, float | int | str | bool]] = field(default_factory=dict)
     assumed: tuple[Assumption, ...] = ()
     findings: tuple[Finding, ...] = ()

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -41,12 +42,36 @@ def _shown(value: object) -> str:
 
 
 @dataclass(frozen=True, slots=True)
+class Origin:
+    """Where a control's name and options were given, for messages: file, place of the name, what stands before an option."""
+
+    file: str = ""
+    format_place: str = "--format"
+    before_option: str = "--option "
+
+    def named(self, error: UsageError) -> UsageError:
+        """Return the error with every fault of an option placed where the option was given."""
+        return UsageError(
+            *(replace(fault, place=f"{self.before_option}{fault.place}").in_file(self.file) for fault in error.faults)
+        )
+
+
+COMMAND_LINE = Origin()
+
+
+def origin_of(job: Job) -> Origin:
+    """Return where a job says which control it is for."""
+    return Origin(job.file, "controller.format", "controller.options.") if job.file else COMMAND_LINE
+
+
+@dataclass(frozen=True, slots=True)
 class Control:
     """A control by its definition, with every option settled."""
 
     definition: Definition
     options: Mapping[str, object]
     given: Mapping[str, object]
+    origin: Origin = COMMAND_LINE
 
     @property
     def id(self) -> str:
@@ -58,7 +83,10 @@ class Control:
 
         Raises UsageError where an option that was given contradicts the files.
         """
-        return replace(self, options=resolve_options(self.definition, self.given, state))
+        try:
+            return replace(self, options=resolve_options(self.definition, self.given, state))
+        except UsageError as error:
+            raise self.origin.named(error) from error
 
     def assumed(self, *states: ControlState) -> tuple[Assumption, ...]:
         """Return every option that was left at its default and that no file of ``states`` answers."""
@@ -81,19 +109,32 @@ class DecodedState:
     judge: VirtualControl | None
 
 
-def open_control(format_id: str, given: Mapping[str, object]) -> Control:
+def open_control(format_id: str, given: Mapping[str, object], origin: Origin = COMMAND_LINE) -> Control:
     """Return a control by name. Raises UsageError for an unknown name or option (saying which exist)."""
-    definition = _definition(format_id)
-    return Control(definition=definition, options=resolve_options(definition, given), given=dict(given))
+    try:
+        definition = _definition(format_id)
+    except UsageError as error:
+        faults = (replace(fault, place=origin.format_place) for fault in error.faults)
+        raise UsageError(*(fault.in_file(origin.file) for fault in faults)) from error
+    try:
+        options = resolve_options(definition, given)
+    except UsageError as error:
+        raise origin.named(error) from error
+    return Control(definition=definition, options=options, given=dict(given), origin=origin)
+
+
+@cache  # by content: a job is checked before it is done, and reading a definition takes a while
+def _definitions(*files: tuple[str, bytes]) -> Mapping[str, Definition]:
+    return definitions_from(files)
 
 
 def _definition(format_id: str) -> Definition:
     """Return a definition by its id, reading only the file of that name where there is one (reading all takes a while)."""
     files = dict(storage.definition_files())
     own = f"{format_id}.yaml"
-    definitions = definitions_from((name, content) for name, content in files.items() if name == own)
+    definitions = _definitions((own, files[own])) if own in files else {}
     if format_id not in definitions:
-        definitions = definitions_from(files.items())
+        definitions = _definitions(*files.items())
     if format_id not in definitions:
         raise UsageError(
             Fault(message="no such control format", place="format", expected=" or ".join(definitions), found=format_id)
@@ -132,9 +173,13 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     files: list[ControlFile] = []
     for path in paths:
         try:
-            files.extend(ControlFile(entry.name, storage.read_bytes(entry)) for entry in storage.list_files(path))
+            entries = storage.list_files(path)
+            files.extend(ControlFile(entry.name, storage.read_bytes(entry)) for entry in entries)
         except InputError as error:
             faults.extend(error.faults)
+        else:
+            if not entries:  # nothing to read is not "nothing is active": that is the word none
+                faults.append(Fault(message="the folder holds no files", file=str(path), expected="the control's files"))
     names = [file.name for file in files]
     faults.extend(
         Fault(message="two files of this name were given", file=name, expected="each file once")

@@ -72,13 +72,21 @@ def write_evaluation(
     """
     files: dict[Path, bytes] = {}
     if plot_path is not None:
-        from compwright.reporting.plots import evaluation_plot
-
-        files[plot_path] = evaluation_plot(dict(document), format=plot_path.suffix.lower().removeprefix("."))
+        files[plot_path] = _plot(document, plot_path)
+    if json_path is not None and json_path == plot_path:
+        raise UsageError(Fault(message="is the file of --plot too", file=str(json_path), place="--json", expected="another file"))
     if json_path is not None:
         files[json_path] = to_json(document).encode("utf-8")
-    storage.refuse_overwriting(list(files), force=force)
-    return [storage.write_file(path, content, force=force) for path, content in files.items()]
+    return storage.write_files(Path(), {}, elsewhere=files, force=force)
+
+
+def _plot(document: Mapping[str, Any], path: Path) -> bytes:
+    from compwright.reporting.plots import evaluation_plot
+
+    try:
+        return evaluation_plot(dict(document), format=path.suffix.lower().removeprefix("."))
+    except UsageError as error:
+        raise UsageError(*(fault.within("--plot").in_file(str(path)) for fault in error.faults)) from error
 
 
 def _standards(names: Sequence[str], spread: str) -> tuple[str, ...]:

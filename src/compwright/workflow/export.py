@@ -88,6 +88,10 @@ def _state(plan: Plan, control: Control, states: Sequence[str], file: str) -> De
     axes = [entry.axis for entry in plan.axes.values()]
     if list(states) == ["none"]:
         return decode(control, (), axes)
+    if "none" in states:
+        raise UsageError(
+            Fault(message="names files and none at once", place="--state", expected="the word none, or the control's files")
+        )
     if states:
         return decode(control, read_files([Path(text) for text in states]), axes)
     if plan.format == control.id and AS_FOUND in plan.states:

@@ -2,21 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.jobs.command_line import job_from_options
+from compwright.jobs.consistency import Contradiction
 from compwright.jobs.reading import read_job
 from compwright.records.job import Job
+from compwright.workflow.control import Origin, open_control
 
 _YAML = {".yaml", ".yml"}
 
 
 def read_job_file(path: Path) -> Job:
     """Read a job file. Raises InputError when it cannot be read, UsageError with every fault of the job."""
-    return read_job(storage.read_bytes(path), str(path))
+    return read_job(storage.read_bytes(path), str(path), wrong_control)
+
+
+def wrong_control(data: Mapping[str, Any]) -> Iterator[Contradiction]:
+    """Yield what is wrong with the control's name and options in a job's data, so that it stands beside the other faults."""
+    controller = data.get("controller")
+    format_id = controller.get("format") if isinstance(controller, dict) else None
+    options = controller.get("options", {}) if isinstance(controller, dict) else {}
+    if not isinstance(format_id, str) or not isinstance(options, dict):
+        return  # the schema says so
+    try:
+        open_control(format_id, options, Origin(format_place="", before_option=""))
+    except UsageError as error:
+        for fault in error.faults:
+            path = ("options", fault.place) if fault.place else ("format",)
+            yield Contradiction(("controller", *path), fault.message, fault.expected, fault.found)
 
 
 def default_folder(job_file: Path) -> Path:
@@ -57,5 +75,13 @@ def job_of(
             for name in missing
         ],
     )
-    job = job_from_options(inputs, format=format_id or "", axis=axis or "", travel=travel or "", states=states, options=options)
+    job = job_from_options(
+        inputs,
+        format=format_id or "",
+        axis=axis or "",
+        travel=travel or "",
+        states=states,
+        options=options,
+        further=wrong_control,
+    )
     return job, Path(), default_folder(first)

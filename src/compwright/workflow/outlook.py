@@ -10,7 +10,7 @@ import numpy as np
 
 from compwright.estimation.axis import AxisPosterior
 from compwright.foundations.errors import Fault, UsageError, raise_all
-from compwright.foundations.units import outside_factor, outside_unit
+from compwright.foundations.units import outside_factor, shown_unit
 from compwright.prediction.positioning import decide_prediction, dithered_targets, predict_test
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.job import Acceptance, AxisJob
@@ -68,7 +68,7 @@ def why_not_better(
     if name is None:
         return ""
     factor = outside_factor(before.test.kind.unit)
-    unit = outside_unit(before.test.kind.unit)
+    unit = shown_unit(before.test.kind.unit)
     was, becomes = before.parameters[name], after.parameters[name]
     if was is not None and becomes is not None and abs(becomes) >= abs(was):
         return (
@@ -162,5 +162,5 @@ def _yardstick(result: PositioningResult) -> str | None:
 
 def _generator(*names: str) -> np.random.Generator:
     """Return a generator that depends on the names only: the same job predicts the same numbers."""
-    digest = hashlib.sha256("\x1f".join(names).encode()).digest()
+    digest = hashlib.sha256("\x1f".join(names).encode("utf-8", "surrogatepass")).digest()
     return np.random.default_rng(int.from_bytes(digest[:8], "big"))

@@ -21,7 +21,7 @@ from compwright.records.job import Job
 from compwright.records.plan import Plan
 from compwright.records.prediction import AxisPrediction
 from compwright.workflow.card import card_document
-from compwright.workflow.control import Control, DecodedState, named_axes, open_control
+from compwright.workflow.control import Control, DecodedState, named_axes, open_control, origin_of
 from compwright.workflow.inputs import JobInputs, read_job_inputs
 from compwright.workflow.view import run_view
 from compwright.workflow.work import AS_FOUND, AxisWork, export, fit_all, predict_axis, start_axis
@@ -29,6 +29,9 @@ from compwright.workflow.work import AS_FOUND, AxisWork, export, fit_all, predic
 NO_STATE = (
     "no table is written: the job does not say what is active in the control; "
     "add states: {as_found: none} or states: {as_found: [files of the control]}"
+)
+NO_STATE_OPTION = (
+    "--state: no table is written without the state of the control; add --state none, or --state with each of its files"
 )
 
 
@@ -65,17 +68,26 @@ class _Finished:
         return AS_FOUND in self.inputs.states
 
 
-def run_job(job: Job, folder: Path, out: Path, *, force: bool = False, accept_worse: bool = False) -> RunOutcome:
-    """Do a whole job and write its files below ``out``, all of them or none. ``folder``: what the job's paths are relative to.
+def run_job(
+    job: Job,
+    folder: Path,
+    out: Path,
+    *,
+    force: bool = False,
+    accept_worse: bool = False,
+    json_path: Path | None = None,
+) -> RunOutcome:
+    """Do a whole job and write its files below ``out`` (and the prediction to ``json_path`` too), all of them or none.
 
-    Raises UsageError (2), InputError (3), CapacityError (4) and StorageError (5); nothing is written then. Without a state of the
-    control, evaluation, prediction and report are written but no table (exit 2).
+    ``folder``: what the job's paths are relative to. Raises UsageError (2), InputError (3), CapacityError (4) and StorageError (5);
+    nothing is written then. Without a state of the control, evaluation, prediction and report are written but no table (exit 2).
     """
     finished = _work_through(job, folder, accept_worse=accept_worse)
     evaluation = evaluation_document([result for work in finished.works.values() for result in work.results], [])
     prediction = prediction_document(job.format, finished.predictions)
     files, notes = _files(finished, evaluation, prediction)
-    written = storage.write_files(out, files, force=force)
+    elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
+    written = storage.write_files(out, files, force=force, elsewhere=elsewhere)
     return RunOutcome(
         exit_code=_exit_code(finished),
         evaluation=evaluation,
@@ -83,14 +95,14 @@ def run_job(job: Job, folder: Path, out: Path, *, force: bool = False, accept_wo
         assumed=tuple(assumed_documents(finished.assumed)),
         findings=tuple(finding_documents(_findings(finished))),
         files=tuple(written),
-        no_tables="" if finished.stated else NO_STATE,
+        no_tables="" if finished.stated else f"{job.file}: {NO_STATE}" if job.file else NO_STATE_OPTION,
         refused={name: work.refused for name, work in finished.works.items() if work.refused},
         notes=notes,
     )
 
 
 def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
-    control = open_control(job.format, job.options)
+    control = open_control(job.format, job.options, origin_of(job))
     job, renamed = named_axes(job, control)
     inputs = read_job_inputs(job, control, folder)
     works = {name: start_axis(job, entry, inputs) for name, entry in job.axes.items()}

@@ -15,7 +15,7 @@ from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.simulation.files import to_csv
 from compwright.simulation.machine import Correction, VirtualMachine
 from compwright.simulation.reading import read_machine
-from compwright.workflow.control import Control, DecodedState, decode, judged, open_control, read_files
+from compwright.workflow.control import Control, DecodedState, Origin, decode, judged, open_control, read_files
 
 
 def load_machine(path: Path) -> VirtualMachine:
@@ -24,13 +24,14 @@ def load_machine(path: Path) -> VirtualMachine:
 
 
 def simulate_files(
-    machine: VirtualMachine, out: Path, *, seed: int = 0, tables: Path | None = None, force: bool = False
+    machine: VirtualMachine, out: Path, *, seed: int = 0, tables: Path | None = None, force: bool = False, file: str = ""
 ) -> list[Path]:
     """Measure every axis of a virtual machine and write one CSV file per axis (``x.csv``, ...) into ``out``.
 
-    ``tables``: a folder with what the control loads. Noise comes from ``seed`` alone: the same seed gives the same bytes.
+    ``tables``: a folder with what the control loads; ``file``: the machine file, for messages. Noise comes from ``seed`` alone:
+    the same seed gives the same bytes.
     """
-    loaded = None if tables is None else _load(machine, tables)
+    loaded = None if tables is None else _load(machine, tables, file)
     files = {}
     for number, name in enumerate(machine.axes):
         correction = None if loaded is None else _correction(loaded, machine.axes[name].axis)
@@ -40,12 +41,17 @@ def simulate_files(
     return storage.write_files(out, files, force=force)
 
 
-def _load(machine: VirtualMachine, tables: Path) -> tuple[Control, DecodedState]:
+def _load(machine: VirtualMachine, tables: Path, file: str) -> tuple[Control, DecodedState]:
     if not machine.format:
         raise UsageError(
-            Fault(message="the machine file names no control", place="controller.format", expected="a format, to load tables into")
+            Fault(
+                message="the machine file names no control",
+                file=file,
+                place="controller.format",
+                expected="a format, to load tables into",
+            )
         )
-    control = open_control(machine.format, machine.options)
+    control = open_control(machine.format, machine.options, Origin(file, "controller.format", "controller.options."))
     axes = [_addressed(control, virtual.axis) for virtual in machine.axes.values()]
     decoded = decode(control, read_files([tables]), axes)
     unknown = sorted(set(decoded.state.axes) - {axis.address for axis in axes})

@@ -18,9 +18,9 @@ from compwright.estimation.axis import AxisPosterior
 from compwright.evaluation.decision import decide
 from compwright.evaluation.standards import evaluate
 from compwright.foundations import storage
-from compwright.foundations.errors import CompwrightError, Fault, UsageError, collect, raise_all
+from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, collect, raise_all
 from compwright.foundations.findings import Finding
-from compwright.foundations.units import outside_factor, outside_unit
+from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Direction
 from compwright.records.correction import no_compensation
 from compwright.records.job import Job, TestRequest
@@ -31,7 +31,17 @@ from compwright.records.result import PositioningResult
 from compwright.records.verification import LoadingVerdict
 from compwright.verification.acceptance import overall_verdict
 from compwright.verification.loading import judge_loading
-from compwright.workflow.control import Control, DecodedState, decode, judged, named_axes, open_control, probe_positions, read_files
+from compwright.workflow.control import (
+    Control,
+    DecodedState,
+    Origin,
+    decode,
+    judged,
+    named_axes,
+    open_control,
+    probe_positions,
+    read_files,
+)
 from compwright.workflow.inputs import read_measurement, read_test
 from compwright.workflow.outlook import DRAWS, Change, accepted_index, predict
 from compwright.workflow.planning import posterior_of
@@ -61,7 +71,8 @@ class _After:
 def plan_path(given: Path | None, default: Path) -> Path:
     """Return the plan file: ``given`` (a file or the folder of a run) or that of the default folder."""
     chosen = default if given is None else given
-    return chosen if chosen.suffix.lower() == ".json" else chosen / "plan.json"
+    is_file = storage.is_there(chosen) and not storage.is_folder(chosen)
+    return chosen if is_file or chosen.suffix.lower() == ".json" else chosen / "plan.json"
 
 
 def verify_job(
@@ -72,16 +83,19 @@ def verify_job(
     out: Path,
     loaded: Sequence[Path] = (),
     force: bool = False,
+    json_path: Path | None = None,
 ) -> VerifyOutcome:
     """Judge the tests after loading and write ``verification.json`` and ``verification.html`` into ``out``.
 
     ``after``: ``FILE`` or ``TEST=FILE``, relative to the working directory; ``loaded``:
-    what was read back from the control. Raises UsageError (2), InputError (3) and
+    what was read back from the control; ``json_path``: the verification once more. Raises UsageError (2), InputError (3) and
     StorageError (5); nothing is written then.
     """
     plan = read_plan(storage.read_bytes(plan_file), str(plan_file))
-    control = open_control(plan.format, plan.options)
+    control = open_control(plan.format, plan.options, Origin(str(plan_file), "format", "options."))
+    raise_all(InputError, _other_format(job, plan, str(plan_file)))
     job, _ = named_axes(job, control)
+    raise_all(InputError, _other_axes(job, plan, str(plan_file)))
     tests = _after_tests(job, plan, after)
     as_found = decode(control, plan.states.get(AS_FOUND, ()), [entry.axis for entry in plan.axes.values()])
     read_back = decode(control, read_files(loaded), [entry.axis for entry in plan.axes.values()]) if loaded else None
@@ -94,8 +108,29 @@ def verify_job(
         verdict = "bad"
     document = verification_document(plan.format, axes, verdict)
     files, notes = _files(job, control, axes, document)
-    written = storage.write_files(out, files, force=force)
+    elsewhere = {} if json_path is None else {json_path: files["verification.json"]}
+    written = storage.write_files(out, files, force=force, elsewhere=elsewhere)
     return VerifyOutcome(exit_code=0 if verdict == "good" else 1, document=document, files=tuple(written), notes=notes)
+
+
+def _other_format(job: Job, plan: Plan, file: str) -> list[Fault]:
+    return [_differs("format", job.format, plan.format, file)] if job.format != plan.format else []
+
+
+def _other_axes(job: Job, plan: Plan, file: str) -> list[Fault]:
+    """A plan of an earlier version of the job would be held against the wrong axis."""
+    both = [(name, job.axes[name].axis, entry.axis) for name, entry in plan.axes.items() if name in job.axes]
+    return [
+        _differs(f"axis {name}: {what}", mine, theirs, file)
+        for name, axis, planned in both
+        for what, mine, theirs in (("kind", axis.kind.value, planned.kind.value), ("address", axis.address, planned.address))
+        if mine != theirs
+    ]
+
+
+def _differs(what: str, mine: str, theirs: str, file: str) -> Fault:
+    message = "the plan was made for another job; run the job again, or name its own plan with --plan"
+    return Fault(message=message, file=file, place=what, expected=mine, found=theirs)
 
 
 def _after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[_After]:
@@ -143,8 +178,15 @@ def _assign(job: Job, spec: str) -> tuple[tuple[str, str], str]:
     """Return (axis, test name) and the path of an ``--after`` value: ``TEST=FILE``, else by the file's axis."""
     names = {request.name: axis for axis, entry in job.axes.items() for request in entry.before}
     head, mark, tail = spec.partition("=")
+    if not spec or (mark and not tail):
+        raise UsageError(Fault(message="names no file", place="--after", expected="FILE or TEST=FILE", found=repr(spec)))
     if mark and head in names:
         return (_axis_of_name(job, head, tail), head), tail
+    if mark and not storage.is_there(Path(spec)):
+        known = " or ".join(names)
+        raise UsageError(
+            Fault(message="is no test of the job", place="--after", expected=f"{known} before the =", found=repr(spec))
+        )
     test = read_measurement(Path(spec))
     if test.axis:
         axis = next((name for name in job.axes if name.upper() == test.axis.upper()), None)
@@ -291,7 +333,7 @@ def _compare_loaded(planned: PlannedAxis, read_back: DecodedState | None) -> tup
         for direction in Direction
     )
     factor = outside_factor(axis.kind.unit)
-    unit = outside_unit(axis.kind.unit)
+    unit = shown_unit(axis.kind.unit)
     if worst * factor <= 1e-3:
         return (Finding("CW-V010", "info", f"Axis {axis.name}: what was read back from the control is the plan's table."),)
     return (
