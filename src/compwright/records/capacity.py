@@ -12,9 +12,9 @@ from compwright.records.correction import Assumption, Beyond, Interpolation
 class Lattice:
     """A control that stores whole increments: node m's total = magnification * ``unit`` * sum of the increments from the reference.
 
-    ``unit`` is the detection unit, mm or deg; ``increments`` the least and largest increment, both included; ``magnifications`` those
-    that may be chosen, ascending. ``offset_range``: the second table's own value at the reference, in units; None: there is none.
-    ``offset_magnified``: that value is multiplied by the magnification too.
+    ``unit`` is the detection unit, mm or deg; ``increments`` the least and largest increment, both included; ``magnifications``
+    those that may be chosen, ascending. ``offset_range``: the second table's own value at the reference, in units; None: there is
+    none. ``offset_magnified``: that value is multiplied by the magnification too.
     """
 
     unit: float
@@ -35,8 +35,8 @@ class Capacity:
     difference of neighbouring values; None: unlimited.
 
     ``lattice``: values are whole increments (``quantum`` is then that of magnification 1). ``anchored``: the nodes lie at the
-    reference plus whole spacings. ``spacings``: the only ones there are; ``min_spacing``: none below it, ``min_spacing_reason`` says
-    why. ``period``: an endless axis; the table spans exactly one period from the reference, its last value equals its first.
+    reference plus whole spacings. ``spacings``: the only ones there are; ``min_spacing``: none below it, for the reason
+    ``min_spacing_reason``. ``period``: an endless axis; the table spans exactly one period from the reference, its last value equals its first.
     ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table at all but one slope (mm/mm, deg/deg),
     a multiple of this number, within ``value_range`` taken as slopes.
     """

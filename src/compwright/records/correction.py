@@ -115,8 +115,8 @@ def no_compensation(address: str, kind: AxisKind, reference_return: Direction = 
 class CrossCompensation:
     """What one axis' position does to another axis: squareness, straightness.
 
-    ``positions`` (k,) of the axis ``input``, strictly ascending, mm or deg; ``positive``, ``negative`` (k,): what the control adds to
-    the axis ``output`` while ``input`` arrives in that direction (equal where one table serves both), mm or deg of the output.
+    ``positions`` (k,) of the axis ``input``, strictly ascending, mm or deg; ``positive``, ``negative`` (k,): what the control adds
+    to the axis ``output`` while ``input`` arrives in that direction (equal where one table serves both), mm or deg of the output.
     Linear between nodes; ``below`` / ``above`` as in `AxisCompensation`.
     """
 
