@@ -1,0 +1,115 @@
+"""A circular test: the radius along a commanded circle in both senses (ISO 230-4 clause 4), and what its evaluation gives."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from compwright.foundations.findings import Finding
+from compwright.foundations.provenance import Source
+from compwright.records.axis import FloatArray
+
+Sense = Literal["ccw", "cw"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CircularRun:
+    """One traverse of the circle or arc, without overshoot.
+
+    ``angles`` (n,) deg: commanded polar angle from the first axis to the second, in the same sense for both directions, in the order
+    in which the samples were taken: ascending for ``ccw`` (from the first axis to the second), descending for ``cw``; it may run
+    beyond 360 or below 0. ``deviations`` (n,) mm: measured distance from the set-up centre minus the nominal radius.
+    """
+
+    sense: Sense
+    angles: FloatArray
+    deviations: FloatArray
+    number: int = 1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CircularTest:
+    """A circular test in one plane. Lengths mm, ``feed`` mm/min along the path, angles deg.
+
+    ``axes``: first and second axis, in the order of the plane. ``arc``: least angle of the arc (0 <= start < 360) and its extent (at
+    most 360). ``calibrated``: the length of the bar was calibrated, so that radii count absolutely. ``centre``: where the circle lies
+    in the machine, as far as the file says it. ``vendor``: results printed in the file, by run and name, as they stand there.
+    """
+
+    name: str
+    plane: str
+    axes: tuple[str, str]
+    nominal_radius: float
+    feed: float
+    arc: tuple[float, float]
+    calibrated: bool
+    runs: tuple[CircularRun, ...]
+    centre: tuple[float, ...] | None = None
+    vendor: Mapping[str, object] = field(default_factory=dict)
+    sources: tuple[Source, ...] = ()
+    header: Mapping[str, str] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
+
+    def of(self, sense: Sense) -> tuple[CircularRun, ...]:
+        """Return the runs of one direction in the order of their numbers."""
+        return tuple(run for run in self.runs if run.sense == sense)
+
+    @property
+    def full_circle(self) -> bool:
+        """Whether the test covers the whole circle."""
+        return self.arc[1] >= 360.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CircularEffect:
+    """One cause of the deviations. ``unit``: um, um/m or ms; ``effect``: its own peak-to-peak radial effect over both runs, µm.
+
+    ``share`` is ``effect`` over the sum of all effects. ``low``: lower end of a one-sided 95 % interval where the value cannot be
+    negative; None else.
+    """
+
+    value: float
+    std_error: float
+    unit: str
+    effect: float
+    share: float
+    low: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Diagnosis:
+    """Causes by their contract names, their correlation (in the order of ``names``), and what the data cannot separate.
+
+    ``plain``: the same quantities by the plain harmonic-and-reversal regression, for comparison with other software. ``residual``: rms
+    of what remains, mm. ``correlation_length``: of the residuals, in samples.
+    """
+
+    effects: Mapping[str, CircularEffect]
+    plain: Mapping[str, float]
+    names: tuple[str, ...]
+    correlation: FloatArray
+    residual: float
+    correlation_length: float
+    findings: tuple[Finding, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CircularResult:
+    """Parameters by their contract names, mm, None where not defined (reason in ``not_applicable``).
+
+    ``centres`` (``ccw``, ``cw``, ``common``): least-squares centres, mm. ``mean_radius_deviation`` by sense: radius of the
+    least-squares circle minus nominal, mm. ``zone_centres`` and ``zone_radii`` (inner, outer) by ``ccw``, ``cw``, ``both``: of the
+    minimum zone, mm, for the plots.
+    """
+
+    test: CircularTest
+    standard: str
+    parameters: Mapping[str, float | None]
+    centres: Mapping[str, tuple[float, float]]
+    mean_radius_deviation: Mapping[str, float]
+    zone_centres: Mapping[str, tuple[float, float]]
+    zone_radii: Mapping[str, tuple[float, float]]
+    diagnosis: Diagnosis | None = None
+    not_applicable: Mapping[str, str] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
