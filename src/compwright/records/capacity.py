@@ -36,9 +36,9 @@ class Capacity:
 
     ``lattice``: values are whole increments (``quantum`` is then that of magnification 1). ``anchored``: the nodes lie at the
     reference plus whole spacings. ``spacings``: the only ones there are; ``min_spacing``: none below it, for the reason
-    ``min_spacing_reason``. ``period``: an endless axis; the table spans exactly one period from the reference, its last value equals its first.
-    ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table at all but one slope (mm/mm, deg/deg),
-    a multiple of this number, within ``value_range`` taken as slopes.
+    ``min_spacing_reason``. ``period``: an endless axis; the table spans exactly one period from the reference, its last value
+    equals its first. ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table at all but one
+    slope (mm/mm, deg/deg), a multiple of this number, within ``value_range`` taken as slopes.
     """
 
     format: str

@@ -17,9 +17,9 @@ Sense = Literal["ccw", "cw"]
 class CircularRun:
     """One traverse of the circle or arc, without overshoot.
 
-    ``angles`` (n,) deg: commanded polar angle from the first axis to the second, in the same sense for both directions, in the order
-    in which the samples were taken: ascending for ``ccw`` (from the first axis to the second), descending for ``cw``; it may run
-    beyond 360 or below 0. ``deviations`` (n,) mm: measured distance from the set-up centre minus the nominal radius.
+    ``angles`` (n,) deg: commanded polar angle from the first axis to the second, in the same sense for both directions, in the
+    order in which the samples were taken: ascending for ``ccw`` (from the first axis to the second), descending for ``cw``; it
+    may run beyond 360 or below 0. ``deviations`` (n,) mm: measured distance from the set-up centre minus the nominal radius.
     """
 
     sense: Sense
@@ -32,9 +32,10 @@ class CircularRun:
 class CircularTest:
     """A circular test in one plane. Lengths mm, ``feed`` mm/min along the path, angles deg.
 
-    ``axes``: first and second axis, in the order of the plane. ``arc``: least angle of the arc (0 <= start < 360) and its extent (at
-    most 360). ``calibrated``: the length of the bar was calibrated, so that radii count absolutely. ``centre``: where the circle lies
-    in the machine, as far as the file says it. ``vendor``: results printed in the file, by run and name, as they stand there.
+    ``axes``: first and second axis, in the order of the plane. ``arc``: least angle of the arc (0 <= start < 360) and its extent
+    (at most 360). ``calibrated``: the length of the bar was calibrated, so that radii count absolutely. ``centre``: where the
+    circle lies in the machine, as far as the file says it. ``vendor``: results printed in the file, by run and name, as they
+    stand there.
     """
 
     name: str
@@ -81,8 +82,8 @@ class CircularEffect:
 class Diagnosis:
     """Causes by their contract names, their correlation (in the order of ``names``), and what the data cannot separate.
 
-    ``plain``: the same quantities by the plain harmonic-and-reversal regression, for comparison with other software. ``residual``: rms
-    of what remains, mm. ``correlation_length``: of the residuals, in samples.
+    ``plain``: the same quantities by the plain harmonic-and-reversal regression, for comparison with other software.
+    ``residual``: rms of what remains, mm. ``correlation_length``: of the residuals, in samples.
     """
 
     effects: Mapping[str, CircularEffect]
