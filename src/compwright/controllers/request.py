@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TypeVar
@@ -18,13 +19,21 @@ class Request:
     """Facts by axis address that no file of the control holds; an address is found whatever its case.
 
     ``reference_return``: direction in which the reference is approached; ``encoder``: active measuring system, 1 or 2; ``kinds``:
-    linear or rotary; ``options``: the controller's options by name, as the job gives them.
+    linear or rotary; ``modulo``: the turn of an endless axis, deg; ``reference``: machine coordinate of the reference position,
+    mm or deg; ``options``: the controller's options by name, as the job gives them; ``axis_options`` go over them.
     """
 
     reference_return: Mapping[str, Direction] = field(default_factory=dict)
     encoder: Mapping[str, int] = field(default_factory=dict)
     kinds: Mapping[str, AxisKind] = field(default_factory=dict)
+    modulo: Mapping[str, float] = field(default_factory=dict)
+    reference: Mapping[str, float] = field(default_factory=dict)
     options: Mapping[str, object] = field(default_factory=dict)
+    axis_options: Mapping[str, Mapping[str, object]] = field(default_factory=dict)
+
+    def options_of(self, address: str) -> Mapping[str, object]:
+        """Return the options of one axis: its own over the controller's."""
+        return {**self.options, **(by_address(self.axis_options, address) or {})}
 
     def returning(self, address: str) -> tuple[Direction, Assumption | None]:
         """Return the referencing direction of an axis, and the assumption where nobody said it (option, else ``+``).
@@ -34,12 +43,40 @@ class Request:
         given = by_address(self.reference_return, address)
         if given is not None:
             return given, None
-        option = self.options.get("reference_return", Direction.POSITIVE)
-        if option not in {"+", "-"}:
+        options = self.options_of(address)
+        option = options.get("reference_return", Direction.POSITIVE)
+        if option not in ("+", "-"):
             raise UsageError(Fault(message="option reference_return", expected="+ or -", found=repr(option)))
         direction = Direction(str(option))
-        evidence = "option" if "reference_return" in self.options else "default"
+        evidence = "option" if "reference_return" in options else "default"
         return direction, Assumption(f"reference_return of {address}", direction.value, evidence)
+
+    def referenced(self, address: str) -> tuple[float, Assumption | None]:
+        """Return the machine coordinate of an axis' reference (mm or deg), and the assumption where nobody said it (option, else 0).
+
+        Raises UsageError when it is no finite number.
+        """
+        known = by_address(self.reference, address)
+        options = self.options_of(address)
+        given = options.get("reference", 0.0) if known is None else known
+        position = finite_number(given)
+        if position is None:
+            raise UsageError(Fault(message=f"reference of {address}", expected="a position in mm or deg", found=repr(given)))
+        if known is not None:
+            return position, None
+        evidence = "option" if "reference" in options else "default"
+        return position, Assumption(f"reference of {address}", f"{position:g}", evidence)
+
+
+def finite_number(value: object) -> float | None:
+    """Return an option's number, given as a number or as text; None for anything else, infinity and NaN included."""
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        return None
+    try:
+        number = float(value)
+    except (ValueError, OverflowError):
+        return None
+    return number if math.isfinite(number) else None
 
 
 def by_address(table: Mapping[str, Entry], address: str) -> Entry | None:

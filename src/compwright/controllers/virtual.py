@@ -63,12 +63,16 @@ def virtual_control(
     options: Mapping[str, object] | None = None,
     encoder: Mapping[str, int] | None = None,
     kinds: Mapping[str, AxisKind] | None = None,
+    modulo: Mapping[str, float] | None = None,
+    reference: Mapping[str, float] | None = None,
+    axis_options: Mapping[str, Mapping[str, object]] | None = None,
 ) -> VirtualControl:
     """Return the virtual control of ``format_id`` with ``files`` (bare names, raw bytes) loaded.
 
     By axis address: ``reference_return`` is the direction in which the reference is approached, ``encoder`` the active
-    measuring system (1 or 2), ``kinds`` linear or rotary where no file says it. ``options`` are the controller's options.
-    Whatever had to be taken without being told is in ``assumed``.
+    measuring system (1 or 2), ``kinds`` linear or rotary where no file says it, ``modulo`` the turn of an endless axis (deg),
+    ``reference`` the machine coordinate of the reference position (mm or deg). ``options`` are the controller's options,
+    ``axis_options`` those of single axes, which go over them. Whatever had to be taken without being told is in ``assumed``.
 
     Raises UsageError for an unknown format, InputError for files that the control would refuse or that contradict themselves.
     """
@@ -81,6 +85,9 @@ def virtual_control(
         reference_return=dict(reference_return or {}),
         encoder=dict(encoder or {}),
         kinds=dict(kinds or {}),
+        modulo=dict(modulo or {}),
+        reference=dict(reference or {}),
         options=dict(options or {}),
+        axis_options=dict(axis_options or {}),
     )
     return maker(files, request)
