@@ -6,22 +6,34 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-from compwright.formats.schema import Choice, Definition, Measure, OptionRule, OptionValue
+from compwright.formats.schema import CHOICES, PLAIN, Choice, Definition, Measure, OptionRule, OptionValue
 from compwright.formats.statements import field_names
 from compwright.foundations.errors import Fault
 from compwright.foundations.yaml_reader import KeyPath, YamlDocument
 
 #: Quantities that stand alone, one value each.
-SINGLES = ("backlash", "repeats", "enabled", "table_form", "length_unit", "rotary", "max_points", "table_file")
+SINGLES = ("backlash", *CHOICES, *PLAIN)
 #: The neutral words that the engine knows for a choice; `table_form` has its own.
-WORDS = {"repeats": {"yes", "no"}, "enabled": {"yes", "no"}, "rotary": {"linear", "rotary"}, "length_unit": {"mm", "inch"}}
+WORDS = {
+    "rotary": {"linear", "rotary"},
+    "length_unit": {"mm", "inch"},
+    **{name: {"yes", "no"} for name in CHOICES if name not in ("rotary", "length_unit", "table_form")},
+}
 _SIGNS = {
     "backlash": {"lost_motion", "half_each_way"},
     "value": {"error", "correction", "actual_position"},
     "value_positive": {"error", "correction", "actual_position"},
     "value_negative": {"error", "correction", "actual_position"},
 }
-_NUMBERED = ("min_points", "max_points", "line_length", "line_length_read")
+_NUMBERED = (
+    "min_points",
+    "max_points",
+    "line_length",
+    "line_length_read",
+    "max_number",
+    "max_magnification",
+    "feed_per_spacing",
+)
 _FILE_NAME = re.compile(r"[A-Za-z0-9_.{}-]+")
 
 
@@ -34,6 +46,8 @@ def grid(definition: Definition) -> tuple[str, ...]:
     """Return the quantities that say where the nodes are."""
     if definition.layout.shape == "values_by_index":
         return ("table_start", "table_end", "table_spacing")
+    if definition.layout.shape == "section_increments":
+        return ("table_spacing",)
     return ("node_position",)
 
 

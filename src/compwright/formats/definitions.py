@@ -50,7 +50,8 @@ from compwright.foundations.yaml_reader import YamlDocument, read_yaml
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import Beyond, Evidence
 
-_NEWLINES = {"lf": "\n", "crlf": "\r\n"}
+_NEWLINES = {"lf": "\n", "crlf": "\r\n", "lfcrcr": "\n\r\r"}
+_UNITS = ("mm", "um", "inch", "pulse")
 _TOP = (
     "compwright_format",
     "id",
@@ -172,7 +173,7 @@ def _addresses(node: Node) -> Addresses:
 
 
 def _dialect(node: Node) -> Dialect:
-    part = node.keys("encoding", "newline", "newlines_read", "case", "block_number", "line_checksum", "evidence")
+    part = node.keys("encoding", "newline", "newlines_read", "case", "block_number", "line_checksum", "blanks", "evidence")
     part["encoding"].one_of(("ascii",))
     return Dialect(
         newline=_NEWLINES[part["newline"].one_of(tuple(_NEWLINES))],
@@ -180,6 +181,7 @@ def _dialect(node: Node) -> Dialect:
         case=part["case"].literal(Case),
         block_number=part["block_number"].optional_text(),
         line_checksum=part["line_checksum"].optional_text(),
+        blanks_anywhere=part["blanks"].one_of(("beside_marks", "anywhere")) == "anywhere",
         evidence=_evidence(part["evidence"]),
     )
 
@@ -276,7 +278,7 @@ def _measure(name: str, node: Node) -> Measure:
         when_absent=_absent(part["when_absent"]),
         evidence=_evidence(part["evidence"]),
         linear_unit=_unit(unit["linear"]),
-        rotary_unit=unit["rotary"].one_of(("deg",)),
+        rotary_unit=unit["rotary"].one_of(("deg", "mdeg", "pulse")),
         sign=sign,
         sign_by=sign_by,
         signs=signs,
@@ -288,7 +290,7 @@ def _measure(name: str, node: Node) -> Measure:
 def _unit(node: Node) -> str | OptionValue:
     if isinstance(node.data, dict):
         return OptionValue(node.keys("option")["option"].text())
-    return node.one_of(("mm", "inch"))
+    return node.one_of(_UNITS)
 
 
 def _word_or_option(node: Node) -> str | OptionValue:

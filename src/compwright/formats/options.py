@@ -8,11 +8,14 @@ from difflib import get_close_matches
 
 from compwright.formats.schema import Definition, OptionRule
 from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.records.axis import Axis
 from compwright.records.correction import ControlState
 
 #: What every control's files are read with where no job says more about the axis: the zero state.
 REFERENCE = "reference"
 REFERENCE_RETURN = "reference_return"
+#: The option that says how long a pulse is: asked for, never assumed.
+DETECTION_UNIT = "detection_unit"
 #: The option that names the measuring system to read where no job does.
 ENCODER_SYSTEM = "encoder_system"
 
@@ -48,6 +51,37 @@ def resolve_options(definition: Definition, given: Mapping[str, object], state: 
         _settle_shared(definition, values, given, state, faults)
     raise_all(UsageError, faults)
     return values
+
+
+def axis_options(definition: Definition, resolved: Mapping[str, object], axis: Axis) -> Mapping[str, object]:
+    """Return the options of one axis: its own go over the controller's (``resolved``).
+
+    Raises UsageError with every fault: unknown option, wrong value, and the detection unit where nobody says it.
+    """
+    faults: list[Fault] = []
+    values = dict(resolved)
+    for name, given in axis.options.items():
+        rule = definition.options.get(name)
+        if rule is None:
+            known = ", ".join(definition.options)
+            faults.append(Fault(message=f"{definition.id} has no such option", place=name, expected=f"one of {known}"))
+        else:
+            values[name] = _value(rule, given, definition, faults)
+    if DETECTION_UNIT in definition.options and not faults and not _positive(values[DETECTION_UNIT]):
+        faults.append(
+            Fault(
+                message=f"{definition.id}: the detection unit of the axis must be given; nothing in its files says it",
+                place=DETECTION_UNIT,
+                expected="mm or deg, such as 0.001",
+                found="nothing" if values[DETECTION_UNIT] is None else str(values[DETECTION_UNIT]),
+            )
+        )
+    raise_all(UsageError, [fault.within(f"axis {axis.name}") for fault in faults])
+    return values
+
+
+def _positive(value: object) -> bool:
+    return isinstance(value, (int, float)) and value > 0
 
 
 def describe_options(definition: Definition) -> tuple[str, ...]:

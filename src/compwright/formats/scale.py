@@ -10,10 +10,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
 
+from compwright.formats.options import DETECTION_UNIT
 from compwright.formats.schema import Definition, Measure, OptionValue, Sign
 from compwright.records.axis import AxisKind
 
-_FACTORS = {"mm": Decimal(1), "deg": Decimal(1), "inch": Decimal("25.4")}
+_FACTORS = {"mm": Decimal(1), "um": Decimal("0.001"), "deg": Decimal(1), "mdeg": Decimal("0.001"), "inch": Decimal("25.4")}
 #: A number counts as a multiple of the quantum when it misses one by less than this part of it. Doubles of 5 000 mm with a quantum
 #: of 1e-7 mm are good to 1e-5 of it; a value that was not rounded misses by up to one half.
 EXACTNESS = 1e-3
@@ -42,7 +43,8 @@ class Scale:
 
     def factor(self, quantity: str) -> Decimal:
         """Return the factor from the control's unit to mm or deg."""
-        return _FACTORS[self.unit(quantity)]
+        unit = self.unit(quantity)
+        return Decimal(str(self.options[DETECTION_UNIT])) if unit == "pulse" else _FACTORS[unit]
 
     def quantum(self, quantity: str) -> float:
         """Return the last decimal place in mm or deg."""

@@ -14,14 +14,39 @@ SCHEMA_VERSION = 1
 
 #: The quantities that a definition may bind: lengths and angles, choices between few values, and what is taken as it stands.
 MEASURES = ("value", "value_positive", "value_negative", "node_position", "table_start", "table_end", "table_spacing", "backlash")
-CHOICES = ("repeats", "enabled", "table_form", "length_unit", "rotary")
-PLAIN = ("max_points", "table_file")
+CHOICES = (
+    "repeats",
+    "enabled",
+    "table_form",
+    "length_unit",
+    "rotary",
+    "bidirectional",
+    "diameter",
+    "absolute_encoder",
+    "separate_rapid",
+)
+PLAIN = (
+    "max_points",
+    "table_file",
+    "reference_number",
+    "first_number",
+    "last_number",
+    "magnification",
+    "turn",
+    "negative_first",
+    "negative_offset",
+    "backlash_rapid",
+    "axis_name",
+    "reference_coordinate",
+    "limit_low",
+    "limit_high",
+)
 
 AddressType = Literal["integer", "name"]
 Case = Literal["ignored", "kept"]
-FieldType = Literal["integer", "decimal", "real", "name", "label", "word", "text"]
+FieldType = Literal["integer", "signed", "point_number", "bit", "key", "decimal", "real", "name", "label", "word", "text"]
 Rest = Literal["none", "after_blank", "anything"]
-Shape = Literal["values_by_index", "rows_by_position"]
+Shape = Literal["values_by_index", "rows_by_position", "section_increments", "user_tables"]
 Pairing = Literal["none", "two_columns"]
 Sign = Literal["position", "error", "correction", "actual_position", "lost_motion", "half_each_way"]
 Repeated = Literal["first", "last", "same"]
@@ -34,6 +59,9 @@ Predicate = Literal[
     "line_length_read",
     "no_backlash_beside_table",
     "no_endless_axis",
+    "max_number",
+    "max_magnification",
+    "feed_per_spacing",
 ]
 OptionType = Literal["integer", "number", "choice", "text", "integers"]
 
@@ -69,13 +97,17 @@ class Addresses:
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """What holds for every line: line ends written and read, letters, a block number before and a checksum behind a line."""
+    """What holds for every line: line ends written and read, letters, a block number before and a checksum behind a line.
+
+    ``blanks_anywhere``: blanks may stand between any two parts of a line when it is read.
+    """
 
     newline: str
     newlines_read: tuple[str, ...]
     case: Case
     block_number: str | None
     line_checksum: str | None
+    blanks_anywhere: bool
     evidence: EvidenceNote
 
 

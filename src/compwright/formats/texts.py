@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from compwright.formats.schema import Definition, Statement, TextKind
-from compwright.formats.statements import Matcher, Occurrence, Token, compile_statement
+from compwright.formats.statements import Form, Matcher, Occurrence, Token, compile_statement, line_number
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding
 from compwright.records.correction import ControlFile
@@ -97,6 +97,7 @@ class _KindReader:
         self.ignores_case = reader.definition.dialect.case == "ignored"
         self.matchers = [m for m in reader.matchers.values() if m.statement.text == kind.name and m.statement.name != kind.sections]
         self.sections = reader.matchers.get(kind.sections) if kind.sections is not None else None
+        self.numbered = any(matcher.number is not None for matcher in self.matchers)
         self.max_line = reader.definition.limit_number("line_length_read") if kind.other_lines_refused else None
         self.section = ""
         self.section_start = 0
@@ -146,14 +147,18 @@ class _KindReader:
 
     def _statement(self, line: Line, code: str) -> Iterator[Occurrence]:
         probe = code.upper() if self.ignores_case else code
+        number = line_number(code) if self.numbered else None
         for matcher in self.matchers:
-            if matcher.head not in probe:
+            if matcher.head not in probe or (matcher.number is not None and matcher.number != number):
                 continue
             for place, form in enumerate(matcher.forms):
                 match = form.fullmatch(code)
                 if match is not None:
-                    yield from self._occurrence(line, matcher, match, variant=place > 0)
+                    yield from self._occurrences(line, matcher, form, match, variant=place > 0)
                     return
+            if matcher.number is not None:
+                self._fault(line, "cannot be read" + _hint(code), expected=_readable(matcher.statement), found=_shown(code))
+                return
         claimed = self._claimed(probe) if self._concerns_us(probe) else None
         if claimed is not None:
             self._fault(
@@ -165,8 +170,20 @@ class _KindReader:
         elif self.kind.other_lines_refused:
             self._refuse(line, "cannot be read as a row" + _hint(code))
 
-    def _occurrence(self, line: Line, matcher: Matcher, match: re.Match[str], *, variant: bool) -> Iterator[Occurrence]:
+    def _occurrences(
+        self, line: Line, matcher: Matcher, form: Form, match: re.Match[str], *, variant: bool
+    ) -> Iterator[Occurrence]:
+        if form.group is None:
+            yield from self._occurrence(line, matcher, (match,), variant=variant)
+            return
+        for group in form.group.finditer(match.string, match.start("groups_"), match.end("groups_")):
+            yield from self._occurrence(line, matcher, (match, group), variant=variant)
+
+    def _occurrence(
+        self, line: Line, matcher: Matcher, matches: tuple[re.Match[str], ...], *, variant: bool
+    ) -> Iterator[Occurrence]:
         def token(name: str) -> Token:
+            match = next(found for found in matches if name in found.re.groupindex)
             return Token(match[name], line.start + match.start(name), line.start + match.end(name))
 
         tokens = {name: token(name) for name in matcher.statement.fields}
@@ -176,7 +193,7 @@ class _KindReader:
                 return
             for name, text in within.groupdict().items():
                 tokens[name] = Token(text, self.section_start + within.start(name), self.section_start + within.end(name))
-        checksum = token("checksum_") if match.groupdict().get("checksum_") else None
+        checksum = token("checksum_") if matches[0].groupdict().get("checksum_") else None
         yield Occurrence(matcher.statement.name, self.file, line.number, tokens, variant, checksum)
 
     def _concerns_us(self, probe: str) -> bool:
@@ -200,7 +217,8 @@ class _KindReader:
             if not final.ended and self.kind.other_lines_refused:
                 yield Finding("CW-S001", "warning", f"{self.file}: the last row has no line end; check that the file is complete")
             return
-        if any(self._code(line).strip(" \t").upper() in self.kind.ends_with for line in lines[-20:]):
+        # Where one mark both opens and closes a file, the first line is no end.
+        if any(self._code(line).strip(" \t").upper() in self.kind.ends_with for line in lines[1:][-20:]):
             return
         if not final.ended and occurrences[-1].line == final.number:
             self._fault(
