@@ -42,8 +42,8 @@ def fault(content: bytes) -> str:
         (b"target_mm direction run deviation_um\n0 + 1 2\n", "without comma, semicolon or tab"),
         (b"Messwert;Soll\n1;2\n", "found 'Messwert;Soll' as the first row"),
         (b'"target_mm,direction\n', "line 1: the header row has a quote that is not closed"),
-        (b"direction,angle_deg,radius_mm\nccw,0,100\n", "circular tests are not read by this command yet"),
-        (b"# compwright: circular 1\nx,y\n", "circular tests are not read by this command yet"),
+        (b"direction,angle_deg,radius_mm\nccw,0,100\n", "holds a circular test"),
+        (b"# compwright: circular 1\nx,y\n", "holds a circular test"),
     ],
 )
 def test_other_files(content: bytes, words: str) -> None:
@@ -62,7 +62,7 @@ def test_the_accepted_forms_are_named() -> None:
 @needs_shared
 @pytest.mark.parametrize("name", ["ballbar_demo_100mm_XY.b5r", "ballbar_qc20w_150mm_ZX_220deg.b5r"])
 def test_a_ballbar_file(name: str) -> None:
-    assert "circular tests are not read by this command yet" in fault((REAL / "ballbar" / name).read_bytes())
+    assert "holds a circular test" in fault((REAL / "ballbar" / name).read_bytes())
 
 
 @needs_shared

@@ -43,8 +43,10 @@ def comment_text(line: str) -> str | None:
     return stripped.lstrip("#").strip() if stripped.startswith("#") else None
 
 
-def read_comments(lines: Iterable[tuple[int, str]], faults: FaultList, *, any_key: bool = True) -> Comments:
-    """Return what comment lines (number of the line, text without ``#``) say.
+def read_comments(
+    lines: Iterable[tuple[int, str]], faults: FaultList, *, any_key: bool = True, decisive: frozenset[str] = DECISIVE_KEYS
+) -> Comments:
+    """Return what comment lines (number of the line, text without ``#``) say; ``decisive``: the keys that the form depends on.
 
     With ``any_key`` false only known keys are taken as keys, all else is free text; ``unit`` too, because the target data form
     explains its own key UNIT in such a line. A decisive key that is given twice with different values is a fault; other keys
@@ -55,9 +57,9 @@ def read_comments(lines: Iterable[tuple[int, str]], faults: FaultList, *, any_ke
         match = _KEY_VALUE.fullmatch(text)
         written, value = (match["key"], match["value"].strip()) if match else (FREE_TEXT, text)
         known = re.sub(r"[ -]+", "_", written).lower()
-        if match and known in KNOWN_KEYS and (any_key or known != "unit"):
+        if match and known in (KNOWN_KEYS | decisive) and (any_key or known != "unit"):
             written = known
-            if known in DECISIVE_KEYS:
+            if known in decisive:
                 _take_decisive(comments, known, value, f"line {number}", faults)
                 continue
         elif not any_key or not match:

@@ -63,7 +63,7 @@ def read_positioning(content: bytes, file: str) -> PositioningTest:
     grid = grid_of(parsed.readings, parsed.kind, faults)
     assumed = parsed.assumed if cycle else (*parsed.assumed, "cycle: standard")
     return PositioningTest(
-        name=_stem(file),
+        name=stem(file),
         axis=comments.get("axis"),
         kind=parsed.kind,
         targets=grid.targets,
@@ -79,15 +79,36 @@ def read_positioning(content: bytes, file: str) -> PositioningTest:
     )
 
 
-def _stem(file: str) -> str:
+def stem(file: str) -> str:
+    """Return the name of a file without its folders and its ending."""
     name = re.split(r"[\\/]", file)[-1]
     return name.rpartition(".")[0] or name
 
 
+def assumed_finding(assumed: Sequence[str]) -> Finding | None:
+    """Return the finding that says what the file leaves open, None when that is nothing."""
+    return Finding("CW-R001", "info", f"Not said in the file and taken as: {'; '.join(assumed)}.") if assumed else None
+
+
+def left_out_finding(columns: Sequence[str]) -> Finding | None:
+    """Return the finding that names columns without a part in the form, None when there are none."""
+    return Finding("CW-R005", "info", f"Columns that were left out: {', '.join(columns)}.") if columns else None
+
+
+def doubtful_finding(number: str) -> Finding | None:
+    """Return the finding about a point that may mark thousands (`DecimalMarks.doubtful_point`), None for an empty ``number``."""
+    if not number:
+        return None
+    return Finding(
+        "CW-R015",
+        "warning",
+        f"{shown(number)} was read with a decimal point, but whole numbers stand in the same column and no number"
+        " proves the point: if it marks thousands, take it out.",
+    )
+
+
 def _about_header(comments: Comments, assumed: Sequence[str]) -> list[Finding]:
-    findings = []
-    if assumed:
-        findings.append(Finding("CW-R001", "info", f"Not said in the file and taken as: {'; '.join(assumed)}."))
+    findings = [finding for finding in [assumed_finding(assumed)] if finding is not None]
     if not comments.get("axis"):
         findings.append(Finding("CW-R002", "info", "The file does not name its axis (comment line '# axis: X')."))
     if comments.get("compensated_for").lower() not in _NOTHING:
@@ -110,17 +131,8 @@ def _measured_findings(comments: Comments, *, sign_said: bool) -> list[Finding]:
 
 def _from_csv(read: CsvReadings, comments: Comments) -> _Parsed:
     findings = _measured_findings(comments, sign_said=read.sign_said) if read.measured else []
-    if read.doubtful:
-        findings.append(
-            Finding(
-                "CW-R015",
-                "warning",
-                f"{shown(read.doubtful)} was read with a decimal point, but whole numbers stand in the same column and no number"
-                " proves the point: if it marks thousands, take it out.",
-            )
-        )
-    if read.left_out:
-        findings.append(Finding("CW-R005", "info", f"Columns that were left out: {', '.join(read.left_out)}."))
+    about = (doubtful_finding(read.doubtful), left_out_finding(read.left_out))
+    findings += [finding for finding in about if finding is not None]
     return _Parsed(
         kind=read.kind,
         readings=read.readings,
@@ -169,7 +181,7 @@ def _refuse_other_forms(lines: Sequence[tuple[int, str]], comments: Comments, fi
     if form.startswith("circular") or ("angle_deg" in names and {"direction", "radius_mm"} & set(names)):
         raise InputError(
             Fault(
-                message="holds a circular test; circular tests are not read by this command yet",
+                message="holds a circular test, not a positioning test",
                 file=file,
                 place=f"line {number}",
                 expected=ACCEPTED_FORMS,
@@ -186,8 +198,7 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
         if "TEST_DOCUMENT" in first or "<?xml" in first:
             return InputError(
                 Fault(
-                    message="is not a positioning file; XML such as a ballbar's .b5r holds a circular test,"
-                    " and circular tests are not read by this command yet",
+                    message="is not a positioning file; XML such as a ballbar's .b5r holds a circular test",
                     file=file,
                     place=f"line {number}",
                     expected=ACCEPTED_FORMS,

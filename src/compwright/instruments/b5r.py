@@ -1,0 +1,395 @@
+"""The ballbar file ``.b5r`` of Renishaw (Ballbar 5 and Ballbar 20; QC10, QC20-W): XML, one test with its runs and printed results.
+
+Reading rules after six published files, whose own results come out to 0.1 µm: samples START_INDEX to END_INDEX inclusive, at half
+steps of the arc; length = NOMINAL_LENGTH + reading, calibration and temperature already in it; angles from the first named
+axis to the second, whatever the view.
+
+Codes made here:
+
+- ``CW-R030`` info: temperature and calibration of the ballbar, already in the readings
+- ``CW-R031`` warning: the true feed is not the programmed one
+- ``CW-R032`` warning: the readings do not quite fill the arc and its overshoot
+- ``CW-R033`` warning: a direction that the test specifies was not measured
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.findings import Finding
+from compwright.instruments.circular_arcs import FEWEST_SAMPLES, SMALLEST_ARC
+from compwright.instruments.circular_csv import axes_of_plane, centre_of
+from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.numbers import LARGEST
+from compwright.instruments.safe_xml import Element, read_xml
+from compwright.records.axis import FloatArray
+from compwright.records.circular import CircularRun, CircularTest, Sense
+
+_SENSES: Final[Mapping[str, Sense]] = {"CCW": "ccw", "CW": "cw"}
+_NUMBER: Final = re.compile(r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]{1,3})?")
+_INDEX: Final = re.compile(r"[0-9]{1,8}")
+#: No ballbar is longer, mm.
+_LONGEST: Final = 10_000.0
+_SAME_LENGTH: Final = 1e-6  # mm, rounding of printed lengths
+#: In all files seen as many samples of overshoot follow the arc as precede it; beyond this the readings are of another length.
+_TAIL: Final = (2, 0.02)  # samples, share of the samples of the arc; the larger of both
+#: A feed off by more than this does not come from the rounding of the sampling: override, or an axis that did not follow.
+_FEED_SHARE: Final = 0.05
+_UNITS: Final[Mapping[str, str]] = {
+    "UT_LENGTH_MM": "mm",
+    "UT_LENGTH_UM": "um",
+    "UT_FEEDRATE": "mm/min",
+    "UT_SQUARENESS": "um/m",
+    "UT_SERVO_MISMATCH": "ms",
+    "UT_SCALE_ERROR": "ppm",
+    "UT_ANGLE": "deg",
+    "UT_RANKING": "rank",
+    "UT_PERCENT": "%",
+}
+_BAR: Final = ("TEST_SPEC", "INSTRUMENT", "DYNAMIC_BALLBAR")
+#: Key of the header -> path below TEST_DOCUMENT; what a file does not hold is left out.
+_HEADER: Final[Mapping[str, tuple[str, ...]]] = {
+    "operator": ("OPERATOR",),
+    "comment": ("COMMENT",),
+    "date": ("DATE_STARTED",),
+    "date_completed": ("DATE_COMPLETED",),
+    "ballbar_serial": ("EQUIPMENT", "BALLBAR", "SERIAL_NUMBER"),
+    "ballbar_certificate": ("EQUIPMENT", "BALLBAR", "CERTIFICATE_NUMBER"),
+    "ballbar_last_calibrated": ("EQUIPMENT", "BALLBAR", "LAST_CALIBRATED"),
+    "calibrator_serial": ("EQUIPMENT", "CALIBRATOR", "SERIAL_NUMBER"),
+    "calibrated_length_mm": ("EQUIPMENT", "CALIBRATOR", "CALIBRATED_LENGTH"),
+    "calibrator_temperature_c": ("EQUIPMENT", "CALIBRATOR", "TEMPERATURE"),
+    "software": ("EQUIPMENT", "SOFTWARE", "TITLE"),
+    "software_version": ("EQUIPMENT", "SOFTWARE", "VERSION"),
+    "programmed_feed_mm_min": (*_BAR, "PROGRAMMED_FEEDRATE"),
+    "overshoot_deg": (*_BAR, "OVERSHOOT_ANGLE"),
+    "centre": (*_BAR, "CENTRE"),
+    "nc_program": (*_BAR, "NC_PROGRAM_ID"),
+    "expansion_um_m_k": (*_BAR, "TEMP_MATERIAL_COEFFICIENT"),
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Spec:
+    """What was to be measured: mm, mm/min, deg; NaN after a fault."""
+
+    length: float
+    feed: float
+    start: float
+    extent: float
+    plane: str
+    axes: tuple[str, str]
+    calibrated: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _Run:
+    """A run and its true feed (mm/min), None when the file does not say the sample rate; ``stray``: samples beside the rule."""
+
+    run: CircularRun
+    feed: float | None
+    stray: int
+
+
+def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
+    """Return the circular test in a ``.b5r`` file, without its source; raises InputError with every fault at once.
+
+    Faults have the line of the element and its path as place: XML that is broken or declares a document type, another
+    instrument's file, a file without readings, what is missing or no number, a test radius that is not the length of the
+    bar, an arc below 90 deg, indices outside the readings, readings whose number does not fit arc and overshoot.
+    """
+    root = read_xml(content, file)
+    bar = _ballbar(root, file)
+    faults = FaultList(file)
+    spec = _spec(bar, faults)
+    elements = list(root.all("RUN_RESULTS", "BALLBAR_RUN"))
+    if not any(element.first("READINGS") for element in elements):
+        faults.add(
+            "holds no readings: the test was set up, or its header exported, without a measurement",
+            expected="RUN_RESULTS with a BALLBAR_RUN and its READINGS",
+        )
+        faults.raise_if_any()
+    runs = _runs(elements, spec, faults)
+    faults.raise_if_any()
+    feeds = [run.feed for run in runs if run.feed is not None]
+    feed = sum(feeds) / len(feeds) if feeds else spec.feed
+    header = _header(root, elements)
+    return CircularTest(
+        name=name,
+        plane=spec.plane,
+        axes=spec.axes,
+        nominal_radius=spec.length,
+        feed=feed,
+        arc=(spec.start % 360.0, spec.extent),
+        calibrated=spec.calibrated,
+        runs=tuple(sorted((run.run for run in runs), key=lambda run: (run.sense, run.number))),
+        centre=centre_of(header.get("centre", "")),
+        vendor=_vendor(root, elements, [run.run for run in runs]),
+        header=header,
+        findings=tuple(_findings(bar, elements, spec, runs, feed)),
+    )
+
+
+def _ballbar(root: Element, file: str) -> Element:
+    if root.tag != "TEST_DOCUMENT":
+        place, expected = f"line {root.line}", "the root element TEST_DOCUMENT"
+        raise InputError(Fault(message="is not a ballbar file", file=file, place=place, expected=expected, found=shown(root.tag)))
+    instrument = root.first("TEST_SPEC", "INSTRUMENT")
+    bar = root.first(*_BAR)
+    if bar is None:
+        kinds = [child.tag for child in instrument.children] if instrument else [child.tag for child in root.children]
+        message = "is of another instrument" if instrument else "does not say which instrument measured"
+        place = f"line {(instrument or root).line}, {'/'.join(_BAR)}"
+        found = shown(", ".join(kinds[:8]) or "nothing")
+        raise InputError(Fault(message=message, file=file, place=place, expected="a dynamic ballbar test", found=found))
+    return bar
+
+
+def _text(parent: Element, faults: FaultList, *path: str) -> tuple[str, str]:
+    """Return text and place of a required element; empty text after noting that it is missing."""
+    element = parent.first(*path)
+    if element is None or not element.text:
+        place = f"line {(element or parent).line}, {parent.tag}/{'/'.join(path)}"
+        faults.add("is missing" if element is None else "is empty", place=place, expected="a value")
+        return "", place
+    return element.text, f"line {element.line}, {parent.tag}/{'/'.join(path)}"
+
+
+def _finite(text: str) -> float | None:
+    value = float(text) if _NUMBER.fullmatch(text) else math.nan
+    return value if abs(value) <= LARGEST else None
+
+
+def _number(parent: Element, tag: str, faults: FaultList, *, above: float = -LARGEST, most: float = LARGEST) -> float:
+    """Return a number with above < number <= most, NaN after noting a fault."""
+    text, place = _text(parent, faults, tag)
+    if not text:
+        return math.nan
+    value = _finite(text)
+    if value is None:
+        faults.add("is not a number", place=place, expected="a number with a decimal point", found=shown(text))
+        return math.nan
+    if not above < value <= most:
+        faults.add("is out of range", place=place, expected=f"above {above:g}, at most {most:g}", found=shown(text))
+        return math.nan
+    return value
+
+
+def _spec(bar: Element, faults: FaultList) -> _Spec:
+    length = _number(bar, "NOMINAL_LENGTH", faults, above=0.0, most=_LONGEST)
+    if bar.first("TEST_RADIUS"):
+        radius = _number(bar, "TEST_RADIUS", faults, above=0.0, most=_LONGEST)
+        if abs(radius - length) > _SAME_LENGTH:
+            faults.add(
+                "test radius and length of the ballbar differ",
+                place=f"line {bar.line}, DYNAMIC_BALLBAR/TEST_RADIUS",
+                expected=f"{length:g} mm, as NOMINAL_LENGTH",
+                found=f"{radius:g} mm",
+            )
+    start = _number(bar, "START_ANGLE", faults, above=-1000.0, most=1000.0)
+    end = _number(bar, "END_ANGLE", faults, above=-1000.0, most=1000.0)
+    extent = (end - start) % 360.0 or 360.0
+    if extent < SMALLEST_ARC:
+        faults.add(
+            "covers too short an arc",
+            place=f"line {bar.line}, DYNAMIC_BALLBAR/END_ANGLE",
+            expected=f"at least {SMALLEST_ARC:g} deg from START_ANGLE to END_ANGLE",
+            found=f"{extent:g} deg, from {start:g} to {end:g}",
+        )
+    plane, axes = _plane(bar, faults)
+    return _Spec(
+        length=length,
+        feed=_number(bar, "PROGRAMMED_FEEDRATE", faults, above=0.0),
+        start=start,
+        extent=extent,
+        plane=plane,
+        axes=axes,
+        calibrated=bar.attributes.get("CALIBRATION_REQUIRED", "").lower() == "true",
+    )
+
+
+def _plane(bar: Element, faults: FaultList) -> tuple[str, tuple[str, str]]:
+    """Return the plane and its axes: A, B as the file names them (in ZX A is Z), else the letters of the plane."""
+    element = bar.first("PLANE")
+    plane = element.attributes.get("TEST_PLANE", "").upper() if element else ""
+    letters = axes_of_plane(plane)
+    named = [(bar.first("PLANE", f"{side}_AXIS_NAME") or bar).text for side in "AB"]
+    if letters is None:
+        place = f"line {(element or bar).line}, DYNAMIC_BALLBAR/PLANE"
+        faults.add("names no plane", place=place, expected="TEST_PLANE XY, YZ or ZX", found=shown(plane))
+        return "", ("", "")
+    if all(named):
+        return plane, (named[0], named[1])
+    return plane, letters
+
+
+def _runs(elements: Sequence[Element], spec: _Spec, faults: FaultList) -> list[_Run]:
+    runs: list[_Run] = []
+    for element in elements:
+        text, place = _text(element, faults, "RUN_DIRECTION")
+        sense = _SENSES.get(text.upper())
+        if text and sense is None:
+            faults.add("direction is neither CCW nor CW", place=place, expected="CCW or CW", found=shown(text))
+        number = 1 + sum(run.run.sense == sense for run in runs)
+        run = _run(element, sense or "ccw", number, spec, faults)
+        if run is not None and sense is not None:
+            runs.append(run)
+    return runs
+
+
+def _run(element: Element, sense: Sense, number: int, spec: _Spec, faults: FaultList) -> _Run | None:
+    """Return one run: sample k of N at start + (k + 1/2) extent/N for ccw, at the end minus that for cw (deg)."""
+    readings = _readings(element, faults)
+    indices = _indices(element, readings, faults)
+    rate = _number(element, "SAMPLE_RATE", faults, above=0.0) if element.first("SAMPLE_RATE") else None
+    if readings is None or indices is None:
+        return None
+    first, last = indices
+    count = last - first + 1
+    stray = readings.size - 1 - last - first
+    if abs(stray) > max(_TAIL[0], _TAIL[1] * count):
+        faults.add(
+            "READINGS have the wrong length",
+            place=f"line {element.line}, BALLBAR_RUN/READINGS",
+            expected=f"{last + 1 + first} values: {count} of the arc and {first} of overshoot on either side",
+            found=f"{readings.size}",
+        )
+    along = (np.arange(count) + 0.5) * spec.extent / count
+    begin = spec.start % 360.0
+    angles = begin + along if sense == "ccw" else begin + spec.extent - along
+    run = CircularRun(sense=sense, angles=angles, deviations=readings[first : last + 1], number=number)
+    feed = None if rate is None else 60.0 * 2.0 * math.pi * spec.length * (spec.extent / 360.0) / count * rate
+    return _Run(run, feed, stray)
+
+
+def _readings(element: Element, faults: FaultList) -> FloatArray | None:
+    text, place = _text(element, faults, "READINGS")
+    values: list[float] = []
+    wrong = False
+    for position, token in enumerate(text.split(), start=1):
+        value = _finite(token)
+        if value is None:
+            faults.add(
+                "a reading is not a number",
+                place=f"{place}, value {position}",
+                expected="a number in mm with a decimal point",
+                found=shown(token),
+            )
+            wrong = True
+        else:
+            values.append(value)
+    return None if wrong or not values else np.array(values)
+
+
+def _indices(element: Element, readings: FloatArray | None, faults: FaultList) -> tuple[int, int] | None:
+    """Return first and last sample of the arc; None after a fault, or when the readings themselves are at fault."""
+    found: list[int] = []
+    for tag in ("START_INDEX", "END_INDEX"):
+        text, place = _text(element, faults, tag)
+        if text and not _INDEX.fullmatch(text):
+            faults.add("is not an index", place=place, expected="0, 1, 2, ...", found=shown(text))
+        elif text:
+            found.append(int(text))
+    if readings is None or len(found) < 2:
+        return None
+    first, last = found
+    place = f"line {element.line}, BALLBAR_RUN"
+    if last >= readings.size:
+        faults.add(
+            "END_INDEX lies outside the readings", place=place, expected=f"at most {readings.size - 1}, the last", found=str(last)
+        )
+        return None
+    if last - first + 1 < FEWEST_SAMPLES:
+        expected = f"at least {FEWEST_SAMPLES} samples from START_INDEX to END_INDEX"
+        faults.add("has too few samples", place=place, expected=expected, found=f"{first} to {last}")
+        return None
+    return first, last
+
+
+def _header(root: Element, elements: Sequence[Element]) -> dict[str, str]:
+    header = {key: " ".join(found.text.split()) for key, path in _HEADER.items() if (found := root.first(*path)) and found.text}
+    for key, path, attribute in (
+        ("test", ("TEST_SPEC",), "NAME"),
+        ("machine", ("MACHINE_TESTED",), "NAME"),
+        ("instrument", ("TEST_SPEC", "INSTRUMENT"), "MODEL"),
+        ("view", (*_BAR, "PLANE"), "VIEW"),
+    ):
+        found = root.first(*path)
+        if found is not None and found.attributes.get(attribute):
+            header[key] = found.attributes[attribute]
+    for key, tag in (("run_temperature_c", "RUN_TEMPERATURE"), ("sample_rate_hz", "SAMPLE_RATE")):
+        texts = [found.text for element in elements if (found := element.first(tag)) and found.text]
+        if texts:
+            header[key] = ", ".join(dict.fromkeys(texts))
+    return header
+
+
+def _vendor(root: Element, elements: Sequence[Element], runs: Sequence[CircularRun]) -> dict[str, object]:
+    """Return the printed results: by run (``ccw``, ``cw``, ``ccw 2``) and by analysis (name and version), then by feature name."""
+    groups = [
+        *((run.sense if run.number == 1 else f"{run.sense} {run.number}", e) for run, e in zip(runs, elements, strict=True)),
+        *((" ".join(filter(None, map(e.attributes.get, ("NAME", "version")))), e) for e in root.all("ANALYSIS")),
+    ]
+    vendor: dict[str, object] = {}
+    for key, element in groups:
+        features = {feature.attributes.get("NAME", ""): _feature(feature) for feature in element.all("FEATURE")}
+        if features and key:
+            vendor[key] = features
+    return vendor
+
+
+def _feature(feature: Element) -> dict[str, object]:
+    unit = feature.attributes.get("DT", "")
+    value = _finite(feature.text)
+    printed: dict[str, object] = {"value": feature.text if value is None else value, "unit": _UNITS.get(unit, unit)}
+    if feature.attributes.get("VALID", "True").lower() != "true":
+        printed["valid"] = False
+    return printed
+
+
+def _findings(bar: Element, elements: Sequence[Element], spec: _Spec, runs: Sequence[_Run], feed: float) -> list[Finding]:
+    findings = []
+    coefficient = (bar.first("TEMP_MATERIAL_COEFFICIENT") or bar).text
+    temperatures = dict.fromkeys(found.text for element in elements if (found := element.first("RUN_TEMPERATURE")) and found.text)
+    if _finite(coefficient) and temperatures:
+        findings.append(
+            Finding(
+                "CW-R030",
+                "info",
+                f"The readings hold the ballbar's calibration and its temperature correction already (expansion"
+                f" {shown(coefficient)} um/(m K), {', '.join(map(shown, temperatures))} °C): nothing was applied again.",
+            )
+        )
+    if abs(feed / spec.feed - 1.0) > _FEED_SHARE:
+        findings.append(
+            Finding(
+                "CW-R031",
+                "warning",
+                f"The true feed, from sample rate and number of samples, is {feed:.4g} mm/min and not the programmed"
+                f" {spec.feed:.4g} mm/min: override, or an axis that did not follow. The true one is used.",
+            )
+        )
+    findings.extend(_stray_finding(run) for run in runs if run.stray)
+    measured = {run.run.sense for run in runs}
+    wanted = [_SENSES.get(element.text.upper()) for element in bar.all("RUN_SPEC", "RUN_DIRECTION")]
+    findings.extend(
+        Finding("CW-R033", "warning", f"The test asks for a {sense} run, but the file holds none.")
+        for sense in dict.fromkeys(sense for sense in wanted if sense is not None and sense not in measured)
+    )
+    return findings
+
+
+def _stray_finding(run: _Run) -> Finding:
+    return Finding(
+        "CW-R032",
+        "warning",
+        f"Run {run.run.sense} {run.run.number} has {abs(run.stray)} {'more' if run.stray > 0 else 'fewer'} readings after the arc"
+        " than before it: a reading may be doubled or lost.",
+    )

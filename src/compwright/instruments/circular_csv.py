@@ -1,0 +1,305 @@
+"""The plain CSV form of a circular test (contract, "Plain CSV").
+
+Columns ``direction`` (``ccw``, ``cw``), optional ``run``, ``angle_deg`` and one of ``radius_mm``, ``deviation_um``; rows in any
+order. Comment keys ``plane`` (first and second axis), ``nominal_radius_mm``, ``feed_mm_min``; optional ``calibrated``, ``centre``.
+
+Code made here:
+
+- ``CW-R034`` warning: samples are missing within a run
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final, Literal, cast
+
+import numpy as np
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, MILLIMETRES_PER_INCH
+from compwright.instruments.circular_arcs import LARGEST_ANGLE, Sweep, common_arc, run_of, sweep_of
+from compwright.instruments.comments import Comments, read_comments
+from compwright.instruments.csv_table import Table, read_table, split_lines
+from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.numbers import DecimalMarks, parse_count, parse_number
+from compwright.instruments.reading import assumed_finding, doubtful_finding, left_out_finding
+from compwright.instruments.text_input import read_lines
+from compwright.records.axis import FloatArray
+from compwright.records.circular import CircularRun, CircularTest, Sense
+
+KEYS: Final = frozenset({"plane", "nominal_radius_mm", "feed_mm_min", "calibrated", "centre", "compwright"})
+_NEWEST_FORM: Final = 1
+_VALUES: Final = ("radius_mm", "deviation_um")
+_COLUMNS: Final[tuple[str, ...]] = ("direction", "run", "angle_deg", *_VALUES)
+_PLANE: Final = re.compile(r"([A-Za-z][0-9]{0,2})[ ,/-]?([A-Za-z][0-9]{0,2})")
+_FORM_KEY: Final = re.compile(r"circular\s+([0-9]{1,9})")
+_YES: Final[Mapping[str, bool]] = {"yes": True, "true": True, "no": False, "false": False}
+#: Radii whose median lies farther from nominal than this are in another unit or of another circle.
+_FAR: Final = (1.0, 0.05)  # mm, share of the nominal radius; the larger of both
+_MANY_STEPS: Final = 5.0  # a gap of so many samples is told
+_RADII: Final = {"inch": MILLIMETRES_PER_INCH, "um": 1.0 / MICROMETRES_PER_MILLIMETRE, "m": 1000.0}  # a unit in mm
+
+
+@dataclass(frozen=True, slots=True)
+class _Sample:
+    angle: float
+    value: float
+    line: int
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Keys:
+    """What the comment lines fix, in mm, mm/min; NaN after a fault."""
+
+    axes: tuple[str, str]
+    radius: float
+    feed: float
+    calibrated: bool | None
+    centre: tuple[float, ...] | None
+
+
+def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
+    """Return the circular test in a plain CSV file, without its source; raises InputError with every fault at once."""
+    faults = FaultList(file)
+    comment_lines, lines = split_lines(read_lines(content, file))
+    comments = read_comments(comment_lines, faults, decisive=KEYS)
+    _check_form(comments, lines, file)
+    keys = _keys(comments, faults)
+    table = read_table(lines, faults)
+    marks = DecimalMarks(faults)
+    value = _value_column(table, faults)
+    samples = _samples(table, value, marks, faults)
+    marks.check(comma_is_delimiter=table.delimiter == ",")
+    faults.raise_if_any()
+    sweeps, runs, arc = _assembled(samples, value, keys, faults)
+    left_out = [column for column in table.columns if column not in _COLUMNS]
+    findings = [
+        assumed_finding([] if keys.calibrated is not None else ["calibrated: no (the length of the bar is not known)"]),
+        left_out_finding(left_out),
+        doubtful_finding(marks.doubtful_point()),
+        *map(_gap_finding, sweeps),
+    ]
+    return CircularTest(
+        name=name,
+        plane="".join(keys.axes),
+        axes=keys.axes,
+        nominal_radius=keys.radius,
+        feed=keys.feed,
+        arc=arc,
+        calibrated=bool(keys.calibrated),
+        runs=tuple(runs),
+        centre=keys.centre,
+        header=comments.header,
+        findings=tuple(finding for finding in findings if finding is not None),
+    )
+
+
+def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str) -> None:
+    form = comments.get("compwright").lower()
+    match = _FORM_KEY.fullmatch(form)
+    if form and not (match and int(match[1]) <= _NEWEST_FORM):
+        message = "was written for a newer compwright" if match else "is not a circular test"
+        expected = f"circular {_NEWEST_FORM}{' or older' if match else ''}"
+        place = comments.places["compwright"]
+        raise InputError(Fault(message=message, file=file, place=place, expected=expected, found=shown(form)))
+    if not lines:
+        raise InputError(Fault(message="holds comment lines only", file=file, expected="a header row and samples"))
+
+
+def _keys(comments: Comments, faults: FaultList) -> _Keys:
+    calibrated = _YES.get(comments.get("calibrated").lower())
+    if comments.get("calibrated") and calibrated is None:
+        place, found = comments.places["calibrated"], shown(comments.get("calibrated"))
+        faults.add("key 'calibrated' has an unknown value", place=place, expected="yes, no, true or false", found=found)
+    return _Keys(
+        axes=_axes(comments, faults),
+        radius=_positive(comments, "nominal_radius_mm", "150", faults),
+        feed=_positive(comments, "feed_mm_min", "1000", faults),
+        calibrated=calibrated,
+        centre=_centre(comments, faults),
+    )
+
+
+def _axes(comments: Comments, faults: FaultList) -> tuple[str, str]:
+    text = comments.get("plane")
+    if not text:
+        _note_missing("plane", "XY", faults)
+        return "", ""
+    axes = axes_of_plane(text)
+    if axes is None:
+        expected = "first and second axis, such as XY, YZ or ZX"
+        faults.add("key 'plane' names no plane", place=comments.places["plane"], expected=expected, found=shown(text))
+        return "", ""
+    return axes
+
+
+def axes_of_plane(text: str) -> tuple[str, str] | None:
+    """Return first and second axis of a plane such as ``XY`` or ``X1-Y1``, None when ``text`` names no two axes."""
+    match = _PLANE.fullmatch(text.strip())
+    if match is None or match[1].upper() == match[2].upper():
+        return None
+    return match[1].upper(), match[2].upper()
+
+
+def _note_missing(key: str, example: str, faults: FaultList) -> None:
+    faults.add(f"key '{key}' is missing", expected=f"a comment line such as '# {key}: {example}' above the header row")
+
+
+def _positive(comments: Comments, key: str, example: str, faults: FaultList) -> float:
+    text = comments.get(key)
+    if not text:
+        _note_missing(key, example, faults)
+        return float("nan")
+    try:
+        value = parse_number(text)
+    except ValueError as reason:
+        faults.add(f"key '{key}' {reason}", place=comments.places[key], expected="a number above 0", found=shown(text))
+        return float("nan")
+    if value <= 0.0:
+        faults.add(f"key '{key}' is not positive", place=comments.places[key], expected="a number above 0", found=shown(text))
+    return value
+
+
+def _centre(comments: Comments, faults: FaultList) -> tuple[float, ...] | None:
+    text = comments.get("centre")
+    if not text:
+        return None
+    centre = centre_of(text)
+    if centre is None:
+        expected = "two or three coordinates in mm, such as -400, -250, -300"
+        faults.add("key 'centre' is not a position", place=comments.places["centre"], expected=expected, found=shown(text))
+    return centre
+
+
+def centre_of(text: str) -> tuple[float, ...] | None:
+    """Return the two or three coordinates (mm) that ``text`` lists, None when it lists no such numbers."""
+    inner = text.strip().strip("[]()").strip()
+    parts = inner.split(";") if ";" in inner else [part.strip(",") for part in inner.split()]
+    if len(parts) < 2:
+        parts = inner.split(",")
+    try:
+        numbers = tuple(parse_number(part) for part in parts)
+    except ValueError:
+        return None
+    return numbers if len(numbers) in {2, 3} else None
+
+
+def _value_column(table: Table, faults: FaultList) -> str:
+    """Return the column that holds the samples. Raises InputError when a column is missing: every row would repeat it."""
+    place = f"line {table.line}"
+    found = f"columns {', '.join(table.columns[:8])}"
+    for column in ("direction", "angle_deg"):
+        if column not in table.columns:
+            faults.add(f"column '{column}' is missing", place=place, expected="direction, angle_deg and a value", found=found)
+    values = [column for column in table.columns if column in _VALUES]
+    if not values:
+        faults.add("the value column is missing", place=place, expected=" or ".join(_VALUES), found=found)
+    if len(values) > 1:
+        faults.add("there is more than one value column", place=place, expected=" or ".join(_VALUES), found=", ".join(values))
+    if len(values) != 1 or not {"direction", "angle_deg"} <= set(table.columns):
+        faults.raise_if_any()
+    return values[0]
+
+
+def _samples(table: Table, value: str, marks: DecimalMarks, faults: FaultList) -> dict[tuple[Sense, int], list[_Sample]]:
+    """Return the rows by direction and run."""
+    at = {name: table.columns.index(name) for name in _COLUMNS if name in table.columns}
+    samples: dict[tuple[Sense, int], list[_Sample]] = {}
+    for row in table.rows:
+        place = f"line {row.line}, column "
+        sense = _sense(row.cells[at["direction"]], place, faults)
+        run = _run(row.cells[at["run"]], place, faults) if "run" in at else 1
+        angle = marks.parse(row.cells[at["angle_deg"]], place=f"{place}angle_deg", column="angle_deg")
+        number = marks.parse(row.cells[at[value]], place=f"{place}{value}", column=value)
+        if angle is not None and abs(angle) > LARGEST_ANGLE:
+            expected = f"-{LARGEST_ANGLE:g} to {LARGEST_ANGLE:g} deg"
+            faults.add("is no angle on the circle", place=f"{place}angle_deg", expected=expected, found=f"{angle:g}")
+        if sense is not None and run is not None and angle is not None and number is not None:
+            samples.setdefault((sense, run), []).append(_Sample(angle, number, row.line))
+    if not samples and not faults:
+        faults.add("holds no samples", expected="at least one run below the header")
+    for (sense, run), ours in samples.items():
+        _check_unique(ours, f"{sense} run {run}", "run" in at, faults)
+    return samples
+
+
+def _sense(text: str, place: str, faults: FaultList) -> Sense | None:
+    if text.lower() in {"ccw", "cw"}:
+        return cast("Literal['ccw', 'cw']", text.lower())
+    faults.add("direction is neither ccw nor cw", place=f"{place}direction", expected="ccw or cw", found=shown(text))
+    return None
+
+
+def _run(text: str, place: str, faults: FaultList) -> int | None:
+    try:
+        return parse_count(text)
+    except ValueError as reason:
+        faults.add(f"run {reason}", place=f"{place}run", expected="1, 2, 3, ...", found=shown(text))
+        return None
+
+
+def _check_unique(samples: Sequence[_Sample], name: str, numbered: bool, faults: FaultList) -> None:  # noqa: FBT001 - one caller
+    lines: dict[float, int] = {}
+    for sample in samples:
+        first = lines.setdefault(sample.angle, sample.line)
+        if first != sample.line:
+            faults.add(
+                "a sample is given twice",
+                place=f"line {sample.line}",
+                expected="each angle once per direction and run" if numbered else "a column 'run' if a direction has several",
+                found=f"{sample.angle:.10g} deg of {name} also in line {first}",
+            )
+
+
+def _assembled(
+    samples: Mapping[tuple[Sense, int], Sequence[_Sample]], value: str, keys: _Keys, faults: FaultList
+) -> tuple[list[Sweep], list[CircularRun], tuple[float, float]]:
+    """Return sweeps, runs and the arc, ccw before cw, runs by their numbers; raises InputError after the last check."""
+    sweeps: list[Sweep] = []
+    deviations: list[FloatArray] = []
+    for (sense, number), ours in sorted(samples.items(), key=lambda item: item[0]):
+        sweep = sweep_of(sense, number, np.array([sample.angle for sample in ours]), faults)
+        values = np.array([sample.value for sample in ours])
+        if value == "radius_mm":
+            _check_unit(values, keys.radius, f"{sense} run {number}", faults)
+            values = values - keys.radius
+        else:
+            values = values / MICROMETRES_PER_MILLIMETRE
+        if sweep is not None:
+            sweeps.append(sweep)
+            deviations.append(values)
+    faults.raise_if_any()
+    arc = common_arc(sweeps, faults)
+    faults.raise_if_any()
+    return sweeps, [run_of(sweep, block, arc[0]) for sweep, block in zip(sweeps, deviations, strict=True)], arc
+
+
+def _check_unit(radii: FloatArray, nominal: float, name: str, faults: FaultList) -> None:
+    """Note a fault when the radii are not about nominal, and say which unit would make them so."""
+    middle = float(np.median(radii))
+    far = max(_FAR[0], _FAR[1] * nominal)
+    if abs(middle - nominal) <= far:
+        return
+    unit = next((unit for unit, factor in _RADII.items() if abs(middle * factor - nominal) <= far), "")
+    hint = f", as it would be in {unit}" if unit else ", as deviations are" if abs(middle) <= _FAR[0] else ""
+    faults.add(
+        "radius_mm is far from the nominal radius",
+        place=f"{name}, column radius_mm",
+        expected=f"about {nominal:.10g} mm",
+        found=f"{middle:.10g}{hint}",
+    )
+
+
+def _gap_finding(sweep: Sweep) -> Finding | None:
+    width, begin = sweep.gap
+    if width <= _MANY_STEPS * sweep.step:
+        return None
+    return Finding(
+        "CW-R034",
+        "warning",
+        f"Samples are missing in {sweep.name} from {begin % 360.0:.6g} deg on, over {width:.4g} deg"
+        f" (samples are {sweep.step:.3g} deg apart).",
+    )

@@ -1,0 +1,180 @@
+"""The door for circular tests: bytes of a ``.b5r`` or plain CSV file to a record, and the files of one test to one record.
+
+Codes made here:
+
+- ``CW-R035`` warning: a deviation of a circle larger than 1 mm
+- ``CW-R036`` warning: a run of zeros
+- ``CW-R037`` warning: files of one test differ in what does not keep them apart
+"""
+
+from __future__ import annotations
+
+import codecs
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.findings import Finding
+from compwright.foundations.provenance import source_of
+from compwright.instruments.b5r import read_b5r
+from compwright.instruments.circular_arcs import check_same_arc
+from compwright.instruments.circular_csv import read_circular_csv
+from compwright.instruments.csv_table import header_names, split_lines
+from compwright.instruments.fault_list import FaultList
+from compwright.instruments.plausibility import LARGEST_PLAUSIBLE, SMALLEST_PLAUSIBLE
+from compwright.instruments.reading import stem
+from compwright.records.circular import CircularRun, CircularTest
+
+_ENDING: Final = ".b5r"
+_LOOKED_AT: Final = 65536  # bytes of a file that tell its form
+_SAME_RADIUS: Final = 1e-6  # mm, rounding of printed lengths
+#: Feeds of the runs of one test may differ by the override's last digit and by sampling, not more.
+_SAME_FEED: Final = 0.05
+_SAME_CENTRE: Final = 0.01  # mm
+
+
+def is_circular(content: bytes, file: str) -> bool:
+    """Whether ``content`` is a circular test or XML (a ballbar's, or else to be refused as no ballbar's), told by its first lines.
+
+    The name decides only where the content is neither: a ``.b5r`` that is empty or broken is still a ballbar's file.
+    """
+    head = content[:_LOOKED_AT]
+    utf16 = head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    text = head.decode("utf-16" if utf16 else "utf-8-sig", errors="replace").lstrip()
+    if text.startswith(("<?xml", "<TEST_DOCUMENT")):
+        return True
+    comments, lines = split_lines(text.splitlines())
+    if any(comment.replace(" ", "").lower().startswith("compwright:circular") for _, comment in comments):
+        return True
+    _, names, known = header_names(lines[0][1]) if lines else ("", [], 0)
+    if any(name.startswith("target_") for name in names):
+        return False
+    return "angle_deg" in names or (not known and file.lower().endswith(_ENDING))
+
+
+def read_circular(content: bytes, file: str) -> CircularTest:
+    """Return the circular test in ``content``; ``file`` is the name that messages and the record's source carry.
+
+    Reads ``.b5r`` and the plain CSV form (contract, "Plain CSV"), told apart by the content. Lengths in mm, deviations measured
+    minus nominal, angles in deg from the first axis to the second, the feed is the true one where the file shows it. Raises
+    InputError with every fault that could be found at once.
+    """
+    start = content[:64].lstrip(codecs.BOM_UTF8 + codecs.BOM_UTF16_LE + b" \t\r\n\x00")
+    test = (read_b5r if start.startswith(b"<") else read_circular_csv)(content, file, stem(file))
+    return replace(test, sources=(source_of(file, content),), findings=(*test.findings, *_plausibility(test)))
+
+
+def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
+    """Return the test whose runs were written into several files, one per direction or per run; runs are counted on.
+
+    Raises InputError when the files do not belong together (plane, radius, feed, arc, centre) or a file is given twice, UsageError
+    when there is none.
+    """
+    if not tests:
+        raise UsageError(Fault(message="a circular test has no file", place=name, expected="at least one"))
+    faults = FaultList("")
+    first = tests[0]
+    hashes = Counter(source.sha256 for test in tests for source in test.sources)
+    for test in tests[1:]:
+        _check_same_test(first, test, faults)
+    for sha256, count in hashes.items():
+        if count > 1:
+            names = [source.file for test in tests for source in test.sources if source.sha256 == sha256]
+            faults.add("the same measurement is given twice", place=name, expected="each run once", found=", ".join(names))
+    faults.raise_if_any()
+    runs = [run for test in tests for run in test.runs]
+    return replace(
+        first,
+        name=name,
+        feed=float(np.mean([test.feed for test in tests])),
+        calibrated=all(test.calibrated for test in tests),
+        centre=next((test.centre for test in tests if test.centre is not None), None),
+        runs=tuple(_counted(runs)),
+        vendor=_joined_vendor(tests),
+        sources=tuple(source for test in tests for source in test.sources),
+        header=_joined_header(tests),
+        findings=(*dict.fromkeys(finding for test in tests for finding in test.findings), *_differences(tests)),
+    )
+
+
+def _counted(runs: Sequence[CircularRun]) -> list[CircularRun]:
+    """Return the runs, ccw before cw, numbered from 1 in each direction."""
+    return [
+        replace(run, number=number)
+        for sense in ("ccw", "cw")
+        for number, run in enumerate((run for run in runs if run.sense == sense), start=1)
+    ]
+
+
+def _file_of(test: CircularTest) -> str:
+    return ", ".join(source.file for source in test.sources) or test.name
+
+
+def _step(test: CircularTest) -> float:
+    return max(float(np.median(np.abs(np.diff(run.angles)))) for run in test.runs)
+
+
+def _check_same_test(one: CircularTest, other: CircularTest, faults: FaultList) -> None:
+    names = (_file_of(one), _file_of(other))
+
+    def differ(what: str, expected: str, found: str) -> None:
+        faults.add(
+            f"{what} differs between the files of one test", place=names[1], expected=f"{expected} as in {names[0]}", found=found
+        )
+
+    if (one.plane, one.axes) != (other.plane, other.axes):
+        differ("the plane", f"{one.plane} ({', '.join(one.axes)})", f"{other.plane} ({', '.join(other.axes)})")
+    if abs(one.nominal_radius - other.nominal_radius) > _SAME_RADIUS:
+        differ("the nominal radius", f"{one.nominal_radius:.10g} mm", f"{other.nominal_radius:.10g} mm")
+    if abs(other.feed / one.feed - 1.0) > _SAME_FEED:
+        differ("the feed", f"about {one.feed:.5g} mm/min", f"{other.feed:.5g} mm/min")
+    if one.centre and other.centre and _apart(one.centre, other.centre):
+        differ("the centre", ", ".join(f"{value:g}" for value in one.centre), ", ".join(f"{value:g}" for value in other.centre))
+    if not (one.full_circle and other.full_circle):
+        check_same_arc(one.arc, other.arc, max(_step(one), _step(other)), names, faults)
+
+
+def _apart(one: Sequence[float], other: Sequence[float]) -> bool:
+    return len(one) != len(other) or max(abs(a - b) for a, b in zip(one, other, strict=True)) > _SAME_CENTRE
+
+
+def _joined_header(tests: Sequence[CircularTest]) -> dict[str, str]:
+    """Return every key with its values, each once, one per line."""
+    keys = dict.fromkeys(key for test in tests for key in test.header)
+    return {key: "\n".join(dict.fromkeys(test.header[key] for test in tests if key in test.header)) for key in keys}
+
+
+def _joined_vendor(tests: Sequence[CircularTest]) -> Mapping[str, object]:
+    """Return the printed results of the only file that has any, else by file."""
+    printed = {_file_of(test): test.vendor for test in tests if test.vendor}
+    return next(iter(printed.values())) if len(printed) == 1 else printed
+
+
+def _differences(tests: Sequence[CircularTest]) -> list[Finding]:
+    if len({test.calibrated for test in tests}) == 1:
+        return []
+    without = ", ".join(_file_of(test) for test in tests if not test.calibrated)
+    return [Finding("CW-R037", "warning", f"The bar was not calibrated for {without}: radii of the whole test do not count.")]
+
+
+def _plausibility(test: CircularTest) -> list[Finding]:
+    findings = []
+    largest = max(float(np.abs(run.deviations).max()) for run in test.runs)
+    if largest > LARGEST_PLAUSIBLE:
+        findings.append(
+            Finding(
+                "CW-R035",
+                "warning",
+                f"The largest deviation from the nominal radius is {largest:.4g} mm: are unit, nominal radius and set-up right?",
+            )
+        )
+    zero = [f"{run.sense} {run.number}" for run in test.runs if float(np.abs(run.deviations).max()) < SMALLEST_PLAUSIBLE]
+    if zero:
+        findings.append(
+            Finding("CW-R036", "warning", f"Every deviation of run {', '.join(zero)} is zero (below 0.001 um): was it measured?")
+        )
+    return findings
