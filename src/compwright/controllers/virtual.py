@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
+from compwright.controllers.heidenhain import itnc530_control, nck_control
 from compwright.controllers.linuxcnc import linuxcnc_control
 from compwright.controllers.request import Request
 from compwright.controllers.sinumerik import sinumerik_control
@@ -47,6 +48,8 @@ class VirtualControl(Protocol):
 
 
 _MAKERS: Mapping[str, Callable[[Sequence[ControlFile], Request], VirtualControl]] = {
+    "heidenhain-itnc530": itnc530_control,
+    "heidenhain-nck": nck_control,
     "linuxcnc": linuxcnc_control,
     "siemens-840d-sl": sinumerik_control,
 }
