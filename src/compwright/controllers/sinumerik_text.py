@@ -1,48 +1,78 @@
 """Assignments in SINUMERIK text files, as the control's program interpreter would take them.
 
-A second, small reader on purpose: it shares nothing with the room that writes these files. It looks only at what acts on
-an axis by itself: the leadscrew table (``$AA_ENC_COMP...``), its machine data and backlash (MD32450). Source of the text
-form: SINUMERIK 840D sl/828D Function Manual Extended Functions 03/2013, chapter K3 (pages 237-242), and archives.
+A second, small reader on purpose: it shares nothing with the room that writes these files. It looks only at what moves an
+axis by its position: the leadscrew table (``$AA_ENC_COMP...``), backlash (MD32450), the sag and cross tables (``$AN_CEC...``)
+and the machine and setting data of these. Source of the text form: SINUMERIK 840D sl/828D Function Manual Extended Functions
+03/2013, chapter K3 (pages 237-249), and archives.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
-#: Variables that are read: name -> number of indices in the bracket, the axis being the last.
-READ = {
-    "AA_ENC_COMP": 3,
-    "AA_ENC_COMP_STEP": 2,
-    "AA_ENC_COMP_MIN": 2,
-    "AA_ENC_COMP_MAX": 2,
-    "AA_ENC_COMP_IS_MODULO": 2,
-    "MA_ENC_COMP_ENABLE": 2,
-    "MA_MM_ENC_COMP_MAX_POINTS": 2,
-    "MA_BACKLASH": 2,
-    "MA_BACKLASH_FACTOR": 2,
-    "MA_BACKLASH_DYN": 2,
+_BY_SYSTEM = ("system", "axis")
+_BY_TABLE = ("table",)
+_BY_AXIS = ("axis",)
+
+#: Variables that are read: name -> the indices in the bracket.
+READ: Mapping[str, tuple[str, ...]] = {
+    "AA_ENC_COMP": ("system", "point", "axis"),
+    "AA_ENC_COMP_STEP": _BY_SYSTEM,
+    "AA_ENC_COMP_MIN": _BY_SYSTEM,
+    "AA_ENC_COMP_MAX": _BY_SYSTEM,
+    "AA_ENC_COMP_IS_MODULO": _BY_SYSTEM,
+    "MA_ENC_COMP_ENABLE": _BY_SYSTEM,
+    "MA_MM_ENC_COMP_MAX_POINTS": _BY_SYSTEM,
+    "MA_BACKLASH": _BY_SYSTEM,
+    "MA_BACKLASH_FACTOR": _BY_SYSTEM,
+    "MA_BACKLASH_DYN": _BY_SYSTEM,
+    "AN_CEC": ("table", "point"),
+    "AN_CEC_INPUT_AXIS": _BY_TABLE,
+    "AN_CEC_OUTPUT_AXIS": _BY_TABLE,
+    "AN_CEC_STEP": _BY_TABLE,
+    "AN_CEC_MIN": _BY_TABLE,
+    "AN_CEC_MAX": _BY_TABLE,
+    "AN_CEC_DIRECTION": _BY_TABLE,
+    "AN_CEC_MULT_BY_TABLE": _BY_TABLE,
+    "AN_CEC_IS_MODULO": _BY_TABLE,
+    "MN_MM_CEC_MAX_POINTS": _BY_TABLE,
+    "SN_CEC_TABLE_ENABLE": _BY_TABLE,
+    "SN_CEC_TABLE_WEIGHT": _BY_TABLE,
+    "MA_CEC_ENABLE": _BY_AXIS,
+    "MA_CEC_MAX_SUM": _BY_AXIS,
+    "MA_CEC_SCALING_SYSTEM_METRIC": _BY_AXIS,
 }
 
-#: Neighbours of the above that do not change a correction at standstill.
-PASSED_OVER = frozenset({"MA_BACKLASH_MODE", "MA_BACKLASH_DYN_MAX_VELO"})
+#: Variables whose value is an axis.
+_NAMING = frozenset({"AN_CEC_INPUT_AXIS", "AN_CEC_OUTPUT_AXIS"})
 
-_MENTION = re.compile(r"ENC_COMP|BACKLASH", re.IGNORECASE)
-_CROSS = re.compile(r"\$AN_CEC|\$MA_CEC_ENABLE", re.IGNORECASE)
+#: Neighbours of the above that do not change a correction at standstill.
+PASSED_OVER = frozenset({"MA_BACKLASH_MODE", "MA_BACKLASH_DYN_MAX_VELO", "MA_CEC_MAX_VELO"})
+
+#: Neighbours whose effect is not judged: passed over with a note.
+_NOT_JUDGED = frozenset({"AN_CEC_TYPE", "AN_CEC_INPUT_NCU", "AN_CEC_OUTPUT_NCU"})
+
+_MENTION = re.compile(r"ENC_COMP|BACKLASH|\$\s*\w*CEC|(?:AN|MA|MN|MM|SN)_CEC", re.IGNORECASE)
 _NAME = re.compile(r"\$\s*([A-Za-z]\w*)")
+_HEADER = re.compile(r"%_N_", re.IGNORECASE)
+_PATH = re.compile(r"\$PATH\s*=", re.IGNORECASE)
 _END = re.compile(r"(?:N\d+\s*)?M(?:17|30|0?2)(?!\d)", re.IGNORECASE)
 _ASSIGNMENT = re.compile(
     r"""\s*(?:N\d+\s*)?                                  # block number
         \$(?P<name>[A-Za-z]\w*)
         \s*\[(?P<indices>[^\[\]]*)\]
         (?P<sign_of_assignment>\s*=\s*|\s+)
-        (?P<value>[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:EX[+-]?[0-9]{1,3})?)
-        (?:\s+'[0-9A-Fa-f]{4})?                          # line checksum, MD11230
+        (?:(?P<value>[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:EX[+-]?[0-9]{1,3})?)
+          |\(\s*(?P<axis>[A-Z_][A-Z0-9_]*)?\s*\)
+          |(?P<bare_axis>[A-Z_][A-Z0-9_]*))
+        (?:\s+'[0-9A-F]{4})?                             # line checksum, MD11230
         \s*""",
-    re.VERBOSE | re.IGNORECASE,
+    re.VERBOSE | re.IGNORECASE | re.ASCII,
 )
 _AXIS = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WHOLE = re.compile(r"[0-9]{1,9}")
@@ -50,15 +80,32 @@ _WHOLE = re.compile(r"[0-9]{1,9}")
 
 @dataclass(frozen=True, slots=True)
 class Assignment:
-    """One assignment: variable without ``$``, measuring system index e, point N (None without), axis as written, value."""
+    """One assignment: variable without ``$``; ``number``: measuring system e or table t, 0 without either; ``point`` N.
+
+    ``axis``: the index as written, empty for a variable of a table. ``value``: the number; ``names``: the axis on the right
+    side of INPUT_AXIS and OUTPUT_AXIS, empty for none.
+    """
 
     name: str
-    system: int
+    number: int
     point: int | None
     axis: str
     value: float
+    names: str
     file: str
     line: int
+
+    @property
+    def variable(self) -> str:
+        """The variable as a control writes it, such as ``$AA_ENC_COMP[0,1,AX1]``."""
+        kinds = READ[self.name]
+        indices = ["" if kind == "axis" else str(self.point if kind == "point" else self.number) for kind in kinds]
+        return f"${self.name}[{','.join(index or self.axis for index in indices)}]"
+
+    @property
+    def said(self) -> float | str:
+        """The right side in a form that compares: the number, or the axis whatever its case."""
+        return self.names.upper() if self.name in _NAMING else self.value
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
         """Return a fault at this line."""
@@ -67,15 +114,29 @@ class Assignment:
 
 @dataclass(slots=True)
 class FileContent:
-    """What one file says: its assignments in order, remarks, and what is wrong with it."""
+    """What one file says: its assignments in order, remarks, variables that were passed over, and what is wrong with it."""
 
     assignments: list[Assignment] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    passed_over: set[str] = field(default_factory=set)
     faults: list[Fault] = field(default_factory=list)
 
 
+@dataclass(slots=True)
+class _Program:
+    """The program of an archive that is being read: ``header`` its line (0 without one), ``before`` the assignments before it."""
+
+    header: int = 0
+    before: int = 0
+    ended: bool = False
+
+
 def read_file(file: ControlFile) -> FileContent:
-    """Return the assignments of one file (bytes, ASCII with any comment). Faults are collected, nothing is raised."""
+    """Return the assignments of one file (bytes, ASCII with any comment). Faults are collected, nothing is raised.
+
+    A file may hold several programs, as an archive does: a line ``%_N_...`` opens the next one. What stands behind the end of
+    a program (M17, M30, M02) and before the next header is a fault, because the control does not read it.
+    """
     found = FileContent()
     if b"\x00" in file.content:
         found.faults.append(
@@ -86,27 +147,28 @@ def read_file(file: ControlFile) -> FileContent:
             )
         )
         return found
-    ended = framed = False
+    program = _Program()
     for number, raw in enumerate(re.split(r"\r\n|\n|\r", file.content.decode("latin-1")), start=1):
         line = raw.lstrip("\xef\xbb\xbf") if number == 1 else raw
-        if line.lstrip().startswith("%"):
-            ended, framed = False, True
+        code = line.lstrip()
+        if _HEADER.match(code):
+            _note_end(program, file.name, found, last=False)
+            program = _Program(number, len(found.assignments))
             continue
-        code = re.sub(r'"[^"]*"', '""', line).split(";", 1)[0].rstrip()
-        if _MENTION.search(code):
-            _read_line(code, file.name, number, found, ended=ended)
-        elif _CROSS.search(code):
-            _note_cross_table(file.name, number, found)
-        ended = ended or _END.match(code.lstrip()) is not None
-    if framed and not ended:
-        found.notes.append(f"{file.name}: no end of program (M17, M30 or M02): the file may have been cut short")
+        code = re.sub(r'"[^"]*"', '""', code).split(";", 1)[0].rstrip()
+        if _MENTION.search(code) and not _PATH.match(code):
+            _read_line(code, file.name, number, found, ended=program.ended)
+        program.ended = program.ended or _END.match(code) is not None
+    _note_end(program, file.name, found, last=True)
     return found
 
 
-def _note_cross_table(file: str, number: int, found: FileContent) -> None:
-    remark = f"{file}: sag or cross tables ($AN_CEC) are not judged"
-    if not any(note.startswith(remark) for note in found.notes):
-        found.notes.append(f"{remark} (first at line {number})")
+def _note_end(program: _Program, file: str, found: FileContent, *, last: bool) -> None:
+    """Note a program without an end; in the middle of an archive only one that holds compensation data."""
+    if program.header and not program.ended and (last or len(found.assignments) > program.before):
+        found.notes.append(
+            f"{file}: no end (M17, M30 or M02) of the program that begins in line {program.header}: it may have been cut short"
+        )
 
 
 def _read_line(code: str, file: str, number: int, found: FileContent, *, ended: bool) -> None:
@@ -120,34 +182,51 @@ def _read_line(code: str, file: str, number: int, found: FileContent, *, ended: 
     if ended:
         wrong("compensation data after the end of the program, which the control does not read")
         return
-    mentioned = [match.group(1).upper() for match in _NAME.finditer(code)]
-    if mentioned and all(name in PASSED_OVER for name in mentioned):
+    mentioned = {match.group(1).upper() for match in _NAME.finditer(code)}
+    if mentioned and mentioned <= PASSED_OVER | _NOT_JUDGED:
+        new = (mentioned & _NOT_JUDGED) - found.passed_over
+        found.notes += [f"{file}: ${name} is not judged (first at line {number})" for name in sorted(new)]
+        found.passed_over |= new
         return
     match = _ASSIGNMENT.fullmatch(code)
-    if match is None or not match["name"].isascii():
+    if match is None:
         wrong("line cannot be read", "one assignment such as $AA_ENC_COMP[0,1,AX1]=0.001 with a decimal point")
         return
     name = match["name"].upper()
     if name not in READ:
         wrong(f"variable ${name} is not known", "one of " + ", ".join("$" + known for known in READ))
         return
-    indices = [index.strip() for index in match["indices"].split(",")]
-    if len(indices) != READ[name] or not all(_WHOLE.fullmatch(index) for index in indices[:-1]) or not _AXIS.fullmatch(indices[-1]):
-        wrong(f"index of ${name} cannot be read", "[e,N,axis]" if READ[name] == 3 else "[e,axis]")
+    if (match["value"] is None) != (name in _NAMING):
+        wrong("line cannot be read", "an axis such as (AX1)" if name in _NAMING else "a number with a decimal point")
+        return
+    indices = _indices(READ[name], match["indices"])
+    if indices is None:
+        wrong(f"index of ${name} cannot be read", f"[{','.join(READ[name])}]")
         return
     if "=" not in match["sign_of_assignment"]:
         found.notes.append(f"{file}: line {number}: a blank stands in place of the equals sign")
     found.assignments.append(
         Assignment(
             name=name,
-            system=int(indices[0]),
-            point=int(indices[1]) if READ[name] == 3 else None,
-            axis=indices[-1],
-            value=_number(match["value"]),
+            number=int(indices.get("system", indices.get("table", "0"))),
+            point=int(indices["point"]) if "point" in indices else None,
+            axis=indices.get("axis", ""),
+            value=_number(match["value"]) if match["value"] is not None else 0.0,
+            names=match["axis"] or match["bare_axis"] or "",
             file=file,
             line=number,
         )
     )
+
+
+def _indices(kinds: tuple[str, ...], text: str) -> dict[str, str] | None:
+    """Return kind -> index as written, None when the bracket does not hold these."""
+    given = [index.strip() for index in text.split(",")]
+    if len(given) != len(kinds):
+        return None
+    indices = dict(zip(kinds, given, strict=True))
+    good = all((_AXIS if kind == "axis" else _WHOLE).fullmatch(index) for kind, index in indices.items())
+    return indices if good else None
 
 
 def _number(text: str) -> float:
