@@ -338,6 +338,7 @@ CODE = re.compile(r"CW-[A-Z]+\d+")
 FAMILIES = {
     "R": {"instruments"},
     "T": {"evaluation"},
+    "C": {"evaluation"},
     "J": {"jobs"},
     "S": {"workflow", "formats", "controllers"},
     "E": {"estimation"},

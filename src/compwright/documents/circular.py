@@ -1,0 +1,130 @@
+"""The entry of a circular test in the answer of ``evaluate`` (``compwright/evaluation/1``): deviations in µm."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any, Final
+
+import numpy as np
+
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
+from compwright.records.circular import CircularEffect, CircularResult, CircularRun, Diagnosis
+
+#: Digits after the decimal point, as in the positioning documents: takes away the noise of binary numbers, keeps every real digit.
+_DIGITS: Final = 9
+_SENSES: Final = ("ccw", "cw")
+
+
+def circular_document(result: CircularResult) -> dict[str, Any]:
+    """Return one circular result as an entry of ``results``. A parameter that does not exist is null (see ``not_applicable``).
+
+    ``centre`` and ``mean_radius_deviation`` have null for a direction that was not measured; ``diagnosis``, ``plain`` and
+    ``correlation`` are null as long as no diagnosis was made. ``correlation`` holds the rows of the matrix in the order of
+    ``correlation_names``.
+
+    Beyond the contract: ``set_up`` (where the circle lies in the machine, mm), ``minimum_zone`` (centre µm, radii minus nominal
+    µm), ``runs`` (angles deg and deviations µm as measured, in their order), ``header``, ``correlation_names``, ``residual`` (rms
+    µm) and ``correlation_length`` (samples).
+    """
+    test = result.test
+    findings = (*result.findings, *(result.diagnosis.findings if result.diagnosis else ()))
+    return {
+        "kind": "circular",
+        "name": test.name,
+        "sources": [{"file": source.file, "sha256": source.sha256} for source in test.sources],
+        "plane": test.plane,
+        "axes": list(test.axes),
+        "nominal_radius": float(test.nominal_radius),
+        "feed": _number(test.feed),
+        "set_up": None if test.centre is None else [float(coordinate) for coordinate in test.centre],
+        "standard": result.standard,
+        "unit": "um",
+        "arc": {"start": float(test.arc[0]), "extent": float(test.arc[1])},
+        "calibrated": test.calibrated,
+        "parameters": {name: _micrometres(value) for name, value in result.parameters.items()},
+        "centre": {name: _point(result.centres.get(name)) for name in (*_SENSES, "common")},
+        "mean_radius_deviation": {name: _micrometres(result.mean_radius_deviation.get(name)) for name in _SENSES},
+        "minimum_zone": _zones(result),
+        **_diagnosis(result.diagnosis),
+        "vendor": _plain(test.vendor),
+        "not_applicable": dict(result.not_applicable),
+        "header": dict(test.header),
+        "runs": [_run(run) for run in test.runs],
+        "findings": _findings(findings),
+    }
+
+
+def _number(value: float, factor: float = 1.0) -> float | None:
+    """Return a number that JSON can hold; None for one that is not finite."""
+    return round(float(value) * factor, _DIGITS) + 0.0 if np.isfinite(value) else None  # no minus zero
+
+
+def _micrometres(value: float | None) -> float | None:
+    """Return a length of mm in µm."""
+    return None if value is None else _number(value, MICROMETRES_PER_MILLIMETRE)
+
+
+def _point(point: tuple[float, float] | None) -> list[float | None] | None:
+    return None if point is None else [_micrometres(coordinate) for coordinate in point]
+
+
+def _zones(result: CircularResult) -> dict[str, Any]:
+    nominal = result.test.nominal_radius
+    return {
+        name: {
+            "centre": _point(result.zone_centres[name]),
+            "inner": _micrometres(inner - nominal),
+            "outer": _micrometres(outer - nominal),
+        }
+        for name, (inner, outer) in result.zone_radii.items()
+    }
+
+
+def _diagnosis(diagnosis: Diagnosis | None) -> dict[str, Any]:
+    if diagnosis is None:
+        return {"diagnosis": None, "plain": None, "correlation": None}
+    return {
+        "diagnosis": {name: _effect(effect) for name, effect in diagnosis.effects.items()},
+        "plain": {name: _number(value) for name, value in diagnosis.plain.items()},
+        "correlation": [[_number(value) for value in row] for row in diagnosis.correlation],
+        "correlation_names": list(diagnosis.names),
+        "residual": _micrometres(diagnosis.residual),
+        "correlation_length": _number(diagnosis.correlation_length),
+    }
+
+
+def _effect(effect: CircularEffect) -> dict[str, Any]:
+    """Return one cause, in its own unit; ``low`` only where the value cannot be negative."""
+    entry = {
+        "value": _number(effect.value),
+        "std_error": _number(effect.std_error),
+        "unit": effect.unit,
+        "effect": _number(effect.effect),
+        "share": _number(effect.share),
+    }
+    return entry if effect.low is None else {**entry, "low": _number(effect.low)}
+
+
+def _plain(value: object) -> Any:
+    """Return what the instrument printed as JSON values: numbers stay as they are, what JSON cannot hold becomes text or null."""
+    if isinstance(value, Mapping):
+        return {str(key): _plain(entry) for key, entry in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(entry) for entry in value]
+    if isinstance(value, float):
+        return float(value) if np.isfinite(value) else None
+    return value if value is None or isinstance(value, bool | int | str) else str(value)
+
+
+def _run(run: CircularRun) -> dict[str, Any]:
+    return {
+        "direction": run.sense,
+        "number": run.number,
+        "angles": [_number(angle) for angle in run.angles],
+        "deviations": [_micrometres(deviation) for deviation in run.deviations],
+    }
+
+
+def _findings(findings: Iterable[Finding]) -> list[dict[str, str]]:
+    return [{"code": entry.code, "severity": entry.severity, "message": entry.message} for entry in dict.fromkeys(findings)]

@@ -1,0 +1,98 @@
+"""The least-squares circle: the sum of squared orthogonal distances is least (Gauss; ISO 230-4:1996, 3.3 note 1 and 3.5 b)."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.records.axis import FloatArray
+
+Point = tuple[float, float]
+
+_MOST_STEPS: Final = 200
+#: Points whose spread across their longest direction is smaller than this share of the spread along it lie on a straight line:
+#: squared, it is what rounding leaves of the smaller eigenvalue.
+_STRAIGHT: Final = 1e-7
+#: A step smaller than this share of the size of the figure moves the centre by less than rounding does.
+_STANDSTILL: Final = 1e-15
+
+
+def least_squares_circle(points: FloatArray) -> tuple[Point, float]:
+    """Return centre and radius of the circle with the least sum of squared distances to ``points`` (n, 2), in their unit.
+
+    Gauss-Newton with damping from an algebraic start, on centred and scaled coordinates; the radius is the mean distance and so
+    no unknown of its own. Partial arcs are no special case. Raises InputError for other shapes, values that are not
+    finite, fewer than three different points, or points on a straight line.
+    """
+    _require_points(points)
+    shift = points.mean(axis=0)
+    moved = points - shift
+    size = float(np.abs(moved).max())
+    x, y = np.ascontiguousarray(moved.T / size) if size > 0.0 else moved.T
+    _require_curved(x, y, size)
+    a, b = _refined(x, y, _algebraic_centre(x, y))
+    radius = float(np.hypot(x - a, y - b).mean())
+    return (float(shift[0] + size * a), float(shift[1] + size * b)), size * radius
+
+
+def _require_points(points: FloatArray) -> None:
+    if points.ndim != 2 or points.shape[1] != 2 or points.shape[0] < 3:
+        found = " x ".join(str(n) for n in points.shape)
+        raise InputError(Fault(message="no circle through these points", expected="at least three points (x, y)", found=found))
+    if not np.all(np.isfinite(points)):
+        raise InputError(Fault(message="no circle through these points", expected="finite coordinates"))
+
+
+def _require_curved(x: FloatArray, y: FloatArray, size: float) -> None:
+    scatter = np.array([[x @ x, x @ y], [x @ y, y @ y]])
+    least, most = np.linalg.eigvalsh(scatter)
+    if size <= 0.0 or least <= _STRAIGHT**2 * most:
+        raise InputError(
+            Fault(message="no circle through these points", expected="three points that do not lie on a straight line")
+        )
+
+
+def _algebraic_centre(x: FloatArray, y: FloatArray) -> Point:
+    """Return the centre for which x² + y² - 2 a x - 2 b y - c has the least sum of squares (Kåsa 1976); x and y have mean 0."""
+    square = x * x + y * y
+    scatter = 2.0 * np.array([[x @ x, x @ y], [x @ y, y @ y]])
+    a, b = np.linalg.solve(scatter, np.array([x @ square, y @ square]))
+    return float(a), float(b)
+
+
+def _refined(x: FloatArray, y: FloatArray, start: Point) -> Point:
+    """Return the centre about which the distances have the least variance."""
+    centre = np.array(start)
+    damping = 0.0
+    normal, gradient, cost = _normal_equations(x, y, centre)
+    for _ in range(_MOST_STEPS):
+        matrix = normal + damping * np.trace(normal) * np.eye(2)
+        step = np.linalg.lstsq(matrix, gradient, rcond=None)[0]
+        if np.abs(step).max() <= _STANDSTILL * max(1.0, np.abs(centre).max()):
+            break
+        tried = _normal_equations(x, y, centre + step)
+        if tried[2] <= cost:
+            settled = tried[2] == cost
+            centre = centre + step
+            normal, gradient, cost = tried
+            damping *= 0.1
+            if settled:
+                break
+        else:
+            damping = max(10.0 * damping, 1e-6)
+    return float(centre[0]), float(centre[1])
+
+
+def _normal_equations(x: FloatArray, y: FloatArray, centre: FloatArray) -> tuple[FloatArray, FloatArray, float]:
+    """Return matrix (2, 2) and right side (2,) of the Gauss-Newton step, and the sum of squares of distance minus mean distance."""
+    dx, dy = x - centre[0], y - centre[1]
+    distance = np.hypot(dx, dy)
+    safe = np.where(distance > 0.0, distance, 1.0)  # a point in the centre has no direction; it pulls nowhere
+    u, v = dx / safe, dy / safe
+    u -= u.mean()
+    v -= v.mean()
+    residual = distance - distance.mean()
+    matrix = np.array([[u @ u, u @ v], [u @ v, v @ v]])
+    return matrix, np.array([u @ residual, v @ residual]), float(residual @ residual)

@@ -1,0 +1,138 @@
+"""The minimum zone: two concentric circles, closest to each other, that hold all points (Chebyshev; ISO 230-4:1996, 3.4).
+
+The width w(c) = max|p - c| - min|p - c| has a minimum only where two points lie on the outer and two on the inner circle and
+the two pairs alternate around the centre: there the directions to the outer pair and to the inner pair span crossing chords of
+the unit circle, so that w rises in every direction to first order. (Three on one circle and one on the other is a
+stationary point only if two of them lie on one ray, where w is largest, not least, across the ray.) Such a centre is the
+crossing of two perpendicular bisectors.
+
+Working-set method: all crossings of the bisectors of a few points are tried, which gives the least width of these few exactly,
+a lower bound for all points; points outside that zone join them, and the points that do not touch it leave when the width has
+grown. When no point is outside, the bound is reached.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from compwright.evaluation.circular_fit import Point, least_squares_circle
+from compwright.foundations.errors import CapacityError, Fault
+from compwright.records.axis import FloatArray
+
+Indices = NDArray[np.intp]
+
+#: The points are taken in so many sectors of equal number; the outermost and the innermost of each may join in a round.
+_SECTORS: Final = 6
+_MOST_ROUNDS: Final = 500
+#: Crossings of all bisectors of so many points are the most that are tried at once (about 12 million distances).
+_MOST_WORKING: Final = 40
+#: Distances that differ by less, relative to the radius, are equal: some tens of roundings.
+_ROUNDING: Final = 64.0 * float(np.finfo(np.float64).eps)
+
+
+def minimum_zone(points: FloatArray) -> tuple[Point, float, float]:
+    """Return centre, inner and outer radius of the narrowest annulus that holds ``points`` (n, 2), all in their unit.
+
+    The least width over all centres in the region around the least-squares centre that the reach bounds; a centre far away, about
+    which a short piece of arc looks like a strip, is not what roundness means. Every point counts, and each lies in the
+    annulus. The width is the least one to within rounding (some 1e-14 of the radius). Where two points on one ray alone set it,
+    many centres give it; one of them is returned.
+
+    Raises InputError for fewer than three different points and for points on a straight line, CapacityError when the zone does not
+    stand still (no set of points near a circle does that).
+    """
+    start, radius = least_squares_circle(points)
+    x, y = _around(points[:, 0] - start[0], points[:, 1] - start[1])
+    distance = np.hypot(x, y)
+    reach = _reach(x, y, distance)
+    tolerance = _ROUNDING * radius
+    centre, width = np.zeros(2), -np.inf
+    low, high = np.inf, -np.inf
+    working = np.empty(0, dtype=np.intp)
+    for _ in range(_MOST_ROUNDS):
+        joining = _outside(distance, low - tolerance, high + tolerance)
+        if joining.size == 0:
+            return (start[0] + float(centre[0]), start[1] + float(centre[1])), float(distance.min()), float(distance.max())
+        working = np.union1d(working, joining)
+        centre = _narrowest(x[working], y[working], centre, reach, tolerance)
+        distance = np.hypot(x - centre[0], y - centre[1])
+        low, high = float(distance[working].min()), float(distance[working].max())
+        if high - low > width + tolerance or working.size > _MOST_WORKING - 2 * _SECTORS:
+            touching = (distance[working] < low + tolerance) | (distance[working] > high - tolerance)
+            working = working[touching]
+        width = max(width, high - low)
+    raise CapacityError(
+        Fault(message="the minimum zone does not stand still", expected="points near a circle", found=f"{points.shape[0]} points")
+    )
+
+
+def _around(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the points in the order of their directions, beginning behind the largest gap."""
+    angle = np.arctan2(y, x)
+    order = np.argsort(angle)
+    gaps = np.diff(angle[order], append=angle[order[0]] + 2.0 * np.pi)
+    order = np.roll(order, -1 - int(np.argmax(gaps)))
+    return np.ascontiguousarray(x[order]), np.ascontiguousarray(y[order])
+
+
+def _reach(x: FloatArray, y: FloatArray, distance: FloatArray) -> float:
+    """Return how far from the least-squares centre the best one can lie.
+
+    A centre moved by s along a unit vector e changes the distances by about s u·e, u the directions of the points. With k the least
+    range of u·e over all e, the width is at least k s minus the present one: better centres have s of at most two widths over
+    k. Doubled for the terms of second order, and never farther than the points themselves.
+    """
+    thin = max(1, x.size // 256)
+    some = np.where(distance > 0.0, distance, 1.0)[::thin]
+    turn = np.linspace(0.0, np.pi, 36, endpoint=False)
+    along = np.outer(x[::thin] / some, np.cos(turn)) + np.outer(y[::thin] / some, np.sin(turn))
+    least = float(np.ptp(along, axis=0).min())
+    width, largest = float(np.ptp(distance)), float(distance.max())
+    return min(largest, 4.0 * width / least) if least > 0.0 else largest
+
+
+def _outside(distance: FloatArray, low: float, high: float) -> Indices:
+    """Return the outermost and the innermost point of each sector that lie outside the zone."""
+    bounds = np.linspace(0, distance.size, _SECTORS + 1).astype(np.intp)
+    found = []
+    for begin, end in pairwise(bounds):
+        if begin == end:
+            continue
+        sector = distance[begin:end]
+        far, near = int(sector.argmax()), int(sector.argmin())
+        found += [begin + far] if sector[far] > high else []
+        found += [begin + near] if sector[near] < low else []
+    return np.array(found, dtype=np.intp)
+
+
+@cache
+def _pairs(n: int) -> tuple[Indices, Indices]:
+    first, second = np.triu_indices(n, 1)
+    return first, second
+
+
+def _narrowest(x: FloatArray, y: FloatArray, present: FloatArray, reach: float, tolerance: float) -> FloatArray:
+    """Return the centre (2,) of the narrowest annulus of a few points among ``present`` and the crossings of their bisectors.
+
+    Centres farther from the origin than ``reach`` are left out. Of several equally good ones the middle is taken: where two
+    points on a ray set the width all centres between are as good, and the middle leaves fewest other points outside.
+    """
+    first, second = _pairs(x.size)
+    nx, ny = x[second] - x[first], y[second] - y[first]
+    level = 0.5 * (nx * (x[second] + x[first]) + ny * (y[second] + y[first]))
+    one, other = _pairs(nx.size)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # parallel bisectors do not cross
+        across = nx[one] * ny[other] - nx[other] * ny[one]
+        cx = (level[one] * ny[other] - level[other] * ny[one]) / across
+        cy = (nx[one] * level[other] - nx[other] * level[one]) / across
+        near = np.hypot(cx, cy) <= reach
+    cx, cy = np.append(cx[near], present[0]), np.append(cy[near], present[1])
+    distance = np.hypot(x[:, np.newaxis] - cx, y[:, np.newaxis] - cy)
+    width = distance.max(axis=0) - distance.min(axis=0)
+    best = width <= width.min() + tolerance
+    return np.array([cx[best].mean(), cy[best].mean()])
