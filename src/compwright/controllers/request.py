@@ -52,7 +52,7 @@ class Request:
         return direction, Assumption(f"reference_return of {address}", direction.value, evidence)
 
     def referenced(self, address: str) -> tuple[float, Assumption | None]:
-        """Return the machine coordinate of an axis' reference (mm or deg), and the assumption where nobody said it (option, else 0).
+        """Return an axis' reference (machine coordinate, mm or deg), and the assumption where nobody said it (option, else 0).
 
         Raises UsageError when it is no finite number.
         """

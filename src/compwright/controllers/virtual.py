@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
+from compwright.controllers.fanuc import fanuc_0i_16i_control, fanuc_30i_control
 from compwright.controllers.heidenhain import itnc530_control, nck_control
 from compwright.controllers.linuxcnc import linuxcnc_control
 from compwright.controllers.request import Request
@@ -48,6 +49,8 @@ class VirtualControl(Protocol):
 
 
 _MAKERS: Mapping[str, Callable[[Sequence[ControlFile], Request], VirtualControl]] = {
+    "fanuc-0i-16i": fanuc_0i_16i_control,
+    "fanuc-30i": fanuc_30i_control,
     "heidenhain-itnc530": itnc530_control,
     "heidenhain-nck": nck_control,
     "linuxcnc": linuxcnc_control,

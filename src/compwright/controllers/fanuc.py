@@ -1,0 +1,206 @@
+"""FANUC: stored pitch error compensation, one- or bidirectional, and backlash, for the 30i family and for the 0i / 16i family.
+
+Stated from the manuals, apart from the definition that writes the files:
+
+- 3620 number of the reference, 3621 .. 3622 the most negative and most positive number, 3623 magnification, 3624 interval; the data
+  are increments (0i-PB parameter manual B-63980EN/01 p. 100; totals: ``fanuc_table``). Correction = pulses * 3623 * detection
+  unit, a positive pulse moves the axis towards + (practice; option ``pitch_sign``).
+- Endless rotary axis: 3621 = 3620, 3622 = 3620 + turn / interval, the increments of a turn add up to 0 (B-63980EN/01 p. 100).
+- 3605#0 = 1: the numbers 3621 .. 3622 count while the axis moves towards +, as many from 3626 on while it moves towards -; 3627 is
+  the correction at the reference, approached against the direction of the reference return (A-77810E, section 2).
+- 1851 in detection units, nothing in the direction of the reference return, on reversal the whole value in the direction of motion
+  (0i-C parameter manual B-64120EN/01 p. 116): sgn(d) * 1851 * detection unit. It acts beside bidirectional data too (practice).
+- Nothing acts before the reference return: the grid hangs on the reference position.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.controllers.fanuc_axis import AxisLoader, Grid
+from compwright.controllers.fanuc_memory import SERIES_0I_16I, SERIES_30I, Memory, Series, number_list
+from compwright.controllers.fanuc_options import Options, read_options
+from compwright.controllers.fanuc_sheet import is_sheet, read_sheet
+from compwright.controllers.fanuc_table import PitchTable
+from compwright.controllers.fanuc_text import POINT_BASE, read_file
+from compwright.controllers.request import Request, by_address, unknown_axis
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.correction import Assumption, ControlFile
+
+
+@dataclass(frozen=True, slots=True)
+class _Axis:
+    """``backlash`` in detection units of ``unit`` mm or deg; ``unit`` None where the caller did not say it."""
+
+    table: PitchTable | None
+    backlash: int
+    unit: float | None
+    ramp: bool
+    reference: float
+    reference_return: Direction
+
+
+@dataclass(frozen=True, slots=True)
+class FanucControl:
+    """A FANUC with files loaded, all axes referenced, at cutting feed. See ``controllers.virtual.VirtualControl``.
+
+    Addresses are controlled axis numbers as text, ``"1"``.
+    """
+
+    axes: dict[str, _Axis]
+    assumed: tuple[Assumption, ...]
+    notes: tuple[str, ...]
+
+    def addresses(self) -> tuple[str, ...]:
+        """Return the controlled axes that the files speak of, ascending."""
+        return tuple(self.axes)
+
+    def nodes(self, address: str) -> FloatArray:
+        """Return the positions (k,) of the section ends, machine coordinates, mm or deg; empty without a table."""
+        axis = self._axis(address)
+        return np.empty(0) if axis.table is None else axis.table.positions() + axis.reference
+
+    def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return what is added to the command at ``positions`` (any shape) arriving in ``direction``, mm or deg.
+
+        Raises UsageError for an axis that the files do not speak of or whose detection unit was not given.
+        """
+        axis = self._axis(address)
+        if axis.unit is None:
+            raise UsageError(_no_unit(address))
+        x = np.asarray(positions, dtype=np.float64)
+        pulses = np.zeros(x.shape)
+        if axis.table is not None:
+            pulses = axis.table.pulses(x - axis.reference, positive=direction is Direction.POSITIVE, ramp=axis.ramp)
+        if direction is not axis.reference_return:
+            pulses = pulses + direction.sign * axis.backlash
+        return np.asarray(axis.unit * pulses, dtype=np.float64)
+
+    def cross(self) -> tuple[tuple[str, str], ...]:
+        """Return (): straightness compensation is not judged."""
+        return ()
+
+    def cross_correction(self, input: str, output: str, positions: FloatArray, direction: Direction) -> FloatArray:  # noqa: A002, ARG002  # the protocol's names
+        """Raise UsageError: no table of one axis acts on another."""
+        raise UsageError(Fault(message="the control's files hold no table of one axis for another", found=f"{input} for {output}"))
+
+    def _axis(self, address: str) -> _Axis:
+        axis = by_address(self.axes, address)
+        if axis is None:
+            raise unknown_axis(address, self.addresses())
+        return axis
+
+
+def fanuc_30i_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
+    """Return a 30i, 31i, 32i (or 0i-F) with ``files`` loaded. See `_control`."""
+    return _control(files, request, SERIES_30I)
+
+
+def fanuc_0i_16i_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
+    """Return a 0i-A to D, 16i, 18i, 21i with ``files`` loaded. See `_control`."""
+    return _control(files, request, SERIES_0I_16I)
+
+
+def _control(files: Sequence[ControlFile], request: Request, series: Series) -> FanucControl:
+    """Return the control with parameter files, pitch data files and typed-entry sheets loaded, in any order.
+
+    Options: ``detection_unit`` (mm or deg per pulse, required), ``output`` (step, ramp), ``increment_limit``, ``pitch_sign``,
+    ``offset_sign``, ``offset_magnified``. Raises InputError for what the control would not take or what contradicts itself, every
+    fault with file and line; UsageError for wrong options, and when no axis is given a detection unit.
+    """
+
+    def pitch_sign(address: str) -> str:
+        return str(request.options_of(address).get("pitch_sign", "+"))
+
+    memory = Memory([read_sheet(file, pitch_sign) if is_sheet(file) else read_file(file) for file in files], series)
+    if not memory.axes() and not memory.faults:
+        found = "pitch data only" if memory.points else ""
+        names = ", ".join(file.name for file in files)
+        memory.faults.append(
+            Fault(message="no compensation parameters found", file=names, expected="parameters 3620 to 3624 or 1851", found=found)
+        )
+    options = _options(request, memory.axes(), series)
+    loader = AxisLoader(memory, request)
+    grids = {axis: loader.grid(axis, options[axis]) for axis in memory.axes()}
+    _check_shared(loader, {axis: grid for axis, grid in grids.items() if grid is not None})
+    axes = {str(axis): _axis(loader, axis, grid, options[axis]) for axis, grid in grids.items()}
+    raise_all(InputError, list(dict.fromkeys(memory.faults)))
+    return FanucControl(axes=axes, assumed=tuple(dict.fromkeys(memory.assumed)), notes=tuple(dict.fromkeys(memory.notes)))
+
+
+def _options(request: Request, axes: Sequence[int], series: Series) -> dict[int, Options]:
+    """Return the options of each axis; a backup speaks of more axes than the caller knows a detection unit of."""
+    faults: list[Fault] = []
+    options = {axis: read_options(request.options_of(str(axis)), series, str(axis), faults) for axis in axes}
+    if axes and not faults and all(entry.detection_unit is None for entry in options.values()):
+        faults.append(_no_unit(", ".join(map(str, axes))))
+    raise_all(UsageError, faults)
+    return options
+
+
+def _no_unit(address: str) -> Fault:
+    return Fault(
+        message=f"option detection_unit of axis {address} is not given",
+        expected="mm or deg per pulse, such as 0.001",
+        found="nothing",
+    )
+
+
+def _axis(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) -> _Axis:
+    """Return one axis with its table and backlash; what was taken without being told goes to the loader."""
+    address = str(axis)
+    returning, assumption = loader.request.returning(address)
+    loader.memory.assumed += [assumption] if assumption is not None else []
+    reference, assumption = loader.request.referenced(address)
+    if grid is not None:
+        loader.memory.assumed += [assumption] if assumption is not None else []
+        if reference != 0.0:
+            loader.note(
+                axis, f"the grid is taken to hang on the reference position {reference:g}, not on machine zero (unconfirmed)"
+            )
+    return _Axis(
+        table=None if grid is None else loader.table(grid, options, returning),
+        backlash=loader.backlash(axis),
+        unit=options.detection_unit,
+        ramp=options.ramp,
+        reference=reference,
+        reference_return=returning,
+    )
+
+
+def _check_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
+    """All axes share one array of points: two that use a number differently contradict each other.
+
+    An axis whose magnification is 0 uses none; that its range meets another's is only noted.
+    """
+    owners: dict[int, list[int]] = {}
+    for axis, grid in grids.items():
+        for number in grid.numbers():
+            owners.setdefault(number, []).append(axis)
+    clashes: dict[tuple[int, int], list[int]] = {}
+    for number, sharing in owners.items():
+        for other in sharing[1:]:
+            clashes.setdefault((sharing[0], other), []).append(number)
+    for (first, second), numbers in clashes.items():
+        shared = number_list(numbers)
+        if grids[first].same_use(grids[second]):
+            loader.note(second, f"uses the same points {shared} as axis {first}, in the same way")
+        else:
+            loader.memory.faults.append(
+                loader.memory.setting(3621, second).fault(
+                    f"points {shared} belong to axis {first} and to axis {second}",
+                    expected="ranges that do not overlap",
+                    found=shared,
+                )
+            )
+    for axis in set(loader.memory.axes()) - set(grids):
+        low, high = loader.memory.whole(3621, axis), loader.memory.whole(3622, axis)
+        if low is not None and high is not None and low < high and any(low <= number <= high for number in owners):
+            loader.note(axis, f"its points {low} to {high}, not in use, meet those of another axis")
+    idle = [n for n, value in loader.memory.increments.items() if value != 0 and n not in owners]
+    if idle:
+        loader.memory.notes.append(f"points {number_list(POINT_BASE + n for n in idle)} hold values, but no axis uses them")

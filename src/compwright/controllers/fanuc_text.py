@@ -1,0 +1,298 @@
+"""Blocks in FANUC text files: parameters, pitch error data, or both, as the control would take them.
+
+A second, small reader on purpose: it shares nothing with the room that writes these files. Sources of the text form:
+
+- 30i/31i/32i: parameter manual B-63950EN/02 p. 8, 11, 12: ``N03620Q1A1P40A2P0`` (A: controlled axis number, S: spindle, L: path;
+  P, or M / I for metric / inch lengths), bits as eight digits of which the rightmost is bit 0.
+- 15i and older: parameter manual B-63330EN/03 p. 21, 25: the same without Q, ``%;`` first. Old machines write blanks
+  between the words (``N01825 A1 P 3000``).
+- Pitch data ``N1nnnnQ0P<increment>`` (10000 + point number) and program entry (``G10L50`` or ``G10L52`` to ``G11``,
+  ``N<parameter>P<axis>R<value>``): known from practice only, no page was found.
+
+Values are kept as text here; what they mean is the work of ``fanuc_memory``.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+from typing import Literal
+
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+#: First number of the pitch data in a file: point 0 is N10000.
+POINT_BASE = 10000
+
+#: Parameters that decide the correction of an axis.
+WATCHED = frozenset({1001, 1004, 1006, 1013, 1800, 1851, 1852, 3605, *range(3620, 3628)})
+
+#: Functions that would add to the correction and are not judged -> their parameters that are zero while the function does nothing.
+UNJUDGED = {
+    "inclination compensation": frozenset(range(5871, 5875)),
+    "straightness compensation": frozenset({*range(5761, 5765), *range(5771, 5775), *range(5781, 5785)}),
+    "cyclic second pitch error": frozenset({14987}),
+}
+_UNJUDGED_NUMBERS = {number: name for name, numbers in UNJUDGED.items() for number in numbers}
+
+#: How a point was marked: Q0 or a sheet say pitch data; without Q it is most likely; Q1 is the mark of a parameter.
+Mark = Literal["Q0", "none", "Q1", "sheet"]
+
+_BREAK = re.compile(r"\n\r*|\r\n|\r")
+_COMMENT = re.compile(r"\([^()]*\)")
+_NUMBERED = re.compile(r"N\s*([0-9]{1,12})(?![0-9])")
+_WORD = re.compile(r"\s*([A-Z])\s*(-?(?:[0-9]+\.?[0-9]*|\.[0-9]+))")
+_ENTRY = re.compile(r"(?:N\s*[0-9]+\s*)?G\s*10\s*L\s*5[02]\s*")
+_ENTRY_ENDS = re.compile(r"(?:N\s*[0-9]+\s*)?G\s*11\s*")
+_PROGRAM_WORDS = re.compile(r"[O:]\s*[0-9]+|M\s*(?:30|0?2|99)")
+# Looks like one of our blocks with damage: never passed over in silence.
+_SUSPECT = re.compile(r"(?<![0-9])[0-9]{3,}\s*[QALPR]\s*[-+]?[0-9]|\AN\s*[0-9]", re.IGNORECASE)
+_LONGEST_VALUE = 24
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """One value of a parameter. ``axis``: controlled axis number, None for a parameter of no axis.
+
+    ``bit``: number of a single bit, None for the whole value. ``keyword``: P, M or I as in a file, or the
+    unit of a typed-entry sheet (pulse, mm, deg or nothing).
+    """
+
+    number: int
+    axis: int | None
+    bit: int | None
+    keyword: str
+    text: str
+    file: str
+    line: int
+
+    @property
+    def label(self) -> str:
+        """Number, bit and axis as people write them."""
+        bit = "" if self.bit is None else f"#{self.bit}"
+        return f"parameter {self.number}{bit}" + ("" if self.axis is None else f" of axis {self.axis}")
+
+    def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
+        """Return a fault at this line."""
+        return Fault(message=message, file=self.file, place=f"line {self.line}", expected=expected, found=found or self.text)
+
+
+@dataclass(frozen=True, slots=True)
+class PointRecord:
+    """One pitch error data record: point number (from 0), increment as written, and how it was marked as such."""
+
+    number: int
+    text: str
+    mark: Mark
+    file: str
+    line: int
+
+    def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
+        """Return a fault at this line."""
+        return Fault(message=message, file=self.file, place=f"line {self.line}", expected=expected, found=found or self.text)
+
+
+@dataclass(slots=True)
+class FileContent:
+    """What one file says: settings and points in order, remarks, and what is wrong with it."""
+
+    settings: list[Setting] = field(default_factory=list)
+    points: list[PointRecord] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+
+
+def read_file(file: ControlFile) -> FileContent:
+    """Return what one file of the control says (bytes, ASCII, lines ended by LF, CR LF, LF CR CR or CR). Nothing is raised."""
+    if b"\x00" in file.content:
+        fault = Fault(message="is a binary file", file=file.name, expected="the text that the control punches out")
+        return FileContent(faults=[fault])
+    reader = _Reader(file.name)
+    text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf")
+    for number, line in enumerate(_BREAK.split(text), start=1):
+        reader.take(line, number)
+    reader.finish(ends_with_break=text.endswith(("\n", "\r")))
+    return reader.found
+
+
+class _Unreadable(Exception):  # noqa: N818  # a signal inside this module
+    """A block of ours that cannot be read; the text says what was expected."""
+
+
+class _Reader:
+    """Takes a file line by line. ``marks``: number of ``%`` so far; an odd one opens a tape section, an even one closes it."""
+
+    def __init__(self, file: str) -> None:
+        self.file = file
+        self.found = FileContent()
+        self.marks = 0
+        self.programmed = False
+        self.before: list[int] = []
+        self.last_block = 0
+        self.lines = 0
+        self.strange: list[int] = []
+
+    def take(self, raw: str, number: int) -> None:
+        """Read one line."""
+        self.lines = number
+        line = _COMMENT.sub(" ", raw).strip()
+        if line.startswith("%"):
+            self.marks += 1
+            rest = line[1:].strip()
+            if _NUMBERED.search(rest):
+                self._wrong(number, raw, "a block behind % is not read", "% on a line of its own")
+            return
+        if not line:
+            return
+        match = _NUMBERED.match(line)
+        if _ENTRY.fullmatch(line):
+            self.programmed = True
+        elif _ENTRY_ENDS.fullmatch(line):
+            self.programmed = False
+        elif match is None:
+            self._other(line, raw, number)
+        elif self._matters(int(match[1])):
+            self.last_block = number
+            try:
+                self._place(number)
+                self._block(int(match[1]), line[match.end() :], number)
+            except _Unreadable as error:
+                self._wrong(number, raw, "block cannot be read", str(error))
+
+    def finish(self, *, ends_with_break: bool) -> None:
+        """Say what the file as a whole lacks."""
+        if self.before and self.marks and (self.marks != 1 or self.last_block > self.before[-1]):
+            self._wrong(self.before[0], "", "data before the first %, which the control does not read", "% as the first line")
+        elif self.before and self.marks:
+            self.found.notes.append(f"{self.file}: no % at the start")
+        elif self.marks % 2:
+            if self.last_block == self.lines and not ends_with_break:
+                self._wrong(self.lines, "", "the file ends within a block", "a line break and % at the end")
+            self.found.notes.append(f"{self.file}: no % at the end: the file may have been cut short")
+        if self.strange:
+            which = f"{len(self.strange)} (first at line {self.strange[0]})"
+            self.found.notes.append(f"{self.file}: lines that are no parameter blocks were not read: {which}")
+
+    def _wrong(self, number: int, raw: str, message: str, expected: str) -> None:
+        found = repr(raw.strip()[:80]) if raw else ""
+        self.found.faults.append(Fault(message=message, file=self.file, place=f"line {number}", expected=expected, found=found))
+
+    def _matters(self, number: int) -> bool:
+        return number in WATCHED or number in _UNJUDGED_NUMBERS or number == 3602 or number >= POINT_BASE
+
+    def _place(self, number: int) -> None:
+        """A block outside ``%`` .. ``%`` is not read by the control (files without any ``%`` are all inside)."""
+        if self.marks == 0:
+            self.before.append(number)
+        elif self.marks % 2 == 0:
+            raise _Unreadable("no data behind the closing %, where the control does not read")
+
+    def _other(self, line: str, raw: str, number: int) -> None:
+        if _SUSPECT.search(line):
+            self._wrong(number, raw, "block cannot be read", "a block such as N03620Q1A1P40 in capital letters")
+        elif not _PROGRAM_WORDS.fullmatch(line):
+            self.strange.append(number)
+
+    def _block(self, number: int, rest: str, line: int) -> None:
+        words = _words(rest)
+        if words is None:
+            if number not in WATCHED and rest.lstrip()[:1] != "Q":
+                return  # some other parameter of the control
+            raise _Unreadable("words such as A1P40, without plus sign, comma or semicolon")
+        if self.programmed:
+            self._program_block(number, words, line)
+        elif number in _UNJUDGED_NUMBERS or number == 3602:
+            self._unjudged(number, words)
+        elif number >= POINT_BASE:
+            self._point(number, words, line)
+        else:
+            self._parameter(number, words, line)
+
+    def _parameter(self, number: int, words: list[tuple[str, str]], line: int) -> None:
+        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``: spindle and second-path groups are passed over."""
+        if words and words[0][0] == "Q":
+            if words[0][1] != "1":
+                raise _Unreadable("Q1, parameter data")
+            words = words[1:]
+        axis: int | None = None
+        owner, path = "none", "1"
+        for letter, text in words:
+            if letter == "A":
+                axis, owner = _axis_number(text), letter
+            elif letter in "LST":
+                owner, path = letter, text if letter == "L" else path
+            elif letter not in "PMI" or owner == "done" or len(text) > _LONGEST_VALUE:
+                raise _Unreadable("groups of axis and value, such as A1P40A2P0")
+            else:
+                if path != "1" and axis is not None:
+                    raise _Unreadable("axis parameters of the first path (L1)")
+                if owner not in ("S", "T") and path == "1":
+                    self.found.settings.append(Setting(number, axis, None, letter, text, self.file, line))
+                axis, owner, path = None, "done", "1"
+        if owner != "done":
+            raise _Unreadable("a value P behind every axis number")
+
+    def _point(self, number: int, words: list[tuple[str, str]], line: int) -> None:
+        """Read ``N1nnnn [Q0 | Q1] [L1] P<increment>``; a block with axes or spindles is a parameter of that number."""
+        mark: Mark = "none"
+        if words and words[0][0] == "Q":
+            if words[0][1] not in ("0", "1"):
+                raise _Unreadable("Q0 (pitch data) or Q1 (parameter)")
+            mark = "Q0" if words[0][1] == "0" else "Q1"
+            words = words[1:]
+        if words[:1] == [("L", "1")]:
+            words = words[1:]
+        if len(words) == 1 and words[0][0] == "P":
+            self.found.points.append(PointRecord(number - POINT_BASE, words[0][1], mark, self.file, line))
+        elif mark == "Q0" or (mark == "none" and not any(letter in "ASTL" for letter, _ in words)):
+            raise _Unreadable("one value, such as N10040Q0P1")
+
+    def _program_block(self, number: int, words: list[tuple[str, str]], line: int) -> None:
+        """Read ``N<number> [P<axis>] [Q<bit>] R<value>`` between G10 L50 / L52 and G11."""
+        by_letter = dict(words)
+        if len(by_letter) != len(words) or set(by_letter) - {"P", "Q", "R"} or len(by_letter.get("R", "")) not in range(1, 25):
+            raise _Unreadable("N<number>P<axis>R<value> between G10 and G11")
+        axis = _axis_number(by_letter["P"]) if "P" in by_letter else None
+        bit = by_letter.get("Q")
+        if bit is not None and bit not in set("01234567"):
+            raise _Unreadable("Q0 to Q7, the number of the bit")
+        value = by_letter["R"]
+        if number in _UNJUDGED_NUMBERS:
+            self._unjudged(number, [("P", value)])
+        elif number < POINT_BASE:
+            self.found.settings.append(Setting(number, axis, None if bit is None else int(bit), "P", value, self.file, line))
+        elif axis is None and bit is None:
+            self.found.points.append(PointRecord(number - POINT_BASE, value, "Q0", self.file, line))
+
+    def _unjudged(self, number: int, words: list[tuple[str, str]]) -> None:
+        """Note a function that acts on the axis and is not judged, once per file and function."""
+        values = [text for letter, text in words if letter in "PMI"]
+        if number == 3602:
+            acts = any(text.endswith("1") for text in values)
+            remark = "3602#0 = 1 (number unsure) may say that pitch data are totals; they are judged as increments"
+        else:
+            acts = any(text.strip("-0.") for text in values)
+            remark = f"{_UNJUDGED_NUMBERS[number]} (parameter {number}) is not judged"
+        if acts and not any(remark.split(" (")[0] in note for note in self.found.notes):
+            self.found.notes.append(f"{self.file}: {remark}")
+
+
+def _words(rest: str) -> list[tuple[str, str]] | None:
+    """Return the words (letter, number) of a block behind its N-number; None when it is anything else."""
+    words = []
+    position = 0
+    rest = rest.rstrip()
+    while position < len(rest):
+        match = _WORD.match(rest, position)
+        if match is None:
+            return None
+        words.append((match[1], match[2]))
+        position = match.end()
+    return words
+
+
+def _axis_number(text: str) -> int:
+    """Return a controlled axis number, 1 to 99."""
+    if not re.fullmatch("0?[1-9]|[1-9][0-9]", text):
+        raise _Unreadable("a controlled axis number from 1")
+    return int(text)
