@@ -12,7 +12,7 @@ from compwright.foundations.errors import Fault
 from compwright.foundations.yaml_reader import KeyPath, YamlDocument
 
 #: Quantities that stand alone, one value each.
-SINGLES = ("backlash", *CHOICES, *PLAIN)
+SINGLES = ("backlash", "slope", *CHOICES, *PLAIN)
 #: The neutral words that the engine knows for a choice; `table_form` has its own.
 WORDS = {
     "rotary": {"linear", "rotary"},
@@ -21,6 +21,7 @@ WORDS = {
 }
 _SIGNS = {
     "backlash": {"lost_motion", "half_each_way"},
+    "slope": {"error", "correction"},
     "value": {"error", "correction", "actual_position"},
     "value_positive": {"error", "correction", "actual_position"},
     "value_negative": {"error", "correction", "actual_position"},
@@ -33,6 +34,7 @@ _NUMBERED = (
     "max_number",
     "max_magnification",
     "feed_per_spacing",
+    "spacing_per_step",
 )
 _FILE_NAME = re.compile(r"[A-Za-z0-9_.{}-]+")
 

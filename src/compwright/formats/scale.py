@@ -14,7 +14,14 @@ from compwright.formats.options import DETECTION_UNIT
 from compwright.formats.schema import Definition, Measure, OptionValue, Sign
 from compwright.records.axis import AxisKind
 
-_FACTORS = {"mm": Decimal(1), "um": Decimal("0.001"), "deg": Decimal(1), "mdeg": Decimal("0.001"), "inch": Decimal("25.4")}
+_FACTORS = {
+    "mm": Decimal(1),
+    "um": Decimal("0.001"),
+    "deg": Decimal(1),
+    "mdeg": Decimal("0.001"),
+    "inch": Decimal("25.4"),
+    "mm/m": Decimal("0.001"),
+}
 #: A number counts as a multiple of the quantum when it misses one by less than this part of it. Doubles of 5 000 mm with a quantum
 #: of 1e-7 mm are good to 1e-5 of it; a value that was not rounded misses by up to one half.
 EXACTNESS = 1e-3

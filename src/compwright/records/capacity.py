@@ -38,7 +38,9 @@ class Capacity:
     reference plus whole spacings. ``spacings``: the only ones there are; ``min_spacing``: none below it, for the reason
     ``min_spacing_reason``. ``period``: an endless axis; the table spans exactly one period from the reference, its last value
     equals its first. ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table at all but one
-    slope (mm/mm, deg/deg), a multiple of this number, within ``value_range`` taken as slopes.
+    slope (mm/mm, deg/deg), a multiple of this number, within ``value_range`` taken as slopes. ``nodes``: the only nodes there are,
+    because the table's grid serves other axes too. ``cover``: whole spacings by which a table should reach beyond the travel on each
+    side, where nobody knows what the control does behind its ends.
     """
 
     format: str
@@ -61,6 +63,8 @@ class Capacity:
     period: float | None = None
     second_curve: Literal["chosen", "asked"] = "chosen"
     line: float | None = None
+    nodes: tuple[float, ...] | None = None
+    cover: int = 0
     below: Beyond = "hold"
     above: Beyond = "hold"
     assumed: tuple[Assumption, ...] = ()
