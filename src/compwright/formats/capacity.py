@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from compwright.formats.addresses import normal_address
 from compwright.formats.consistency import curves, grid
+from compwright.formats.increments_capacity import increments_capacity
 from compwright.formats.options import resolve_options, settled_number
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Choice, Definition, OptionValue
@@ -40,6 +41,8 @@ def capacity_for(definition: Definition, axis: Axis, options: Mapping[str, objec
     that contradicts the files, or an address that the control cannot have.
     """
     resolved = resolve_options(definition, options, state)
+    if definition.layout.shape == "section_increments":
+        return increments_capacity(definition, axis, resolved, state)
     address, assumption = normal_address(definition, axis)
     assumed = [assumption] if assumption is not None else []
     scale = scale_for_writing(definition, axis, resolved)

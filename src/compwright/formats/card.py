@@ -8,11 +8,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.formats.addresses import normal_address
+from compwright.formats.axis_reading import Fact
 from compwright.formats.capacity import scale_for_writing
-from compwright.formats.options import resolve_options
+from compwright.formats.options import axis_options, resolve_options
+from compwright.formats.scale import Scale
 from compwright.formats.schema import Definition
 from compwright.formats.statements import field_names, print_form
-from compwright.foundations.units import outside_factor, outside_unit
+from compwright.foundations.units import outside_factor, outside_unit, shown_unit
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import AxisCompensation, Evidence
 
@@ -47,13 +49,21 @@ def card_steps(definition: Definition, axis: Axis, values: Mapping[str, str]) ->
 
 
 def card_values(
-    definition: Definition, axis: Axis, compensation: AxisCompensation, options: Mapping[str, object]
+    definition: Definition,
+    axis: Axis,
+    compensation: AxisCompensation,
+    options: Mapping[str, object],
+    facts: Mapping[str, Fact] | None = None,
 ) -> dict[str, str]:
     """Return what the card says about a table: points, start, end, spacing, backlash (in the control's unit), three check values.
 
-    The check values are corrections at nodes near the quarters of the table, by direction, in µm or arcsec.
+    The check values are corrections at nodes near the quarters of the table, by direction, in µm or arcsec. ``facts``: what the
+    files that hold the table say of the axis (`ControlState.facts`), such as its point numbers.
     """
-    scale = scale_for_writing(definition, axis, resolve_options(definition, options))
+    resolved = resolve_options(definition, options)
+    if definition.layout.shape == "section_increments":
+        return _increment_values(axis, compensation, definition, axis_options(definition, resolved, axis), facts or {})
+    scale = scale_for_writing(definition, axis, resolved)
     node = "table_start" if "table_start" in definition.bindings else "node_position"
     factor = float(scale.factor(node))
     positions = compensation.positions
@@ -80,6 +90,51 @@ def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
         "reference_return": axis.reference_return.value,
         "unit": axis.kind.unit,
         **files,
+    }
+
+
+def _increment_values(
+    axis: Axis,
+    compensation: AxisCompensation,
+    definition: Definition,
+    options: Mapping[str, object],
+    facts: Mapping[str, Fact],
+) -> dict[str, str]:
+    scale = Scale(definition, axis.kind, options, {})
+    unit = axis.kind.unit
+    values = {
+        name: str(facts[name]) for name in ("reference_number", "first_number", "last_number", "magnification") if name in facts
+    }
+    values["unit"] = unit
+    values["detection_unit"] = f"{scale.quantum('value'):g} {unit}"
+    values["backlash"] = scale.write("backlash", compensation.backlash)
+    values["referencing"] = _REFERENCING[axis.encoder.type]
+    positions = compensation.positions
+    if positions.size > 1:
+        values["spacing"] = f"{(positions[-1] - positions[0]) / (positions.size - 1):.10g}"
+        values["check"] = _check(compensation)
+        values |= _sign_check(compensation)
+    return values
+
+
+#: What has to be done so that the control knows where the axis is, by the kind of encoder.
+_REFERENCING = {
+    "incremental": "Incremental encoder: reference the axis after the power cycle; nothing acts before that.",
+    "absolute": "Absolute encoder: no reference return. Leave parameter 1815 alone: touching its bit 4 (APZ) loses machine zero.",
+    "distance_coded": "Distance-coded scale: move the axis over two marks after the power cycle; nothing acts before that.",
+}
+
+
+def _sign_check(compensation: AxisCompensation) -> dict[str, str]:
+    """Return the two nodes between which the table changes the distance most: there the sign shows best."""
+    curve = compensation.curve(Direction.POSITIVE)
+    low, high = sorted((int(np.argmin(curve)), int(np.argmax(curve))))
+    unit = compensation.kind.unit
+    change = float(curve[high] - curve[low]) * outside_factor(unit)
+    return {
+        "check_from": f"{compensation.positions[low]:.10g}",
+        "check_to": f"{compensation.positions[high]:.10g}",
+        "check_change": f"{change:+.1f} {shown_unit(unit)}",
     }
 
 

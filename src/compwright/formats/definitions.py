@@ -51,7 +51,7 @@ from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import Beyond, Evidence
 
 _NEWLINES = {"lf": "\n", "crlf": "\r\n", "lfcrcr": "\n\r\r"}
-_UNITS = ("mm", "um", "inch", "pulse")
+_UNITS = ("mm", "um", "inch", "pulse", "mm/m")
 _TOP = (
     "compwright_format",
     "id",
@@ -341,13 +341,14 @@ def _option(name: str, node: Node) -> OptionRule:
 
 
 def _written(node: Node) -> WrittenFile:
-    part = node.keys("name", "text", "header", "rows", "footer", "evidence")
+    part = node.keys("name", "text", "header", "rows", "footer", "set", "evidence")
     return WrittenFile(
         name=part["name"].text(),
         text=part["text"].text(),
         header=part["header"].texts(),
         rows=part["rows"].optional_text(),
         footer=part["footer"].texts(),
+        optional=part["set"].one_of(("complete", "optional")) == "optional",
         evidence=_evidence(part["evidence"]),
     )
 

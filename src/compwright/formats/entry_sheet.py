@@ -1,7 +1,8 @@
 """The typed-entry sheet: what an engineer types in at the control, as CSV that people and programs can read.
 
 Comment lines ``# key: value``; columns point, position, value, unit; comma and decimal point. Point data have their number as
-point, parameters their name and no position. ``# value: error`` or ``# value: correction`` says what the control is assumed to expect.
+point, parameters their name and no position. ``# value: error`` or ``# value: correction`` says what the control is assumed to
+expect.
 """
 
 from __future__ import annotations

@@ -53,14 +53,14 @@ def resolve_options(definition: Definition, given: Mapping[str, object], state: 
     return values
 
 
-def axis_options(definition: Definition, resolved: Mapping[str, object], axis: Axis) -> Mapping[str, object]:
-    """Return the options of one axis: its own go over the controller's (``resolved``).
+def axis_options(definition: Definition, resolved: Mapping[str, object], axis: Axis | None) -> Mapping[str, object]:
+    """Return the options of one axis: its own go over the controller's (``resolved``); None: an axis without a job.
 
     Raises UsageError with every fault: unknown option, wrong value, and the detection unit where nobody says it.
     """
     faults: list[Fault] = []
     values = dict(resolved)
-    for name, given in axis.options.items():
+    for name, given in (axis.options if axis is not None else {}).items():
         rule = definition.options.get(name)
         if rule is None:
             known = ", ".join(definition.options)
@@ -76,7 +76,7 @@ def axis_options(definition: Definition, resolved: Mapping[str, object], axis: A
                 found="nothing" if values[DETECTION_UNIT] is None else str(values[DETECTION_UNIT]),
             )
         )
-    raise_all(UsageError, [fault.within(f"axis {axis.name}") for fault in faults])
+    raise_all(UsageError, faults if axis is None else [fault.within(f"axis {axis.name}") for fault in faults])
     return values
 
 

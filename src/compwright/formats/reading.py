@@ -15,6 +15,7 @@ from compwright.formats.consistency import curves
 from compwright.formats.gathering import Found, Gathered, gather
 from compwright.formats.options import REFERENCE, REFERENCE_RETURN, resolve_options
 from compwright.formats.schema import Definition
+from compwright.formats.section_increments import read_increments
 from compwright.formats.statements import field_matches
 from compwright.formats.texts import ReadText, TextReader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -37,6 +38,8 @@ def read_state(
     ``reference_return`` are listed in ``assumed``. The axes of the result stand under the address as `normal_address` gives it.
     Raises InputError with every fault that was found (file and line), UsageError for a wrong option or address.
     """
+    if definition.layout.shape == "section_increments":
+        return read_increments(definition, files, options, axes, address=address)
     return _StateReader(definition, resolve_options(definition, options), axes, address).read(files)
 
 

@@ -13,7 +13,17 @@ from compwright.records.correction import Beyond, Evidence
 SCHEMA_VERSION = 1
 
 #: The quantities that a definition may bind: lengths and angles, choices between few values, and what is taken as it stands.
-MEASURES = ("value", "value_positive", "value_negative", "node_position", "table_start", "table_end", "table_spacing", "backlash")
+MEASURES = (
+    "value",
+    "value_positive",
+    "value_negative",
+    "node_position",
+    "table_start",
+    "table_end",
+    "table_spacing",
+    "backlash",
+    "slope",
+)
 CHOICES = (
     "repeats",
     "enabled",
@@ -62,6 +72,7 @@ Predicate = Literal[
     "max_number",
     "max_magnification",
     "feed_per_spacing",
+    "spacing_per_step",
 ]
 OptionType = Literal["integer", "number", "choice", "text", "integers"]
 
@@ -232,13 +243,17 @@ class OptionRule:
 
 @dataclass(frozen=True, slots=True)
 class WrittenFile:
-    """One file of the complete set: its name, the lines around the table, the statement of a table row (None: no table)."""
+    """One file of the complete set: its name, the lines around the table, the statement of a table row (None: no table).
+
+    ``optional``: no part of the set but a second form of the same values, on request.
+    """
 
     name: str
     text: str
     header: tuple[str, ...]
     rows: str | None
     footer: tuple[str, ...]
+    optional: bool
     evidence: EvidenceNote
 
 

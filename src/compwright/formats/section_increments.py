@@ -216,7 +216,7 @@ class _AxisReader:
         self.points = points
         self.address = address
         self.axis = axis
-        self.options = options if axis is None else axis_options(definition, options, axis)
+        self.options = axis_options(definition, options, axis)
         self.notes = notes
         self.label = f"axis {address}"
         self.said: dict[str, Found] = {}
@@ -335,7 +335,7 @@ class _AxisReader:
             other = self._increments(range(numbers.negative, numbers.negative + count + 1))
         if values is None or (numbers.negative is not None and other is None):
             return None
-        if kind is AxisKind.ROTARY and self._turn(kind) is not None and numbers.first == numbers.reference:
+        if self._repeats(kind, numbers):
             return self._endless(kind, numbers, values, backlash)
         reference = self._reference()
         steps = np.arange(numbers.first - 1, numbers.last + 1) - numbers.reference
@@ -379,14 +379,21 @@ class _AxisReader:
     def _reference(self) -> float:
         return self.axis.reference if self.axis else float(str(self.options[REFERENCE]))
 
-    def _turn(self, kind: AxisKind) -> float | None:
-        """Return the travel per turn of a rotary axis; None where the files and the job say that it has ends."""
-        if self.axis is not None and self.axis.modulo is None:
-            return None
+    def _turn(self, kind: AxisKind) -> float:
+        """Return the travel per turn of a rotary axis, deg: 3625, else what the job says, else 360."""
         turn = self.length("turn", kind)
-        if turn is None or turn == 0:
-            return float(self.axis.modulo) if self.axis is not None and self.axis.modulo is not None else 360.0
-        return float(turn)
+        if turn:
+            return float(turn)
+        return 360.0 if self.axis is None or self.axis.modulo is None else float(self.axis.modulo)
+
+    def _repeats(self, kind: AxisKind, numbers: Numbers) -> bool:
+        """Whether the axis is endless: the job says so, or the table of a rotary axis starts at the reference and spans a turn."""
+        if kind is not AxisKind.ROTARY or numbers.negative is not None:
+            return False
+        if self.axis is not None and self.axis.modulo is not None:
+            return True
+        span = (numbers.last - numbers.reference) * numbers.interval
+        return numbers.first == numbers.reference and abs(span - self._turn(kind)) < 1e-6
 
     def _backlash(self, kind: AxisKind) -> float:
         found = self.found("backlash")
@@ -503,10 +510,10 @@ class _AxisReader:
         return (positive, negative + shift) if returns is Direction.POSITIVE else (positive + shift, negative)
 
     def _endless(self, kind: AxisKind, numbers: Numbers, values: FloatArray, backlash: float) -> AxisCompensation | None:
-        turn = self._turn(kind) or 360.0
+        turn = self._turn(kind)
         sections = numbers.last - numbers.reference
         where = self.said["last_number"]
-        if abs(sections * numbers.interval - turn) > 1e-6:
+        if numbers.first != numbers.reference or abs(sections * numbers.interval - turn) > 1e-6:
             self.notes.faults.append(
                 _at(
                     where,

@@ -8,6 +8,7 @@ import numpy as np
 
 from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.capacity import capacity_for, scale_for_writing, written_text
+from compwright.formats.increments_writing import write_increments
 from compwright.formats.options import resolve_options
 from compwright.formats.patching import Change, apply_changes, set_field
 from compwright.formats.scale import NotHeld, Scale
@@ -26,28 +27,31 @@ def write_tables(
     axes: Sequence[Axis],
     options: Mapping[str, object],
     state: ControlState | None = None,
+    files: Sequence[ControlFile] = (),
 ) -> tuple[ControlFile, ...]:
     """Return exactly the files that put ``compensations`` into the control, in the order of the axes.
 
-    ``axes`` holds the axis of every compensation. With a ``state`` what the control's own files answer (its unit, the points it has
-    reserved) counts. Raises UsageError for a compensation without an axis, CapacityError with everything that the control
-    cannot hold exactly: all limits are checked here again, whatever was checked before.
+    ``axes`` holds the axis of every compensation. ``files``: the control's own, to be patched. With a ``state`` what the control's
+    own files answer (its unit, the points it has reserved, the numbers of other axes) counts. Raises UsageError for a compensation
+    without an axis, CapacityError with everything that the control cannot hold exactly: all limits are checked here again,
+    whatever was checked before.
     """
     resolved = resolve_options(definition, options, state)
     pairs = _pairs(definition, compensations, axes)
-    faults: list[Fault] = []
-    files: list[ControlFile] = []
-    for address, axis, compensation in pairs:
-        broken = check_limits(definition, axis, compensation, resolved, state)
-        faults.extend(broken)
+    faults = [fault for _, axis, compensation in pairs for fault in check_limits(definition, axis, compensation, resolved, state)]
+    sound = [pair for pair in pairs if pair[2].positions.size >= 2 and not _unsound(pair[2])]
+    if definition.layout.shape == "section_increments":
+        raise_all(CapacityError, list(dict.fromkeys(faults)))
+        return write_increments(definition, sound, resolved, state, files)
+    written: list[ControlFile] = []
+    for address, axis, compensation in sound:
         scale = scale_for_writing(definition, axis, resolved)
-        if compensation.positions.size >= 2 and not _unsound(compensation):
-            inexact: list[Fault] = []
-            table = write_table(definition, compensation, scale, inexact)
-            files.extend(_file(definition, file, address, axis, compensation, table, scale, inexact) for file in definition.writing)
-            faults.extend(_first_few(inexact, address))
+        inexact: list[Fault] = []
+        table = write_table(definition, compensation, scale, inexact)
+        written.extend(_file(definition, file, address, axis, compensation, table, scale, inexact) for file in definition.writing)
+        faults.extend(_first_few(inexact, address))
     raise_all(CapacityError, list(dict.fromkeys(faults)))
-    return tuple(files)
+    return tuple(written)
 
 
 def _first_few(faults: list[Fault], address: str) -> list[Fault]:

@@ -1,0 +1,75 @@
+"""Point numbers in an array that all axes share: an axis keeps its own, or gets the first block that is free."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+class NoRoom(ValueError):  # noqa: N818 - it says what is the matter, and never leaves the room
+    """No block of numbers is free that is long enough."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Numbers of the reference, of the first and the last section, and of the first of the set for travel in -, if there is one."""
+
+    reference: int
+    first: int
+    last: int
+    negative_first: int | None = None
+
+    @property
+    def ranges(self) -> tuple[range, ...]:
+        """All numbers that are used."""
+        own = range(self.first, self.last + 1)
+        if self.negative_first is None:
+            return (own,)
+        return own, range(self.negative_first, self.negative_first + len(own))
+
+
+def find_place(low: int, high: int, *, highest: int, used: Sequence[range], two: bool, reference: int | None, start: int) -> Place:
+    """Return where a table of nodes ``low`` to ``high`` (whole spacings from the reference, low <= 0 <= high) goes.
+
+    ``reference``: the number that the axis has now, kept where the table still fits there; ``used``: numbers of other axes;
+    ``two``: a second set of the same length follows. The first number lies at or below the reference's, the last above it.
+    Raises NoRoom.
+    """
+    first, last = min(low + 1, 0), max(high, 1)
+    length = last - first + 1
+    if reference is not None:
+        kept = _at(reference, first, last, two=two)
+        if _free(kept, highest, used):
+            return kept
+    for begin in range(start, highest + 2 - length * (2 if two else 1)):
+        place = _at(begin - first, first, last, two=two)
+        if _free(place, highest, used):
+            return place
+    gap = longest_gap(highest, used, start)
+    raise NoRoom(
+        f"the table needs {length * (2 if two else 1)} point numbers in a row; the longest row that no other axis uses has {gap} "
+        f"(numbers {start} to {highest}); a wider spacing or a shorter table would help"
+    )
+
+
+def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
+    """Return the length of the longest row of numbers from ``start`` to ``highest`` that nobody uses."""
+    longest, place = 0, start
+    for taken in sorted((one for one in used if len(one)), key=lambda one: one.start):
+        longest = max(longest, min(taken.start, highest + 1) - place)
+        place = max(place, taken.stop)
+    return max(longest, highest + 1 - place)
+
+
+def _at(reference: int, first: int, last: int, *, two: bool) -> Place:
+    begin, end = reference + first, reference + last
+    return Place(reference, begin, end, end + 1 if two else None)
+
+
+def _free(place: Place, highest: int, used: Sequence[range]) -> bool:
+    return all(
+        numbers.start >= 0
+        and numbers.stop - 1 <= highest
+        and not any(numbers.start < taken.stop and taken.start < numbers.stop for taken in used)
+        for numbers in place.ranges
+    )
