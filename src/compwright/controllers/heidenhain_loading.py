@@ -240,7 +240,7 @@ class Loader:
         curve = Curve(nodes, values, endless=endless, one_turn=not endless and self.generation is ITNC530)
         jump = float(np.interp(TURN, nodes, values) - np.interp(0.0, nodes, values))
         if endless and abs(jump) > _SAME_VALUE:
-            self.notes.append(f"{place}: the table of {moving} jumps by {jump:g} deg or mm at every turn: 0 and 360 deg differ")
+            self.notes.append(f"{place}: the table of {moving} jumps by {jump:g} (mm or deg) at every turn: 0 and 360 deg differ")
         if curve.one_turn and leaves_turn(nodes):
             self.notes.append(f"{place}: entries of {moving} outside 0 to 360 deg are not used")
         return curve

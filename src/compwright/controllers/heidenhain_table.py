@@ -143,10 +143,10 @@ def _values(grid: Grid, columns: dict[str, str], faults: list[Fault]) -> FloatAr
     """Return (rows, columns) of numbers; a column with any value must have one in its first and its last row."""
     table = np.full((len(grid.rows), len(columns)), np.nan)
     for index, name in enumerate(columns):
-        column = numbers(grid.column(name), grid.places, f"column {name}", faults)
-        table[:, index] = column
-        if not np.all(np.isnan(column)):
-            blank = [grid.places[end] for end in (0, -1) if np.isnan(column[end])]
+        cells = grid.column(name)
+        table[:, index] = numbers(cells, grid.places, f"column {name}", faults)
+        if any(cells):
+            blank = [grid.places[end] for end in (0, -1) if cells[end] is None]
             faults += [place.fault(f"column {name} is blank at an end of the table", expected="a value") for place in blank]
     return table
 
