@@ -129,6 +129,7 @@ class _Reader:
         self.programmed = False
         self.before: list[int] = []
         self.last_block = 0
+        self.last_text = 0
         self.lines = 0
         self.strange: list[int] = []
 
@@ -144,6 +145,7 @@ class _Reader:
             return
         if not line:
             return
+        self.last_text = number
         match = _NUMBERED.match(line)
         if _ENTRY.fullmatch(line):
             self.programmed = True
@@ -166,7 +168,7 @@ class _Reader:
         elif self.before and self.marks:
             self.found.notes.append(f"{self.file}: no % at the start")
         elif self.marks % 2:
-            if self.last_block == self.lines and not ends_with_break:
+            if not ends_with_break and self.last_text == self.lines:
                 self._wrong(self.lines, "", "the file ends within a block", "a line break and % at the end")
             self.found.notes.append(f"{self.file}: no % at the end: the file may have been cut short")
         if self.strange:
