@@ -38,6 +38,7 @@ _INDEX: Final = re.compile(r"[0-9]{1,8}")
 #: No ballbar is longer, mm.
 _LONGEST: Final = 10_000.0
 _SAME_LENGTH: Final = 1e-6  # mm, rounding of printed lengths
+_SAME_ANGLE: Final = 1e-6  # deg, the same for angles
 #: In all files seen as many samples of overshoot follow the arc as precede it; beyond this the readings are of another length.
 _TAIL: Final = (2, 0.02)  # samples, share of the samples of the arc; the larger of both
 #: A feed off by more than this does not come from the rounding of the sampling: override, or an axis that did not follow.
@@ -195,8 +196,10 @@ def _spec(bar: Element, faults: FaultList) -> _Spec:
             )
     start = _number(bar, "START_ANGLE", faults, above=-1000.0, most=1000.0)
     end = _number(bar, "END_ANGLE", faults, above=-1000.0, most=1000.0)
-    extent = (end - start) % 360.0 or 360.0
-    if extent < SMALLEST_ARC:
+    extent = (end - start) % 360.0
+    if extent < _SAME_ANGLE:  # the same angle twice is the whole circle
+        extent = 360.0
+    if extent < SMALLEST_ARC - _SAME_ANGLE:
         faults.add(
             "covers too short an arc",
             place=f"line {bar.line}, DYNAMIC_BALLBAR/END_ANGLE",

@@ -16,6 +16,15 @@ from compwright.foundations.errors import Fault, InputError
 _MOST_BYTES: Final = 32_000_000
 _MOST_ELEMENTS: Final = 200_000
 _DEEPEST: Final = 40
+#: What the parser says of a document that ends before its root element does.
+_CUT_SHORT: Final = frozenset(
+    {
+        expat.errors.XML_ERROR_NO_ELEMENTS,
+        expat.errors.XML_ERROR_UNCLOSED_TOKEN,
+        expat.errors.XML_ERROR_PARTIAL_CHAR,
+        expat.errors.XML_ERROR_UNCLOSED_CDATA_SECTION,
+    }
+)
 
 
 @dataclass(slots=True)
@@ -102,8 +111,7 @@ def read_xml(content: bytes, file: str) -> Element:
     except expat.ExpatError as error:
         place = f"line {error.lineno}, column {error.offset + 1}"
         reason = expat.ErrorString(error.code)
-        cut = parser.CurrentByteIndex >= len(content) - 1 or bool(builder.open and error.lineno > content.count(b"\n"))
-        message = f"is not whole XML ({reason})" if not cut else f"is cut short: the XML ends too early ({reason})"
+        message = f"is cut short: the XML ends too early ({reason})" if reason in _CUT_SHORT else f"is not whole XML ({reason})"
         raise InputError(Fault(message=message, file=file, place=place, expected=_still_open(builder))) from error
     except (ValueError, LookupError) as error:  # an encoding that Python knows as no single-byte one, or not at all
         raise InputError(

@@ -14,6 +14,8 @@ import numpy as np
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.positioning import Cycle, PositioningTest
+from compwright.simulation.circles import VirtualCircle
+from compwright.simulation.circular import CircleCorrection, CircleRecording, record_circle
 from compwright.simulation.curves import FLAT, Curve
 
 #: What a control adds to the command, by position (any shape) and approach direction: mm or deg.
@@ -76,9 +78,10 @@ class VirtualAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VirtualMachine:
-    """Axes by name. ``name`` and ``serial`` go into the measurement files; ``format`` and ``options`` say which control it has."""
+    """Axes and circles by name. ``name``, ``serial`` go into the files; ``format``, ``options``: which control it has."""
 
     axes: Mapping[str, VirtualAxis]
+    circles: Mapping[str, VirtualCircle] = field(default_factory=dict)
     name: str = ""
     serial: str = ""
     format: str = ""
@@ -130,6 +133,33 @@ class VirtualMachine:
             frame="machine",
             header={key: text for key, text in (("machine", self.name), ("serial", self.serial)) if text},
         )
+
+    def record_circle(self, name: str, *, seed: int, corrections: Mapping[str, Correction] | None = None) -> CircleRecording:
+        """Return one circular test: the errors of the circle, those of the axes that the machine has, and ``corrections`` by axis.
+
+        Raises UsageError for a circle that the machine does not have.
+        """
+        if name not in self.circles:
+            raise UsageError(Fault(message="the machine has no such circle", expected=", ".join(self.circles), found=name))
+        own = self.circles[name]
+        return record_circle(own.errors, own.plan, seed=seed, corrections=self._along(corrections or {}))
+
+    def _along(self, corrections: Mapping[str, Correction]) -> CircleCorrection:
+        """Return error and correction of any axis by position and direction of motion; an axis not described has none."""
+
+        def total(axis: str, positions: FloatArray, direction: FloatArray) -> FloatArray:
+            sums = np.zeros(positions.shape)
+            for way in Direction:
+                here = direction == way.sign
+                if not here.any():
+                    continue
+                if axis in self.axes:
+                    sums[here] += self.error(axis, positions[here], way)
+                if axis in corrections:
+                    sums[here] += corrections[axis](positions[here], way)
+            return sums
+
+        return total
 
     def _axis(self, name: str) -> VirtualAxis:
         if name not in self.axes:

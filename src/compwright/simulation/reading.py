@@ -16,6 +16,7 @@ from compwright.foundations.units import TO_INSIDE
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.positioning import Cycle
+from compwright.simulation.circles import read_circles
 from compwright.simulation.curves import FLAT, Curve, PointCurve, RandomCurve
 from compwright.simulation.fields import Section
 from compwright.simulation.machine import AxisError, ScrewError, TestPlan, VirtualAxis, VirtualMachine
@@ -60,10 +61,14 @@ def read_machine(content: bytes, file: str) -> VirtualMachine:
         top.reject("virtual_machine", "is not a schema version that this compwright reads", str(SCHEMA))
     name, serial = _identity(top)
     format_id, options = _control(top)
-    axes = _axes(top)
+    circles = top.section("circles")
+    axes = _axes(top, needed=circles is None)
+    measured = read_circles(circles, {name: virtual.axis for name, virtual in axes.items()}) if circles is not None else {}
+    if not axes and circles is not None and not circles.data:
+        top.reject("circles", "names no circle, and there is no axis", "a mapping of names to circles")
     top.close()
     raise_all(UsageError, faults)
-    return VirtualMachine(axes=axes, name=name, serial=serial, format=format_id, options=options)
+    return VirtualMachine(axes=axes, circles=measured, name=name, serial=serial, format=format_id, options=options)
 
 
 def _identity(top: Section) -> tuple[str, str]:
@@ -85,8 +90,11 @@ def _control(top: Section) -> tuple[str, Mapping[str, object]]:
     return format_id, dict(options.data) if options is not None else {}
 
 
-def _axes(top: Section) -> dict[str, VirtualAxis]:
+def _axes(top: Section, *, needed: bool) -> dict[str, VirtualAxis]:
+    """Return the axes; ``needed`` is false where circles are to be measured, whose axes may go without errors of their own."""
     axes = top.section("axes")
+    if axes is None and not needed:
+        return {}
     if axes is None or not axes.data:
         top.reject("axes", "names no axis", "a mapping of axis names to axes")
         return {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,6 +12,7 @@ from compwright.formats.addresses import normal_address
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.simulation.circular_files import to_b5r, to_circular_csv
 from compwright.simulation.files import to_csv
 from compwright.simulation.machine import Correction, VirtualMachine
 from compwright.simulation.reading import read_machine
@@ -26,7 +27,7 @@ def load_machine(path: Path) -> VirtualMachine:
 def simulate_files(
     machine: VirtualMachine, out: Path, *, seed: int = 0, tables: Path | None = None, force: bool = False, file: str = ""
 ) -> list[Path]:
-    """Measure every axis of a virtual machine and write one CSV file per axis (``x.csv``, ...) into ``out``.
+    """Measure every axis and circle of a virtual machine; one file for each (``x.csv``, ``xy-150.b5r``, ...) goes into ``out``.
 
     ``tables``: a folder with what the control loads; ``file``: the machine file, for messages. Noise comes from ``seed`` alone:
     the same seed gives the same bytes.
@@ -38,7 +39,25 @@ def simulate_files(
         rng = np.random.default_rng([seed, number])
         test = machine.measure(name, rng=rng, correction=correction)
         files[f"{name.lower()}.csv"] = to_csv(test)
+    corrections = {name: _correction(loaded, virtual.axis) for name, virtual in machine.axes.items()} if loaded else {}
+    for number, name in enumerate(machine.circles, start=len(machine.axes)):
+        files[_circle_file(machine, name)] = _measured_circle(machine, name, seed=_seed_of(seed, number), corrections=corrections)
     return storage.write_files(out, files, force=force)
+
+
+def _seed_of(seed: int, number: int) -> int:
+    """Return the seed of the circle after ``number`` other measurements, so that two circles do not get the same noise."""
+    return int(np.random.SeedSequence([seed, number]).generate_state(1)[0])
+
+
+def _circle_file(machine: VirtualMachine, name: str) -> str:
+    return f"{name.lower()}.{machine.circles[name].format}"
+
+
+def _measured_circle(machine: VirtualMachine, name: str, *, seed: int, corrections: Mapping[str, Correction]) -> bytes:
+    recording = machine.record_circle(name, seed=seed, corrections=corrections)
+    about = {key: text for key, text in (("machine", machine.name), ("serial", machine.serial)) if text}
+    return to_b5r(recording, about) if machine.circles[name].format == "b5r" else to_circular_csv(recording.test, about)
 
 
 def _load(machine: VirtualMachine, tables: Path, file: str) -> tuple[Control, DecodedState]:
@@ -85,4 +104,4 @@ def _correction(loaded: tuple[Control, DecodedState], axis: Axis) -> Correction:
 
 def simulated_names(machine: VirtualMachine) -> Sequence[str]:
     """Return the names of the files that `simulate_files` writes."""
-    return [f"{name.lower()}.csv" for name in machine.axes]
+    return [*(f"{name.lower()}.csv" for name in machine.axes), *(_circle_file(machine, name) for name in machine.circles)]
