@@ -341,6 +341,8 @@ class TestRotary:
         loaded = itnc({"A.COM": text})
         assert values(loaded, "A", [-90, -45, 0, 45]) == pytest.approx([-0.001, -0.001, -0.001, -0.002], abs=ROUNDING)
         assert any("outside 0 to 360" in note for note in loaded.notes)
+        above = itnc({"A.COM": text.replace("DATUM:-90 DIST:90", "DATUM:180 DIST:180")})
+        assert values(above, "A", [0, 270, 360, 450, 540]) == pytest.approx([-0.004, -0.0025, -0.001, -0.001, -0.001], abs=ROUNDING)
         listed = "BEGIN A.COM MM\nNR  AXISPOS    A\n0   -90        0.004\n1   0          0.001\n2   90         0.003\n[END]\n"
         assert values(nck({"A.COM": listed}), "A", [-90, -45]) == pytest.approx([-0.004, -0.0025], abs=ROUNDING)
 
@@ -468,6 +470,12 @@ class TestNck:
         with pytest.raises(InputError, match="BACKLASH is blank at an end"):
             nck({"X.COM": equal}, options={"backlash_column": "second_curve"})
 
+    def test_second_curve_with_a_blank(self) -> None:
+        loaded = nck({"X.COM": NCK_COM.replace("+0.0021", "       ")}, options={"backlash_column": "second_curve"})
+        assert values(loaded, "X", [-200], DOWN) == pytest.approx([-0.00415], abs=ROUNDING)  # half way from 4.0 to 4.3 µm
+        assert values(loaded, "X", [-200], UP) == [0.0018]
+        assert loaded.nodes("X").tolist() == [-400, -200, 0]
+
     def test_backlash_needs_the_column_of_the_moving_axis(self) -> None:
         with pytest.raises(InputError, match="BACKLASH without a column"):
             nck({"Z.COM": NCK_COM.replace("X.COM", "Z.COM")}, options={"backlash_column": "second_curve"})
@@ -482,6 +490,10 @@ class TestNck:
         none = nck({**files, "config.cma": lines.replace("*", " ")})
         assert values(none, "X", [100]) == [0.0]
         assert any("no line of the .CMA is active" in note for note in none.notes)
+        alone = nck({"X.COM": files["X.COM"], "config.cma": NCK_CMA.replace("*", " ")})
+        assert values(alone, "X", [100]) == [0.0]  # the only line, and yet the star decides
+        starless = NCK_CMA.replace("ACTIVE", "      ").replace("*", " ")
+        assert values(nck({"X.COM": files["X.COM"], "config.cma": starless}), "X", [100]) == [-0.001]  # no column to mark
         with pytest.raises(InputError, match="which line is active"):
             nck({**files, "config.cma": lines.replace("0           X", "0   *       X")})
         with pytest.raises(InputError, match=r"expected \* or blank"):
@@ -553,6 +565,8 @@ WRONG_ITNC = {
     "two values": ("MP710.0 : 0.004\nMP710.0 : 0.005\n", "contradicts"),
     "cma cell between": (COM + CMA.replace("0    X", "0        X"), "ambiguous"),
     "two tables lines": (COM + CMA.replace("0    X", "0    X\n1    X"), "which line is active"),
+    "cma axis 0": (COM + CMA.replace("1  ", "0  "), "each axis once"),
+    "cma axis 19": (COM + CMA.replace("2  ", "19 "), "each axis once"),
     "cma axis twice": (COM + CMA.replace("2  ", "01 "), "each axis once"),
 }
 

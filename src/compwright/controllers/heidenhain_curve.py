@@ -55,8 +55,8 @@ class OwnTable:
 class HeidenhainAxis:
     """One axis. ``nonlinear``: its tables act, else its linear error does; never both (TNC 407 technical manual p. 151).
 
-    ``linear_error``: mm/m, positive when the axis travels too far; ``backlash``: mm or deg, positive when the encoder runs
-    ahead and the travel is too short.
+    ``linear_error``: the one that acts, mm/m, positive when the axis travels too far; 0 beside tables. ``backlash``: mm or deg,
+    positive when the encoder runs ahead and the travel is too short.
     """
 
     table: OwnTable | None
@@ -71,8 +71,7 @@ class HeidenhainAxis:
         total = np.zeros(positions.shape)
         if self.nonlinear and self.table is not None:
             total = total + self.table.at(positions, direction)
-        if not self.nonlinear:
-            total = total - self.linear_error * (positions - self.reference) / 1000.0
+        total = total - self.linear_error * (positions - self.reference) / 1000.0
         if direction is not self.reference_return:
             total = total + direction.sign * self.backlash
         return total

@@ -245,8 +245,9 @@ def _cma(block: Block, generation: Generation) -> Cma:
         axis_of_number(int(name)) if generation is ITNC530 and _AXIS_NUMBER.fullmatch(name) else generation.address(name)
         for name in axes
     )
-    if len(set(named)) < len(named) or not named:
-        faults.append(block.place.fault("column headings", expected="each axis once", found=" ".join(axes)[:80]))
+    beyond = [name for name in axes if _AXIS_NUMBER.fullmatch(name) and not 1 <= int(name) <= MOST_AXES and generation is ITNC530]
+    if len(set(named)) < len(named) or not named or beyond:
+        faults.append(block.place.fault("column headings", expected="each axis once, from 1", found=" ".join(axes)[:80]))
     active = [index for index, cell in enumerate(marks) if cell == mark]
     single = len(grid.rows) == 1 and (generation is ITNC530 or state is None)
     if len(active) > 1 or (not active and not single and grid.rows and (state is None or generation is ITNC530)):

@@ -93,7 +93,7 @@ class Parameter:
 
 def axis_of_number(number: int) -> str:
     """Return the axis of a column number from 1: its letter, or the number itself where no letter is fixed."""
-    return LETTERS[number - 1] if 1 <= number <= len(LETTERS) else str(number)
+    return LETTERS[number - 1] if number <= len(LETTERS) else str(number)
 
 
 def number(text: str) -> float | None:
