@@ -1,7 +1,8 @@
 """The commissioning card: what to type, what to look at and how to go back, as Markdown and as a page of one or two A4 sheets.
 
 A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``axes``, ``steps`` (``title``, ``text``,
-``evidence``), ``unconfirmed`` and ``restore`` (sentences), ``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and
+``evidence``), ``changes`` (``entries`` of ``entry``, ``old``, ``new``; ``untouched``: lines that stay; or None where the control's
+own files were not given), ``unconfirmed`` and ``restore`` (sentences), ``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and
 ``proven`` (a sentence). Each axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``, ``new``),
 ``display`` (``position``, ``positive``, ``negative``: the compensation that the control itself shows), ``quick_check``
 (``position``, ``direction``, ``expected``, ``stop``), ``points_needed`` and ``fixed_positions`` (``name``, ``position``,
@@ -18,6 +19,8 @@ from compwright.reporting.page import render_page
 from compwright.reporting.sections import Document, assumed, evidence_mark, pairs
 
 _BOX = "[ ]"
+#: More changes than these are read in changes.csv, not on the card.
+_MOST_CHANGES = 60
 
 
 def card_html(card: Document) -> bytes:
@@ -33,6 +36,7 @@ def card_markdown(card: Document) -> str:
     lines += _steps(content["steps"])
     for axis in content["axes"]:
         lines += _axis(axis)
+    lines += _changes(content["changes"])
     lines += _bullets("## Way back", content["restore"])
     if content["assumed"]:
         rows = [
@@ -69,10 +73,27 @@ def _content(card: Document) -> dict[str, Any]:
         "unconfirmed": [plain(text) for text in card.get("unconfirmed") or []],
         "steps": [_step(step) for step in card.get("steps") or []],
         "axes": [_axis_content(axis) for axis in card.get("axes") or []],
+        "changes": changes_content(card.get("changes")),
         "restore": [plain(text) for text in card.get("restore") or []],
         "assumed": assumed(card.get("assumed")),
         "files": [plain(file) for file in card.get("files") or []],
         "proven": plain(card.get("proven") or ""),
+    }
+
+
+def changes_content(changes: Document | None) -> dict[str, Any] | None:
+    """Return the table of what changes in the control's files: the first rows, how many more there are, how many lines stay."""
+    if changes is None:
+        return None
+    rows = [
+        [plain(row["entry"]), *(MISSING if row[key] is None else plain(row[key]) for key in ("old", "new"))]
+        for row in changes["entries"]
+    ]
+    return {
+        "rows": rows[:_MOST_CHANGES],
+        "more": max(0, len(rows) - _MOST_CHANGES),
+        "count": len(rows),
+        "untouched": changes["untouched"],
     }
 
 
@@ -171,6 +192,16 @@ def _axis(axis: Document) -> list[str]:
         rows = [list(map(_escape, row)) for row in axis["fixed"]]
         lines += ["### Fixed positions that move", "", *_table(["Name", f"Position ({where})", f"Moves by ({unit})"], rows), ""]
     return lines
+
+
+def _changes(changes: dict[str, Any] | None) -> list[str]:
+    if changes is None:
+        return []
+    more = [f"{changes['more']} more changes stand in changes.csv.", ""] if changes["more"] else []
+    rows = [list(map(_escape, row)) for row in changes["rows"]]
+    said = f"{changes['count']} entries change; {changes['untouched']} lines of the control's files stay as they are."
+    table = [*_table(["Entry", "Old", "New"], rows), ""] if rows else []
+    return ["## Old to new", "", said, "", *table, *more]
 
 
 def _bullets(heading: str, items: Sequence[str]) -> list[str]:

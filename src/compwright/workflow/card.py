@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -13,6 +15,7 @@ from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Direction
 from compwright.records.correction import Assumption, AxisCompensation
 from compwright.records.job import Job
+from compwright.workflow.changes import changes_of
 from compwright.workflow.control import Control, DecodedState
 from compwright.workflow.inputs import JobInputs
 from compwright.workflow.outlook import Change
@@ -40,7 +43,8 @@ def card_document(
         "machine": dict(job.machine),
         "format": {"id": control.id, "title": control.definition.title},
         "axes": [_axis(job, work, loaded) for work in written.values()],
-        "steps": _steps(control, written),
+        "steps": _steps(control, written, loaded),
+        "changes": changes_document(control, inputs, loaded),
         "unconfirmed": [f"{entry['fact']}: {entry['value']}" for entry in facts if "unconfirmed" in entry["evidence"]],
         "assumed": facts,
         "restore": _restore(control, inputs),
@@ -139,12 +143,32 @@ def _moves(work: AxisWork, loaded: DecodedState | None, position: float) -> floa
     return float(change.at(np.array([position]), axis.reference_return)[0])
 
 
-def _steps(control: Control, written: Mapping[str, AxisWork]) -> list[dict[str, str]]:
+def changes_document(control: Control, inputs: JobInputs, loaded: DecodedState | None) -> dict[str, Any] | None:
+    """Return what the new files change in the control's own, as plain data; None where there were none."""
+    old = inputs.states[AS_FOUND].files
+    if not old or loaded is None:
+        return None
+    diff = changes_of(control, old, loaded.files)
+    entries = [{"entry": change.entry, "old": change.old, "new": change.new} for change in diff.changes]
+    return {"entries": entries, "untouched": diff.untouched}
+
+
+def changes_csv(changes: Mapping[str, Any]) -> bytes:
+    """Return every change as CSV: entry, old, new; empty where there is none."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["entry", "old", "new"])
+    writer.writerows([row["entry"], row["old"], row["new"]] for row in changes["entries"])
+    return text.getvalue().encode()
+
+
+def _steps(control: Control, written: Mapping[str, AxisWork], loaded: DecodedState | None) -> list[dict[str, str]]:
     """Return the steps in the order of the definition, in each a line per axis; what is the same for all axes stands once."""
     by_axis = []
     for work in written.values():
         axis, fitted = work.planned.axis, work.planned.fitted
-        values = card_values(control.definition, axis, fitted.compensation, control.options) if fitted else {}
+        facts = loaded.state.facts.get(axis.address, {}) if loaded else {}
+        values = card_values(control.definition, axis, fitted.compensation, control.options, facts) if fitted else {}
         by_axis.append(card_steps(control.definition, axis, values))
     return [
         {

@@ -209,6 +209,9 @@ def decode(
         reference_return={address: axis.reference_return for address, axis in state.axes.items()},
         kinds={address: axis.kind for address, axis in state.axes.items()},
         encoder={axis.address: axis.encoder.system for axis in axes},
+        modulo={axis.address: axis.modulo for axis in axes if axis.modulo is not None},
+        reference={axis.address: axis.reference for axis in axes},
+        axis_options={axis.address: axis.options for axis in axes},
         options={**control.options, **({"axis": alone} if alone is not None else {})},
     )
     raise_all(CompwrightError, _disagreements(state, judge))

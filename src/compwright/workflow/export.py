@@ -71,7 +71,7 @@ def export_plan(
                 found="every axis was left as it is, because no table would improve it",
             )
         )
-    files, _ = write_fitted(control, fitted)
+    files, _ = write_fitted(control, fitted, state)
     written = storage.write_files(out, {file.name: file.content for file in files}, force=force)
     return ExportOutcome(files=tuple(written), assumed=tuple(dict.fromkeys(assumed)), missing=missing)
 

@@ -13,6 +13,7 @@ from compwright.documents.evaluation import evaluation_document
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document
 from compwright.documents.prediction import prediction_document
+from compwright.formats.second_forms import second_forms
 from compwright.foundations import storage
 from compwright.foundations.errors import UsageError
 from compwright.foundations.findings import Finding
@@ -20,7 +21,7 @@ from compwright.records.correction import Assumption, ControlFile
 from compwright.records.job import Job
 from compwright.records.plan import Plan
 from compwright.records.prediction import AxisPrediction
-from compwright.workflow.card import card_document
+from compwright.workflow.card import card_document, changes_csv
 from compwright.workflow.control import Control, DecodedState, named_axes, open_control, origin_of
 from compwright.workflow.inputs import JobInputs, read_job_inputs
 from compwright.workflow.view import run_view
@@ -111,7 +112,7 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
     if AS_FOUND in inputs.states:
         control = control.in_state(inputs.states[AS_FOUND].state)
         works = fit_all(works, control, inputs.states[AS_FOUND].state, job.file)
-        works, tables, loaded = export(works, control, accept_worse=accept_worse)
+        works, tables, loaded = export(works, control, inputs.states[AS_FOUND], accept_worse=accept_worse)
     states = [decoded.state for decoded in inputs.states.values()]
     capacities = [work.capacity for work in works.values() if work.capacity is not None]
     assumed = (
@@ -153,6 +154,9 @@ def _files(
         from compwright.reporting.card import card_markdown
 
         files["card/card.md"] = card_markdown(dict(card)).encode()
+        if card["changes"] is not None:
+            files["card/changes.csv"] = changes_csv(card["changes"])
+        files |= {f"card/{file.name}": file.content for file in _second_forms(finished)}
     try:
         from compwright.reporting.card import card_html
         from compwright.reporting.report import run_report
@@ -177,6 +181,17 @@ def _files(
     except UsageError as error:
         notes.append(f"report.html is not written: {error}")
     return files, tuple(notes)
+
+
+def _second_forms(finished: _Finished) -> tuple[ControlFile, ...]:
+    planned = [work.planned for work in finished.works.values() if work.planned.fitted is not None]
+    return second_forms(
+        finished.control.definition,
+        [entry.fitted.compensation for entry in planned if entry.fitted is not None],
+        [entry.axis for entry in planned],
+        finished.control.options,
+        finished.inputs.states[AS_FOUND].state,
+    )
 
 
 def _plan(finished: _Finished) -> Plan:

@@ -22,6 +22,7 @@ from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedAxis
 from compwright.records.prediction import AxisPrediction
 from compwright.records.result import PositioningResult
+from compwright.workflow.changes import changed_neighbours
 from compwright.workflow.control import Control, DecodedState, decode, judged
 from compwright.workflow.inputs import JobInputs
 from compwright.workflow.outlook import (
@@ -142,20 +143,28 @@ def fit_all(works: Mapping[str, AxisWork], control: Control, state: ControlState
     return fitted
 
 
-def write_fitted(control: Control, fitted: list[tuple[Axis, FittedTable]]) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
-    """Write fitted tables as the control's files and read them back with both readers; (), None where there are none."""
+def write_fitted(
+    control: Control, fitted: list[tuple[Axis, FittedTable]], as_found: DecodedState
+) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
+    """Write fitted tables as the control's files and read them back with both readers; (), None where there are none.
+
+    What is in the control (``as_found``) is patched. Raises CapacityError where something cannot be held, and CompwrightError (a
+    fault of our own) when a table of an axis that was not asked for reads otherwise than before.
+    """
     if not fitted:
         return (), None
     axes = [axis for axis, _ in fitted]
-    files = write_tables(control.definition, [table.compensation for _, table in fitted], axes, control.options)
+    compensations = [table.compensation for _, table in fitted]
+    files = write_tables(control.definition, compensations, axes, control.options, as_found.state, as_found.files)
+    raise_all(CompwrightError, changed_neighbours(control, as_found.files, files, axes))
     return files, decode(control, files, axes)
 
 
 def export(
-    works: Mapping[str, AxisWork], control: Control, *, accept_worse: bool
+    works: Mapping[str, AxisWork], control: Control, as_found: DecodedState, *, accept_worse: bool
 ) -> tuple[dict[str, AxisWork], tuple[ControlFile, ...], DecodedState | None]:
     """Write the tables, read them back through the judge, and leave out those that would not improve their axis."""
-    files, loaded = write_fitted(control, _fitted(works))
+    files, loaded = write_fitted(control, _fitted(works), as_found)
     if accept_worse or loaded is None:
         return dict(works), files, loaded
     kept: dict[str, AxisWork] = {}
@@ -164,7 +173,7 @@ def export(
         fitted = None if why else work.planned.fitted
         kept[name] = replace(work, refused=why, planned=replace(work.planned, fitted=fitted))
     if any(work.refused for work in kept.values()):
-        files, loaded = write_fitted(control, _fitted(kept))
+        files, loaded = write_fitted(control, _fitted(kept), as_found)
     return kept, files, loaded
 
 

@@ -1,0 +1,47 @@
+"""What stands beside the tables: the sheet to type in where a file's form is unconfirmed, a program that enters the same values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from compwright.formats.addresses import normal_address
+from compwright.formats.entry_sheet import write_sheet
+from compwright.formats.increments_writing import all_entries, sheet_rows, write_programs
+from compwright.formats.options import resolve_options
+from compwright.formats.schema import Definition
+from compwright.records.axis import Axis
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+
+
+def second_forms(
+    definition: Definition,
+    compensations: Sequence[AxisCompensation],
+    axes: Sequence[Axis],
+    options: Mapping[str, object],
+    state: ControlState | None,
+) -> tuple[ControlFile, ...]:
+    """Return the typed-entry sheets of compensations that were written already, and programs where the options ask for them.
+
+    Only controls with increments by section have them; for others nothing is returned. ``compensations`` belong to ``axes`` one by
+    one.
+    """
+    if definition.layout.shape != "section_increments":
+        return ()
+    resolved = resolve_options(definition, options, state)
+    pairs = [(normal_address(definition, axis)[0], axis, table) for axis, table in zip(axes, compensations, strict=True)]
+    entries = all_entries(definition, pairs, resolved, state)
+    sheets = [
+        write_sheet(
+            f"entry_{entry.name}.csv",
+            (
+                ("axis", entry.name),
+                ("address", entry.address),
+                ("format", definition.id),
+                ("value", "correction"),
+                ("unit pulse", "whole detection units, before the magnification 3623; position: upper end of the point's section"),
+            ),
+            sheet_rows(definition, entry),
+        )
+        for entry in entries
+    ]
+    return (*sheets, *(write_programs(definition, entries) if resolved.get("program") == "g10" else ()))

@@ -1,0 +1,33 @@
+"""What the new files change in the control: for the card and the report, and to make sure that nothing else changes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from compwright.formats.diff import FileDiff, compare_files
+from compwright.foundations.errors import Fault
+from compwright.records.axis import Axis
+from compwright.records.correction import ControlFile
+from compwright.workflow.control import Control
+
+
+def changes_of(control: Control, old: Sequence[ControlFile], new: Sequence[ControlFile]) -> FileDiff:
+    """Return what the files ``new`` change against ``old``, entry by entry."""
+    return compare_files(control.definition, old, new)
+
+
+def changed_neighbours(
+    control: Control, old: Sequence[ControlFile], new: Sequence[ControlFile], axes: Sequence[Axis]
+) -> list[Fault]:
+    """Return a fault for every entry of an axis outside ``axes`` (and their gantry partners) that the new files change."""
+    mine = {axis.address for axis in axes} | {axis.gantry for axis in axes if axis.gantry}
+    return [
+        Fault(
+            message=f"an entry of axis {change.address} would change; please report this",
+            place=change.entry,
+            expected=change.old or "",
+            found=change.new or "nothing",
+        )
+        for change in changes_of(control, old, new).changes
+        if change.old is not None and change.address is not None and change.address not in mine
+    ]
