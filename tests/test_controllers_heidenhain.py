@@ -406,6 +406,9 @@ class TestSheets:
         assert values(other, "W", [-90]) == pytest.approx([-0.001], abs=ROUNDING)
         with pytest.raises(InputError, match=r"unit of C; expected mm, found deg"):
             itnc({"entry_C.csv": text}, kinds={"C": AxisKind.LINEAR})
+        play = "# axis: C\n# value: error\npoint,position,value,unit\nMP710,,0.001,mm\n"
+        with pytest.raises(InputError, match="unit of the backlash of C; expected deg, found mm"):
+            itnc({"entry_C.csv": text.replace("MP710,,0.001,deg\n", ""), "play.csv": play})
 
     def test_sheet_and_table_of_one_axis_agree_or_are_refused(self) -> None:
         sheet = "# axis: X\n# value: error\npoint,position,value,unit\n0,-400,0,mm\n1,-384,-0.0012,mm\n2,-368,-0.0021,mm\n"
