@@ -116,7 +116,7 @@ class Sag:
         own = self._of(pair)
         factors = [None if table.factor is None else self.factors[table.factor] for table in own]
         tables = [*own, *(factor for factor in factors if factor is not None)]
-        if len(tables) > 1 and any(table.table.modulo for table in tables):
+        if any(table.table.modulo for table in tables):
             products = [0.0 if factor is None else factor.bound(direction) for factor in factors]
             return sum(table.bound(direction) * (1.0 + more) for table, more in zip(own, products, strict=True))
         nodes = union([table.table.positions() for table in tables])
