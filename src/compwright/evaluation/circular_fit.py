@@ -17,6 +17,8 @@ _MOST_STEPS: Final = 200
 _STRAIGHT: Final = 1e-7
 #: A step smaller than this share of the size of the figure moves the centre by less than rounding does.
 _STANDSTILL: Final = 1e-15
+#: Over so short steps the sum of squares is flat to within its rounding and cannot tell a better centre from a worse one.
+_FLAT: Final = 1e-8
 
 
 def least_squares_circle(points: FloatArray) -> tuple[Point, float]:
@@ -65,21 +67,19 @@ def _algebraic_centre(x: FloatArray, y: FloatArray) -> Point:
 def _refined(x: FloatArray, y: FloatArray, start: Point) -> Point:
     """Return the centre about which the distances have the least variance."""
     centre = np.array(start)
-    damping = 0.0
+    damping, last = 0.0, np.inf
     normal, gradient, cost = _normal_equations(x, y, centre)
     for _ in range(_MOST_STEPS):
         matrix = normal + damping * np.trace(normal) * np.eye(2)
         step = np.linalg.lstsq(matrix, gradient, rcond=None)[0]
-        if np.abs(step).max() <= _STANDSTILL * max(1.0, np.abs(centre).max()):
+        size = float(np.abs(step).max())
+        if size <= _STANDSTILL or last <= size < _FLAT:  # near the end steps shrink until only rounding is left
             break
         tried = _normal_equations(x, y, centre + step)
-        if tried[2] <= cost:
-            settled = tried[2] == cost
-            centre = centre + step
+        if tried[2] <= cost or size < _FLAT:
+            centre, last = centre + step, size
             normal, gradient, cost = tried
             damping *= 0.1
-            if settled:
-                break
         else:
             damping = max(10.0 * damping, 1e-6)
     return float(centre[0]), float(centre[1])
