@@ -2,14 +2,24 @@
 
 Conditions of Karush, Kuhn and Tucker for: minimise x'Px/2 + q'x subject to lower <= Ax <= upper, with multipliers
 y > 0 at the upper and y < 0 at the lower bound (Boyd and Vandenberghe, Convex Optimization, section 5.5.3).
+Tables of whole increments are checked from the table itself: what it holds, within which limits, and what it leaves.
 """
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 
-from compwright.fitting.problem import QuadraticProblem
-from compwright.records.axis import FloatArray
+from compwright.fitting.problem import QuadraticProblem, quadrature
+from compwright.foundations.errors import CapacityError, Fault
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation
+from compwright.records.estimate import WantedCorrection
+
+#: A table of whole increments must keep every limit to this share of the unit: arithmetic dust.
+WHOLE: Final = 1e-6
 
 
 def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict[str, float]:
@@ -56,3 +66,61 @@ def range_gap(cost: FloatArray, G: FloatArray, h: FloatArray, multipliers: Float
     left = float(np.sum(np.abs(cost + G.T @ y)))
     bound = -float(h @ y) - box * left
     return max(0.0, reached - bound)
+
+
+def lattice_certificate(
+    table: AxisCompensation, aim: WantedCorrection, capacity: Capacity, magnification: int, claimed: tuple[float, float]
+) -> dict[str, float]:
+    """Return the certificate of a table of whole increments. ``claimed``: mean square, and its lower bound without whole numbers.
+
+    ``primal``: the worst violated limit, mm or deg. ``objective``, ``lower_bound``: roots of the mean squares, the first computed
+    from the table. ``recomputed``: by how much it differs from the claim. Raises CapacityError where a limit is
+    broken, the mean square is another, or it lies below its lower bound.
+    """
+    lattice = capacity.lattice
+    if lattice is None:
+        raise TypeError("the control has no lattice")
+    primal = _broken(table, aim, capacity, magnification)
+    points, weights = quadrature(aim.positions, table.positions, table.interpolation)
+    left = [table.at(points, direction) - np.interp(points, aim.positions, aim.total(direction)) for direction in Direction]
+    mean_square = 0.5 * float(sum(weights @ one**2 for one in left))
+    dust = 1e-7 * mean_square + (WHOLE * lattice.unit) ** 2
+    proof = {
+        "primal": primal,
+        "objective": float(np.sqrt(mean_square)),
+        "lower_bound": float(np.sqrt(max(0.0, claimed[1]))),
+        "recomputed": abs(float(np.sqrt(mean_square) - np.sqrt(claimed[0]))),
+        "magnification": float(magnification),
+    }
+    if primal > WHOLE * lattice.unit or abs(mean_square - claimed[0]) > dust or mean_square < claimed[1] - dust:
+        found = ", ".join(f"{name} {value:.6g}" for name, value in proof.items())
+        raise CapacityError(Fault(message="no certified solution: the table does not pass its certificate", found=found))
+    return proof
+
+
+def _broken(table: AxisCompensation, aim: WantedCorrection, capacity: Capacity, magnification: int) -> float:
+    """Return by how much the worst limit is broken, mm or deg."""
+    lattice = capacity.lattice
+    if lattice is None:
+        raise TypeError("the control has no lattice")
+    step, home = magnification * lattice.unit, table.reference_return
+    anchor = int(np.argmin(np.abs(table.positions - aim.reference)))
+    missed = [abs(float(table.curve(home)[anchor]))]
+    for direction in Direction:
+        curve = table.curve(direction)
+        counts = np.diff(curve) / step
+        limits = np.clip(np.round(counts), *lattice.increments)
+        missed.append(step * _worst(np.abs(counts - limits)))
+        missed.append(_worst(np.maximum(curve - capacity.value_range[1], capacity.value_range[0] - curve)))
+        if table.period is not None:
+            missed.append(abs(float(curve[-1] - curve[0])))
+    if not np.array_equal(table.positive, table.negative):
+        one = lattice.unit * (magnification if lattice.offset_magnified else 1)
+        offset = float(table.curve(home.opposite)[anchor]) / one
+        missed.append(one * abs(offset - float(np.clip(np.round(offset), *(lattice.offset_range or (0, 0))))))
+    if table.backlash and capacity.backlash_quantum is not None:
+        count = table.backlash / capacity.backlash_quantum
+        missed.append(capacity.backlash_quantum * abs(count - round(count)))
+        low, high = capacity.backlash_range
+        missed.append(max(0.0, table.backlash - high, low - table.backlash))
+    return max(missed)

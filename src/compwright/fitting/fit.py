@@ -7,21 +7,26 @@ from typing import Final, Literal
 
 import numpy as np
 
+from compwright.fitting.endless import over_one_period
 from compwright.fitting.grid import NOISE_SHARE, Grid, choose_grid
+from compwright.fitting.line import fit_line
 from compwright.fitting.problem import (
     BOTH,
     Layout,
     QuadraticProblem,
     Sampled,
     Shape,
+    bends,
     hat_matrix,
     limited_increment,
     limited_range,
     sampled,
     state_problem,
 )
+from compwright.fitting.remarks import added, edge_findings, loss_findings, worth_saying
 from compwright.fitting.rounding import round_curve, to_quanta
 from compwright.fitting.solve import RangeProblem, solve_quadratic, solve_range
+from compwright.fitting.whole import goal_finding, whole_table
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Direction, FloatArray
@@ -32,8 +37,6 @@ from compwright.records.fitted import FittedTable, Goal, Limit, TableRequest
 
 #: Natural logarithm of the evidence from which on two tables are worth it ("strong": 20 to 1).
 STRONG: Final = 3.0
-#: A limit that costs less than this share of a quantum is not worth a word.
-_WORTH_SAYING: Final = 0.05
 
 
 def fit_table(wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str) -> FittedTable:
@@ -42,18 +45,26 @@ def fit_table(wanted: WantedCorrection, capacity: Capacity, request: TableReques
     Goal ``expected``: least mean square of held minus wanted over the travel and both directions, which is the expected squared
     deviation but for a constant that no table changes. Goals ``A``, ``E``: least range over both directions (A adds the same
     noise everywhere, so that its best table is that of E); ``M``: least range of the mean of both. Zero in the
-    zero state. Raises CapacityError where the control cannot hold what is asked or no certified solution was found.
+    zero state. Whole increments and a single slope take ``expected`` whatever the goal, and say so. Raises CapacityError where the control cannot hold what is asked or no certified solution was found.
     """
     _refuse(capacity, request)
+    if capacity.line is not None:
+        line = fit_line(wanted, capacity, request, capacity.line, address=address)
+        return replace(line, findings=(*line.findings, *goal_finding(request.goal, "a control that holds one slope")))
+    if capacity.period is not None:
+        wanted = over_one_period(wanted, capacity.period)
     shape, reason = _shape(wanted, capacity, request)
     grid = choose_grid(wanted, capacity, request)
     aim, datum_findings = _with_datum(grid.wanted, grid.nodes, capacity)
+    if capacity.lattice is not None:
+        fitted = whole_table(grid, aim, (shape, reason), capacity, capacity.lattice, address=address, goal=request.goal)
+        return replace(fitted, findings=(*datum_findings, *fitted.findings))
     layout = _layout(grid.nodes, shape, capacity, wanted.reference_return)
     fit = _Fit(sampled(aim, grid.nodes, capacity), layout, capacity, wanted.reference)
     best = fit.expected() if request.goal == "expected" else fit.least_range(aim, request.goal)
     table = _rounded(best.x, fit, address, aim)
     limits = _limits(fit, best, table, grid)
-    findings = (*grid.findings, *datum_findings, *_edge_findings(table, wanted), *_loss_findings(limits, wanted))
+    findings = (*grid.findings, *datum_findings, *edge_findings(table, wanted), *loss_findings(limits, wanted))
     worst = _rounding_error(table, best.x, layout)
     return FittedTable(
         compensation=table,
@@ -98,6 +109,8 @@ def _shape(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) 
         return "single", "one table and one reversal value, as the job asks"
     if capacity.curves == 1:
         return "single", "one table and one reversal value: the control holds one table for both directions"
+    if capacity.second_curve == "asked":
+        return "single", "one table and one reversal value: two tables only where the job asks for them (mode: bidirectional)"
     says = f"log odds {odds:.1f}, strong from {STRONG:g} on"
     if odds > STRONG:
         return "bidirectional", f"two tables: the reversal varies with position ({says})"
@@ -111,7 +124,7 @@ def _shape(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) 
 
 
 def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction) -> Layout:
-    if capacity.curves == 2:
+    if capacity.curves == 2 and (shape == "bidirectional" or capacity.second_curve == "chosen"):
         return Layout(nodes=nodes, shape=shape, reversal="free", home=home)
     if capacity.backlash_quantum is None:
         return Layout(nodes=nodes, shape=shape, reversal="none", home=home)
@@ -172,7 +185,12 @@ class _Fit:
         nodes, where = self.layout.nodes, wanted.positions
         inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]
         points = np.union1d(where, inside)
-        table = hat_matrix(points, nodes, below=self.capacity.below, above=self.capacity.above)
+        rule = self.capacity.interpolation
+        if rule == "step":  # the control's value jumps in the middles: both sides count
+            middles = bends(nodes, rule)[1:-1]
+            within = middles[(middles > where[0]) & (middles < where[-1])]
+            points = np.union1d(points, np.concatenate([within, np.nextafter(within, -np.inf)]))
+        table = hat_matrix(points, nodes, below=self.capacity.below, above=self.capacity.above, interpolation=rule)
         rows = [self.layout.columns(table, direction) for direction in BOTH]
         aims = [np.interp(points, where, wanted.total(direction)) for direction in BOTH]
         if goal == "M":
@@ -199,6 +217,10 @@ def _rounded(x: FloatArray, fit: _Fit, address: str, wanted: WantedCorrection) -
     anchor = int(np.argmin(np.abs(layout.nodes - fit.reference)))
     low, high = limited_range(capacity)
     increment = limited_increment(capacity)
+    if capacity.period is not None:  # equal but for dust: so that both are rounded the same way
+        x = x.copy()
+        for start in range(0, k + 1, k) if layout.shape == "bidirectional" else (0,):
+            x[start + k - 1] = x[start]
     backlash = constant = 0.0
     if layout.shape == "single" and layout.reversal == "free":
         constant = float(to_quanta(x[k:], capacity.quantum)[0]) * capacity.quantum
@@ -226,6 +248,8 @@ def _rounded(x: FloatArray, fit: _Fit, address: str, wanted: WantedCorrection) -
         reference_return=home,
         below=capacity.below,
         above=capacity.above,
+        interpolation=capacity.interpolation,
+        period=capacity.period,
     )
 
 
@@ -250,24 +274,19 @@ def _limits(fit: _Fit, best: _Best, table: AxisCompensation, grid: Grid) -> tupl
     all_shapes = fit.unlimited(shape="bidirectional")
     costs.append(("number of points" if grid.points_loss else "spacing of the points", all_shapes))
     this_shape = fit.unlimited()
-    if capacity.curves == 1:
+    if layout.shape == "single" and layout.reversal != "free":
         with_constant = fit.unlimited(reversal="free")
-        costs.append(("one table for both directions", _added(with_constant, all_shapes)))
-        costs.append(("no backlash value", _added(this_shape, with_constant)))
+        costs.append(("one table for both directions", added(with_constant, all_shapes)))
+        costs.append(("no backlash value", added(this_shape, with_constant)))
     limited = fit.rms(fit.expected().x)
-    if _added(limited, this_shape) > 0.0:
+    if added(limited, this_shape) > 0.0:
         free_steps = fit.rms(fit.expected(("increments",)).x)
-        costs.append(("value range", _added(free_steps, this_shape)))
-        costs.append(("largest increment", _added(limited, free_steps)))
+        costs.append(("value range", added(free_steps, this_shape)))
+        costs.append(("largest increment", added(limited, free_steps)))
     shift = _as_unknowns(table, layout) - best.x
     zero = replace(fit.data, wanted={direction: np.zeros_like(fit.data.points) for direction in BOTH})
     costs.append(("quantum", float(np.sqrt(zero.mean_square(layout, shift)))))
-    least = _WORTH_SAYING * capacity.quantum
-    return tuple(Limit(cause, value) for cause, value in costs if value > least)
-
-
-def _added(larger: float, smaller: float) -> float:
-    return float(np.sqrt(max(0.0, larger**2 - smaller**2)))
+    return worth_saying(costs, capacity.quantum)
 
 
 def _rounding_error(table: AxisCompensation, x: FloatArray, layout: Layout) -> float:
@@ -275,41 +294,3 @@ def _rounding_error(table: AxisCompensation, x: FloatArray, layout: Layout) -> f
     k = layout.nodes.size
     values = 2 * k if layout.shape == "bidirectional" else k
     return float(np.max(np.abs(_as_unknowns(table, layout)[:values] - x[:values])))
-
-
-def _edge_findings(table: AxisCompensation, wanted: WantedCorrection) -> tuple[Finding, ...]:
-    """Return what acts where the table does not cover the travel, and where it reaches beyond."""
-    unit, nodes, where = wanted.kind.unit, table.positions, wanted.positions
-    factor, small = (1e3, "µm") if unit == "mm" else (3600.0, "arcsec")
-    hair = 1e-6 * float(where[-1] - where[0])
-    findings: list[Finding] = []
-    for name, rule, uncovered, edge in (
-        ("below", table.below, nodes[0] - where[0], 0),
-        ("above", table.above, where[-1] - nodes[-1], -1),
-    ):
-        if uncovered > hair:
-            step = max(abs(float(table.positive[edge])), abs(float(table.negative[edge])))
-            acts = "the end value is held" if rule == "hold" else f"the table gives nothing: a step of {step * factor:.3g} {small}"
-            message = f"The table leaves {uncovered:g} {unit} of the travel uncovered, {name} {nodes[edge]:g} {unit}: there {acts}"
-            findings.append(Finding("CW-F001", "warning", message))
-    beyond = max(float(where[0] - nodes[0]), float(nodes[-1] - where[-1]))
-    if beyond > hair:
-        message = f"The table reaches up to {beyond:g} {unit} beyond the travel, so that its points lie at round positions"
-        findings.append(Finding("CW-F006", "info", message))
-    return tuple(findings)
-
-
-def _loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[Finding, ...]:
-    """Return warnings for limits that cost much."""
-    factor, small = (1e3, "µm") if wanted.kind.unit == "mm" else (3600.0, "arcsec")
-    says = {
-        "number of points": ("CW-F004", "The control holds too few points for this error: {} rms remain between them"),
-        "no backlash value": ("CW-F005", "The control cannot correct the reversal beside one table: {} rms remain"),
-        "value range": ("CW-F007", "The error exceeds the control's value range: {} rms remain"),
-        "largest increment": ("CW-F008", "The error is steeper than the control's largest increment: {} rms remain"),
-    }
-    return tuple(
-        Finding(says[limit.cause][0], "warning", says[limit.cause][1].format(f"{limit.value * factor:.2g} {small}"))
-        for limit in limits
-        if limit.cause in says
-    )

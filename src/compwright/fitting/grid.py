@@ -11,12 +11,15 @@ from typing import Final
 
 import numpy as np
 
+from compwright.fitting.anchored import anchored_grids, named_step
 from compwright.fitting.periodic import without_periods
-from compwright.fitting.problem import BOTH, limited_increment
+from compwright.fitting.problem import BOTH, limited_increment, rows_at
+from compwright.fitting.steps import Candidate, nodes_at, own_steps, round_steps, taken_steps, whole
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
-from compwright.records.capacity import Capacity
+from compwright.records.capacity import Capacity, Lattice
+from compwright.records.correction import Interpolation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import TableRequest
 
@@ -26,7 +29,6 @@ AUTO_MOST: Final = 500
 POINTS_PER_PERIOD: Final = 3.0
 #: The grid may lose this share of the noise of a reading (rms), or one quantum.
 NOISE_SHARE: Final = 0.1
-_NICE: Final = (10, 20, 25, 40, 50)  # tenths of a power of ten
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -59,24 +61,45 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
     Raises CapacityError where the control cannot hold the asked grid (which limit, what would fit), UsageError where
     start does not lie below end.
     """
+    if request.spacing is not None and not request.spacing > 0.0:
+        found = f"{request.spacing:g} {wanted.kind.unit}"
+        raise UsageError(Fault(message="the spacing must be positive", place="table.spacing", found=found))
+    if capacity.anchored or capacity.period is not None:
+        _check_order(wanted, request)
+        grids = anchored_grids(wanted, capacity, request, _most(capacity))
+        if request.spacing is not None:
+            return _explicit_grid(grids[0].nodes(capacity.position_quantum), wanted)
+        ends = (float(wanted.positions[0]), float(wanted.positions[-1]))
+        return _automatic(grids, [], ends, capacity, wanted)
     span = _span(wanted, capacity, request)
     if request.spacing is not None:
         nodes = _explicit(span, request.spacing, capacity, wanted)
         return _explicit_grid(nodes, wanted)
-    return _automatic(span, capacity, wanted)
+    pool, others = _candidates(span, capacity, wanted, _most(capacity))
+    ends = (span.low * capacity.position_quantum, span.high * capacity.position_quantum)
+    return _automatic(pool, others, ends, capacity, wanted)
 
 
-def _span(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> _Span:
+def _most(capacity: Capacity) -> int:
+    return capacity.max_points or max(AUTO_MOST, capacity.min_points)
+
+
+def _check_order(wanted: WantedCorrection, request: TableRequest) -> tuple[float, float]:
     low = float(wanted.positions[0]) if request.start is None else request.start
     high = float(wanted.positions[-1]) if request.end is None else request.end
     if not low < high:
         raise UsageError(
             Fault(message="the table is empty", place="table", expected="start below end", found=f"{low:g} to {high:g}")
         )
+    return low, high
+
+
+def _span(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> _Span:
+    low, high = _check_order(wanted, request)
     quantum = capacity.position_quantum
     faults = []
     for name, value in (("start", request.start), ("end", request.end)):
-        if value is not None and not _whole(value / quantum):
+        if value is not None and not whole(value / quantum):
             nearest = round(value / quantum) * quantum
             faults.append(
                 Fault(
@@ -96,34 +119,34 @@ def _span(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -
     )
 
 
-def _whole(ratio: float) -> bool:
-    return abs(ratio - round(ratio)) <= 1e-6 * max(1.0, abs(ratio) * 1e-3)
-
-
-def _nodes(start: int, step: int, count: int, quantum: float) -> FloatArray:
-    # Rounded to 10 decimals: the number that a file says, not the product's last bits.
-    nodes: FloatArray = np.round((start + step * np.arange(count, dtype=np.int64)) * quantum, 10)
-    return nodes
-
-
 # --- a spacing that the job names -------------------------------------------------------------------------------------
 
 
 def _explicit(span: _Span, spacing: float, capacity: Capacity, wanted: WantedCorrection) -> FloatArray:
     quantum, unit = capacity.position_quantum, wanted.kind.unit
-    if not spacing > 0.0:
-        raise UsageError(Fault(message="the spacing must be positive", place="table.spacing", found=f"{spacing:g} {unit}"))
     length = span.high - span.low
     step = round(spacing / quantum)
     if capacity.spacing == "free" and step > 0:
         return _freely_spaced(span, spacing, capacity, unit)
-    if not (step > 0 and _whole(spacing / quantum)):
+    if capacity.spacings is not None and not (span.low_fixed and span.high_fixed):
+        return _reaching_grid(span, named_step(spacing, capacity, unit), capacity, wanted)
+    if not (step > 0 and whole(spacing / quantum)):
         raise _refused(span, spacing, capacity, f"the step must be a multiple of {quantum:.10g} {unit}", unit)
     if length % step:
         pieces = length / step
         raise _refused(span, spacing, capacity, f"the table is {pieces:.6g} steps long, not a whole number", unit)
+    named_step(spacing, capacity, unit)
     _check_count(length // step + 1, span, capacity, unit)
-    return _nodes(span.low, step, length // step + 1, quantum)
+    return nodes_at(span.low, step, length // step + 1, quantum)
+
+
+def _reaching_grid(span: _Span, step: int, capacity: Capacity, wanted: WantedCorrection) -> FloatArray:
+    """Return nodes of a control that has only certain spacings: through the reference or the job's end, over the open ends."""
+    anchor = span.low if span.low_fixed else span.high if span.high_fixed else round(wanted.reference / capacity.position_quantum)
+    start = anchor - -(-(anchor - span.low) // step) * step
+    count = -(-(span.high - start) // step) + 1
+    _check_count(count, span, capacity, wanted.kind.unit)
+    return nodes_at(start, step, count, capacity.position_quantum)
 
 
 def _freely_spaced(span: _Span, spacing: float, capacity: Capacity, unit: str) -> FloatArray:
@@ -179,15 +202,16 @@ def _nearest_steps(span: _Span, spacing: float, capacity: Capacity) -> tuple[flo
     length = span.high - span.low
     most = capacity.max_points or 100_000
     fitting = [length // pieces for pieces in range(max(1, capacity.min_points - 1), min(most, length + 1)) if length % pieces == 0]
-    steps = [step * capacity.position_quantum for step in fitting]
+    steps = [step * capacity.position_quantum for step in taken_steps(fitting, capacity)]
     below = [step for step in steps if step < spacing]
     above = [step for step in steps if step > spacing]
     return (max(below) if below else None), (min(above) if above else None)
 
 
-def _explicit_grid(nodes: FloatArray, wanted: WantedCorrection) -> Grid:
+def _explicit_grid(nodes: FloatArray, wanted: WantedCorrection, *, loss: float = 0.0) -> Grid:
     step = float(np.max(np.diff(nodes)))
-    return _leaving_out(nodes, wanted, [period for period in wanted.periods if step * POINTS_PER_PERIOD > period * (1 + 1e-9)])
+    lost = [period for period in wanted.periods if step * POINTS_PER_PERIOD > period * (1 + 1e-9)]
+    return _leaving_out(nodes, wanted, lost, loss)
 
 
 def _leaving_out(nodes: FloatArray, wanted: WantedCorrection, periods: list[float], loss: float = 0.0) -> Grid:
@@ -210,42 +234,27 @@ def _leaving_out(nodes: FloatArray, wanted: WantedCorrection, periods: list[floa
 # --- the automatic choice ---------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
-class _Candidate:
-    """An equally spaced grid in quanta of the position; ``last`` cuts the last section short (free spacing only)."""
-
-    start: int
-    step: int
-    count: int
-    last: int | None = None
-
-    def nodes(self, quantum: float) -> FloatArray:
-        nodes = _nodes(self.start, self.step, self.count, quantum)
-        if self.last is not None:
-            nodes[-1] = np.round(self.last * quantum, 10)
-        return nodes
-
-    def digits(self, quantum: float) -> int:
-        """Return the number of digits of the step: 50 has one, 53.125 has five."""
-        return len(f"{self.step * quantum:.10g}".replace(".", "").strip("0"))
-
-
-def _automatic(span: _Span, capacity: Capacity, wanted: WantedCorrection) -> Grid:
-    most = capacity.max_points or max(AUTO_MOST, capacity.min_points)
+def _automatic(
+    pool: list[Candidate], others: list[Candidate], ends: tuple[float, float], capacity: Capacity, wanted: WantedCorrection
+) -> Grid:
     quantum = capacity.position_quantum
-    pool, others = _candidates(span, capacity, wanted, most)
     if not (pool or others):
+        unit = wanted.kind.unit
+        least = f", at least {capacity.min_spacing:.10g} {unit} apart" if capacity.min_spacing else ""
         raise CapacityError(
             Fault(
                 message="no equally spaced grid fits the table's ends",
                 place="table",
-                expected=f"{capacity.min_points} to {most} points at multiples of {quantum:.10g} {wanted.kind.unit}",
-                found=f"{span.low * quantum:.10g} to {span.high * quantum:.10g} {wanted.kind.unit}",
+                expected=f"{capacity.min_points} to {_most(capacity)} points at multiples of {quantum:.10g} {unit}{least}",
+                found=f"{ends[0]:.10g} to {ends[1]:.10g} {unit}",
             )
         )
     chosen = _coarsest(pool, others, wanted, capacity)
     if chosen is not None:
         return Grid(nodes=chosen, wanted=wanted)
+    if capacity.lattice is not None:
+        compromise = _least_left([*pool, *others], wanted, capacity, capacity.lattice)
+        return _explicit_grid(compromise, wanted, loss=_loss(compromise, wanted, capacity.interpolation))
     finest = _with_most_points(pool, others).nodes(quantum)
     step = float(np.max(np.diff(finest)))
     lost = [period for period in wanted.periods if step * POINTS_PER_PERIOD > period * (1 + 1e-9)]
@@ -254,25 +263,25 @@ def _automatic(span: _Span, capacity: Capacity, wanted: WantedCorrection) -> Gri
         enough = _coarsest(pool, others, kept, capacity)
         if enough is not None:
             return _leaving_out(enough, wanted, lost)
-    return _leaving_out(finest, wanted, lost, 0.0 if capacity.max_points is None else _loss(finest, kept))
+    return _leaving_out(finest, wanted, lost, 0.0 if capacity.max_points is None else _loss(finest, kept, capacity.interpolation))
 
 
-def _with_most_points(pool: list[_Candidate], others: list[_Candidate]) -> _Candidate:
+def _with_most_points(pool: list[Candidate], others: list[Candidate]) -> Candidate:
     """Return the finest grid; one without a node at the reference only where it has half as many points again."""
     best = max(pool or others, key=lambda candidate: candidate.count)
     spare = max(others, key=lambda candidate: candidate.count, default=best)
     return spare if spare.count > 1.5 * best.count else best
 
 
-def _candidates(span: _Span, capacity: Capacity, wanted: WantedCorrection, most: int) -> tuple[list[_Candidate], list[_Candidate]]:
+def _candidates(span: _Span, capacity: Capacity, wanted: WantedCorrection, most: int) -> tuple[list[Candidate], list[Candidate]]:
     """Return grids, coarsest first: those with the reference at a node (or on the continued grid), and the others."""
     in_quanta = wanted.reference / capacity.position_quantum
-    reference = round(in_quanta) if _whole(in_quanta) else None
+    reference = round(in_quanta) if whole(in_quanta) else None
     length = span.high - span.low
     exact = [
-        _Candidate(span.low, length // pieces, pieces + 1)
+        Candidate(span.low, length // pieces, pieces + 1)
         for pieces in range(max(1, capacity.min_points - 1), most)
-        if length % pieces == 0
+        if length % pieces == 0 and taken_steps([length // pieces], capacity)
     ]
     on = [one for one in exact if reference is not None and (reference - span.low) % one.step == 0]
     off = [one for one in exact if one not in on]
@@ -285,27 +294,25 @@ def _candidates(span: _Span, capacity: Capacity, wanted: WantedCorrection, most:
     return sorted(on, key=lambda one: one.count), sorted(off, key=lambda one: one.count)
 
 
-def _reaching_out(span: _Span, anchor: int, capacity: Capacity, most: int) -> Iterator[_Candidate]:
+def _reaching_out(span: _Span, anchor: int, capacity: Capacity, most: int) -> Iterator[Candidate]:
     """Yield grids of round steps through ``anchor`` that reach beyond the travel where the job left the end open.
 
     With free spacing, an end that the job fixed cuts the last section short.
     """
     length = span.high - span.low
-    for step in sorted({int(digit * 10**exponent / 10) for exponent in range(1, 11) for digit in _NICE}):
-        if step > 2 * length:
-            break
+    for step in taken_steps(sorted(own_steps(capacity)) or round_steps(2 * length), capacity):
         start = anchor - -(-(anchor - span.low) // step) * step
         count = -(-(span.high - start) // step) + 1
         if not capacity.min_points <= count <= most or (span.low_fixed and start != span.low):
             continue
         if span.high_fixed and start + (count - 1) * step != span.high:
             if capacity.spacing == "free":
-                yield _Candidate(start, step, count, span.high)
+                yield Candidate(start, step, count, span.high)
             continue
-        yield _Candidate(start, step, count)
+        yield Candidate(start, step, count)
 
 
-def _coarsest(pool: list[_Candidate], others: list[_Candidate], wanted: WantedCorrection, capacity: Capacity) -> FloatArray | None:
+def _coarsest(pool: list[Candidate], others: list[Candidate], wanted: WantedCorrection, capacity: Capacity) -> FloatArray | None:
     """Return the nodes of the coarsest grid that is good enough, preferably with the reference at a node; None: there is none."""
     on, off = _first_good(pool, wanted, capacity), _first_good(others, wanted, capacity)
     if on is None or (off is not None and off.count * 3 < on.count):
@@ -313,11 +320,11 @@ def _coarsest(pool: list[_Candidate], others: list[_Candidate], wanted: WantedCo
     return None if on is None else on.nodes(capacity.position_quantum)
 
 
-def _first_good(candidates: list[_Candidate], wanted: WantedCorrection, capacity: Capacity) -> _Candidate | None:
+def _first_good(candidates: list[Candidate], wanted: WantedCorrection, capacity: Capacity) -> Candidate | None:
     """Return a grid that loses no more than the tolerance: the coarsest, or one nearly as coarse with a rounder step."""
-    limit, quantum = limited_increment(capacity), capacity.position_quantum
+    quantum = capacity.position_quantum
     tolerance = max(capacity.quantum, NOISE_SHARE * wanted.noise)
-    best: _Candidate | None = None
+    best: Candidate | None = None
     first = 0
     for candidate in candidates:
         if best is not None and candidate.count > 1.3 * first + 1:
@@ -325,19 +332,58 @@ def _first_good(candidates: list[_Candidate], wanted: WantedCorrection, capacity
         if best is not None and candidate.digits(quantum) >= best.digits(quantum):
             continue
         nodes = candidate.nodes(quantum)
-        if _loss(nodes, wanted) <= tolerance and (limit is None or _steepest(nodes, wanted) <= limit):
+        if _loss(nodes, wanted, capacity.interpolation) <= tolerance and _climbs(nodes, wanted, capacity):
             first = candidate.count if best is None else first
             best = candidate
     return best
 
 
-def _loss(nodes: FloatArray, wanted: WantedCorrection) -> float:
-    """Return the rms over the travel and both directions of what interpolation between the nodes loses."""
+def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
+    """Return whether the control's increments, at the smallest magnification, follow what is wanted."""
+    if capacity.lattice is not None:
+        return _needed(nodes, wanted, capacity.lattice) <= capacity.lattice.magnifications[0]
+    limit = limited_increment(capacity)
+    return limit is None or _steepest(nodes, wanted) <= limit
+
+
+def _needed(nodes: FloatArray, wanted: WantedCorrection, lattice: Lattice) -> float:
+    """Return the magnification at which the increments follow what is wanted (not a whole number)."""
+    least, largest = (limit * lattice.unit for limit in lattice.increments)
+    steps = np.concatenate([np.diff(np.interp(nodes, wanted.positions, wanted.total(direction))) for direction in BOTH])
+    up, down = float(np.max(steps, initial=0.0)), float(np.min(steps, initial=0.0))
+    nothing_up, nothing_down = (np.inf if up > 0.0 else 0.0), (np.inf if down < 0.0 else 0.0)
+    return max(up / largest if largest > 0.0 else nothing_up, down / least if least < 0.0 else nothing_down)
+
+
+def _least_left(candidates: list[Candidate], wanted: WantedCorrection, capacity: Capacity, lattice: Lattice) -> FloatArray:
+    """Return the grid that is expected to leave least where none is good enough: finer spacing, smaller increments, but a
+    coarser magnification where those do not suffice. The coarsest of those that are nearly as good.
+
+    Rounding leaves about step / sqrt(18) rms between straight lines; increments that are too small leave about what they lack.
+    """
+    scored = []
+    for candidate in candidates:
+        nodes = candidate.nodes(capacity.position_quantum)
+        needed = _needed(nodes, wanted, lattice)
+        enough = next((one for one in lattice.magnifications if one >= needed), lattice.magnifications[-1])
+        share = 1.0 - enough / needed if needed > enough else 0.0
+        lacking = share * float(np.std(np.concatenate([wanted.positive, wanted.negative])))
+        rounding = enough * lattice.unit / np.sqrt(18.0)
+        left = float(np.sqrt(_loss(nodes, wanted, capacity.interpolation) ** 2 + rounding**2 + lacking**2))
+        scored.append((left, candidate.count, nodes))
+    enough_left = 1.02 * min(left for left, _, _ in scored)
+    return min((one for one in scored if one[0] <= enough_left), key=lambda one: one[1])[2]
+
+
+def _loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolation) -> float:
+    """Return the rms over the travel and both directions of what lies between the nodes and is lost there."""
     where = wanted.positions
-    square = [
-        np.mean((np.interp(where, nodes, np.interp(nodes, where, curve)) - curve) ** 2)
-        for curve in (wanted.total(direction) for direction in BOTH)
-    ]
+    rows = rows_at(where, nodes, below="hold", above="hold", interpolation=interpolation)
+    square = []
+    for curve in (wanted.total(direction) for direction in BOTH):
+        values = np.interp(nodes, where, curve)
+        held = rows.lower * values[rows.left] + rows.upper * values[rows.left + 1]
+        square.append(np.mean((held - curve) ** 2))
     return float(np.sqrt(np.mean(square)))
 
 

@@ -7,43 +7,76 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
-from compwright.records.correction import Beyond
+from compwright.records.correction import Beyond, Interpolation
 from compwright.records.estimate import WantedCorrection
 
 Shape = Literal["single", "bidirectional"]
+IntArray = NDArray[np.int64]
 BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 #: Weight of the differences of neighbouring values against the fit: decides only nodes that no part of the travel sees.
 _TIE: Final = 1e-10
 
 
-def hat_matrix(positions: FloatArray, nodes: FloatArray, *, below: Beyond, above: Beyond) -> FloatArray:
-    """Return the matrix (p, k) that turns values at ``nodes`` (k,) into the control's value at ``positions`` (p,).
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """A control between its nodes: at each position ``lower * value[left] + upper * value[left + 1]``, all (p,)."""
 
-    Linear between nodes; outside, the end value is held or nothing acts. ``nodes`` strictly ascending, k >= 2.
+    left: IntArray
+    lower: FloatArray
+    upper: FloatArray
+
+
+def rows_at(
+    positions: FloatArray, nodes: FloatArray, *, below: Beyond, above: Beyond, interpolation: Interpolation = "linear"
+) -> Rows:
+    """Return how ``positions`` (p,) depend on the values at ``nodes`` (k,), strictly ascending, k >= 2.
+
+    Linear: straight lines. Step: the nearest node's value; exactly in the middle that of the upper node, as the record
+    `AxisCompensation` has it. Outside, the end value is held or nothing acts.
     """
     right = np.clip(np.searchsorted(nodes, positions, side="right"), 1, nodes.size - 1)
-    share = np.clip((positions - nodes[right - 1]) / (nodes[right] - nodes[right - 1]), 0.0, 1.0)
+    if interpolation == "step":
+        share = np.where(positions >= 0.5 * (nodes[right - 1] + nodes[right]), 1.0, 0.0)
+    else:
+        share = np.clip((positions - nodes[right - 1]) / (nodes[right] - nodes[right - 1]), 0.0, 1.0)
     outside = np.zeros(positions.shape, dtype=bool)
     if below == "zero":
         outside |= positions < nodes[0]
     if above == "zero":
         outside |= positions > nodes[-1]
+    return Rows(left=right - 1, lower=np.where(outside, 0.0, 1.0 - share), upper=np.where(outside, 0.0, share))
+
+
+def hat_matrix(
+    positions: FloatArray, nodes: FloatArray, *, below: Beyond, above: Beyond, interpolation: Interpolation = "linear"
+) -> FloatArray:
+    """Return `rows_at` as the matrix (p, k) that turns values at ``nodes`` (k,) into the control's value at ``positions`` (p,)."""
+    rows = rows_at(positions, nodes, below=below, above=above, interpolation=interpolation)
     matrix = np.zeros((positions.size, nodes.size))
-    rows = np.arange(positions.size)
-    matrix[rows, right - 1] = np.where(outside, 0.0, 1.0 - share)
-    matrix[rows, right] = np.where(outside, 0.0, share)
+    index = np.arange(positions.size)
+    matrix[index, rows.left] = rows.lower
+    matrix[index, rows.left + 1] = rows.upper
     return matrix
 
 
-def quadrature(positions: FloatArray, nodes: FloatArray) -> tuple[FloatArray, FloatArray]:
+def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
+    """Return where the control's curve bends or jumps: the nodes, or the middles between them and the ends."""
+    if interpolation == "linear":
+        return nodes
+    return np.concatenate([nodes[:1], 0.5 * (nodes[1:] + nodes[:-1]), nodes[-1:]])
+
+
+def quadrature(positions: FloatArray, nodes: FloatArray, interpolation: Interpolation = "linear") -> tuple[FloatArray, FloatArray]:
     """Return points (q,) and weights (q,) with sum 1 of the mean over the travel ``positions[0]`` to ``positions[-1]``.
 
-    Two Gauss points in every piece between positions and nodes: exact for the squared difference of two piecewise straight curves.
+    Two Gauss points in every piece between positions and bends: exact for the squared difference of two piecewise straight curves.
     """
-    inside = nodes[(nodes > positions[0]) & (nodes < positions[-1])]
+    breaks = bends(nodes, interpolation)
+    inside = breaks[(breaks > positions[0]) & (breaks < positions[-1])]
     ends = np.union1d(positions, inside)
     middle, half = 0.5 * (ends[1:] + ends[:-1]), 0.5 * np.diff(ends)
     offset = half / np.sqrt(3.0)
@@ -90,7 +123,7 @@ class QuadraticProblem:
     """Minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper; mm or deg.
 
     The objective is the mean square of (held - wanted) over the travel and both directions. ``groups`` names rows of A:
-    ``reference`` (equality), ``value range``, ``increments``, ``backlash range``.
+    ``reference`` and ``period`` (equalities), ``value range``, ``increments``, ``backlash range``.
     """
 
     P: FloatArray
@@ -120,11 +153,11 @@ class Sampled:
 
 def sampled(wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity) -> Sampled:
     """Return ``wanted`` at the quadrature points of the travel."""
-    points, weights = quadrature(wanted.positions, nodes)
+    points, weights = quadrature(wanted.positions, nodes, capacity.interpolation)
     return Sampled(
         points=points,
         weights=weights,
-        matrix=hat_matrix(points, nodes, below=capacity.below, above=capacity.above),
+        matrix=hat_matrix(points, nodes, below=capacity.below, above=capacity.above, interpolation=capacity.interpolation),
         wanted={direction: np.interp(points, wanted.positions, wanted.total(direction)) for direction in BOTH},
     )
 
@@ -185,13 +218,18 @@ def _objective(data: Sampled, layout: Layout) -> tuple[FloatArray, FloatArray, f
 def _limits(layout: Layout, capacity: Capacity, reference: float) -> list[tuple[str, FloatArray, float, float]]:
     """Return name, rows, lower and upper bound of every group of limits."""
     k = layout.nodes.size
-    at_reference = hat_matrix(np.array([reference]), layout.nodes, below=capacity.below, above=capacity.above)
+    at_reference = hat_matrix(
+        np.array([reference]), layout.nodes, below=capacity.below, above=capacity.above, interpolation=capacity.interpolation
+    )
     zero = layout.columns(at_reference, layout.home)
     blocks = [("reference", zero[np.any(zero != 0.0, axis=1)], 0.0, 0.0)]
     two_curves = layout.shape == "bidirectional" or layout.reversal == "free"
     curves = [layout.columns(np.eye(k), layout.home)]
     if two_curves:
         curves.append(layout.columns(np.eye(k), layout.home.opposite))
+    if capacity.period is not None:
+        closing = curves if layout.shape == "bidirectional" else curves[:1]
+        blocks.append(("period", np.vstack([curve[:1] - curve[-1:] for curve in closing]), 0.0, 0.0))
     low, high = limited_range(capacity)
     if np.isfinite(low) or np.isfinite(high):
         blocks.append(("value range", np.vstack(curves), low, high))

@@ -1,0 +1,86 @@
+"""What the user should know about a table: where it acts, where it does not, and what the control's limits cost."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from compwright.fitting.problem import bends
+from compwright.foundations.findings import Finding
+from compwright.records.axis import AxisKind
+from compwright.records.correction import AxisCompensation
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import Limit
+
+#: A limit that costs less than this share of a quantum is not worth a word.
+WORTH_SAYING: Final = 0.05
+#: Points beyond the travel from which on it is said that the control counts from its reference.
+_MANY: Final = 5
+
+
+def small(kind: AxisKind) -> tuple[float, str]:
+    """Return the factor from mm to µm or from deg to arcsec, and the unit's name."""
+    return (1e3, "µm") if kind.unit == "mm" else (3600.0, "arcsec")
+
+
+def worth_saying(costs: list[tuple[str, float]], quantum: float) -> tuple[Limit, ...]:
+    """Return the ``costs`` (cause; rms in mm or deg) that are more than dust."""
+    return tuple(Limit(cause, value) for cause, value in costs if value > WORTH_SAYING * quantum)
+
+
+def added(larger: float, smaller: float) -> float:
+    """Return the rms that is added to ``smaller`` in ``larger``: they add as squares."""
+    return float(np.sqrt(max(0.0, larger**2 - smaller**2)))
+
+
+def edge_findings(table: AxisCompensation, wanted: WantedCorrection) -> tuple[Finding, ...]:
+    """Return what acts where the table does not cover the travel, and where it reaches beyond. An endless table has no edges."""
+    if table.period is not None:
+        return ()
+    unit, nodes, where = wanted.kind.unit, table.positions, wanted.positions
+    factor, name_small = small(wanted.kind)
+    hair = 1e-6 * float(where[-1] - where[0])
+    ends = bends(nodes, table.interpolation)[[0, -1]]
+    findings: list[Finding] = []
+    for name, rule, uncovered, edge in (
+        ("below", table.below, ends[0] - where[0], 0),
+        ("above", table.above, where[-1] - ends[-1], -1),
+    ):
+        if uncovered > hair:
+            step = max(abs(float(table.positive[edge])), abs(float(table.negative[edge])))
+            acts = (
+                "the end value is held"
+                if rule == "hold"
+                else f"the table gives nothing: a step of {step * factor:.3g} {name_small}"
+            )
+            message = f"The table leaves {uncovered:g} {unit} of the travel uncovered, {name} {nodes[edge]:g} {unit}: there {acts}"
+            findings.append(Finding("CW-F001", "warning", message))
+    beyond = max(float(where[0] - nodes[0]), float(nodes[-1] - where[-1]))
+    extra = int(np.count_nonzero((nodes < where[0] - hair) | (nodes > where[-1] + hair)))
+    if beyond > hair and not where[0] - hair <= wanted.reference <= where[-1] + hair and extra >= _MANY:
+        message = (
+            f"The control counts from the reference position ({wanted.reference:g} {unit}), which lies outside the travel: "
+            f"{extra} of the table's {nodes.size} points lie beyond the travel"
+        )
+        findings.append(Finding("CW-F006", "info", message))
+    elif beyond > hair:
+        message = f"The table reaches up to {beyond:g} {unit} beyond the travel, so that its points lie at round positions"
+        findings.append(Finding("CW-F006", "info", message))
+    return tuple(findings)
+
+
+def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[Finding, ...]:
+    """Return warnings for limits that cost much."""
+    factor, unit = small(wanted.kind)
+    says = {
+        "number of points": ("CW-F004", "The control holds too few points for this error: {} rms remain between them"),
+        "no backlash value": ("CW-F005", "The control cannot correct the reversal beside one table: {} rms remain"),
+        "value range": ("CW-F007", "The error exceeds the control's value range: {} rms remain"),
+        "largest increment": ("CW-F008", "The error is steeper than the control's largest increment: {} rms remain"),
+    }
+    return tuple(
+        Finding(says[limit.cause][0], "warning", says[limit.cause][1].format(f"{limit.value * factor:.2g} {unit}"))
+        for limit in limits
+        if limit.cause in says
+    )

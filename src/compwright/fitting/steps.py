@@ -1,0 +1,71 @@
+"""Equal steps in whole quanta of the position, and which of them a control takes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+from compwright.records.capacity import Capacity
+
+_NICE: Final = (10, 20, 25, 40, 50)  # tenths of a power of ten
+_HAIR: Final = 1e-9
+
+
+def whole(ratio: float) -> bool:
+    """Return whether ``ratio`` is a whole number but for arithmetic dust."""
+    return abs(ratio - round(ratio)) <= 1e-6 * max(1.0, abs(ratio) * 1e-3)
+
+
+def nodes_at(start: int, step: int, count: int, quantum: float, origin: float = 0.0) -> FloatArray:
+    """Return ``count`` nodes in mm or deg: ``origin`` plus whole ``quantum``. ``start`` and ``step`` count quanta."""
+    # Rounded to 10 decimals: the number that a file says, not the product's last bits.
+    nodes: FloatArray = np.round(origin + (start + step * np.arange(count, dtype=np.int64)) * quantum, 10)
+    return nodes
+
+
+def round_steps(most: int) -> list[int]:
+    """Return steps of few digits up to ``most``, in quanta, ascending."""
+    return [
+        step for step in sorted({int(digit * 10**exponent / 10) for exponent in range(1, 11) for digit in _NICE}) if step <= most
+    ]
+
+
+def taken_steps(steps: Iterable[int], capacity: Capacity) -> list[int]:
+    """Return those of ``steps`` (quanta, > 0) that the control takes: none below its least spacing, only those that it has."""
+    quantum = capacity.position_quantum
+    long_enough = [step for step in steps if step * quantum >= capacity.min_spacing * (1 - _HAIR)]
+    if capacity.spacings is None:
+        return long_enough
+    own = own_steps(capacity)
+    return [step for step in long_enough if step in own]
+
+
+def own_steps(capacity: Capacity) -> frozenset[int]:
+    """Return the steps in quanta of a control that has only certain ones."""
+    return frozenset(round(spacing / capacity.position_quantum) for spacing in capacity.spacings or ())
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """An equally spaced grid in quanta of the position from ``origin`` (mm or deg); ``last`` cuts the last section short."""
+
+    start: int
+    step: int
+    count: int
+    last: int | None = None
+    origin: float = 0.0
+
+    def nodes(self, quantum: float) -> FloatArray:
+        """Return the nodes in mm or deg."""
+        nodes = nodes_at(self.start, self.step, self.count, quantum, self.origin)
+        if self.last is not None:
+            nodes[-1] = np.round(self.last * quantum, 10)
+        return nodes
+
+    def digits(self, quantum: float) -> int:
+        """Return the number of digits of the step: 50 has one, 53.125 has five."""
+        return len(f"{self.step * quantum:.10g}".replace(".", "").strip("0"))

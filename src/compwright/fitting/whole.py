@@ -1,0 +1,238 @@
+"""The table of a control that stores whole increments: the exact optimum on its lattice, what that costs, and why this magnification."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.fitting.certify import lattice_certificate
+from compwright.fitting.chain import Chain, Wish, build_chain, no_push, relax
+from compwright.fitting.grid import Grid
+from compwright.fitting.lattice import Part, Solution, best_totals, relaxed_bound
+from compwright.fitting.problem import Rows, Shape, quadrature, rows_at
+from compwright.fitting.remarks import added, edge_findings, loss_findings, small, worth_saying
+from compwright.foundations.errors import CapacityError, Fault
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.capacity import Capacity, Lattice
+from compwright.records.correction import AxisCompensation
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable, Goal, Limit
+
+_HAIR: Final = 1e-6
+_ANY: Final = (-(10**9), 10**9)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WholeFit:
+    """One fit on a lattice: ``aim`` (totals, zero in the zero state) on ``nodes``."""
+
+    aim: WantedCorrection
+    nodes: FloatArray
+    shape: Shape
+    capacity: Capacity
+    lattice: Lattice
+    points: FloatArray
+    weights: FloatArray
+    rows: Rows
+
+    @property
+    def anchor(self) -> int:
+        """Index of the node at the reference."""
+        return int(np.argmin(np.abs(self.nodes - self.aim.reference)))
+
+    @property
+    def fixed(self) -> tuple[int, ...]:
+        """Nodes at which the curve of the zero state is zero."""
+        return (self.anchor,) if self.capacity.period is None else (0, self.nodes.size - 1)
+
+    def wish(self, direction: Direction, *, constant: bool = False) -> Wish:
+        """Return what is wanted in one direction."""
+        aims = np.interp(self.points, self.aim.positions, self.aim.total(direction))
+        return Wish(rows=self.rows, weights=self.weights, aims=aims, constant=constant)
+
+    def single(self, *, reversal: bool) -> Chain:
+        """Return the one curve for both directions, with a constant between them or none."""
+        home = self.aim.reference_return
+        wishes = (self.wish(home), self.wish(home.opposite, constant=reversal))
+        return build_chain(wishes, self.nodes.size, fixed=self.fixed, kept=(), closed=False)
+
+    def home_curve(self) -> Chain:
+        """Return the curve of the return direction alone."""
+        return build_chain((self.wish(self.aim.reference_return),), self.nodes.size, fixed=self.fixed, kept=(), closed=False)
+
+    def other_curve(self, *, free: bool) -> Chain:
+        """Return the other direction's curve; its value at the reference is free, or zero."""
+        wishes = (self.wish(self.aim.reference_return.opposite),)
+        endless = self.capacity.period is not None
+        if not free:
+            return build_chain(wishes, self.nodes.size, fixed=self.fixed, kept=(), closed=False)
+        return build_chain(wishes, self.nodes.size, fixed=(), kept=(self.anchor,), closed=endless)
+
+    def parts(self) -> tuple[Part, ...]:
+        """Return the curves with the control's limits."""
+        low, high = self.capacity.value_range
+        if self.shape == "single":
+            constant = self._constant()
+            return (Part(chain=self.single(reversal=constant is not None), low=low, high=high, constant=constant),)
+        free = self.lattice.offset_range is not None
+        other = self.other_curve(free=free)
+        return (
+            Part(chain=self.home_curve(), low=low, high=high),
+            Part(
+                chain=other,
+                low=low,
+                high=high,
+                anchor=int(np.searchsorted(other.kept, self.anchor)),
+                offsets=self.lattice.offset_range,
+                magnified=self.lattice.offset_magnified,
+            ),
+        )
+
+    def _constant(self) -> tuple[float, int, int] | None:
+        quantum = self.capacity.backlash_quantum
+        if quantum is None:
+            return None
+        low, high = self.capacity.backlash_range
+        sign = self.aim.reference_return.opposite.sign
+        return sign * quantum, int(np.ceil(low / quantum - _HAIR)), int(np.floor(high / quantum + _HAIR))
+
+    def free_bounds(self) -> dict[str, float]:
+        """Return the mean squares without whole numbers and limits, by what the table may be."""
+        free = _free(self.home_curve()) + _free(self.other_curve(free=True))
+        with_constant = _free(self.single(reversal=True))
+        own = free
+        if self.shape == "single":
+            own = with_constant if self.capacity.backlash_quantum is not None else _free(self.single(reversal=False))
+        elif self.lattice.offset_range is None:
+            own = _free(self.home_curve()) + _free(self.other_curve(free=False))
+        return {"two tables": free, "one table": with_constant, "own": own}
+
+
+def _free(chain: Chain) -> float:
+    return relax(chain, no_push(chain)).base
+
+
+def fit_whole(
+    grid: Grid, aim: WantedCorrection, shape: Shape, capacity: Capacity, lattice: Lattice, *, address: str
+) -> tuple[AxisCompensation, dict[str, float], tuple[Limit, ...], tuple[Finding, ...]]:
+    """Return the table, its certificate, what limits cost (rms, mm or deg) and the magnification's finding.
+
+    ``aim``: totals, zero in the zero state. The table is the exact optimum of the mean square over the travel and both directions.
+    Raises CapacityError where the limits allow no table at all.
+    """
+    points, weights = quadrature(aim.positions, grid.nodes, capacity.interpolation)
+    rows = rows_at(points, grid.nodes, below=capacity.below, above=capacity.above, interpolation=capacity.interpolation)
+    fit = WholeFit(
+        aim=aim, nodes=grid.nodes, shape=shape, capacity=capacity, lattice=lattice, points=points, weights=weights, rows=rows
+    )
+    parts = fit.parts()
+    solution = best_totals(parts, unit=lattice.unit, increments=lattice.increments, magnifications=lattice.magnifications)
+    if solution is None:
+        raise CapacityError(
+            Fault(
+                message="no table of whole increments keeps the control's limits",
+                place="table",
+                expected="increments that contain 0",
+                found=f"{lattice.increments[0]} to {lattice.increments[1]}",
+            )
+        )
+    table = _table(fit, parts, solution, address)
+    proof = lattice_certificate(table, aim, capacity, solution.magnification, (solution.objective, solution.bound))
+    return table, proof, _limits(fit, parts, solution, grid), _magnification_finding(solution, lattice, aim)
+
+
+def _table(fit: WholeFit, parts: tuple[Part, ...], solution: Solution, address: str) -> AxisCompensation:
+    step = solution.magnification * fit.lattice.unit
+    curves = [
+        part.chain.expanded(found.totals).astype(np.float64) * step + found.shift + 0.0
+        for part, found in zip(parts, solution.parts, strict=True)
+    ]
+    own, other = curves[0], curves[-1]
+    home = fit.aim.reference_return
+    quantum = fit.capacity.backlash_quantum
+    positive, negative = (own, other) if home is Direction.POSITIVE else (other, own)
+    return AxisCompensation(
+        address=address,
+        kind=fit.aim.kind,
+        positions=fit.nodes,
+        positive=positive,
+        negative=negative,
+        backlash=solution.parts[0].count * quantum + 0.0 if fit.shape == "single" and quantum is not None else 0.0,
+        reference_return=home,
+        below=fit.capacity.below,
+        above=fit.capacity.above,
+        interpolation=fit.capacity.interpolation,
+        period=fit.capacity.period,
+    )
+
+
+def _limits(fit: WholeFit, parts: tuple[Part, ...], solution: Solution, grid: Grid) -> tuple[Limit, ...]:
+    """Return what each limit costs; costs add as squares, each is the root of a difference of two mean squares."""
+    unit, magnification = fit.lattice.unit, solution.magnification
+    free = {name: float(np.sqrt(max(0.0, value))) for name, value in fit.free_bounds().items()}
+    bound, reached = np.sqrt(max(0.0, solution.bound)), np.sqrt(solution.objective)
+    costs = [
+        ("spacing too wide for the period", grid.left_out),
+        ("number of points" if grid.points_loss else "spacing of the points", free["two tables"]),
+    ]
+    if fit.shape == "single":
+        costs.append(("one table for both directions", added(free["one table"], free["two tables"])))
+        costs.append(("no backlash value", added(free["own"], free["one table"])))
+    if bound > free["own"] * (1.0 + _HAIR):
+        ranged = np.sqrt(max(0.0, relaxed_bound(parts, unit=unit, increments=_ANY, magnification=magnification)))
+        costs.append(("value range", added(ranged, free["own"])))
+        costs.append(("largest increment", added(bound, ranged)))
+    costs.append(("quantum", added(reached, bound)))
+    return worth_saying(costs, unit * magnification)
+
+
+def _magnification_finding(solution: Solution, lattice: Lattice, aim: WantedCorrection) -> tuple[Finding, ...]:
+    if len(lattice.magnifications) < 2:
+        return ()
+    factor, unit = small(aim.kind)
+    chosen, least, largest = solution.magnification, *lattice.increments
+    span = f"±{largest}" if least == -largest else f"{least} to {largest}"
+    says = f"{np.sqrt(solution.objective) * factor:.2g} {unit}"
+    if solution.before is None:
+        one = lattice.unit * factor
+        message = f"Magnification {chosen}, the smallest: increments of {span} times {one:.4g} {unit} leave {says} rms"
+    else:
+        before, bound = solution.before
+        reach = f"{span} times {before * lattice.unit * factor:.4g} {unit}"
+        at_least = f"{np.sqrt(max(0.0, bound)) * factor:.2g} {unit}"
+        message = (
+            f"Magnification {chosen}: with {before} increments of {reach} would leave at least {at_least} rms, with {chosen} {says}"
+        )
+    return (Finding("CW-F009", "info", message),)
+
+
+def goal_finding(goal: Goal, what: str) -> tuple[Finding, ...]:
+    """Return what to say where a goal other than the expected square is asked of a control with few numbers."""
+    if goal == "expected":
+        return ()
+    message = f"The job asks for the least {goal}; for {what} the table of least expected square is taken instead"
+    return (Finding("CW-F010", "info", message),)
+
+
+def whole_table(
+    grid: Grid, aim: WantedCorrection, mode: tuple[Shape, str], capacity: Capacity, lattice: Lattice, *, address: str, goal: Goal
+) -> FittedTable:
+    """Return the fitted table with everything that is to be said about it; ``mode`` is the choice made and its reason."""
+    table, proof, limits, findings = fit_whole(grid, aim, mode[0], capacity, lattice, address=address)
+    return FittedTable(
+        compensation=table,
+        mode=mode[0],
+        mode_reason=mode[1],
+        certificate=proof,
+        limits=limits,
+        findings=(
+            *grid.findings,
+            *findings,
+            *goal_finding(goal, "whole increments"),
+            *edge_findings(table, aim),
+            *loss_findings(limits, aim),
+        ),
+    )

@@ -1,0 +1,102 @@
+"""Dynamic programming over whole totals within given windows: the cheapest way along a chain, several lanes at once.
+
+A lane is one way to put the lattice (a reversal value, a shift, a value at which an endless curve begins). Everything is counted in
+steps of the lattice.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+
+from compwright.fitting.chain import Chain, Limits
+from compwright.fitting.problem import IntArray
+from compwright.records.axis import FloatArray
+
+
+def reachable(chain: Chain, limits: Limits, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the windows without totals that no increments reach from the neighbours' windows."""
+    along = np.append(0.0, np.cumsum(chain.span.astype(np.float64)))
+    down, up = limits.increments[0] * along, limits.increments[1] * along
+    low = np.maximum.accumulate(low - down, axis=1) + down
+    high = np.minimum.accumulate(high - up, axis=1) + up
+    low = np.maximum.accumulate((low - up)[:, ::-1], axis=1)[:, ::-1] + up
+    high = np.minimum.accumulate((high - down)[:, ::-1], axis=1)[:, ::-1] + down
+    return low, high
+
+
+def closed_lanes(lanes: IntArray, low: FloatArray, high: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
+    """Return a lane for every value at which a curve may begin and end."""
+    owners: list[int] = []
+    starts: list[float] = []
+    for lane in lanes:
+        first, last = max(low[lane, 0], low[lane, -1]), min(high[lane, 0], high[lane, -1])
+        values = np.arange(first, last + 1)
+        owners += [int(lane)] * values.size
+        starts += values.tolist()
+    chosen = np.array(owners, dtype=np.int64)
+    low, high = low[chosen].copy(), high[chosen].copy()
+    for column in (0, -1):
+        low[:, column] = high[:, column] = starts
+    return chosen, low, high
+
+
+def cheapest(chain: Chain, limits: Limits, targets: FloatArray, low: IntArray, high: IntArray) -> tuple[FloatArray, IntArray]:
+    """Return the least (T - target)'H(T - target)/2 (n,) over totals in the windows (n, m), and the totals (n, m).
+
+    Forward over the nodes: the least cost of arriving at each total of the node. Backward: the totals that gave it.
+    All lanes share the widest window at each node; outside its own a lane's cost is infinite.
+    """
+    first, last = np.min(low, axis=0), np.max(high, axis=0)
+    costs = np.empty((targets.shape[0], 0))
+    came: list[IntArray] = []
+    for node in range(targets.shape[1]):
+        totals = np.arange(first[node], last[node] + 1)
+        here = totals - targets[:, node, np.newaxis]
+        own = 0.5 * chain.diagonal[node] * here**2
+        own[(totals < low[:, node, np.newaxis]) | (totals > high[:, node, np.newaxis])] = np.inf
+        if node:
+            arriving, steps = _arrive(
+                chain, limits, node, (int(first[node - 1]), int(first[node]), totals.size), costs, here, targets
+            )
+            came.append(steps)
+            own += arriving
+        costs = own
+    lane = np.arange(targets.shape[0])
+    index = np.argmin(costs, axis=1)
+    least = costs[lane, index]
+    found = np.empty(targets.shape, dtype=np.int64)
+    found[:, -1] = first[-1] + index
+    for node in range(targets.shape[1] - 1, 0, -1):
+        found[:, node - 1] = found[:, node] - came[node - 1][lane, found[:, node] - first[node]]
+    return least, found
+
+
+def _arrive(
+    chain: Chain, limits: Limits, node: int, window: tuple[int, int, int], costs: FloatArray, here: FloatArray, targets: FloatArray
+) -> tuple[FloatArray, IntArray]:
+    """Return the least cost of arriving at each total of ``node`` (n, w), and by which increment (n, w).
+
+    ``window``: first total before, first total here, their number. With the deviation e here and the increment d, that before
+    is e + target here - target before - d, so that the coupling's cost is linear in d.
+    """
+    before, now, count = window
+    span = int(chain.span[node - 1])
+    least = max(limits.increments[0] * span, now - (before + costs.shape[1] - 1))
+    largest = min(limits.increments[1] * span, now + count - 1 - before)
+    number = largest - least + 1
+    start = now - largest - before  # place of the total before for the first total here and the largest increment
+    length = count + number - 1
+    padded = np.full((costs.shape[0], length), np.inf)
+    inner = slice(max(0, start), min(costs.shape[1], start + length))
+    padded[:, inner.start - start : inner.stop - start] = costs[:, inner]
+    ways = sliding_window_view(padded, number, axis=1)
+    off = chain.off[node - 1]
+    rise = off * here
+    if off != 0.0:  # steps couple nothing
+        ways = ways - rise[:, :, np.newaxis] * np.arange(largest, least - 1, -1)
+    index = np.argmin(ways, axis=2)
+    arriving = np.take_along_axis(ways, index[:, :, np.newaxis], axis=2)[:, :, 0]
+    if off != 0.0:
+        arriving = arriving + rise * (here + (targets[:, node] - targets[:, node - 1])[:, np.newaxis])
+    return arriving, largest - index
