@@ -1,12 +1,12 @@
 """The commissioning card: what to type, what to look at and how to go back, as Markdown and as a page of one or two A4 sheets.
 
 A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``axes``, ``steps`` (``title``, ``text``,
-``evidence``), ``changes`` (``entries`` of ``entry``, ``old``, ``new``; ``untouched``: lines that stay; or None where the control's
-own files were not given), ``unconfirmed`` and ``restore`` (sentences), ``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and
-``proven`` (a sentence). Each axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``, ``new``),
-``display`` (``position``, ``positive``, ``negative``: the compensation that the control itself shows), ``quick_check``
-(``position``, ``direction``, ``expected``, ``stop``), ``points_needed`` and ``fixed_positions`` (``name``, ``position``,
-``moves``). Values to be typed carry a plain minus sign, so that they can be copied.
+``evidence``), ``changes`` (``entries`` of ``entry``, ``old``, ``new``; ``untouched``: lines that stay; None where the control's own
+files were not given), ``unconfirmed`` and ``restore`` (sentences), ``assumed`` (``fact``, ``value``, ``evidence``), ``files``
+(names) and ``proven`` (a sentence). Each axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``,
+``old``, ``new``), ``display`` (``position``, ``positive``, ``negative``: the compensation that the control itself shows),
+``quick_check`` (``position``, ``direction``, ``expected``, ``stop``), ``points_needed`` and ``fixed_positions`` (``name``,
+``position``, ``moves``). Values to be typed carry a plain minus sign, so that they can be copied.
 """
 
 from __future__ import annotations

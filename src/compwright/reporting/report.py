@@ -14,6 +14,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any, Final
 
 from compwright.reporting import sections
+from compwright.reporting.card import changes_content
 from compwright.reporting.numbers import decimals_of, number, plain, position_unit, standard_text, symbol, unit_text
 from compwright.reporting.page import inline_figure, render_page
 from compwright.reporting.plots import before_after_plot, estimate_plot, positioning_plot, table_plot
@@ -40,6 +41,7 @@ def run_report(view: Document) -> bytes:
             "axes": blocks,
             "findings": _remaining(view, blocks, view.get("evaluation")),
             "cross": [_cross(entry) for entry in prediction.get("cross") or []],
+            "changes": changes_content(view.get("changes")),
             "assumed": sections.assumed(view.get("assumed")),
             "files": [str(file) for file in view.get("files") or []],
             "card": next(

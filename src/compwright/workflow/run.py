@@ -173,6 +173,7 @@ def _files(
             assumed=assumed_documents(finished.assumed),
             findings=finding_documents(_findings(finished)),
             files=[*files, "report.html"],
+            changes=None if card is None else card["changes"],
             no_tables=None if finished.stated else NO_STATE,
             stated=finished.stated,
             state_files=[file.name for file in finished.inputs.states[AS_FOUND].files] if finished.stated else [],
