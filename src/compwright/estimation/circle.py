@@ -1,0 +1,126 @@
+"""Why a circular test is not round: every cause from one fit over both directions, each with its standard error.
+
+Squareness and scale do not depend on the direction, lost motion and lag change sign with it, and the harmonics of lost motion are
+those of squareness: causes are told apart by fitting all of them at once, at the exact distance, with the
+correlation of the residuals in the standard errors (``circle_noise``). Signs and units are those of ``circle_model``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.circle_cyclic import Search, search, shortest_pitch
+from compwright.estimation.circle_fit import Fit, Shapes, default_shapes, first_fit, fit, problem_of, spectra_of
+from compwright.estimation.circle_model import AXES, Samples, samples_of
+from compwright.estimation.circle_plain import plain_regression
+from compwright.estimation.circle_report import effects_of
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.findings import Finding
+from compwright.records.circular import CircularTest, Diagnosis
+
+#: ISO 230-4 asks for arcs of at least 90°; a shorter one tells hardly anything apart.
+LEAST_ARC: Final = 90.0
+#: Samples of one run below which the causes cannot be told from the noise.
+LEAST_SAMPLES: Final = 24
+
+
+def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) -> Diagnosis:
+    """Return the causes of a circular test, with standard errors, correlation, and findings on what is not separable.
+
+    ``periods``: pitch of a cyclic error, mm, by axis name; axes without one are searched. The same test gives the same
+    answer. Raises InputError for a test too short or with too few samples; UsageError for a wrong period.
+    """
+    _refuse(test, periods or {})
+    samples = samples_of(test)
+    _refuse_few(test, samples)
+    frequencies, findings = _given(test, samples, periods or {})
+    fitted, found = _fitted(samples, frequencies)
+    plain = plain_regression(samples)
+    effects, correlation, noticed = effects_of(test, samples, fitted, found)
+    return Diagnosis(
+        effects=effects,
+        plain={name: plain[name] for name in effects if name in plain},
+        names=tuple(effects),
+        correlation=correlation,
+        residual=float(np.sqrt(np.mean(fitted.residual**2))),
+        correlation_length=float(np.mean([spectrum.length for spectrum in fitted.spectra])),
+        findings=(*findings, *noticed),
+    )
+
+
+def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
+    faults = [
+        Fault(message="a period must be positive", place=axis, found=f"{period:g}", expected="mm")
+        for axis, period in periods.items()
+        if not (np.isfinite(period) and period > 0.0)
+    ]
+    faults += [
+        Fault(message="a period is given for an axis that the test does not have", found=axis, expected=" or ".join(test.axes))
+        for axis in periods
+        if axis not in test.axes
+    ]
+    raise_all(UsageError, faults)
+    wrong = []
+    if not test.arc[1] >= LEAST_ARC:
+        wrong.append(Fault(message="the arc is too short", file=test.name, expected="90 deg or more", found=f"{test.arc[1]:g} deg"))
+    for name, value in (("nominal radius", test.nominal_radius), ("feed", test.feed)):
+        if not (np.isfinite(value) and value > 0.0):
+            wrong.append(Fault(message=f"the {name} must be positive", file=test.name, found=f"{value:g}"))
+    if not test.runs:
+        wrong.append(Fault(message="the test has no run", file=test.name))
+    raise_all(InputError, wrong)
+    if not all(np.all(np.isfinite(run.angles)) and np.all(np.isfinite(run.deviations)) for run in test.runs):
+        raise InputError(Fault(message="a run has readings that are not numbers", file=test.name))
+
+
+def _refuse_few(test: CircularTest, samples: Samples) -> None:
+    counts = [int(np.sum(samples.run == number)) for number in range(len(test.runs))]
+    raise_all(
+        InputError,
+        [
+            Fault(
+                message="too few samples away from the reversal points",
+                file=test.name,
+                place=f"{run.sense} run {run.number}",
+                expected=f"{LEAST_SAMPLES} or more",
+                found=str(count),
+            )
+            for run, count in zip(test.runs, counts, strict=True)
+            if count < LEAST_SAMPLES
+        ],
+    )
+
+
+def _given(test: CircularTest, samples: Samples, periods: Mapping[str, float]) -> tuple[dict[str, float], list[Finding]]:
+    """Return the frequencies, 1/mm, by ``first`` and ``second``, of those given periods that the test can show."""
+    frequencies, findings = {}, []
+    least, most = shortest_pitch(samples), samples.radius
+    for axis, period in periods.items():
+        if least <= period <= most:
+            frequencies["first" if axis == test.axes[0] else "second"] = 1.0 / period
+        else:
+            message = (
+                f"a period of {period:g} mm along {axis} cannot be seen: the samples show periods of {least:.3g} to {most:g} mm"
+            )
+            findings.append(Finding("CW-D009", "warning", message))
+    return frequencies, findings
+
+
+def _fitted(samples: Samples, given: dict[str, float]) -> tuple[Fit, Search]:
+    """Return the fit after everything was sought: noise, decay of the spikes, cyclic errors, and the noise again."""
+    problem = problem_of(samples)
+    shapes = replace(default_shapes(samples), frequencies=given, given=frozenset(given))
+    fitted = first_fit(problem, shapes)
+    fitted = fit(problem, fitted.shapes, spectra_of(fitted), fitted.known, rounds=4)
+    while True:
+        found = search(problem, fitted, tuple(axis for axis in AXES if axis not in fitted.shapes.frequencies))
+        if not found.found:
+            break
+        shapes = Shapes(fitted.shapes.lengths, {**fitted.shapes.frequencies, **found.found}, fitted.shapes.given)
+        fitted = fit(problem, shapes, fitted.spectra, fitted.known, rounds=5)
+        fitted = fit(problem, fitted.shapes, spectra_of(fitted), fitted.known, rounds=3)
+    return fit(problem, fitted.shapes, spectra_of(fitted), fitted.known), found

@@ -1,0 +1,122 @@
+"""Search for a cyclic error of unknown pitch in what a fit of a circular test has left over.
+
+A cyclic error of an axis repeats with its position x = R cosθ, not with the angle: its frequency along the trace changes,
+so that it is sought as a chirp. All frequencies at once come from one Fourier transform of the weighted residuals over x;
+the best are then weighed exactly against everything else in the model.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.circle_fit import Fit, Problem
+from compwright.estimation.circle_model import AXES, UM, Samples, cyclic_columns
+from compwright.estimation.circle_noise import back, halves
+from compwright.records.axis import FloatArray
+
+#: One search in a thousand finds a cyclic error where there is none.
+_FALSE_ALARM: Final = 1e-3
+_CANDIDATES: Final = 5
+#: The longest pitch sought: one radius, that is two periods over the circle; longer ones are straightness and scale.
+_LONGEST: Final = 1.0
+#: Phase from sample to sample, in half turns, up to which a pitch is sought where the axis is fastest.
+_STEEPEST: Final = 0.7
+_OVERSAMPLING: Final = 8.0  # search steps within one period over the radius
+
+
+@dataclass(frozen=True, slots=True)
+class Search:
+    """What was found: frequency, 1/mm, of the clearest by its axis, and the amplitude (µm) that may have been missed, by axis."""
+
+    found: Mapping[str, float]
+    hidden: Mapping[str, float]
+
+
+def search(problem: Problem, fitted: Fit, axes: tuple[str, ...] = AXES) -> Search:
+    """Return the clearest cyclic error of ``axes`` if the residuals of ``fitted`` show it beyond doubt.
+
+    One at a time, because a strong one of one axis has side lobes among the frequencies of the other.
+    """
+    clearest, found = 1.0, {}
+    hidden = {}
+    for axis in axes:
+        frequencies, gains, typical = _screen(problem, fitted, axis)
+        if not frequencies.size:
+            continue
+        threshold = 2.0 * np.log(frequencies.size / _OVERSAMPLING * 4.0 / _FALSE_ALARM)
+        hidden[axis] = float(np.sqrt(threshold) * typical / UM)
+        exact = [(_gain(problem, fitted, axis, frequencies[index]), float(frequencies[index])) for index in _peaks(gains)]
+        best = max(exact, default=(0.0, 0.0))
+        if best[0] > clearest * threshold:
+            clearest, found = best[0] / threshold, {axis: best[1]}
+    return Search(found, hidden)
+
+
+def shortest_pitch(samples: Samples) -> float:
+    """Return the shortest pitch, mm, that the samples of a run can show."""
+    per_run = samples.theta.size / max(np.unique(samples.run).size, 1)
+    return float(2.0 * samples.radius * samples.arc[1] / per_run / _STEEPEST)
+
+
+def _screen(problem: Problem, fitted: Fit, axis: str) -> tuple[FloatArray, FloatArray, float]:
+    """Return frequencies (f,), about how much each would lower the weighted squares, and a typical standard error, mm."""
+    samples, grid = problem.samples, problem.grid
+    shared = fitted.rest[0] / fitted.spectra[0].density
+    index = grid.index[0][0]
+    turn = np.cos(samples.theta[index]) if axis == "first" else np.sin(samples.theta[index])
+    speed = np.sqrt(np.maximum(1.0 - turn**2, 0.0))
+    radius = samples.radius
+    step = shortest_pitch(samples) / 6.0
+    cells = int(np.ceil(2.0 * radius / step)) + 2
+    place = (turn + 1.0) * radius / step
+    low = place.astype(np.intp)
+    share = place - low
+    values = back(shared) * turn
+    binned = np.bincount(low, values * (1.0 - share), cells) + np.bincount(low + 1, values * share, cells)[:cells]
+    padded = max(int(np.ceil(_OVERSAMPLING * radius / step)), cells)
+    score = np.fft.rfft(binned, padded)
+    frequencies = np.arange(score.size) / (padded * step)
+    keep = (frequencies >= 1.0 / (_LONGEST * radius)) & (frequencies * shortest_pitch(samples) <= 1.0)
+    frequencies, score = frequencies[keep], score[keep]
+    # A chirp is seen against the noise at its own local frequency: here its order in the cosine transform.
+    thin = slice(None, None, max(turn.size // 128, 1))
+    per_order = 4.0 * radius * samples.arc[1] / (2.0 * np.pi) * speed[thin]
+    orders = np.minimum(np.outer(frequencies, np.pi * per_order).astype(np.intp), grid.size - 1)
+    weight = 0.5 * turn.size * np.mean(turn[thin] ** 2 / fitted.spectra[0].density[orders], axis=1)
+    halved = np.sqrt(len(grid.index) * grid.index[0].shape[0])
+    typical = float(np.median(1.0 / np.sqrt(weight))) / halved if weight.size else 0.0
+    return frequencies, np.abs(score) ** 2 / np.maximum(weight, 1e-300), typical
+
+
+def _peaks(gains: FloatArray) -> FloatArray:
+    inner = np.flatnonzero((gains[1:-1] >= gains[:-2]) & (gains[1:-1] > gains[2:])) + 1
+    ends = [
+        index for index, beside in ((0, 1), (gains.size - 1, gains.size - 2)) if gains.size > 1 and gains[index] > gains[beside]
+    ]
+    every = np.concatenate([inner, np.array(ends, dtype=inner.dtype)])
+    best: FloatArray = every[np.argsort(gains[every])[::-1][:_CANDIDATES]]
+    return best
+
+
+def _gain(problem: Problem, fitted: Fit, axis: str, frequency: float) -> float:
+    """Return how much two more columns lower the weighted sum of squares, all other columns refitted."""
+    samples = problem.samples
+    columns = cyclic_columns(samples, axis, frequency, (0.0, 0.0))[:2]
+    cos, sin = np.cos(samples.theta), np.sin(samples.theta)
+    slopes = np.column_stack([column.x * cos + column.y * sin for column in columns])
+    right = np.zeros(2)
+    inner = np.zeros((2, 2))
+    shared = np.zeros((2, fitted.values.size))
+    for half, rows, rest, spectrum in zip(halves(problem.grid, slopes), fitted.rows, fitted.rest, fitted.spectra, strict=True):
+        weighted = half / spectrum.density[:, np.newaxis]
+        right += weighted.T @ rest
+        inner += weighted.T @ half
+        shared += weighted.T @ rows
+    left = inner - shared @ fitted.covariance @ shared.T
+    # A column that the others can imitate gains nothing and must not gain by rounding.
+    left += 1e-6 * np.diag(np.diag(inner))
+    return float(right @ np.linalg.solve(left, right))

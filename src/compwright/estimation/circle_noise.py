@@ -1,0 +1,136 @@
+"""What the residuals of a circular test allow the causes to wander: their spectrum, and samples made independent by it.
+
+Neighbouring samples are correlated, and what the model leaves out comes back in every run at the same angle: there are
+neither n independent samples nor two independent runs. The samples are therefore split into the half that both directions
+share and the half that changes sign with the direction (each cause belongs to one of them), each with a spectrum of its own:
+white plus first-order autoregressive, in the cosine transform, which makes such noise independent to good approximation
+and needs no closed circle. The spectrum is not taken at its peak but averaged over its likelihood, so that what the data
+leave open about it widens the intervals.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.fft import dct, idct
+
+from compwright.estimation.circle_model import Samples
+from compwright.records.axis import FloatArray
+
+IndexArray = NDArray[np.intp]
+
+#: Correlation lengths tried, and ratios of correlated to white density at frequency zero (0: white alone).
+_LENGTHS: Final = 14
+_RATIOS: Final = np.concatenate([[0.0], np.logspace(-1.0, 5.0, 25)])
+#: The longest correlation tried is so small a part of a run: the orders that would show a longer one are used up by the causes.
+_SHORTEST_WAVE: Final = 24.0
+#: Ordinates of a spectrum are pooled above the first so many, in steps of a constant ratio.
+_SINGLE: Final = 32
+_POOLED: Final = 36
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """The samples of each direction at the same ``size`` angles: indices (runs, size) per direction."""
+
+    index: tuple[IndexArray, ...]
+    size: int
+
+    @property
+    def used(self) -> IndexArray:
+        """Return the indices of all samples on the grid."""
+        return np.concatenate([index.ravel() for index in self.index])
+
+
+@dataclass(frozen=True, slots=True)
+class Spectrum:
+    """Variance density (size,) of one half of the samples, mm², over the orders of the cosine transform.
+
+    ``length``: correlation length in samples: density at order zero over the mean density.
+    """
+
+    density: FloatArray
+    length: float
+
+
+def grid_of(samples: Samples) -> Grid:
+    """Return the nearest samples of every run at common, evenly spaced angles, as many as the shortest run has."""
+    runs = [np.flatnonzero(samples.run == number) for number in np.unique(samples.run)]
+    start, extent = samples.arc
+    size = min(run.size for run in runs)
+    where = (np.arange(size) + 0.5) * extent / size
+    index = []
+    for sense in (1.0, -1.0):
+        mine = [run for run in runs if samples.sense[run[0]] == sense]
+        if mine:
+            index.append(np.array([_nearest(np.mod(samples.theta[run] - start, 2.0 * np.pi), where, run) for run in mine]))
+    return Grid(tuple(index), size)
+
+
+def _nearest(angles: FloatArray, where: FloatArray, run: IndexArray) -> IndexArray:
+    """Return for each angle ``where`` the sample of the run that is nearest to it."""
+    order = np.argsort(angles, kind="stable")
+    ordered = angles[order]
+    right = np.clip(np.searchsorted(ordered, where), 1, ordered.size - 1)
+    closer = np.where(where - ordered[right - 1] <= ordered[right] - where, right - 1, right)
+    chosen: IndexArray = run[order[closer]]
+    return chosen
+
+
+def halves(grid: Grid, values: FloatArray) -> tuple[FloatArray, ...]:
+    """Return the cosine transforms (size, ...) of what both directions share and of what changes sign between them.
+
+    ``values`` (n, ...) by sample: residuals or rows of the model. Runs of one direction are averaged and count by
+    their number; one direction alone gives one half.
+    """
+    parts = [np.sqrt(index.shape[0]) * np.mean(values[index], axis=0) for index in grid.index]
+    if len(parts) == 2:
+        parts = [(parts[0] + parts[1]) / np.sqrt(2.0), (parts[0] - parts[1]) / np.sqrt(2.0)]
+    return tuple(np.asarray(dct(part, axis=0, norm="ortho"), dtype=np.float64) for part in parts)
+
+
+def back(half: FloatArray) -> FloatArray:
+    """Return the values (size,) over the grid of a cosine transform."""
+    return np.asarray(idct(half, axis=0, norm="ortho"), dtype=np.float64)
+
+
+def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
+    """Return the spectrum of one half from its transformed residuals (size,), mm.
+
+    ``leverage`` (size,): share of each ordinate that the fit has used up; the rest is what it carries of a degree of freedom.
+    """
+    size = residual.size
+    power, freedom = residual**2, np.clip(1.0 - leverage, 1e-9, 1.0)
+    orders = np.arange(size, dtype=np.float64)
+    pools = _pools(size)
+    pooled_power, pooled_freedom = np.add.reduceat(power, pools), np.add.reduceat(freedom, pools)
+    pooled_orders = np.add.reduceat(orders * freedom, pools) / pooled_freedom
+    lengths = np.geomspace(1.0, max(size / _SHORTEST_WAVE, 2.0), _LENGTHS)
+    shapes = 1.0 + _RATIOS[:, np.newaxis, np.newaxis] * _correlated(pooled_orders / size, lengths)
+    total = float(np.sum(pooled_freedom))
+    scale = np.sum(pooled_power / shapes, axis=-1)
+    log = -0.5 * np.sum(pooled_freedom * np.log(shapes), axis=-1) - 0.5 * total * np.log(np.maximum(scale, 1e-300))
+    weights = np.exp(log - np.max(log))
+    level = weights / np.sum(weights) * scale / max(total - 2.0, 1.0)
+    density = np.sum(level) + np.einsum("rl,r,lf->f", level, _RATIOS, _correlated(orders / size, lengths), optimize=True)
+    # A millionth of a micrometre: data without any noise keep a finite weight.
+    density = np.maximum(density, 1e-18)
+    return Spectrum(density, float(density[0] / np.mean(density)))
+
+
+def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
+    """Return the density (l, f), 1 at zero, of first-order autoregressive noise; ``frequency`` 1 is one half turn per sample."""
+    root = np.exp(-1.0 / lengths)[:, np.newaxis]
+    density: FloatArray = (1.0 - root) ** 2 / (1.0 - 2.0 * root * np.cos(np.pi * frequency) + root**2)
+    return density
+
+
+def _pools(size: int) -> IndexArray:
+    """Return where the pools of ``size`` ordinates start: single ones first, then wider and wider."""
+    if size <= _SINGLE + 1:
+        return np.arange(size)
+    wide = np.geomspace(_SINGLE, size, _POOLED + 1)[:-1].astype(np.intp)
+    return np.unique(np.concatenate([np.arange(_SINGLE), wide]))
