@@ -318,6 +318,7 @@ class TestRotary:
                 {"modulo": {"1": 360.0}},
                 "+ 8",
             ),
+            (ROTARY.replace("N03621Q1A1P60", "N03621Q1A1P59\nN10059Q0P0"), {"modulo": {"1": 360.0}}, "go once round"),
             (ROTARY, {"modulo": {"1": 180.0}}, "turn of axis 1"),
             (WHOLE, {"modulo": {"1": 360.0}, "kinds": {"1": AxisKind.LINEAR}}, "is linear but was said to be endless"),
         ],
@@ -409,6 +410,14 @@ class TestBidirectional:
             control(BOTH.replace(old, new))
         assert says in str(caught.value)
 
+    def test_up_to_the_last_number(self) -> None:
+        # eight points from 1528 end at 1535, the last of a 30i; and a set may follow the other without a gap
+        for start in (1528, 28):
+            text = BOTH.replace("N03626Q1A1P30", f"N03626Q1A1P{start}")
+            for number in TOWARDS_MINUS:
+                text = text.replace(f"N{10000 + number}Q0", f"N{10000 + number - 30 + start}Q0")
+            assert values(control(text), NODES, DOWN) == pytest.approx([(m - 4) / 1000 for m in MINUS], abs=EXACT)
+
     def test_endless_axis(self) -> None:
         more = "N01006Q1A1P00000001\nN03605Q1A1P00000001\nN03626Q1A1P70\nN03627Q1A1P5\n"
         mirrored = {70: 0, **{n + 10: -c for n, c in TURN.items()}}
@@ -479,6 +488,8 @@ class TestText:
         rest = "".join(f"N{10000 + n}R{c}\n" for n, c in INCREMENTS.items() if n > 38)
         box = control(PROGRAM.replace("G11", "N1851P1R4\nN3605P1Q0R0\n" + rest + "G11"))
         assert values(box, list(TOTALS), DOWN) == pytest.approx([(t - 4) / 1000 for t in TOTALS.values()], abs=EXACT)
+        parameters_behind = control(PROGRAM.replace("G11", rest + "G11\nN01851Q1A1P4"))
+        assert values(parameters_behind, list(TOTALS), DOWN) == values(box, list(TOTALS), DOWN)
         with pytest.raises(InputError, match="N10039 to 10044"):
             control(PROGRAM)
         with pytest.raises(InputError, match="line 4: block cannot be read"):
@@ -527,6 +538,7 @@ class TestText:
             ("N03620Q1A1P40A2", "N03620Q1A1P40A1P41A2", "contradicts"),
             ("N03620Q1A1P40", "N03620Q1A0P40", "axis number"),
             ("N03620Q1A1P40", "N03620Q0A1P40", "Q1"),
+            ("N03620Q1A1P40", "N03620Q1L2A1P40", "first path"),
             ("N03620Q1A1P40", "N03620Q1P40", "names no axis"),
             ("N03620Q1A1P40", "n03620q1a1p40", "capital letters"),
             ("N03620Q1A1P40", "03620Q1A1P40", "block cannot be read"),
@@ -605,6 +617,8 @@ class TestText:
         mine = mine.replace("%\n", "%\n" + first, 1).removesuffix("%\n")
         with pytest.raises(InputError, match="points 40 to 44 belong to axis 1 and to axis 2"):
             control(mine, other.format(r=42, low=40, high=44, k=1))
+        with pytest.raises(InputError, match="points 37 to 44 belong to axis 1 and to axis 2"):
+            control(mine, other.format(r=41, low=37, high=44, k=1))  # the same range, counted from another place
         gantry = control(mine, other.format(r=40, low=37, high=44, k=1))
         assert values(gantry, [100], UP, "2") == [0.003]
         assert any("in the same way" in note for note in gantry.notes)
