@@ -1,4 +1,4 @@
-"""Grids that hang on the reference position: nodes at the reference plus whole spacings, or one period of an endless axis from it."""
+"""Grids that hang on the reference position: the reference plus whole spacings, or one period of an endless axis from it."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def _reach(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) 
 
 
 def _fixed_ends(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> tuple[int | None, int | None]:
-    """Return the ends that the job names, in quanta from the reference. Raises CapacityError where the control cannot count to them."""
+    """Return the ends that the job names, in quanta from the reference. Raises CapacityError where the control has no such."""
     unit, quantum, reference = wanted.kind.unit, capacity.position_quantum, wanted.reference
     faults: list[Fault] = []
     found: list[int | None] = []
@@ -72,7 +72,7 @@ def _fixed_ends(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
                 Fault(
                     message=f"the control cannot hold the table's {name} exactly",
                     place=f"table.{name}",
-                    expected=f"the reference {reference:.10g} {unit} and a multiple of {quantum:.10g} {unit}, such as {nearest:.10g}",
+                    expected=f"{reference:.10g} {unit} plus a multiple of {quantum:.10g} {unit}, such as {nearest:.10g}",
                     found=f"{value:.12g}",
                 )
             )
@@ -81,7 +81,7 @@ def _fixed_ends(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
 
 
 def _steps(wanted: WantedCorrection, capacity: Capacity, request: TableRequest, ends: tuple[int | None, int | None]) -> list[int]:
-    """Return the steps to choose from, in quanta; the job's own where it names one. Raises CapacityError where that does not fit."""
+    """Return the steps to choose from, in quanta; the job's own where it names one. Raises CapacityError where it does not fit."""
     if request.spacing is not None:
         step = named_step(request.spacing, capacity, wanted.kind.unit)
         raise_all(CapacityError, _end_faults(step, wanted, capacity, ends))

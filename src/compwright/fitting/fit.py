@@ -45,7 +45,8 @@ def fit_table(wanted: WantedCorrection, capacity: Capacity, request: TableReques
     Goal ``expected``: least mean square of held minus wanted over the travel and both directions, which is the expected squared
     deviation but for a constant that no table changes. Goals ``A``, ``E``: least range over both directions (A adds the same
     noise everywhere, so that its best table is that of E); ``M``: least range of the mean of both. Zero in the
-    zero state. Whole increments and a single slope take ``expected`` whatever the goal, and say so. Raises CapacityError where the control cannot hold what is asked or no certified solution was found.
+    zero state. Whole increments and a single slope take ``expected`` whatever the goal, and say so. Raises CapacityError
+    where the control cannot hold what is asked or no certified solution was found.
     """
     _refuse(capacity, request)
     if capacity.line is not None:
@@ -64,7 +65,8 @@ def fit_table(wanted: WantedCorrection, capacity: Capacity, request: TableReques
     best = fit.expected() if request.goal == "expected" else fit.least_range(aim, request.goal)
     table = _rounded(best.x, fit, address, aim)
     limits = _limits(fit, best, table, grid)
-    findings = (*grid.findings, *datum_findings, *edge_findings(table, wanted), *loss_findings(limits, wanted))
+    edges, losses = edge_findings(table, wanted), loss_findings(limits, wanted)
+    findings = (*grid.findings, *datum_findings, *edges, *losses)
     worst = _rounding_error(table, best.x, layout)
     return FittedTable(
         compensation=table,

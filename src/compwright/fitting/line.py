@@ -114,8 +114,8 @@ class _Line:
         """Return the best whole slope and backlash (as the record counts it).
 
         For each slope the best whole reversal is the best reversal, rounded and kept in its range. With the reversal following, the
-        mean square grows from its least value within the limits at least as ``curve`` (slope - best slope)^2 / 2 (partial minimisation
-        keeps a quadratic's strong convexity), so that no slope outside the window can be better than the first one.
+        mean square grows from its least value within the limits at least as ``curve`` (slope - best slope)^2 / 2 (partial
+        minimisation keeps a quadratic's strong convexity), so that no slope outside the window can be better than the first one.
         """
         low, high = np.ceil(capacity.value_range[0] / quantum - _HAIR), np.floor(capacity.value_range[1] / quantum + _HAIR)
         sign = self.wanted.reference_return.opposite.sign

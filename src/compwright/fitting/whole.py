@@ -1,4 +1,4 @@
-"""The table of a control that stores whole increments: the exact optimum on its lattice, what that costs, and why this magnification."""
+"""The table of a control that stores whole increments: the best on its lattice, what that costs, and why this magnification."""
 
 from __future__ import annotations
 
