@@ -799,7 +799,7 @@ class TestSpeed:
         assert text.count("\n") > 15000
         start = time.process_time()
         box = control(text)
-        assert time.process_time() - start < 0.7  # s of the processor; measured 0.05
+        assert time.process_time() - start < 0.7  # s of the processor; measured 0.07
         assert values(box, [100], UP) == [0.003]
 
     @pytest.mark.parametrize("output", ["step", "ramp"])
@@ -810,7 +810,7 @@ class TestSpeed:
         positions = np.linspace(-1500, 1700, 100_000)
         start = time.process_time()
         box.correction("1", positions, UP)
-        assert time.process_time() - start < 0.1  # s of the processor; measured 0.003
+        assert time.process_time() - start < 0.1  # s of the processor; measured 0.003 and 0.008
 
     @pytest.mark.parametrize(
         "line", ["(" * 200_000, "N03620" + "A1P1" * 50_000, "N" + "1" * 200_000, "1" * 200_000, "N3620" + " " * 200_000]
