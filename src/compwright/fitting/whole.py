@@ -22,6 +22,8 @@ from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, Goal, Limit
 
 _HAIR: Final = 1e-6
+#: Less than this (µm or arcsec) is arithmetic.
+_NOTHING: Final = 1e-6
 _ANY: Final = (-(10**9), 10**9)
 
 
@@ -195,10 +197,11 @@ def _magnification_finding(solution: Solution, lattice: Lattice, aim: WantedCorr
     factor, unit = small(aim.kind)
     chosen, least, largest = solution.magnification, *lattice.increments
     span = f"±{largest}" if least == -largest else f"{least} to {largest}"
-    says = f"{np.sqrt(solution.objective) * factor:.2g} {unit}"
+    left = np.sqrt(solution.objective) * factor
+    says = f"{left:.2g} {unit} rms" if left > _NOTHING else "nothing"
     if solution.before is None:
         one = lattice.unit * factor
-        message = f"Magnification {chosen}, the smallest: increments of {span} times {one:.4g} {unit} leave {says} rms"
+        message = f"Magnification {chosen}, the smallest: increments of {span} times {one:.4g} {unit} leave {says}"
     else:
         before, bound = solution.before
         reach = f"{span} times {before * lattice.unit * factor:.4g} {unit}"
