@@ -296,6 +296,64 @@ def decode(
 
 
 @compwright.command()
+@click.argument("plan", metavar="PLAN.json", type=_PATH)
+@click.option(
+    "--loaded",
+    multiple=True,
+    required=True,
+    type=_PATH,
+    metavar="FILE",
+    help="What was read back from the control; file or folder.",
+)
+@_json
+@_force
+@_exiting
+def compare(
+    plan: Path,
+    loaded: tuple[Path, ...],
+    json_path: Path | None,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Hold what is really in the control against the plan."""
+    from compwright.workflow.answers import compare_summary, write_document
+    from compwright.workflow.compare import compare_plan
+    from compwright.workflow.verify import plan_path
+
+    outcome = compare_plan(plan_path(plan, plan), loaded)
+    to_file = _json_file(json_path)
+    if to_file is not None:
+        write_document(outcome.document, to_file, force=force)
+    _answer(outcome.document, json_path, lambda: compare_summary(outcome.document))
+    return outcome.exit_code
+
+
+@compwright.command()
+@click.option(
+    "--from", "files", multiple=True, required=True, type=_PATH, metavar="FILE", help="A file of the control, or a folder of them."
+)
+@click.option("--format", "format_id", required=True, metavar="ID", help="The control, see compwright formats list.")
+@_option
+@click.option("--out", required=True, type=_PATH, metavar="JOB.yaml", help="The job file to write.")
+@_force
+@_exiting
+def new(
+    files: tuple[Path, ...],
+    format_id: str,
+    options: tuple[str, ...],
+    out: Path,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Write a job prefilled from the control's own files."""
+    from compwright.workflow.new import new_job
+
+    outcome = new_job(files, format_id, _pairs(options), out, force=force)
+    _print_lines([str(outcome.path)])
+    for line in outcome.open:
+        _tell(f"fill in: {line}")
+    return 0
+
+
+@compwright.command()
 @click.argument("job_file", metavar="JOB.yaml", type=_PATH)
 @click.option("--after", multiple=True, required=True, metavar="[TEST=]FILE", help="A test made after loading.")
 @click.option("--plan", type=_PATH, help="Folder of the run, or its plan.json; default: where run puts it.")

@@ -21,6 +21,8 @@ Value = TypeVar("Value")
 
 #: Bits that are read: parameter -> bits, 0 the rightmost.
 _BITS = {1001: (0,), 1004: (0, 1), 1006: (0, 1, 3), 1013: (0, 1), 1800: (4,), 3605: (0, 2)}
+#: Parameters that only say something about the machine: what they say in another form is passed over, not refused.
+_ASIDE = frozenset({1001, 1004, 1006, 1013, 1800})
 #: Parameters that count only with an axis number.
 _BY_AXIS = frozenset({1006, 1013, 1851, 1852, 3605, *range(3620, 3628)})
 _LENGTHS = frozenset({3624, 3625})
@@ -177,6 +179,8 @@ class Memory:
             for bit in _BITS[number]:
                 single = Setting(number, setting.axis, bit, "P", setting.text[7 - bit], setting.file, setting.line)
                 self._settings[number, setting.axis, bit].append(single)
+        elif number in _ASIDE:
+            self.notes.append(f"{setting.file}: line {setting.line}: {setting.label} is not eight binary digits and is passed over")
         else:
             self.faults.append(setting.fault(f"value of {setting.label}", expected="eight binary digits, or 0 or 1 for one bit"))
 

@@ -499,7 +499,10 @@ class _AxisReader:
         """Put 3627, the value at the reference against its return direction, on the curve that is not the zero state's."""
         found = self.found("negative_offset")
         if found is None:
-            self.notes.assume(f"{self.label}: 3627", "0", "unconfirmed: not in the files that were given")
+            where = self.said["bidirectional"]
+            self.notes.faults.append(
+                _at(where, f"{self.label}: bidirectional compensation is on (3605#0), but 3627 is missing", "3627")
+            )
         count = 0 if found is None else int(Decimal(found.text))
         magnified = numbers.magnification if self.options.get("offset_magnified") == "yes" else 1
         shift = float(count * magnified * self._unit(kind)) * self._sign("offset_sign")

@@ -156,7 +156,7 @@ class _KindReader:
                 if match is not None:
                     yield from self._occurrences(line, matcher, form, match, variant=place > 0)
                     return
-            if matcher.number is not None:
+            if matcher.number is not None and matcher.number in self.kind.claims_at_start:
                 self._fault(line, "cannot be read" + _hint(code), expected=_readable(matcher.statement), found=_shown(code))
                 return
         claimed = self._claimed(probe) if self._concerns_us(probe) else None

@@ -204,3 +204,11 @@ def definition_files() -> Iterator[tuple[str, bytes]]:
             for path in sorted(folder.glob("*.yaml")):
                 yield path.name, read_bytes(path)
             return
+
+
+def relative(path: Path, folder: Path) -> str:
+    """Return how ``path`` is named from ``folder``, with ``/``; whole where there is no such way (another drive)."""
+    try:
+        return Path(os.path.relpath(path, folder)).as_posix()
+    except ValueError:
+        return path.as_posix()

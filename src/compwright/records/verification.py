@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from compwright.foundations.findings import Finding
+from compwright.records.axis import Direction
 
 LoadingName = Literal[
     "loaded",
@@ -39,3 +40,17 @@ class LoadingVerdict:
     factor: float = 1.0
     shift_nodes: int = 0
     findings: tuple[Finding, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ReadBack:
+    """How far the loaded correction is from the planned: largest difference (mm or deg), where, and what it looks like.
+
+    ``verdict``: ``loaded``, ``not_active``, ``inverted``, ``scaled``, ``shifted``, ``one_direction``, ``backlash``, ``other``.
+    """
+
+    worst: float
+    position: float
+    direction: Direction
+    verdict: str
+    message: str

@@ -53,6 +53,13 @@ def decode_summary(document: Mapping[str, Any]) -> list[Any]:
     return summaries.decode_tables(document)
 
 
+def compare_summary(document: Mapping[str, Any]) -> list[Any]:
+    """Return what ``compare`` says."""
+    from compwright.reporting import summaries
+
+    return summaries.compare_tables(document)
+
+
 def verify_summary(outcome: Any) -> list[Any]:
     """Return what ``verify`` says."""
     from compwright.reporting import summaries

@@ -15,6 +15,8 @@ from compwright.foundations.errors import CompwrightError, Fault, InputError, Us
 _SHAPES = {
     "values_by_index": "values by index on an equally spaced grid",
     "rows_by_position": "rows by position, freely spaced",
+    "section_increments": "whole increments by section, numbered in one array for all axes",
+    "user_tables": "rows in tables that the control exports, or typed in from a sheet",
 }
 _PAIRINGS = {"none": "one curve for both directions", "two_columns": "one curve for each direction, in two columns"}
 _SIGNS = {

@@ -1,0 +1,76 @@
+"""The answer of ``compare``: what is really in the control against the plan, each difference named."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from compwright.documents.decode import assumed_documents, finding_documents
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, outside_unit
+from compwright.records.axis import AxisKind
+from compwright.records.correction import Assumption
+from compwright.records.verification import ReadBack
+
+SCHEMA = "compwright/compare/1"
+
+
+@dataclass(frozen=True, slots=True)
+class Difference:
+    """One quantity that differs: text as the control writes it, or numbers in ``unit`` (um, arcsec); None: not there."""
+
+    axis: str
+    quantity: str
+    planned: float | str | None
+    loaded: float | str | None
+    unit: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class ComparedAxis:
+    """One axis: its address and kind, the comparison of the corrections, and what differs."""
+
+    address: str
+    kind: AxisKind
+    read_back: ReadBack
+    differences: tuple[Difference, ...]
+
+
+def compare_document(
+    format_id: str, axes: Mapping[str, ComparedAxis], assumed: Sequence[Assumption], findings: Sequence[Finding]
+) -> dict[str, Any]:
+    """Return the document: one entry per differing quantity, ``verdict`` same or different."""
+    differences = [difference for axis in axes.values() for difference in axis.differences]
+    return {
+        "schema": SCHEMA,
+        "format": format_id,
+        "verdict": "different" if differences else "same",
+        "axes": {name: _axis(axis) for name, axis in axes.items()},
+        "differences": [
+            {
+                "axis": entry.axis,
+                "quantity": entry.quantity,
+                "planned": entry.planned,
+                "loaded": entry.loaded,
+                "unit": entry.unit or None,
+            }
+            for entry in differences
+        ],
+        "assumed": assumed_documents(assumed),
+        "findings": finding_documents(findings),
+    }
+
+
+def _axis(axis: ComparedAxis) -> dict[str, Any]:
+    unit = axis.kind.unit
+    return {
+        "address": axis.address,
+        "verdict": axis.read_back.verdict,
+        "message": axis.read_back.message,
+        "largest_difference": axis.read_back.worst * outside_factor(unit),
+        "at": axis.read_back.position,
+        "direction": axis.read_back.direction.value,
+        "unit": outside_unit(unit),
+        "differences": len(axis.differences),
+    }

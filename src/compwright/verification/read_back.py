@@ -1,0 +1,86 @@
+"""What is in the control instead of the plan's table: exact comparison of two corrections, no measurement needed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.verification import ReadBack
+
+Correction = Callable[[FloatArray, Direction], FloatArray]
+#: Two corrections are the same below this many mm or deg: far under every quantum of a control, far over rounding.
+SAME = 1e-6
+#: Most nodes by which a loaded table may be shifted and still be recognised.
+_MOST_SHIFT = 5
+#: Factors with a known cause.
+_FACTORS = {
+    2.0: "twice: radius and diameter mixed up, or loaded on top of itself",
+    0.5: "half: radius and diameter mixed up",
+    10.0: "ten times: another detection unit or increment system",
+    0.1: "a tenth: another detection unit or increment system",
+    25.4: "25.4 times: inch taken for mm",
+    1000.0: "a thousand times: mm taken for µm",
+    0.001: "a thousandth: µm taken for mm",
+}
+
+
+def judge_read_back(planned: Correction, loaded: Correction, old: Correction, nodes: FloatArray, spacing: float) -> ReadBack:
+    """Hold what was read back against the plan, mm or deg; ``old``: what was in the control before.
+
+    The first explanation that is exact (within `SAME`) everywhere counts; a table that is all zero explains nothing.
+    """
+    where = nodes if nodes.size > 1 else np.array([-100.0, 0.0, 100.0])
+    wish = {side: planned(where, side) for side in Direction}
+    found = {side: loaded(where, side) for side in Direction}
+    gaps = {side: np.abs(wish[side] - found[side]) for side in Direction}
+    side = max(Direction, key=lambda one: float(np.max(gaps[one])))
+    index = int(np.argmax(gaps[side]))
+    worst = float(gaps[side][index])
+    if worst <= SAME:
+        return ReadBack(worst, float(where[index]), side, "loaded", "what is in the control is the plan's table")
+    for verdict, message in _explanations(wish, found, where, planned, old, spacing):
+        return ReadBack(worst, float(where[index]), side, verdict, message)
+    return ReadBack(worst, float(where[index]), side, "other", "the values differ; no single mistake explains all of them")
+
+
+def _explanations(
+    wish: dict[Direction, FloatArray],
+    found: dict[Direction, FloatArray],
+    where: FloatArray,
+    planned: Correction,
+    old: Correction,
+    spacing: float,
+) -> Iterator[tuple[str, str]]:
+    def equal(other: dict[Direction, FloatArray]) -> bool:
+        return all(float(np.max(np.abs(found[side] - other[side]))) <= SAME for side in Direction)
+
+    if equal({side: old(where, side) for side in Direction}):
+        yield "not_active", "what was in the control before is still there"
+    if equal({side: np.zeros(where.shape) for side in Direction}):
+        yield "not_active", "nothing acts: the table is off or empty"
+    if equal({side: -wish[side] for side in Direction}):
+        yield "inverted", "every value has the opposite sign"
+    for factor, says in _FACTORS.items():
+        if equal({side: factor * wish[side] for side in Direction}):
+            yield "scaled", f"every value is {says}"
+    for nodes in (shift * sign for shift in range(1, _MOST_SHIFT + 1) for sign in (1, -1)):
+        if equal({side: _shifted(planned, where, side, nodes * spacing) for side in Direction}):
+            yield "shifted", f"the table sits {abs(nodes)} nodes too far to {'+' if nodes > 0 else '-'}"
+    yield from _one_side(wish, found)
+
+
+def _one_side(wish: dict[Direction, FloatArray], found: dict[Direction, FloatArray]) -> Iterator[tuple[str, str]]:
+    same = [side for side in Direction if float(np.max(np.abs(found[side] - wish[side]))) <= SAME]
+    if len(same) != 1:
+        return
+    other = same[0].opposite
+    if float(np.ptp(found[other] - wish[other])) <= SAME:
+        yield "backlash", f"arriving in {other.value} everything is off by one constant: another backlash value"
+    yield "one_direction", f"only the values for arriving in {same[0].value} are the plan's"
+
+
+def _shifted(planned: Correction, where: FloatArray, side: Direction, by: float) -> FloatArray:
+    """Return the planned correction moved by ``by``."""
+    return planned(where - by, side)

@@ -1,0 +1,113 @@
+"""``new``: a job prefilled from the control's own files, cross-checked by both readers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from compwright.formats.options import DETECTION_UNIT
+from compwright.formats.schema import Definition
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError, UsageError
+from compwright.jobs.writing import AxisDraft, Prefilled, job_text
+from compwright.records.axis import AxisKind
+from compwright.records.correction import AxisCompensation
+from compwright.workflow.control import Control, DecodedState, decode, open_control, read_files
+
+Facts = Mapping[str, float | int | str | bool]
+
+
+@dataclass(frozen=True, slots=True)
+class NewOutcome:
+    """The job file that was written, and what the user still has to fill in, one line each."""
+
+    path: Path
+    open: tuple[str, ...]
+
+
+def new_job(files: Sequence[Path], format_id: str, options: dict[str, object], out: Path, *, force: bool = False) -> NewOutcome:
+    """Write a job for every axis on which the control's files say that something acts.
+
+    Where no axis has a table or backlash, every axis that the files name gets one. Raises UsageError, InputError (files that
+    contradict themselves) and StorageError.
+    """
+    control = open_control(format_id, options)
+    asked = DETECTION_UNIT in control.definition.options and control.options.get(DETECTION_UNIT) is None
+    # Which axes there are does not depend on the length of a pulse.
+    reading = open_control(format_id, {**options, DETECTION_UNIT: 0.001}) if asked else control
+    decoded = decode(reading, read_files(files))
+    drafts = list(_drafts(control, decoded))
+    if not drafts:
+        raise InputError(Fault(message="the files name no axis", file=", ".join(map(str, files))))
+    given = {name: Prefilled(value, "as given on the command line") for name, value in options.items()}
+    if asked:
+        given[DETECTION_UNIT] = Prefilled(None, "mm or deg per pulse, such as 0.001; nothing in the files says it")
+    text = job_text(format_id, given, [storage.relative(path, out.parent) for path in files], drafts)
+    storage.write_file(out, text.encode(), force=force)
+    return NewOutcome(out, tuple(_open(given, drafts)))
+
+
+def _open(options: Mapping[str, Prefilled], drafts: Sequence[AxisDraft]) -> Iterator[str]:
+    for name, entry in options.items():
+        if entry.value is None:
+            yield f"controller.options.{name}: {entry.source}"
+    for draft in drafts:
+        for key, entry in draft.values.items():
+            if entry.value is None:
+                yield f"axes.{draft.name}.{key}: {entry.source}"
+
+
+def _drafts(control: Control, decoded: DecodedState) -> Iterator[AxisDraft]:
+    state = decoded.state
+    acting = [address for address, axis in state.axes.items() if axis.positions.size or axis.backlash or axis.slope or axis.others]
+    names: set[str] = set()
+    for address in acting or list(state.axes):
+        facts = state.facts.get(address, {})
+        name = _name(control.definition, address, facts)
+        if name in names:
+            raise UsageError(Fault(message=f"two axes would be called {name}", found=address))
+        names.add(name)
+        yield AxisDraft(name=name, values=dict(_values(address, state.axes[address], facts)))
+
+
+def _name(definition: Definition, address: str, facts: Facts) -> str:
+    """Return the axis' name: what the control's files call it, else its address."""
+    name = facts.get("axis_name")
+    if isinstance(name, str):
+        return name
+    letters = definition.addresses.letters
+    if letters is not None and address.isdigit() and int(address) < len(letters):
+        return letters[int(address)]
+    return f"axis {address}" if address.isdigit() else address
+
+
+def _values(address: str, axis: AxisCompensation, facts: Facts) -> Iterator[tuple[str, Prefilled]]:
+    said = "the control's files"
+    known = "rotary" in facts
+    yield "kind", Prefilled(axis.kind.value, f"from {said}" if known else "CHECK: linear or rotary; the files do not say it")
+    low, high = facts.get("limit_low"), facts.get("limit_high")
+    if isinstance(low, (int, float)) and isinstance(high, (int, float)) and low < high and abs(low) < 99999 and abs(high) < 99999:
+        yield "travel", Prefilled([float(low), float(high)], f"software limits in {said}")
+    else:
+        unit = "deg" if axis.kind is AxisKind.ROTARY else "mm"
+        yield "travel", Prefilled(None, f"[low, high] in machine coordinates, {unit}")
+    yield "address", Prefilled(address, "the control's own name of the axis")
+    if axis.period is not None:
+        yield "modulo", Prefilled(axis.period, f"the table in {said} repeats")
+    reference = facts.get("reference_coordinate")
+    if isinstance(reference, (int, float)):
+        yield "reference", Prefilled(float(reference), f"from {said}")
+    else:
+        yield "reference", Prefilled(0.0, "CHECK: machine coordinate of the reference position")
+    yield "reference_return", Prefilled("+", "CHECK: direction in which the reference is approached")
+    encoder: dict[str, object] = {}
+    if facts.get("absolute_encoder") in ("yes", "no"):
+        encoder["type"] = "absolute" if facts["absolute_encoder"] == "yes" else "incremental"
+    if isinstance(facts.get("encoder_system"), int):
+        encoder["system"] = facts["encoder_system"]
+    if encoder:
+        yield "encoder", Prefilled(encoder, f"from {said}")
+    if axis.kind is AxisKind.LINEAR and facts.get("diameter") in ("yes", "no"):
+        yield "programmed", Prefilled("diameter" if facts["diameter"] == "yes" else "radius", f"from {said}")
+    yield "before", Prefilled(None, "[path of the measurement]")
