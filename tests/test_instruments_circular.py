@@ -151,6 +151,21 @@ def test_runs_may_differ_by_a_sample_but_not_by_more() -> None:
     assert "covers another arc" in fault(csv(one + rows([float(k) for k in range(360)], "cw")))
 
 
+def test_runs_that_begin_on_either_side_of_zero_lie_together() -> None:
+    one, near = rows([359.6 + k for k in range(181)], "ccw"), rows([0.2 + k for k in range(181)], "cw")
+    for body, start in ((one + near, 359.6), (one.replace("ccw", "cw") + near.replace("cw", "ccw"), 0.2 - 0.6)):
+        test = read(csv(body))
+        assert test.arc == pytest.approx((start % 360, 180.6))  # from the first sample of either to the last of either
+        lowest = [min(run.angles) for run in test.runs]
+        assert abs(lowest[0] - lowest[1]) == pytest.approx(0.6)
+    ends = rows([float(k) for k in range(181)], "ccw") + rows([2.5 + k for k in range(179)], "cw")
+    assert "covers another arc" in fault(csv(ends))
+    starts = rows([2.5 + k * 177.5 / 180 for k in range(181)], "cw")  # the same end, another beginning
+    assert "covers another arc" in fault(csv(rows([float(k) for k in range(181)], "ccw") + starts))
+    moved = rows([2.5 + k for k in range(181)], "cw")  # the same extent, moved
+    assert "covers another arc" in fault(csv(rows([float(k) for k in range(181)], "ccw") + moved))
+
+
 def test_planes_keep_the_order_of_their_axes() -> None:
     for plane, axes in (("ZX", ("Z", "X")), ("xz", ("X", "Z")), ("X1/Y2", ("X1", "Y2"))):
         test = read(csv(rows(FULL), head=HEAD.replace("XY", plane)))
@@ -208,7 +223,11 @@ BAD: list[tuple[bytes, str]] = [
     (csv(rows([0.0, 120.0, 240.0])), "ccw run 1: has too few samples; expected at least 4, found 3"),
     (csv(rows([0.0, 20.0, 40.0, 60.0])), "covers too short an arc; expected at least 90 deg, found 60 deg from 0 deg"),
     (csv(rows([float(k) for k in range(400)])), "goes round more than once"),
-    (csv(rows(FULL).replace(",1,", ",1,").replace(".", ",")), "the row has not as many cells"),
+    (csv(rows(FULL).replace(".", ",")), "the row has not as many cells"),
+    (
+        csv(rows(FULL).replace(",", ";").replace("1.0000", "1,0000"), "direction;run;angle_deg;deviation_um"),
+        "column deviation_um: decimal marks are mixed",
+    ),
 ]
 
 
@@ -262,6 +281,7 @@ def test_what_is_circular() -> None:
     assert is_circular(b"", "run.B5R")
     assert not is_circular(b"", "run.csv")
     assert not is_circular(b"target_mm,direction,run,deviation_um\n0,+,1,2\n", "run.b5r")
+    assert not is_circular(b"target_deg,angle_deg,direction,run,deviation_arcsec\n0,0,+,1,2\n", "c.csv")
     assert not is_circular(b"TGT_DATA[1]=0\n", "a.dat")
     assert not is_circular(b"\x00\xff\xfe<", "a.dat")
     with pytest.raises(InputError, match="holds a circular test, not a positioning test"):

@@ -365,6 +365,8 @@ circles:
       squareness_um_per_m: 30
       Y: {lost_motion_um: [4, 6], lag_ms: 0.5, cyclic: {amplitude_um: 1, pitch_mm: 10}}
   plain: {centre: [400, 250]}
+  n1: {centre: [400, 250], error: {noise_um: 1}}
+  n2: {centre: [400, 250], error: {noise_um: 1}}
 """
 
 
@@ -373,7 +375,7 @@ def test_a_machine_file_with_circles(tmp_path: Path) -> None:
     file.write_text(MACHINE, encoding="utf-8")
     machine = load_machine(file)
     written = simulate_files(machine, tmp_path / "out", seed=2)
-    assert sorted(path.name for path in written) == ["plain.csv", "x.csv", "xy-150.b5r"]
+    assert sorted(path.name for path in written) == ["n1.csv", "n2.csv", "plain.csv", "x.csv", "xy-150.b5r"]
     plain = read_circular((tmp_path / "out" / "plain.csv").read_bytes(), "plain.csv")
     angles, deviations = trace(plain, "ccw")
     # slope and reversal of X act on the circle: e_x R cos² + lost motion 5 um, to second order and 0.0001 um of the file;
@@ -383,8 +385,25 @@ def test_a_machine_file_with_circles(tmp_path: Path) -> None:
     ballbar = read_circular((tmp_path / "out" / "xy-150.b5r").read_bytes(), "xy-150.b5r")
     assert ballbar.feed == pytest.approx(2000.0, rel=1e-7)
     assert ballbar.header["machine"] == "VMC 850 SIM-1"
+    one, other = ((tmp_path / "out" / name).read_bytes() for name in ("n1.csv", "n2.csv"))
+    assert one != other  # two circles do not share their noise
     again = simulate_files(machine, tmp_path / "again", seed=2)
     assert {path.name: path.read_bytes() for path in again} == {path.name: path.read_bytes() for path in written}
+
+
+def test_numbers_of_a_machine_file_arrive_in_their_units() -> None:
+    errors = read_machine(MACHINE.encode(), "machine.yaml").circles["xy-150"].errors
+    assert errors.squareness == pytest.approx(30e-6)
+    assert errors.second.lost_motion == pytest.approx((4e-3, 6e-3))
+    assert errors.second.pitch == 10.0
+
+
+def test_another_seed_is_another_measurement(tmp_path: Path) -> None:
+    machine = read_machine(MACHINE.encode(), "machine.yaml")
+    for seed in (1, 2):
+        simulate_files(machine, tmp_path / str(seed), seed=seed)
+    assert (tmp_path / "1" / "n1.csv").read_bytes() != (tmp_path / "2" / "n1.csv").read_bytes()
+    assert (tmp_path / "1" / "plain.csv").read_bytes() == (tmp_path / "2" / "plain.csv").read_bytes()
 
 
 def test_tables_act_on_the_circle() -> None:

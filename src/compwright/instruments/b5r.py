@@ -38,6 +38,7 @@ _INDEX: Final = re.compile(r"[0-9]{1,8}")
 #: No ballbar is longer, mm.
 _LONGEST: Final = 10_000.0
 _SAME_LENGTH: Final = 1e-6  # mm, rounding of printed lengths
+_MOST_READINGS: Final = 1_000_000  # of a run; a real one has some thousand
 _SAME_ANGLE: Final = 1e-6  # deg, the same for angles
 #: In all files seen as many samples of overshoot follow the arc as precede it; beyond this the readings are of another length.
 _TAIL: Final = (2, 0.02)  # samples, share of the samples of the arc; the larger of both
@@ -274,9 +275,14 @@ def _run(element: Element, sense: Sense, number: int, spec: _Spec, faults: Fault
 
 def _readings(element: Element, faults: FaultList) -> FloatArray | None:
     text, place = _text(element, faults, "READINGS")
+    tokens = text.split()
+    if len(tokens) > _MOST_READINGS:
+        expected = f"at most {_MOST_READINGS} values"
+        faults.add("READINGS are longer than any run", place=place, expected=expected, found=str(len(tokens)))
+        return None
     values: list[float] = []
     wrong = False
-    for position, token in enumerate(text.split(), start=1):
+    for position, token in enumerate(tokens, start=1):
         value = _finite(token)
         if value is None:
             faults.add(
