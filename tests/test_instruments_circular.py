@@ -335,6 +335,8 @@ def test_files_that_do_not_belong_together(other: CircularTest, words: str) -> N
 def test_arcs_in_two_files_may_differ_by_a_sample() -> None:
     merged = merge_circular([one("ccw", ARC), one("cw", ARC[1:])], "t")
     assert merged.arc == (0.0, 180.0)
+    around = [one("ccw", [359.6 + k for k in range(181)]), one("cw", [0.2 + k for k in range(181)])]
+    assert len(merge_circular(around, "t").runs) == 2  # 0.6 deg apart, on either side of zero
     with pytest.raises(InputError, match="covers another arc"):
         merge_circular([one("ccw", ARC), one("cw", [angle + 3 for angle in ARC])], "t")
     with pytest.raises(UsageError):
