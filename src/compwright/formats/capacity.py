@@ -10,6 +10,7 @@ from compwright.formats.increments_capacity import increments_capacity
 from compwright.formats.options import resolve_options, settled_number
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Choice, Definition, OptionValue
+from compwright.formats.user_tables_capacity import user_tables_capacity
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption, ControlState
@@ -43,6 +44,8 @@ def capacity_for(definition: Definition, axis: Axis, options: Mapping[str, objec
     resolved = resolve_options(definition, options, state)
     if definition.layout.shape == "section_increments":
         return increments_capacity(definition, axis, resolved, state)
+    if definition.layout.shape == "user_tables":
+        return user_tables_capacity(definition, axis, resolved, state)
     address, assumption = normal_address(definition, axis)
     assumed = [assumption] if assumption is not None else []
     scale = scale_for_writing(definition, axis, resolved)

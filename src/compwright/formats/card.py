@@ -14,6 +14,7 @@ from compwright.formats.options import axis_options, resolve_options
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Definition
 from compwright.formats.statements import field_names, print_form
+from compwright.formats.user_tables_capacity import user_card_values
 from compwright.foundations.units import outside_factor, outside_unit, shown_unit
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import AxisCompensation, Evidence
@@ -74,6 +75,8 @@ def card_values(
         values["check"] = _check(compensation)
     if positions.size > 1:
         values["spacing"] = f"{(positions[-1] - positions[0]) / (positions.size - 1) / factor:.10g}"
+    if definition.layout.shape == "user_tables":
+        values.update(user_card_values(definition, axis, compensation, resolved))
     return values
 
 

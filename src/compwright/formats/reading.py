@@ -18,6 +18,7 @@ from compwright.formats.schema import Definition
 from compwright.formats.section_increments import read_increments
 from compwright.formats.statements import field_matches
 from compwright.formats.texts import ReadText, TextReader
+from compwright.formats.user_tables import read_user_tables
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -40,6 +41,8 @@ def read_state(
     """
     if definition.layout.shape == "section_increments":
         return read_increments(definition, files, options, axes, address=address)
+    if definition.layout.shape == "user_tables":
+        return read_user_tables(definition, files, options, axes, address=address)
     return _StateReader(definition, resolve_options(definition, options), axes, address).read(files)
 
 

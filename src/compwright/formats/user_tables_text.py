@@ -26,7 +26,9 @@ from compwright.records.correction import ControlFile
 
 #: The statements of a definition that open a table of values and a table of assignments.
 VALUES, ASSIGNMENTS = "values_begin", "assignments_begin"
-ROW_NUMBER = "NR"
+ROW_NUMBER, POSITION, SECOND, ACTIVE = "NR", "AXISPOS", "BACKLASH", ("ACTIVE", "STATUS")
+#: Columns that belong to no axis.
+RESERVED = (ROW_NUMBER, POSITION, SECOND, *ACTIVE)
 _NUMBER = re.compile(r"[+-]?(?:[0-9]{1,9}(?:\.[0-9]{0,9})?|\.[0-9]{1,9})")
 _BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]")
 _ENDS = ("END", "[END]")
@@ -45,7 +47,7 @@ class Cell:
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One row: ``line`` counts from 1; ``start`` / ``end`` / ``next`` are the bytes of the line, of its end and of the line after."""
+    """One row. ``line`` counts from 1; ``start`` and ``end`` are the bytes of its text, ``next`` those of the following line."""
 
     line: int
     start: int
@@ -190,13 +192,17 @@ class _TableReader:
         return None
 
     def _names(self, line: _Line) -> list[str]:
-        names = [word.text for word in line.words]
+        names = [self._spelling(word.text) for word in line.words]
         if names[0].upper() != ROW_NUMBER or len(names) < 2:
             self._fault("the names of the columns are missing", line, expected="NR, then the columns", found=line.text.strip())
         for name in dict.fromkeys(names):
             if names.count(name) > 1:
                 self._fault(f"the column {name} stands twice", line)
         return [ROW_NUMBER, *names[1:]]
+
+    def _spelling(self, name: str) -> str:
+        upper = name.upper()
+        return upper if upper in RESERVED or self.definition.addresses.case == "ignored" else name
 
     def _table(
         self, kind: Kind, head: Mapping[str, Cell], header: _Line, names: list[str], lines: Sequence[_Line]
@@ -212,7 +218,7 @@ class _TableReader:
                 for place, word in zip(places, line.words, strict=True)
             }
             found = cells.get(ROW_NUMBER)
-            if found is None or not found.text.isdigit() or int(found.text[:9]) != number:
+            if found is None or not re.fullmatch("[0-9]{1,6}", found.text) or int(found.text) != number:
                 shown = found.text if found else "nothing"
                 self._fault("the rows are not numbered one by one from 0", line, expected=str(number), found=shown)
             rows.append(Row(line.number, line.start, line.start + len(line.text), line.next, cells))
@@ -316,17 +322,15 @@ def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
         raise NotHeld(f"{table.file}: the cells of the column {name} do not stand in fixed widths")
     start = column.edge if column.flush == "left" else column.edge - len(text)
     end = start + len(text)
-    # One blank stays between neighbours: behind the text (left), before it (right). The first column has nothing before it.
-    low = column.low + (1 if column.flush == "right" and column.low else 0)
+    # One blank stays between neighbours: behind cells that begin flush, before cells that end flush with the column.
+    low = column.low + (1 if column.flush == "right" and column.high == column.edge and column.low else 0)
     high = None if column.high is None else column.high - (1 if column.flush == "left" else 0)
     if start < low or (high is not None and end > high):
-        width = (column.edge if column.flush == "right" else high or 0) - (low if column.flush == "right" else column.edge)
+        width = column.edge - low if column.flush == "right" else (high or 0) - column.edge
         raise NotHeld(f"{text} does not fit the column {name} of {table.file}, which is {width} characters wide")
     stop = len(line) if column.high is None else min(len(line), column.high)
-    cut = max(stop, column.low)
     region = " " * (start - column.low) + text
-    rest = line[cut:]
-    return line[: column.low].ljust(column.low) + (region.ljust(cut - column.low) if rest or stop > column.low else region) + rest
+    return line[: column.low].ljust(column.low) + region.ljust(max(0, stop - column.low)) + line[stop:]
 
 
 def cell_changes(table: UserTable, row: Row, line: str, cells: Mapping[str, str]) -> list[Change]:

@@ -16,6 +16,9 @@ from compwright.formats.schema import Choice, Definition, WrittenFile
 from compwright.formats.statements import Occurrence, print_form
 from compwright.formats.tables import WrittenTable, write_table
 from compwright.formats.texts import TextReader
+from compwright.formats.user_tables import read_user_tables
+from compwright.formats.user_tables_capacity import broken_limits
+from compwright.formats.user_tables_writing import write_user_tables
 from compwright.foundations.errors import CapacityError, Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -38,11 +41,16 @@ def write_tables(
     """
     resolved = resolve_options(definition, options, state)
     pairs = _pairs(definition, compensations, axes)
+    if definition.layout.shape == "user_tables" and files:  # what they hold is the limit, whatever was known before
+        state = read_user_tables(definition, files, options, [axis for _, axis, _ in pairs])
     faults = [fault for _, axis, compensation in pairs for fault in check_limits(definition, axis, compensation, resolved, state)]
     sound = [pair for pair in pairs if pair[2].positions.size >= 2 and not _unsound(pair[2])]
     if definition.layout.shape == "section_increments":
         raise_all(CapacityError, list(dict.fromkeys(faults)))
         return write_increments(definition, sound, resolved, state, files)
+    if definition.layout.shape == "user_tables":
+        raise_all(CapacityError, list(dict.fromkeys(faults)))
+        return write_user_tables(definition, pairs, resolved, files)
     written: list[ControlFile] = []
     for address, axis, compensation in sound:
         scale = scale_for_writing(definition, axis, resolved)
@@ -131,14 +139,16 @@ def check_limits(
         fault("tables that repeat (endless rotary axis) are not built yet", "an axis with ends", f"modulo {axis.modulo:g}")
     if compensation.kind is not axis.kind:
         fault("the table and the axis differ in kind", axis.kind, compensation.kind)
-    if count:
-        faults.extend(_ends(definition, compensation, label))
-    return tuple(faults)
+    if definition.layout.shape == "user_tables":
+        faults.extend(broken_limits(definition, axis, compensation, capacity))
+    return (*faults, *_ends(definition, compensation, label))
 
 
 def _ends(definition: Definition, compensation: AxisCompensation, label: str) -> list[Fault]:
     """The table must mean the same outside its range as the control makes of it, or be zero at that end."""
-    faults = []
+    faults: list[Fault] = []
+    if not compensation.positions.size:
+        return faults
     for side, meant, made, node in (
         ("below", compensation.below, definition.layout.below, 0),
         ("above", compensation.above, definition.layout.above, -1),
