@@ -323,7 +323,9 @@ def _coarsest(pool: list[Candidate], others: list[Candidate], wanted: WantedCorr
 def _first_good(candidates: list[Candidate], wanted: WantedCorrection, capacity: Capacity) -> Candidate | None:
     """Return a grid that loses no more than the tolerance: the coarsest, or one nearly as coarse with a rounder step."""
     quantum = capacity.position_quantum
-    tolerance = max(capacity.quantum, NOISE_SHARE * wanted.noise)
+    # Steps are cheap to make finer, and their loss is a range as wide as a step: no more than rounding costs anyway.
+    resolution = capacity.quantum / np.sqrt(12.0) if capacity.interpolation == "step" else capacity.quantum
+    tolerance = max(resolution, NOISE_SHARE * wanted.noise)
     best: Candidate | None = None
     first = 0
     for candidate in candidates:
