@@ -1,7 +1,7 @@
-"""Circular tests of machines with known causes, from the exact path of the tool; independent of everything in the project.
+"""Circular tests of machines with known causes, from the exact path of the tool; independent of the project's own simulator.
 
-Positions are computed as a machine moves: the commanded point, the error of each axis at that point and direction, then the distance
-to the ball. Nothing here is a radial formula, so that first-order formulas of the product are compared with geometry.
+Positions are computed as a machine moves: the commanded point, the error of each axis at that point and direction, then the
+distance to the ball. Nothing here is a radial formula, so that first-order formulas of the product are compared with geometry.
 """
 
 from __future__ import annotations

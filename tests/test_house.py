@@ -341,6 +341,7 @@ FAMILIES = {
     "C": {"evaluation"},
     "J": {"jobs"},
     "S": {"workflow", "formats", "controllers"},
+    "D": {"estimation"},
     "E": {"estimation"},
     "F": {"fitting"},
     "X": {"formats", "controllers", "workflow"},

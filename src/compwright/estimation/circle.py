@@ -122,5 +122,5 @@ def _fitted(samples: Samples, given: dict[str, float]) -> tuple[Fit, Search]:
             break
         shapes = Shapes(fitted.shapes.lengths, {**fitted.shapes.frequencies, **found.found}, fitted.shapes.given)
         fitted = fit(problem, shapes, fitted.spectra, fitted.known, rounds=5)
-        fitted = fit(problem, fitted.shapes, spectra_of(fitted), fitted.known, rounds=3)
+        fitted = fit(problem, fitted.shapes, spectra_of(fitted), fitted.known, rounds=2)
     return fit(problem, fitted.shapes, spectra_of(fitted), fitted.known), found

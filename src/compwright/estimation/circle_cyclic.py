@@ -15,7 +15,7 @@ import numpy as np
 
 from compwright.estimation.circle_fit import Fit, Problem
 from compwright.estimation.circle_model import AXES, UM, Samples, cyclic_columns
-from compwright.estimation.circle_noise import back, halves
+from compwright.estimation.circle_noise import halves, inverse_cosine_transform
 from compwright.records.axis import FloatArray
 
 #: One search in a thousand finds a cyclic error where there is none.
@@ -75,7 +75,7 @@ def _screen(problem: Problem, fitted: Fit, axis: str) -> tuple[FloatArray, Float
     place = (turn + 1.0) * radius / step
     low = place.astype(np.intp)
     share = place - low
-    values = back(shared) * turn
+    values = inverse_cosine_transform(shared) * turn
     binned = np.bincount(low, values * (1.0 - share), cells) + np.bincount(low + 1, values * share, cells)[:cells]
     padded = max(int(np.ceil(_OVERSAMPLING * radius / step)), cells)
     score = np.fft.rfft(binned, padded)

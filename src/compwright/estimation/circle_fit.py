@@ -70,30 +70,54 @@ class Fit:
         return dict(zip(self.names, (float(value) for value in self.values), strict=True))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
-    """What all fits of one test share: its samples, their grid, and the columns without a free shape, ``x``, ``y`` (n, k)."""
+    """What all fits of one test share: the columns without a free shape, ``x``, ``y`` (n, k) mm, and the way to the ball.
+
+    ``towards_x``, ``towards_y`` (n,): direction of the bar, from the centre by least squares; causes turn it by less than a
+    thousandth, which slows no round of Gauss-Newton. ``slopes`` (n, k) and ``rows`` (size, k) by half: the columns seen by the
+    bar and their transforms. ``start``: that centre, by name.
+    """
 
     samples: Samples
     grid: Grid
     fixed: tuple[Column, ...]
     x: FloatArray
     y: FloatArray
+    towards_x: FloatArray
+    towards_y: FloatArray
+    slopes: FloatArray
+    rows: tuple[FloatArray, ...]
+    start: dict[str, float]
 
 
 def problem_of(samples: Samples) -> Problem:
     """Return what the fits of these samples share."""
-    fixed = fixed_columns(samples)
-    x, y = np.array([column.x for column in fixed]).T, np.array([column.y for column in fixed]).T
-    return Problem(samples, grid_of(samples), fixed, np.ascontiguousarray(x), np.ascontiguousarray(y))
+    fixed, grid = fixed_columns(samples), grid_of(samples)
+    x = np.ascontiguousarray(np.array([column.x for column in fixed]).T)
+    y = np.ascontiguousarray(np.array([column.y for column in fixed]).T)
+    centre_x, centre_y, mean = recentre(samples.theta, samples.deviations, samples.radius)
+    along, across = samples.radius * np.cos(samples.theta) + centre_x, samples.radius * np.sin(samples.theta) + centre_y
+    distance = np.hypot(along, across)
+    slopes = x * (along / distance)[:, np.newaxis] + y * (across / distance)[:, np.newaxis]
+    return Problem(
+        samples=samples,
+        grid=grid,
+        fixed=fixed,
+        x=x,
+        y=y,
+        towards_x=along / distance,
+        towards_y=across / distance,
+        slopes=slopes,
+        rows=halves(grid, slopes),
+        start={"_centre_x": centre_x, "_centre_y": centre_y, "_radius": mean},
+    )
 
 
 def first_fit(problem: Problem, shapes: Shapes) -> Fit:
     """Return a fit with ``shapes`` as they are and all samples independent and alike, to see the residuals."""
-    samples, grid = problem.samples, problem.grid
-    x, y, mean = recentre(samples.theta, samples.deviations, samples.radius)
-    white = tuple(Spectrum(np.full(grid.size, 1e-6), 1.0) for _ in grid.index)
-    return fit(problem, shapes, white, {"_centre_x": x, "_centre_y": y, "_radius": mean}, rounds=2, hold=True)
+    white = tuple(Spectrum(np.full(problem.grid.size, 1e-6), 1.0) for _ in problem.grid.index)
+    return fit(problem, shapes, white, problem.start, rounds=2, hold=True)
 
 
 def spectra_of(found: Fit) -> tuple[Spectrum, ...]:
@@ -116,10 +140,9 @@ def fit(
 ) -> Fit:
     """Return the least-squares fit weighted by ``spectra``, from ``shapes`` and the values ``known`` by name as its start.
 
-    ``hold``: the shapes stay; else lengths and frequencies are fitted along. The directions to the ball, which turn by
-    millionths once the centre is known, are those of the start; the distances are exact in every round.
+    ``hold``: the shapes stay; else lengths and frequencies are fitted along. Distances are exact in every round.
     """
-    steps = _Steps(problem, spectra, known)
+    steps = _Steps(problem, spectra)
     for _ in range(rounds):
         free = tuple(_free_columns(problem.samples, shapes, known, hold=hold))
         values = np.array([0.0 if _is_shape(c.name) else known.get(c.name, 0.0) for c in (*problem.fixed, *free)])
@@ -129,16 +152,18 @@ def fit(
             shapes = _moved(shapes, known, problem.samples.radius)
         if np.max(np.abs(solved.step) * np.sqrt(solved.information)) < _SETTLED:
             break
+    slopes = np.column_stack([problem.slopes, solved.own[:, :-1]])
+    rows = tuple(np.column_stack([fixed, part[:, :-1]]) for fixed, part in zip(problem.rows, solved.parts, strict=True))
     return Fit(
         names=tuple(column.name for column in (*problem.fixed, *free)),
         values=values + solved.step,
         covariance=inverse_of(solved.normal),
         information=solved.information,
-        residual=solved.residual - solved.slopes @ solved.step,
+        residual=solved.residual - slopes @ solved.step,
         x=np.column_stack([problem.x, *(column.x for column in free)]),
         y=np.column_stack([problem.y, *(column.y for column in free)]),
-        rows=solved.rows,
-        rest=tuple(part - half @ solved.step for part, half in zip(solved.rest, solved.rows, strict=True)),
+        rows=rows,
+        rest=tuple(part[:, -1] - half @ solved.step for part, half in zip(solved.parts, rows, strict=True)),
         spectra=spectra,
         shapes=shapes,
     )
@@ -146,33 +171,28 @@ def fit(
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """One round of Gauss-Newton: its step (k,), and what it was solved from."""
+    """One round of Gauss-Newton: its step (k,), and what it was solved from.
+
+    ``own``: slopes of the free columns and, last, the residual (n, f + 1), mm; ``parts``: their transforms by half.
+    """
 
     step: FloatArray
     normal: FloatArray
     information: FloatArray
-    slopes: FloatArray
     residual: FloatArray
-    rows: tuple[FloatArray, ...]
-    rest: tuple[FloatArray, ...]
+    own: FloatArray
+    parts: tuple[FloatArray, ...]
 
 
 class _Steps:
-    """Rounds of one fit; transforms of the fixed columns and their products are made once."""
+    """Rounds of one fit; products of the fixed columns are made once."""
 
-    def __init__(self, problem: Problem, spectra: tuple[Spectrum, ...], known: dict[str, float]) -> None:
-        samples = problem.samples
+    def __init__(self, problem: Problem, spectra: tuple[Spectrum, ...]) -> None:
         self.problem, self.spectra = problem, spectra
-        self.cos, self.sin = np.cos(samples.theta), np.sin(samples.theta)
-        values = np.array([known.get(column.name, 0.0) for column in problem.fixed])
-        along, across = samples.radius * self.cos + problem.x @ values, samples.radius * self.sin + problem.y @ values
-        distance = np.hypot(along, across)
-        self.towards_x, self.towards_y = along / distance, across / distance
-        self.slopes = problem.x * self.towards_x[:, np.newaxis] + problem.y * self.towards_y[:, np.newaxis]
-        self.rows = halves(problem.grid, self.slopes)
-        self.weighted = [rows / spectrum.density[:, np.newaxis] for rows, spectrum in zip(self.rows, spectra, strict=True)]
+        self.cos, self.sin = np.cos(problem.samples.theta), np.sin(problem.samples.theta)
+        self.weighted = [rows / spectrum.density[:, np.newaxis] for rows, spectrum in zip(problem.rows, spectra, strict=True)]
         size = len(problem.fixed)
-        self.block = sum((rows.T @ part for rows, part in zip(self.rows, self.weighted, strict=True)), np.zeros((size, size)))
+        self.block = sum((rows.T @ part for rows, part in zip(problem.rows, self.weighted, strict=True)), np.zeros((size, size)))
 
     def solved(self, free: tuple[Column, ...], values: FloatArray, prior: tuple[FloatArray, FloatArray]) -> _Step:
         """Return the step from ``values`` (k,); ``prior``: precision (k,) and where it draws each step to (k,)."""
@@ -183,7 +203,7 @@ class _Steps:
         for index, (column, value) in enumerate(zip(free, values[size:], strict=True)):
             along += value * column.x
             across += value * column.y
-            own[:, index] = column.x * self.towards_x + column.y * self.towards_y
+            own[:, index] = column.x * problem.towards_x + column.y * problem.towards_y
         residual = samples.radius + samples.deviations - np.hypot(along, across)
         own[:, -1] = residual
         count = size + len(free)
@@ -204,10 +224,9 @@ class _Steps:
             step=_solved(normal, right + precision * (aim - values)),
             normal=normal,
             information=information,
-            slopes=np.column_stack([self.slopes, own[:, :-1]]),
             residual=residual,
-            rows=tuple(np.column_stack([rows, part[:, :-1]]) for rows, part in zip(self.rows, parts, strict=True)),
-            rest=tuple(part[:, -1] for part in parts),
+            own=own,
+            parts=parts,
         )
 
 

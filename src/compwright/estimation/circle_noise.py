@@ -15,7 +15,6 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.fft import dct, idct
 
 from compwright.estimation.circle_model import Samples
 from compwright.records.axis import FloatArray
@@ -26,7 +25,9 @@ IndexArray = NDArray[np.intp]
 _LENGTHS: Final = 14
 _RATIOS: Final = np.concatenate([[0.0], np.logspace(-1.0, 5.0, 25)])
 #: The longest correlation tried is so small a part of a run: the orders that would show a longer one are used up by the causes.
-_SHORTEST_WAVE: Final = 24.0
+_SHORTEST_WAVE: Final = 16.0
+#: White noise alone weighs beforehand so many times one ratio: about half as much as all correlated noise together.
+_WHITE: Final = 10.0
 #: Ordinates of a spectrum are pooled above the first so many, in steps of a constant ratio.
 _SINGLE: Final = 32
 _POOLED: Final = 36
@@ -89,12 +90,38 @@ def halves(grid: Grid, values: FloatArray) -> tuple[FloatArray, ...]:
     parts = [np.sqrt(index.shape[0]) * np.mean(values[index], axis=0) for index in grid.index]
     if len(parts) == 2:
         parts = [(parts[0] + parts[1]) / np.sqrt(2.0), (parts[0] - parts[1]) / np.sqrt(2.0)]
-    return tuple(np.asarray(dct(part, axis=0, norm="ortho"), dtype=np.float64) for part in parts)
+    return tuple(cosine_transform(part) for part in parts)
 
 
-def back(half: FloatArray) -> FloatArray:
-    """Return the values (size,) over the grid of a cosine transform."""
-    return np.asarray(idct(half, axis=0, norm="ortho"), dtype=np.float64)
+def cosine_transform(values: FloatArray) -> FloatArray:
+    """Return the orthonormal cosine transform (type II) of values (size, ...) along the first axis.
+
+    By one Fourier transform of the same length: the even samples, then the odd ones backwards (Makhoul 1980).
+    """
+    size = values.shape[0]
+    folded = np.fft.rfft(np.concatenate([values[::2], values[1::2][::-1]]), axis=0)
+    turn = np.exp(-0.5j * np.pi * np.arange(folded.shape[0]) / size) * np.sqrt(2.0 / size)
+    turned = folded * turn.reshape(-1, *(1,) * (values.ndim - 1))
+    transformed = np.empty_like(values)
+    transformed[: folded.shape[0]] = turned.real
+    # The upper half of the spectrum is the conjugate of the lower; turned on by a quarter it becomes the imaginary part.
+    transformed[folded.shape[0] :] = -turned.imag[1 : size - folded.shape[0] + 1][::-1]
+    transformed[0] *= np.sqrt(0.5)
+    return transformed
+
+
+def inverse_cosine_transform(transformed: FloatArray) -> FloatArray:
+    """Return the values (size,) whose orthonormal cosine transform is given."""
+    size = transformed.size
+    scaled = transformed * np.sqrt(0.5 * size)
+    scaled[0] *= np.sqrt(2.0)
+    backwards = np.concatenate([[0.0], scaled[:0:-1]])
+    turn = np.exp(0.5j * np.pi * np.arange(size) / size)
+    folded = np.fft.ifft(turn * (scaled - 1j * backwards)).real
+    values = np.empty_like(transformed)
+    half = (size + 1) // 2
+    values[::2], values[1::2] = folded[:half], folded[half:][::-1]
+    return values
 
 
 def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
@@ -114,6 +141,7 @@ def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
     scale = np.sum(pooled_power / shapes, axis=-1)
     log = -0.5 * np.sum(pooled_freedom * np.log(shapes), axis=-1) - 0.5 * total * np.log(np.maximum(scale, 1e-300))
     weights = np.exp(log - np.max(log))
+    weights[0] *= _WHITE
     level = weights / np.sum(weights) * scale / max(total - 2.0, 1.0)
     density = np.sum(level) + np.einsum("rl,r,lf->f", level, _RATIOS, _correlated(orders / size, lengths), optimize=True)
     # A millionth of a micrometre: data without any noise keep a finite weight.
@@ -122,10 +150,13 @@ def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
 
 
 def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
-    """Return the density (l, f), 1 at zero, of first-order autoregressive noise; ``frequency`` 1 is one half turn per sample."""
+    """Return densities (2 l, f), 1 at zero, of autoregressive noise of first order and of the same passed through once more.
+
+    ``lengths`` in samples to 1/e; ``frequency`` 1 is half a turn per sample.
+    """
     root = np.exp(-1.0 / lengths)[:, np.newaxis]
-    density: FloatArray = (1.0 - root) ** 2 / (1.0 - 2.0 * root * np.cos(np.pi * frequency) + root**2)
-    return density
+    density = (1.0 - root) ** 2 / (1.0 - 2.0 * root * np.cos(np.pi * frequency) + root**2)
+    return np.vstack([density, density**2])
 
 
 def _pools(size: int) -> IndexArray:
