@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from compwright.formats.card import UNKNOWN, card_steps, card_values
+from compwright.formats.gate_limits import unenforced_limits
 from compwright.formats.options import ENCODER_SYSTEM
 from compwright.formats.reading import read_state
 from compwright.formats.schema import Definition, Expectation
@@ -25,7 +26,8 @@ def check_definition(definition: Definition) -> tuple[Fault, ...]:
     """Return what a definition gets wrong; nothing when it passes.
 
     Its keys were checked when it was loaded. Here: each hand-worked expectation holds; the sample can be read; its tables can be
-    written, give the same bytes twice and are read back as the same numbers; the card knows all its fields.
+    written, give the same bytes twice and are read back as the same numbers; a table beyond any limit is refused; the card knows
+    all its fields.
     """
     faults: list[Fault] = []
     if not definition.expect:
@@ -87,6 +89,7 @@ def _round_trip(definition: Definition) -> Iterator[Fault]:
         if not same_compensation(compensation, again.axes[address]):
             yield Fault(message=f"axis {address}: what is written is not what was read", place="sample")
     for axis, compensation in zip(axes, compensations, strict=True):
+        yield from unenforced_limits(definition, axis, compensation, definition.sample_options)
         values = card_values(definition, axis, compensation, definition.sample_options, again.facts[axis.address])
         for step in card_steps(definition, axis, values):
             if UNKNOWN in step.text:

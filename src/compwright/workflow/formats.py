@@ -5,12 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+import numpy as np
+
+from compwright.controllers.virtual import KNOWN, virtual_control
 from compwright.formats.definitions import definitions_from, load_definition
-from compwright.formats.gate import check_definition
-from compwright.formats.options import describe_options
+from compwright.formats.gate import AGREEMENT, check_definition
+from compwright.formats.options import describe_options, resolve_options
 from compwright.formats.schema import Choice, Definition, EvidenceNote, Measure, OptionValue
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
+from compwright.foundations.units import TO_INSIDE
+from compwright.records.axis import Direction
+from compwright.records.correction import ControlFile
 
 _SHAPES = {
     "values_by_index": "values by index on an equally spaced grid",
@@ -78,6 +84,9 @@ def check_formats(paths: Sequence[Path]) -> tuple[str, ...]:
             faults.extend(error.faults)
             continue
         found = check_definition(definition)
+        judged = definition.id in KNOWN
+        if not found and judged:
+            found = tuple(fault.in_file(file) for fault in _judge(definition))
         faults.extend(found)
         if definition.id in ids:
             faults.append(
@@ -86,11 +95,43 @@ def check_formats(paths: Sequence[Path]) -> tuple[str, ...]:
         ids[definition.id] = file
         if not found:
             positions = sum(len(expectation.at) for expectation in definition.expect)
-            lines.append(f"{file}: {definition.id}: {positions} positions worked by hand agree; the sample is read back as written")
+            says = "by the virtual control too" if judged else "not independently judged: there is no virtual control for it"
+            lines.append(
+                f"{file}: {definition.id}: {positions} positions worked by hand agree, {says}; the sample is read back as written; "
+                "every limit is kept"
+            )
     raise_all(InputError, faults)
     if not lines:
         raise InputError(Fault(message="no definition was found", file=", ".join(str(path) for path in paths), expected="*.yaml"))
     return tuple(lines)
+
+
+def _judge(definition: Definition) -> Iterator[Fault]:
+    """Yield a fault for every hand-worked correction on which the virtual control does not agree."""
+    for expectation in definition.expect:
+        files = [ControlFile(name, text.encode("utf-8")) for name, text in expectation.files.items()]
+        place = f"expect, {expectation.name}"
+        try:
+            control = virtual_control(
+                definition.id,
+                files,
+                reference_return={expectation.axis: expectation.reference_return},
+                kinds={expectation.axis: expectation.kind},
+                options={**resolve_options(definition, expectation.options), "axis": expectation.axis},
+            )
+            factor = TO_INSIDE[expectation.unit][1]
+            for point in expectation.at:
+                for direction, expected in ((Direction.POSITIVE, point.positive), (Direction.NEGATIVE, point.negative)):
+                    found = float(control.correction(expectation.axis, np.array([point.position]), direction)[0]) / factor
+                    if not abs(found - expected) <= AGREEMENT:
+                        yield Fault(
+                            message=f"the virtual control does not agree at {point.position:g} arriving in {direction.value}",
+                            place=place,
+                            expected=f"{expected:g} {expectation.unit}",
+                            found=f"{found:.9g} {expectation.unit}",
+                        )
+        except CompwrightError as error:
+            yield from (Fault(message=f"the virtual control: {fault}", place=place) for fault in error.faults)
 
 
 def _contents(paths: Sequence[Path]) -> Iterator[tuple[str, bytes]]:
