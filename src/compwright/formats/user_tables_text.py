@@ -157,6 +157,7 @@ class _TableReader:
         if end is None:
             self._fault("the table has no end; it may have been cut short", lines[-1], expected="a last line END or [END]")
             return None
+        self._closed(lines[end], head["name"].text, "COM" if kind == "values" else "CMA")
         for line in lines[end + 1 :]:
             self._fault("more text follows the end of the table", line, expected="one table in a file", found=line.text.strip())
         names = self._names(lines[1]) if end > 1 else []
@@ -190,6 +191,12 @@ class _TableReader:
         forms = [self.definition.statements[name].form.replace("{", "<").replace("}", ">") for _, name in kinds]
         self._fault("the first line cannot be read", line, expected=" or ".join(forms), found=line.text.strip())
         return None
+
+    def _closed(self, line: _Line, name: str, ending: str) -> None:
+        """The last line may name its table; another name is the end of another table."""
+        said = "".join(word.text for word in line.words[1:])
+        if said and said.upper() != f"{name}.{ending}".upper():
+            self._fault("this is the end of another table", line, expected=f"END {name} .{ending}", found=line.text.strip())
 
     def _names(self, line: _Line) -> list[str]:
         names = [self._spelling(word.text) for word in line.words]
