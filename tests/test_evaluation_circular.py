@@ -220,6 +220,29 @@ def test_hysteresis_across_the_seam_of_a_full_circle() -> None:
     )
 
 
+def test_hysteresis_interpolates_across_the_seam() -> None:
+    """cw is 4 µm at 359.8° and 10 µm at 0.8°, so 6.4 µm at 0.2°, where ccw is -10 µm: 16.4 µm. At 0.8° it is 10 + 4."""
+    ccw = [(a + 0.2, -10.0 if a == 0 else 0.0) for a in range(360)]
+    cw = [(a + 0.8, {0: 10.0, 359: 4.0}.get(a, 0.0)) for a in range(360)]
+    assert hysteresis_of(ccw, cw, (0.0, 360.0)) == pytest.approx(16.4, abs=1e-3)
+
+
+def test_hysteresis_of_an_arc_between_samples_beside_zero() -> None:
+    """An arc from 250° to 470°: ccw -9 µm at 360°, where cw has samples half a degree to either side."""
+    ccw = [(float(a), -9.0 if a == 360 else 0.0) for a in range(250, 471)]
+    cw = [(a + 0.5, 0.0) for a in range(250, 470)]
+    assert hysteresis_of(ccw, cw, (250.0, 220.0)) == pytest.approx(9.0, abs=1e-3)
+
+
+def test_hysteresis_counts_from_the_common_centre() -> None:
+    """Samples 4° and 8° apart, 0.3 mm off centre: about the set-up centre the lines between the samples would cut off up to 0.7 µm.
+
+    That is 0.3 mm (4°)²/2. About the centre of the circle there is nothing to cut.
+    """
+    runs = [run_of(perfect, "ccw", n=90, offset=(0.3, 0.0)), run_of(perfect, "cw", n=45, offset=(0.3, 0.0))]
+    assert value(evaluate_circle(circular_test(runs), "iso230-4:1996"), "H") == pytest.approx(0.0, abs=EXACT)
+
+
 def test_hysteresis_with_both_ends_of_a_circle() -> None:
     """A circle sampled at 0° and at 360°, with lost motion of 6 µm there: both samples count."""
     ccw = [(float(a), 6.0 if a == 360 else 0.0) for a in range(0, 361, 5)]

@@ -108,3 +108,24 @@ def test_a_point_in_the_centre_is_no_obstacle() -> None:
     points = np.array([[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]])
     centre, radius = least_squares_circle(points)
     assert np.all(np.isfinite([*centre, radius]))
+
+
+def cloud(seed: int) -> Array:
+    """Return a few points that scatter by half the radius, nothing like a circle."""
+    rng = np.random.default_rng(seed)
+    n = rng.integers(4, 9)
+    return on_circle(rng.uniform(0.0, 2.0 * np.pi, n), 1.0 + rng.normal(0.0, 0.5, n))
+
+
+@pytest.mark.parametrize("seed", range(4, 80))
+def test_points_unlike_a_circle(seed: int) -> None:
+    points = cloud(seed)
+    centre, radius = least_squares_circle(points)
+    offset = points - np.array(centre)
+    distance = np.hypot(offset[:, 0], offset[:, 1])
+    assert np.abs((offset / distance[:, np.newaxis]).T @ (distance - radius)).max() < 1e-7  # stationary
+
+
+def test_points_nearest_to_a_straight_line() -> None:
+    with pytest.raises(InputError, match="straight line"):
+        least_squares_circle(cloud(3))

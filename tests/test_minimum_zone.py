@@ -14,7 +14,7 @@ from scipy.optimize import linprog
 from circular_samples import Array
 from compwright.evaluation.circular_fit import least_squares_circle
 from compwright.evaluation.minimum_zone import minimum_zone
-from compwright.foundations.errors import CapacityError, InputError
+from compwright.foundations.errors import InputError
 
 #: Widths of figures of 50 to 150 mm are compared to this, mm: some hundred roundings of a distance (2e-14), a millionth of a nm.
 CLOSE = 1e-11
@@ -226,17 +226,27 @@ def test_shift_turn_and_scale(seed: int, shift: float, turn: float, scale: float
     assert moved == pytest.approx(scale * plain, abs=1e-11 * max(scale, 1.0))
 
 
-@settings(max_examples=40, deadline=None)
-@given(st.integers(0, 2**32 - 1), st.integers(3, 60))
-def test_a_cloud_gives_a_zone_or_says_so(seed: int, n: int) -> None:
-    """Not a circle at all: the zone holds all points and is no wider than that about the least-squares centre."""
-    points = np.random.default_rng(seed).normal(size=(n, 2))
+@settings(max_examples=100, deadline=None)
+@given(st.integers(0, 2**32 - 1), st.integers(5, 400), st.floats(1e-6, 1.0), st.sampled_from(["normal", "heavy", "spikes"]))
+def test_wild_points_give_a_zone_or_are_refused(seed: int, n: int, size: float, kind: str) -> None:
+    """Scatter up to the radius: the zone holds all points and is no wider than that about the least-squares centre."""
+    rng = np.random.default_rng(seed)
+    spikes = (rng.random(n) < 0.02).astype(np.float64)
+    scatter = {"normal": rng.normal(size=n), "heavy": rng.standard_cauchy(size=n), "spikes": spikes}[kind]
+    points = polar(rng.uniform(0.0, 360.0, n), 1.0 + size * scatter)
     try:
         centre, inner, outer = minimum_zone(points)
-    except CapacityError:
+    except InputError:
+        assert np.ptp(size * scatter) > 0.05  # of the radius: what could not be round
         return
-    assert widths(points, np.array([centre]))[0] == pytest.approx(outer - inner, abs=1e-9)
-    assert outer - inner <= widths(points, np.array([least_squares_circle(points)[0]]))[0] + 1e-9
+    assert widths(points, np.array([centre]))[0] == pytest.approx(outer - inner, abs=CLOSE)
+    assert outer - inner <= widths(points, np.array([least_squares_circle(points)[0]]))[0] + CLOSE
+
+
+def test_points_far_from_any_circle() -> None:
+    square = np.array([[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0], [0.1, 0.0], [-0.1, 0.0]])
+    with pytest.raises(InputError, match="not near a circle"):
+        minimum_zone(square)
 
 
 def test_coarse_readings_with_many_ties() -> None:

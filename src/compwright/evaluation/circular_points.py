@@ -93,7 +93,6 @@ class _Curve:
     @classmethod
     def of(cls, path: ActualPath, centre: Point, seam: float, *, closed: bool) -> _Curve:
         angles = np.mod(path.run.angles - seam, 360.0)
-        angles = np.where(angles > 360.0 - SAME_ANGLE, 0.0, angles)
         order = np.argsort(angles)
         angles, distances = angles[order], path.distances(centre)[order]
         first = np.flatnonzero(np.diff(angles, prepend=-np.inf) > SAME_ANGLE)

@@ -21,14 +21,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from compwright.evaluation.circular_fit import Point, least_squares_circle
-from compwright.foundations.errors import CapacityError, Fault
+from compwright.foundations.errors import CapacityError, Fault, InputError
 from compwright.records.axis import FloatArray
 
 Indices = NDArray[np.intp]
 
 #: The points are taken in so many sectors of equal number; the outermost and the innermost of each may join in a round.
 _SECTORS: Final = 6
-_MOST_ROUNDS: Final = 500
+_MOST_ROUNDS: Final = 100
+#: Distances from the least-squares centre that spread over more than this share of the radius are not those of a circle. Below it
+#: 20 000 random sets (even, normal, heavy-tailed, coarse, spikes; arcs from 90°) took 9 rounds and 14 points at most.
+_NOT_ROUND: Final = 0.25
 #: Crossings of all bisectors of so many points are the most that are tried at once (about 12 million distances).
 _MOST_WORKING: Final = 40
 #: Distances that differ by less, relative to the radius, are equal: some tens of roundings.
@@ -43,12 +46,17 @@ def minimum_zone(points: FloatArray) -> tuple[Point, float, float]:
     annulus. The width is the least one to within rounding (some 1e-14 of the radius). Where two points on one ray alone set it,
     many centres give it; one of them is returned.
 
-    Raises InputError for fewer than three different points and for points on a straight line, CapacityError when the zone does not
-    stand still (no set of points near a circle does that).
+    Raises InputError for fewer than three different points, for points on a straight line, and for points whose distances from the
+    least-squares centre spread over more than a quarter of the radius; CapacityError when the zone does not stand still.
     """
     start, radius = least_squares_circle(points)
     x, y = _around(points[:, 0] - start[0], points[:, 1] - start[1])
     distance = np.hypot(x, y)
+    if float(np.ptp(distance)) > _NOT_ROUND * radius:
+        found = f"{float(np.ptp(distance)):.4g} at a radius of {radius:.4g}"
+        raise InputError(
+            Fault(message="the points are not near a circle", expected="a spread below a quarter of the radius", found=found)
+        )
     reach = _reach(x, y, distance)
     tolerance = _ROUNDING * radius
     centre, width = np.zeros(2), -np.inf
@@ -66,9 +74,7 @@ def minimum_zone(points: FloatArray) -> tuple[Point, float, float]:
             touching = (distance[working] < low + tolerance) | (distance[working] > high - tolerance)
             working = working[touching]
         width = max(width, high - low)
-    raise CapacityError(
-        Fault(message="the minimum zone does not stand still", expected="points near a circle", found=f"{points.shape[0]} points")
-    )
+    raise CapacityError(Fault(message="the minimum zone does not stand still", found=f"{points.shape[0]} points"))
 
 
 def _around(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
