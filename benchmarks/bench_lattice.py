@@ -1,8 +1,9 @@
 """Tables of whole increments: time per solve at 1 000 nodes, and what is left against two ways of rounding. Prints, judges nothing.
 
 Three ways to the same table: the exact optimum over whole increments and reversal values; the best real values with their totals
-rounded; the same with each increment rounded by itself, which drifts. "rms" and "E" are those of the systematic error that is left over
-the travel, both directions, no noise; E at 2 001 positions. The rounded tables may leave the increments' limits: then they are clipped.
+rounded; the same with each increment rounded by itself, which drifts. "rms" and "E" are those of the systematic error that is left
+over the travel, both directions, no noise; E at 2 001 positions. Rounded tables that leave the increments' limits are clipped. The
+optimum is that of the mean square: E, which one position decides, may come out a little smaller after plain rounding of totals.
 """
 
 from __future__ import annotations
@@ -95,13 +96,10 @@ def quality(largest: int, spacing: float, slope: float, *, step: bool) -> None:
         for name in ("totals", "increments"):
             rows[name].append(left(rounded(real, magnification * UM, largest, increments=name == "increments"), wanted))
     shape = "steps" if step else "lines"
-    says = ", ".join(
-        f"{name} {statistics.median(r for r, _ in row):.2f} / {statistics.median(e for _, e in row):.2f}"
-        for name, row in rows.items()
-    )
-    print(
-        f"±{largest:<3} every {spacing:g} mm, {slope:g} µm/m, {shape}, magnification {min(chosen)} to {max(chosen)}: rms / E {says} µm"
-    )
+    medians = {name: [statistics.median(column) for column in zip(*row, strict=True)] for name, row in rows.items()}
+    says = ", ".join(f"{name} {rms:.2f} / {e:.2f}" for name, (rms, e) in medians.items())
+    case = f"±{largest:<3} every {spacing:g} mm, {slope:g} µm/m, {shape}, magnification {min(chosen)} to {max(chosen)}"
+    print(f"{case}: rms / E {says} µm")
 
 
 def speed(largest: int, slope: float, *, step: bool) -> None:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from compwright.fitting import lattice as lattice_search
 from compwright.fitting.certify import lattice_certificate
 from compwright.fitting.chain import Limits, Push, Wish, build_chain, no_push, priced, relax
 from compwright.fitting.endless import over_one_period
@@ -229,11 +230,13 @@ def left_over(result: FittedTable, wanted: WantedCorrection) -> float:
 KINDS = ("backlash", "no reversal", "two tables", "endless", "endless, two tables")
 
 
+@pytest.mark.parametrize("lanes", [16, 1])
 @pytest.mark.parametrize("step", [True, False])
 @pytest.mark.parametrize("kind", KINDS)
-def test_whole_tables_equal_brute_force(kind: str, step: bool) -> None:
-    rng = np.random.default_rng(KINDS.index(kind) * 2 + step)
-    for _ in range(60):
+def test_whole_tables_equal_brute_force(kind: str, step: bool, lanes: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(lattice_search, "_LANES", lanes)  # how many ways are searched at once changes nothing
+    rng = np.random.default_rng(KINDS.index(kind) * 4 + 2 * step + (lanes > 1))
+    for _ in range(40):
         case = random_case(rng, kind, step)
         result = fit(case.wanted, case.capacity, spacing=10.0, mode=case.mode)
         assert result.compensation.positions == pytest.approx(case.nodes, abs=1e-9)
@@ -450,17 +453,21 @@ def test_two_tables_only_where_the_job_asks() -> None:
 
 def test_the_certificate_of_a_whole_table_sees_every_fault() -> None:
     wanted = wish(X, 6 * UM * np.sin(X / 90.0), 6 * UM * np.sin(X / 90.0))
-    table = fit(wanted, FANUC, spacing=50.0).compensation
-    value = fit(wanted, FANUC, spacing=50.0).certificate["objective"] ** 2
+    fitted = fit(wanted, FANUC, spacing=50.0)
+    table, value = fitted.compensation, fitted.certificate["objective"] ** 2
 
-    def refused(broken: AxisCompensation, claimed: tuple[float, float] = (value, 0.0)) -> None:
+    def refused(broken: AxisCompensation, claimed: tuple[float, float] | None = None) -> None:
+        # Unless a claim is given it is the true one: it is the broken limit that must be seen.
+        truth = (max(left_over(replace(fitted, compensation=broken), wanted), 1e-18), 0.0)
         with pytest.raises(CapacityError, match="does not pass its certificate"):
-            lattice_certificate(broken, wanted, FANUC, 1, claimed)
+            lattice_certificate(broken, wanted, FANUC, 1, truth if claimed is None else claimed)
 
     assert lattice_certificate(table, wanted, FANUC, 1, (value, 0.0))["primal"] == pytest.approx(0.0, abs=1e-9)
     for changed in (table.positive + 1 * UM, table.positive + 0.3 * UM * (np.arange(17) == 5), 200.0 * table.positive):
         refused(replace(table, positive=changed, negative=changed))
-    refused(replace(table, backlash=1 * UM))
+    apart = replace(table, negative=table.negative + 0.5 * UM)  # the second table's own value is a whole number too
+    refused(apart)
+    refused(replace(table, period=800.0))  # an endless table that does not close
     refused(replace(table, backlash=0.3 * UM))
     refused(replace(table, backlash=20000 * UM))
     refused(table, (1.01 * value, 0.0))
@@ -562,6 +569,10 @@ def test_a_finer_spacing_is_taken_where_increments_need_it() -> None:
     steep = wish(X, 1e-4 * X, 1e-4 * X)  # 7 µm in 70 mm
     nodes = fit(steep, replace(FANUC, interpolation="linear")).compensation.positions
     assert nodes[1] - nodes[0] <= 70.0
+    # 1.25 µm/mm needs magnification 2 at every spacing from 8 mm (101 points) to 11.2 mm: the coarsest of those will do.
+    ramp = wish(X, 1.25e-3 * X, 1.25e-3 * X)
+    nodes = fit(ramp, replace(FANUC, interpolation="linear", max_points=101)).compensation.positions
+    assert nodes[1] - nodes[0] == pytest.approx(10.0)
     few = replace(FANUC, interpolation="linear", max_points=6)
     result = fit(steep, few)  # 16 µm in 160 mm: magnification 3 at least
     assert result.compensation.positions.size <= 6
@@ -597,6 +608,28 @@ def test_a_step_table_without_whole_increments_holds_the_mean_of_each_section() 
     assert np.ptp(spread.at(fine, POSITIVE) - np.interp(fine, X, wanted.positive)) == pytest.approx(10 * UM, abs=0.02 * UM)
 
 
+def test_the_least_range_of_a_step_table_counts_both_sides_of_each_step() -> None:
+    """A linear program over positions just left and right of every step, and at every bend of the wish."""
+    from scipy.optimize import linprog
+
+    where = np.array([0.0, 100.0, 200.0, 300.0, 400.0])
+    curve = np.array([0.0, 0.0, 20.0, 20.0, 60.0]) * UM
+    alone = replace(PLAIN, interpolation="step", backlash_quantum=None)
+    table = fit(wish(where, curve, curve), alone, spacing=100.0, goal="E").compensation
+    middles = np.array([50.0, 150.0, 250.0, 350.0])
+    dense = np.sort(np.concatenate([where, middles - 1e-7, middles + 1e-7]))
+    matrix = between(where, step=True, where=dense)[:, 1:]
+    aims, ones = np.interp(dense, where, curve), np.ones((dense.size, 1))
+    program = linprog(
+        [0, 0, 0, 0, 1, -1],
+        A_ub=np.vstack([np.hstack([matrix, -ones, 0 * ones]), np.hstack([-matrix, 0 * ones, ones])]),
+        b_ub=np.concatenate([aims, -aims]),
+        bounds=[(None, None)] * 6,
+    )
+    reached = float(np.ptp(table.at(dense, POSITIVE) - aims))
+    assert reached == pytest.approx(program.fun, abs=2e-3 * UM)  # 1 nm of the certificate and the quantum
+
+
 TURN = np.linspace(0.0, 360.0, 361)
 
 
@@ -619,6 +652,22 @@ def test_an_endless_table_closes(reference: float, mode: Literal["single", "bidi
     # Before the reference the table is that of a turn later.
     assert table.at(TURN, POSITIVE) == pytest.approx(shape, abs=0.2 * UM)
     assert table.at(TURN, NEGATIVE) == pytest.approx(shape + 2 * UM, abs=0.2 * UM)
+
+
+def test_an_endless_table_is_the_best_that_closes() -> None:
+    """Least squares over points with the first and the last node as one unknown, zero at the reference; the reversal beside it."""
+    shape = 8 * UM * np.sin(np.radians(TURN)) + 3 * UM * (1 - np.cos(np.radians(2 * TURN)))
+    table = fit(rotary(shape), replace(PLAIN, period=360.0), spacing=45.0).compensation
+    fine = np.linspace(0.0, 360.0, 72001)
+    hats = between(np.linspace(0.0, 360.0, 9), step=False, where=fine)[:, 1:-1]
+    none, one = np.zeros((fine.size, 1)), np.ones((fine.size, 1))
+    matrix = np.vstack([np.hstack([hats, none]), np.hstack([hats, -one])])
+    aims = np.concatenate([np.interp(fine, TURN, shape), np.interp(fine, TURN, shape + 2 * UM)])
+    expected = np.linalg.lstsq(matrix, aims, rcond=None)[0]
+    # Summing over points 0.005 deg apart instead of integrating leaves far less than a nanometre.
+    assert table.positive[1:-1] == pytest.approx(expected[:-1], abs=1e-3 * UM)
+    assert table.positive[[0, -1]].tolist() == [0.0, 0.0]
+    assert table.backlash == pytest.approx(expected[-1], abs=1e-3 * UM)
 
 
 def test_an_endless_table_spans_one_period_and_divides_it() -> None:
@@ -647,30 +696,33 @@ def test_one_period_from_another_start_and_over_several_turns() -> None:
 
 
 def lines(rng: np.random.Generator) -> Iterator[tuple[WantedCorrection, Capacity]]:
+    where = np.linspace(0.0, 800.0, 41)
     for _ in range(60):
         home = POSITIVE if rng.random() < 0.5 else NEGATIVE
         reference = float(rng.choice([0.0, 400.0, -100.0, 800.0]))
-        curve = rng.normal() * 4e-5 * (X - reference) + rng.normal() * 3 * UM * np.sin(X / 100.0)
+        curve = rng.normal() * 4e-5 * (where - reference) + rng.normal() * 3 * UM * np.sin(where / 100.0)
         shift = rng.normal() * 4 * UM
         sides = (curve, curve + shift) if home is POSITIVE else (curve + shift, curve)
         capacity = replace(
             PLAIN,
-            line=1e-5,
+            line=1e-5 if rng.random() < 0.5 else 2e-7,
             value_range=(-3e-5, 5e-5),
-            backlash_quantum=None if rng.random() < 0.3 else 2 * UM,
+            backlash_quantum=None
+            if rng.random() < 0.3
+            else 2 * UM,  # its rounding moves the best slope by up to 1e-6: five of the finer
             backlash_range=(-4 * UM, 6 * UM),
         )
-        yield wish(X, *sides, reference=reference, reference_return=home), capacity
+        yield wish(where, *sides, reference=reference, reference_return=home), capacity
 
 
-def straight_mean(wanted: WantedCorrection, slope: float, backlash: float) -> float:
-    """The mean square that a slope and a backlash leave, integrated here."""
+def straight_means(wanted: WantedCorrection, slopes: Array, backlash: float) -> Array:
+    """The mean squares (n,) that slopes and a backlash leave, integrated here."""
     points, weights = integral(wanted.positions, wanted.positions)
-    total = 0.0
+    total = np.zeros(slopes.size)
     for direction in (POSITIVE, NEGATIVE):
         reversal = 0.0 if direction is wanted.reference_return else direction.sign * backlash
-        held = slope * (points - wanted.reference) + reversal
-        total += 0.5 * float(weights @ (held - np.interp(points, wanted.positions, wanted.total(direction))) ** 2)
+        held = np.outer(slopes, points - wanted.reference) + reversal
+        total += 0.5 * (held - np.interp(points, wanted.positions, wanted.total(direction))) ** 2 @ weights
     return total
 
 
@@ -681,9 +733,11 @@ def test_a_slope_equals_brute_force() -> None:
         assert table.positions.size == 0
         assert table.origin == wanted.reference
         backlashes = [0.0] if capacity.backlash_quantum is None else [-4 * UM, -2 * UM, 0.0, 2 * UM, 4 * UM, 6 * UM]
-        best = min(straight_mean(wanted, slope * 1e-5, backlash) for slope in range(-3, 6) for backlash in backlashes)
-        assert straight_mean(wanted, table.slope, table.backlash) <= best * (1 + SAME)
-        assert table.slope / 1e-5 == pytest.approx(round(table.slope / 1e-5), abs=1e-9)
+        quantum = capacity.line or 1.0
+        slopes = np.arange(round(-3e-5 / quantum), round(5e-5 / quantum) + 1) * quantum
+        best = min(float(np.min(straight_means(wanted, slopes, backlash))) for backlash in backlashes)
+        assert straight_means(wanted, np.array([table.slope]), table.backlash)[0] <= best * (1 + SAME)
+        assert table.slope / quantum == pytest.approx(round(table.slope / quantum), abs=1e-9)
         assert result.certificate["objective"] == pytest.approx(np.sqrt(best), rel=1e-7)
 
 

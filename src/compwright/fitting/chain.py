@@ -318,8 +318,8 @@ def limiting_push(chain: Chain, limits: Limits, constant_range: tuple[float, flo
         verbose=False,
         eps_abs=1e-5,
         eps_rel=1e-5,
-        max_iter=4000,
-        polishing=False,
+        max_iter=10_000,
+        polishing=True,
     )
     result = solver.solve(raise_error=False)
     y = np.asarray(result.y, dtype=np.float64) * scale * step

@@ -29,7 +29,7 @@ EQUAL: Final = 1e-9
 #: Errors of this share of the unit do not count, whatever the objective.
 _NOTHING: Final = 1e-6
 #: Half widths (in steps) in which a first solution is sought; then the whole range.
-_FIRST_WINDOWS: Final = (1.0, 4.0, 16.0, 64.0, np.inf)
+_FIRST_WINDOWS: Final = (1.0, 4.0, 16.0, 64.0, 1024.0, np.inf)
 #: Slack of windows against rounding errors, in steps and as a share of U.
 _DUST: Final = 1e-6
 _DUST_SHARE: Final = 1e-10
@@ -349,24 +349,20 @@ def _solve_part(part: Part, relaxation: Relaxation, limits: Limits, shifts: Floa
 
 
 def _first(part: Part, relaxation: Relaxation, limits: Limits, variant: Variants) -> Found | None:
-    """Return a solution for one variant: its relaxed values rounded where that keeps the limits, else the best near them."""
+    """Return a solution for one variant: its relaxed values rounded and swept into the limits, else the best near them."""
     if not variant.count.size:
         return None
     chain = part.chain
     values = relaxation.centres(variant.distance)
     counted = (values - variant.shift[:, np.newaxis]) / limits.step
     # Halves go one way throughout: steps within whole limits stay within them.
-    totals = np.floor(counted[0] + 0.5 + 1e-9).astype(np.int64)
-    totals[chain.fixed] = 0
-    if chain.closed:
-        totals[-1] = totals[0]
+    totals = np.floor(counted[0] + 0.5 + 1e-9)
     low, high = _ends(chain, limits, variant.shift)
-    steps = np.diff(totals)
-    inside = np.all((totals >= low[0]) & (totals <= high[0]))
-    if inside and np.all((steps >= limits.increments[0] * chain.span) & (steps <= limits.increments[1] * chain.span)):
+    totals = _swept(chain, limits, np.clip(totals, low[0], high[0]), part.anchor)
+    if _allowed(chain, limits, totals, low[0], high[0]):
         shift = float(variant.shift[0])
         objective = chain.value(totals * limits.step + shift, chain.constant + float(variant.distance[0]))
-        return Found(totals, shift, int(variant.count[0]), objective)
+        return Found(totals.astype(np.int64), shift, int(variant.count[0]), objective)
     for half in _FIRST_WINDOWS:
         near_low = np.maximum(low, np.floor(counted - half)) if np.isfinite(half) else low
         near_high = np.minimum(high, np.ceil(counted + half)) if np.isfinite(half) else high
@@ -374,6 +370,30 @@ def _first(part: Part, relaxation: Relaxation, limits: Limits, variant: Variants
         if found is not None:
             return found
     return None
+
+
+def _allowed(chain: Chain, limits: Limits, totals: FloatArray, low: FloatArray, high: FloatArray) -> bool:
+    steps = np.diff(totals)
+    climbs = (steps >= limits.increments[0] * chain.span) & (steps <= limits.increments[1] * chain.span)
+    closes = not chain.closed or totals[0] == totals[-1]
+    return bool(closes and np.all(climbs) and np.all((totals >= low) & (totals <= high)))
+
+
+def _swept(chain: Chain, limits: Limits, totals: FloatArray, anchor: int) -> FloatArray:
+    """Return ``totals`` (m,) with every increment within its limits, from the reference outward; what is within them stays."""
+    totals = totals.copy()
+    if chain.closed:
+        totals[-1] = totals[0]
+    least, largest = (end * chain.span for end in limits.increments)
+    if np.all((np.diff(totals) >= least) & (np.diff(totals) <= largest)):
+        return totals
+    for node in range(anchor + 1, totals.size):
+        before = totals[node - 1]
+        totals[node] = min(max(totals[node], before + least[node - 1]), before + largest[node - 1])
+    for node in range(anchor - 1, -1, -1):
+        after = totals[node + 1]
+        totals[node] = min(max(totals[node], after - largest[node]), after - least[node])
+    return totals
 
 
 def _ends(chain: Chain, limits: Limits, shift: FloatArray) -> tuple[FloatArray, FloatArray]:

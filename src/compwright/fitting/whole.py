@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -75,23 +75,18 @@ class WholeFit:
 
     def parts(self) -> tuple[Part, ...]:
         """Return the curves with the control's limits."""
-        low, high = self.capacity.value_range
         if self.shape == "single":
             constant = self._constant()
-            return (Part(chain=self.single(reversal=constant is not None), low=low, high=high, constant=constant),)
-        free = self.lattice.offset_range is not None
-        other = self.other_curve(free=free)
+            return (replace(self._part(self.single(reversal=constant is not None)), constant=constant),)
+        other = self._part(self.other_curve(free=self.lattice.offset_range is not None))
         return (
-            Part(chain=self.home_curve(), low=low, high=high),
-            Part(
-                chain=other,
-                low=low,
-                high=high,
-                anchor=int(np.searchsorted(other.kept, self.anchor)),
-                offsets=self.lattice.offset_range,
-                magnified=self.lattice.offset_magnified,
-            ),
+            self._part(self.home_curve()),
+            replace(other, offsets=self.lattice.offset_range, magnified=self.lattice.offset_magnified),
         )
+
+    def _part(self, chain: Chain) -> Part:
+        low, high = self.capacity.value_range
+        return Part(chain=chain, low=low, high=high, anchor=int(np.searchsorted(chain.kept, self.anchor)))
 
     def _constant(self) -> tuple[float, int, int] | None:
         quantum = self.capacity.backlash_quantum
