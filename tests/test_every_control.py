@@ -24,12 +24,21 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
 from loop import Floats, Machine, accuracy, allowed, csv_of
 
-FORMATS = ("siemens-840d-sl", "linuxcnc", "fanuc-30i", "fanuc-0i-16i")
-ADDRESS = {"siemens-840d-sl": "AX1", "linuxcnc": "0", "fanuc-30i": "1", "fanuc-0i-16i": "1"}
+FORMATS = ("siemens-840d-sl", "linuxcnc", "fanuc-30i", "fanuc-0i-16i", "heidenhain-itnc530", "heidenhain-nck")
+ADDRESS = {
+    "siemens-840d-sl": "AX1",
+    "linuxcnc": "0",
+    "fanuc-30i": "1",
+    "fanuc-0i-16i": "1",
+    "heidenhain-itnc530": "X",
+    "heidenhain-nck": "X",
+}
 #: What nobody can know but the user.
 OPTIONS = {"fanuc-30i": {"detection_unit": 0.001}, "fanuc-0i-16i": {"detection_unit": 0.001}}
 #: Controls that hold whole steps of 1 µm which come out in the middle of a section.
 STEPS = ("fanuc-30i", "fanuc-0i-16i")
+#: Decimal places of a table value in mm, where it is not 6.
+DIGITS = {"fanuc-30i": 3, "fanuc-0i-16i": 3, "heidenhain-itnc530": 4, "heidenhain-nck": 4}
 MACHINES = {
     "plain": Machine(),
     "negative travel, referenced in -": Machine(low=-500, high=0, slope=-40e-6, lost=0.003, reference_return=-1),
@@ -179,6 +188,18 @@ MUTATIONS = {
         "flipped sign of the data": ('default: "+"\n    choices: ["+", "-"]', 'default: "-"\n    choices: ["+", "-"]'),
         "last number in the place of the first": ('form: "N#03621(A', 'form: "N#03622(A'),
     },
+    "heidenhain-itnc530": {
+        "flipped sign of the table": (
+            "{table_form: {error: error, correction: correction}}",
+            "{table_form: {error: correction, correction: error}}",
+        ),
+    },
+    "heidenhain-nck": {
+        "flipped sign of the table": (
+            "{table_form: {error: error, correction: correction}}",
+            "{table_form: {error: correction, correction: error}}",
+        ),
+    },
 }
 
 
@@ -190,7 +211,7 @@ def perfect_table(machine: Machine, format_id: str) -> AxisCompensation:
     """The table that knows the truth, on 41 nodes, zero in the zero state (reference 0)."""
     nodes = np.linspace(machine.low, machine.high, 41)
     zero = float(machine.error(np.array([0.0]), machine.reference_return)[0])
-    digits = 3 if format_id in STEPS else 6
+    digits = DIGITS.get(format_id, 6)
     positive, negative = (np.round(-(machine.error(nodes, sign) - zero), digits) for sign in (1, -1))
     one_curve = format_id != "linuxcnc"
     return AxisCompensation(

@@ -9,6 +9,7 @@ from compwright.formats.entry_sheet import write_sheet
 from compwright.formats.increments_writing import all_entries, sheet_rows, write_programs
 from compwright.formats.options import resolve_options
 from compwright.formats.schema import Definition
+from compwright.formats.writing import write_tables
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 
@@ -22,9 +23,10 @@ def second_forms(
 ) -> tuple[ControlFile, ...]:
     """Return the typed-entry sheets of compensations that were written already, and programs where the options ask for them.
 
-    Only controls with increments by section have them; for others nothing is returned. ``compensations`` belong to ``axes`` one by
-    one.
+    Controls whose text form is confirmed have none. ``compensations`` belong to ``axes`` one by one.
     """
+    if definition.layout.shape == "user_tables":
+        return write_tables(definition, compensations, axes, options, state)
     if definition.layout.shape != "section_increments":
         return ()
     resolved = resolve_options(definition, options, state)

@@ -182,7 +182,7 @@ def _axis(axis: Document) -> list[str]:
     if axis["display"]:
         head = [f"Position ({where})", f"approach + ({unit})", "read", f"approach − ({unit})", "read"]
         rows = [[position, positive, "", negative, ""] for position, positive, negative in axis["display"]]
-        lines += ["### Compensation that the control displays", "", *_table(head, rows), ""]
+        lines += ["### What the control must add (read its compensation display, where it has one)", "", *_table(head, rows), ""]
     if axis["checks"]:
         head = [f"Position ({where})", "Approach", f"Expected deviation ({unit})", f"Stop if off by ({unit})", "Measured"]
         rows = [[*map(_escape, row), ""] for row in axis["checks"]]
