@@ -212,9 +212,26 @@ def test_the_active_line_says_which_table_acts() -> None:
         itnc(file("new.com", new), file("c.cma", lines))
     with pytest.raises(InputError, match="nothing says which axis moves"):
         itnc(file("new.com", new))
+    with pytest.raises(InputError, match="axis X stands in two columns"):
+        itnc(file("new.com", new), file("c.cma", lines.replace("2         3", "1=F()     3")))
     two = lines.replace("END ", "1    OLD\nEND ")
     with pytest.raises(InputError, match="nothing says which line is active"):
         itnc(file("new.com", new), file("c.cma", two))
+
+
+def test_the_marked_line_of_several_and_the_name_of_the_file() -> None:
+    lines = "BEGIN CONFIG .CMA MM\nNR   1         2         STATUS\n0    OLD\n1    NEW                 M\nEND   CONFIG .CMA\n"
+    old = COM.replace("-0.0012", "-0.0099")  # both files hold a table called X in its first line
+    state = itnc(file("OLD.COM", old), file("NEW.COM", COM), file("c.cma", lines))
+    assert um(state, "X", -384) == pytest.approx(1.2, abs=NM)
+    back = itnc(
+        file("OLD.COM", old),
+        file("NEW.COM", COM),
+        file("c.cma", lines.replace("0    OLD", "0    NEW").replace("1    NEW", "1    OLD")),
+    )
+    assert um(back, "X", -384) == pytest.approx(9.9, abs=NM)
+    with pytest.raises(InputError, match="several tables are called X"):
+        itnc(file("OLD.COM", old), file("NEW.COM", COM), file("c.cma", lines.replace("NEW", "X  ")))
 
 
 def test_nck_star_marks_the_line() -> None:

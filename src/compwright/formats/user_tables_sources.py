@@ -32,7 +32,8 @@ LETTERS = "XYZABC"
 #: Quantities that are parameters of an axis, in the order in which they are entered.
 PARAMETERS = ("backlash", "slope", "enabled")
 _UNITS = {"mm": Decimal(1), "um": Decimal("0.001"), "deg": Decimal(1), "mm/m": Decimal(1)}
-_COLUMN = re.compile(r"([0-9]{1,3})(?:=F\(\))?", re.IGNORECASE)
+_COLUMN = re.compile(r"([0-9]{1,3})=F\(\)", re.IGNORECASE)
+_ASSIGNED_COLUMN = re.compile(r"([0-9]{1,3})(?:=F\(\))?", re.IGNORECASE)
 _MASK = re.compile(r"%([01]{1,32})|([0-9]{1,9})")
 
 
@@ -101,9 +102,9 @@ class Sources:
         """Return the name of an axis' column in a table of values."""
         return f"{self.numbers.number(address)}=F()" if self.numbered else address
 
-    def axis_of(self, column: str) -> str:
-        """Return the axis of a column, in a table of values or of assignments; its own name where it is no axis'."""
-        match = _COLUMN.fullmatch(column) if self.numbered else None
+    def axis_of(self, column: str, *, assigned: bool = False) -> str:
+        """Return the axis of a column in a table of values (or of assignments); its own name where it is no axis'."""
+        match = (_ASSIGNED_COLUMN if assigned else _COLUMN).fullmatch(column) if self.numbered else None
         return self.numbers.address(int(match[1])) if match else column
 
     def own_column(self, address: str) -> str | None:
@@ -334,7 +335,10 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
         if column in (ROW_NUMBER, *ACTIVE):
             continue
         wanted = bare_name(cell.text)
-        address = sources.axis_of(column)
+        address = sources.axis_of(column, assigned=True)
+        if address in sources.tables or address in sources.missing:
+            file = sources.assignments.file if sources.assignments is not None else ""
+            faults.append(Fault(message=f"axis {address} stands in two columns", file=file, expected="one", found=column))
         exact = [table for table in values if bare_name(table.file) == wanted]
         fitting = exact or [table for table in values if bare_name(table.name) == wanted]
         if len(fitting) > 1:
