@@ -6,13 +6,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from compwright.formats.options import axis_options
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.jobs.command_line import job_from_options
 from compwright.jobs.consistency import Contradiction
 from compwright.jobs.reading import read_job
+from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import Job
-from compwright.workflow.control import Origin, open_control
+from compwright.workflow.control import Control, Origin, open_control
 
 _YAML = {".yaml", ".yml"}
 
@@ -30,11 +32,28 @@ def wrong_control(data: Mapping[str, Any]) -> Iterator[Contradiction]:
     if not isinstance(format_id, str) or not isinstance(options, dict):
         return  # the schema says so
     try:
-        open_control(format_id, options, Origin(format_place="", before_option=""))
+        control = open_control(format_id, options, Origin(format_place="", before_option=""))
     except UsageError as error:
         for fault in error.faults:
             path = ("options", fault.place) if fault.place else ("format",)
             yield Contradiction(("controller", *path), fault.message, fault.expected, fault.found)
+        return
+    yield from _wrong_axis_options(data.get("axes"), control)
+
+
+def _wrong_axis_options(axes: object, control: Control) -> Iterator[Contradiction]:
+    for name, section in axes.items() if isinstance(axes, dict) else ():
+        options = section.get("options", {}) if isinstance(section, dict) else {}
+        if not isinstance(options, dict):
+            continue  # the schema says so
+        axis = Axis(name="", kind=AxisKind.LINEAR, travel=(0.0, 1.0), address="", options=options)
+        try:
+            axis_options(control.definition, control.options, axis)
+        except UsageError as error:
+            for fault in error.faults:
+                place = fault.place.rpartition(" ")[2]
+                own = ("axes", str(name)) if place in options else ("controller",)
+                yield Contradiction((*own, "options", place), fault.message, fault.expected, fault.found)
 
 
 def default_folder(job_file: Path) -> Path:
