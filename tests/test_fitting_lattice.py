@@ -569,10 +569,10 @@ def test_a_finer_spacing_is_taken_where_increments_need_it() -> None:
     steep = wish(X, 1e-4 * X, 1e-4 * X)  # 7 µm in 70 mm
     nodes = fit(steep, replace(FANUC, interpolation="linear")).compensation.positions
     assert nodes[1] - nodes[0] <= 70.0
-    # 1.25 µm/mm needs magnification 2 at every spacing from 8 mm (101 points) to 11.2 mm: the coarsest of those will do.
-    ramp = wish(X, 1.25e-3 * X, 1.25e-3 * X)
-    nodes = fit(ramp, replace(FANUC, interpolation="linear", max_points=101)).compensation.positions
-    assert nodes[1] - nodes[0] == pytest.approx(10.0)
+    # 2.5 µm/mm needs magnification 2 from 4 mm (201 points, 10 µm) to 5 mm (12.5 µm): the coarser of the two will do.
+    ramp = wish(X, 2.5e-3 * X, 2.5e-3 * X)
+    nodes = fit(ramp, replace(FANUC, interpolation="linear", max_points=201)).compensation.positions
+    assert nodes[1] - nodes[0] == pytest.approx(5.0)
     few = replace(FANUC, interpolation="linear", max_points=6)
     result = fit(steep, few)  # 16 µm in 160 mm: magnification 3 at least
     assert result.compensation.positions.size <= 6
@@ -734,7 +734,7 @@ def test_a_slope_equals_brute_force() -> None:
         assert table.origin == wanted.reference
         backlashes = [0.0] if capacity.backlash_quantum is None else [-4 * UM, -2 * UM, 0.0, 2 * UM, 4 * UM, 6 * UM]
         quantum = capacity.line or 1.0
-        slopes = np.arange(round(-3e-5 / quantum), round(5e-5 / quantum) + 1) * quantum
+        slopes = np.arange(round(-3e-5 / quantum), round(5e-5 / quantum) + 1).astype(np.float64) * quantum
         best = min(float(np.min(straight_means(wanted, slopes, backlash))) for backlash in backlashes)
         assert straight_means(wanted, np.array([table.slope]), table.backlash)[0] <= best * (1 + SAME)
         assert table.slope / quantum == pytest.approx(round(table.slope / quantum), abs=1e-9)
