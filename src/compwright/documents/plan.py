@@ -87,7 +87,7 @@ def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
         "unit": axis.axis.kind.unit,
         "tests": [{"measured_in": entry.measured_in, **_test_out(entry.test)} for entry in axis.tests],
         "estimate": _arrays_out(axis.estimate),
-        "active": _optional(axis.active, _arrays_out),
+        "active": _optional(axis.active, _compensation_out),
         "wanted": _optional(axis.wanted, _arrays_out),
         "request": asdict(axis.request),
         "fitted": _optional(axis.fitted, _fitted_out),
@@ -204,12 +204,21 @@ def _compensation_in(data: Mapping[str, Any]) -> AxisCompensation:
         reference_return=Direction(data["reference_return"]),
         below=data["below"],
         above=data["above"],
+        interpolation=data["interpolation"],
+        period=_optional(data["period"], float),
+        slope=float(data["slope"]),
+        origin=float(data["origin"]),
+        others=tuple(_compensation_in(entry) for entry in data["others"]),
     )
+
+
+def _compensation_out(compensation: AxisCompensation) -> dict[str, Any]:
+    return {**_arrays_out(compensation), "others": [_compensation_out(other) for other in compensation.others]}
 
 
 def _fitted_out(fitted: FittedTable) -> dict[str, Any]:
     return {
-        "compensation": _arrays_out(fitted.compensation),
+        "compensation": _compensation_out(fitted.compensation),
         "mode": fitted.mode,
         "mode_reason": fitted.mode_reason,
         "certificate": dict(fitted.certificate),
