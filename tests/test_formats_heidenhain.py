@@ -474,6 +474,20 @@ def test_a_line_is_two_numbers_and_a_bit() -> None:
         write_tables(ITNC, [line], [axis], {})
 
 
+def test_the_card_names_the_own_bit_and_column() -> None:
+    wanted = table("Y", [0, 50, 100, 150, 200], [0, 0.001, 0.002, 0.003, 0.004], backlash=0.0025)
+    values = card_values(ITNC, axis_of("Y"), wanted, {})
+    assert (values["number"], values["bit"], values["nonlinear"], values["linear"]) == ("2", "1", "1", "0.000")
+    steps = {step.title: step.text for step in card_steps(ITNC, axis_of("Y"), values)}
+    assert "MP710.1 = 0.0025 mm, MP720.1 = 0.000 mm/m, MP730 bit 1 = 1" in steps["Set the parameters"]
+    assert "5 points from 0 to 200 mm, datum 0, spacing 50 mm" in steps["Enter the table"]
+    assert "column 2=F(). The values are errors" in steps["Enter the table"]
+    assert "100 mm: +2.0 µm arriving in +, -0.5 µm in -" in steps["Check the sign"]
+    other = card_values(ITNC, replace(axis_of("W"), axis_number=7), replace(wanted, address="W"), {})
+    assert other["bit"] == "6"
+    assert "axis list" in card_values(ITNC, axis_of("W"), replace(wanted, address="W"), {})["bit"]
+
+
 LIMITS = {
     "a point too many": (table("X", list(range(257)), [0.0] * 257), {}, "at most 256, found 257"),
     "one point": (table("X", [0], [0]), {}, "at least 2"),
@@ -596,6 +610,21 @@ def test_numbers_flush_right_stay_so() -> None:
     assert "0     0.0100     0.0100\n 1    -0.0001     0.0300\n" in text_of(files, "X.COM")
 
 
+def test_numbers_flush_right_under_names_flush_left() -> None:
+    text = "BEGIN X .COM MM DATUM:0 DIST:100\nNR   1=F()     2=F()\n0          0     0.0100\n1     0.0020     0.0300\nEND\n"
+    files = write_tables(ITNC, [table("X", [0, 100], [-0.01, 0.0001])], [axis_of("X")], {}, files=[file("X.COM", text)])
+    assert "0     0.0100     0.0100\n1    -0.0001     0.0300\n" in text_of(files, "X.COM")
+
+
+def test_a_column_of_zeros_does_not_hold_the_grid() -> None:
+    zeros = ALONE.replace("0    +0", "0    +0                  +0").replace("-0.0012", "-0.0012             +0")
+    zeros = zeros.replace("-0.0021", "-0.0021             +0")
+    wanted = table("X", [0, 10, 20, 30], [0, 0.001, 0.002, 0.003])
+    files = write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("X.COM", zeros)])
+    assert "DATUM:0 DIST:10\n" in text_of(files, "X.COM")
+    assert "2    -0.0020             +0\n3    -0.0030             +0\nEND" in text_of(files, "X.COM")
+
+
 def test_a_table_in_inch_is_not_filled() -> None:
     with pytest.raises(CapacityError, match="inch"):
         write_tables(ITNC, [table("X", [0, 1], [0, 0])], [axis_of("X")], {}, files=[file("X.COM", ALONE.replace(" MM ", " INCH "))])
@@ -609,8 +638,9 @@ def test_one_bit_and_one_index_of_the_parameters() -> None:
     assert "MP7" not in sheet  # everything has its place in the list
     assert "1,100.0000,-0.0010,mm" in sheet
     judged(ITNC.id, files, (axis_of("X"),))
-    same = write_tables(ITNC, [replace(wanted, backlash=0.004)], [axis_of("X")], {}, files=[file("MP.TXT", MP)])
-    assert "MP710.0 : +0.0040 ;" in text_of(same, "MP.TXT")  # an equal number keeps its characters
+    long = MP.replace("+0.0040", "+.00400")
+    same = write_tables(ITNC, [replace(wanted, backlash=0.004)], [axis_of("X")], {}, files=[file("MP.TXT", long)])
+    assert "MP710.0 : +.00400 ;" in text_of(same, "MP.TXT")  # an equal number keeps its characters
     decimal = write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("MP.TXT", MP.replace("%00010", "18"))])
     assert "MP730 : 19\n" in text_of(decimal, "MP.TXT")
 
@@ -665,6 +695,31 @@ def test_a_run_removes_a_known_error(format_id: str, tmp_path: Path) -> None:
     assert accuracy(machine.measure(fresh, 2, acting)) <= limit
     card = (out / "card" / "card.md").read_text(encoding="utf-8")
     assert UNKNOWN not in card
+
+
+def test_a_run_fills_the_table_that_is_in_the_control(tmp_path: Path) -> None:
+    machine = Machine()
+    targets = machine.targets()
+    # In the control: errors of 5 and 10 µm that belong to another machine, in a table of three rows; MP710 of 12 µm.
+    old = "BEGIN X .COM MM DATUM:0 DIST:500\n" + ALONE.split("\n", 1)[1].replace("-0.0012", "-0.0050").replace("-0.0021", "+0.0100")
+    (tmp_path / "X.COM").write_text(old)
+    (tmp_path / "MP.TXT").write_text("MP710.0 : 0.0120\nMP720.0 : 0.0000\nMP730 : %00101\n")
+    states = [ControlFile(name, (tmp_path / name).read_bytes()) for name in ("X.COM", "MP.TXT")]
+    was = virtual_control(ITNC.id, states)
+    measured = machine.measure(targets, 3, lambda x, sign: was.correction("X", x, PLUS if sign > 0 else MINUS))
+    (tmp_path / "x.csv").write_text(csv_of(targets, measured))
+    out = tmp_path / "out"
+    arguments = ["run", str(tmp_path / "x.csv"), "--format", ITNC.id, "--axis", "X", "--travel", f"{machine.low}:{machine.high}"]
+    assert compwright([*arguments, "--state", str(tmp_path / "X.COM"), "--state", str(tmp_path / "MP.TXT"), "--out", str(out)]) == 0
+    files = [ControlFile(path.name, path.read_bytes()) for path in sorted((out / "tables" / ITNC.id).iterdir())]
+    assert [one.name for one in files] == ["MP.TXT", "X.COM"]  # everything has its place: no sheet
+    assert b"MP730 : %00101\n" in files[0].content
+    now = virtual_control(ITNC.id, files)
+    fresh = machine.targets(seed=9)
+    after = machine.measure(fresh, 4, lambda x, sign: now.correction("X", x, PLUS if sign > 0 else MINUS))
+    limit = allowed(machine, fresh, float(np.max(np.diff(now.nodes("X")))))  # mm
+    assert accuracy(measured) > 3 * limit
+    assert accuracy(after) <= limit
 
 
 # Properties -------------------------------------------------------------------------------------------------------------------
