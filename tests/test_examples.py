@@ -21,7 +21,10 @@ CASES = {
     "linuxcnc-standard": (1, "linuxcnc", []),
     "sinumerik-old-table": (0, "siemens-840d-sl", ["y"]),
     "linuxcnc-two-axes": (0, "linuxcnc", ["x", "a"]),
+    "fanuc-backup": (0, "fanuc-30i", ["x"]),
 }
+#: What the files of a control do not say, for reading them without a job.
+OPTIONS = {"fanuc-30i": ["--option", "detection_unit=0.001"]}
 #: A row of a table in a page: the parameter and its numbers.
 ROW = re.compile(r"^    ([A-Z][+−]? +−?[0-9].*)$", re.MULTILINE)
 
@@ -45,7 +48,7 @@ def test_an_example_shows_what_its_page_says(name: str, tmp_path: Path, capsys: 
     assert compwright(["run", str(folder / "job.yaml")]) == code
     lines = printed(capsys)
     tables = folder / "job" / "tables" / format_id
-    assert compwright(["decode", str(tables), "--format", format_id, "--json", "-"]) == 0
+    assert compwright(["decode", str(tables), "--format", format_id, *OPTIONS.get(format_id, []), "--json", "-"]) == 0
     capsys.readouterr()
     if axes:
         machine = str(folder / "machine.yaml")
@@ -64,6 +67,7 @@ def test_the_measured_files_of_the_simulated_examples_are_what_their_pages_say(t
     for name, tables in (
         ("sinumerik-old-table", ["--with-tables", str(EXAMPLES / "sinumerik-old-table" / "control")]),
         ("linuxcnc-two-axes", []),
+        ("fanuc-backup", ["--with-tables", str(EXAMPLES / "fanuc-backup" / "control")]),
     ):
         out = tmp_path / name
         assert compwright(["simulate", str(EXAMPLES / name / "machine.yaml"), "--out", str(out), "--seed", "1", *tables]) == 0
