@@ -55,7 +55,7 @@ def test_smallest_job_has_every_default_of_the_contract() -> None:
     (test,) = read.axes["X"].before
     assert (test.files, test.name, test.measured_in) == (("runs/x.csv",), "x", "as_found")
     assert test.position_map == PositionMap(1, 0.0)
-    assert (read.states, read.pending, read.findings, read.thermal, read.uncertainty) == ({}, (), (), None, None)
+    assert (read.states, read.findings, read.thermal, read.uncertainty) == ({}, (), None, None)
     assert read.decision_rule == "simple"
 
 
@@ -90,7 +90,16 @@ def test_complete_example_of_the_page_is_read_key_by_key() -> None:
     assert read.thermal == Thermal(alpha_m=11.5, T_m=22.0, alpha_d=0.0, T_d=20.0, x_fix=0.0, refer_to="scale")
     assert read.fixed_positions == {"tool_change": {"Z": 0.0}}
     assert read.proven == ({"control": "FANUC 31i-B", "machine": "VMC 850", "date": "2024-05-17", "how": "laser before and after"},)
-    assert read.pending == ("circles", "cross", "apply")
+    assert [(circle.name, circle.files, circle.centre) for circle in read.circles] == [
+        ("xy-150", ("runs/xy.b5r",), (-400.0, -250.0, -300.0)),
+        ("zx-100", ("runs/zx_ccw.csv", "runs/zx_cw.csv"), None),
+    ]
+    (cross,) = read.cross
+    assert (cross.input, cross.output, cross.positions) == ("X", "Y", (-800.0, -400.0, 0.0))
+    assert cross.deviations == pytest.approx((0.0015, 0.0004, 0.0))  # mm
+    assert (read.apply.squareness, read.apply.scale, read.apply.backlash_from) == ({"XY": "Y"}, ("X", "Y"), "positioning")
+    told = [finding.message.split(" does nothing")[0] for finding in read.findings if finding.code == "CW-J004"]
+    assert told == ["cross[0]", "apply.scale", "apply.squareness.XY"]  # Y is no axis of this job
 
 
 def test_page_and_schema_have_the_same_keys() -> None:
@@ -115,7 +124,13 @@ def test_example_of_the_contract_is_read() -> None:
     assert [finding.code for finding in read.findings].count("CW-J003") == 1
     assert read.axes["X"].axis.gantry == "AX5"
     assert read.axes["X"].before[0].position_map == PositionMap(1, -850.0)
-    assert read.pending == ("circles", "cross", "apply")
+    assert read.apply.squareness == {"XY": "Y"}
+
+
+def test_an_axis_without_a_positioning_test_needs_a_circle() -> None:
+    text = SMALLEST.replace("[runs/x.csv]", "[]")
+    assert len(faults_of(text)) == 1
+    assert job(text + "circles: [{file: xy.csv}]\n").axes["X"].before == ()
 
 
 def test_keys_without_work_behind_them_are_said() -> None:
@@ -126,14 +141,12 @@ def test_keys_without_work_behind_them_are_said() -> None:
           X: {travel: [0, 1], before: x.csv, programmed: diameter, gantry: 2, axis_number: 1}
           B: {travel: [0, 360], before: b.csv, kind: rotary, modulo: 360, encoder: {type: absolute}}
         report: {language: fr}
-        cross: [{input: X, output: B, positions: [0, 1], deviations: [0, 1], unit: um}]
+        cross: [{input: X, output: B, positions: [0, 1], deviations: [0, 1], unit: arcsec}]
         """)
     assert {finding.code for finding in read.findings} == {"CW-J001"}
     assert [finding.message.removeprefix("read, but not used yet: ") for finding in read.findings] == [
-        *("cross", "axes.X.gantry", "axes.X.axis_number", "axes.X.programmed: diameter", "axes.B.modulo"),
-        *("axes.B.encoder.type: absolute", "report.language: fr"),
+        *("axes.X.programmed: diameter", "axes.B.encoder.type: absolute", "report.language: fr"),
     ]
-    assert read.pending == ("cross",)
 
 
 @pytest.mark.parametrize(
@@ -309,6 +322,9 @@ def test_fault_of_an_axis_names_its_place(keys: str, place: str, words: str) -> 
         ("cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1, 2], unit: um}]", "cross[0].deviations", "match"),
         ("cross: [{input: X, output: Y, positions: [0, 0], deviations: [0, 1], unit: um}]", "cross[0].positions", "twice"),
         ("cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1], unit: inch}]", "cross[0].unit", "'um'"),
+        ("cross: [{input: Y, output: X, positions: [0, 1], deviations: [0, 1], unit: deg}]", "cross[0].unit", "um or mm"),
+        ("cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1], unit: um, measured_in: a}]", "cross[0].measured_in", "no state"),
+        ("apply: {squareness: {XY: XY}}", "apply.squareness.XY", "of this plane"),
         ("apply: {squareness: {XY: Z}}", "apply.squareness.XY", "of this plane"),
         ("apply: {backlash_from: laser}", "apply.backlash_from", "positioning"),
         ("uncertainty: {device: {U: -1}}", "uncertainty.device.U", "0 or more"),

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from pathlib import PureWindowsPath
 from typing import Any
 
+from compwright.foundations.units import TO_INSIDE
 from compwright.foundations.yaml_reader import KeyPath
 from compwright.jobs.faults import number_hint, shown, suggestion, too_large
 
@@ -48,8 +49,8 @@ def contradictions(data: Mapping[str, Any]) -> list[Contradiction]:
             found.append(Contradiction(path, "is no name for an axis", "letters and digits, such as X or B2", shown(name)))
         section = _mapping(axis)
         found += [*_geometry(section, path), *_tests(section, path, names), *_acceptance(section, path, standard)]
-    found += [*_circles(data.get("circles"), names), *_cross(data.get("cross")), *_apply(data.get("apply"))]
-    return found
+    found += [*_untested(data), *_circles(data.get("circles"), names), *_cross(data.get("cross"), data.get("axes"), names)]
+    return [*found, *_apply(data.get("apply"))]
 
 
 def default_name(file: str) -> str:
@@ -191,6 +192,16 @@ def _limit(limit: Any, path: KeyPath) -> Iterator[Contradiction]:
     yield Contradiction(path, message, "a number above 0, in µm or arcsec", shown(limit))
 
 
+def _untested(data: Mapping[str, Any]) -> Iterator[Contradiction]:
+    """An axis without any test has no work to do, unless a circle or a cross measurement speaks of it."""
+    if _sequence(data.get("circles")) or _sequence(data.get("cross")):
+        return
+    for name, axis in _mapping(data.get("axes")).items():
+        if _mapping(axis).get("before") == []:
+            path = ("axes", name, "before")
+            yield Contradiction(path, "is too short", "at least 1 in the list, or a test under circles or cross", "an empty list")
+
+
 def _circles(circles: Any, states: Sequence[str]) -> Iterator[Contradiction]:
     seen: set[str] = set()
     for index, entry in enumerate(_sequence(circles)):
@@ -207,9 +218,17 @@ def _circles(circles: Any, states: Sequence[str]) -> Iterator[Contradiction]:
         yield from _known_state(circle, path, states)
 
 
-def _cross(cross: Any) -> Iterator[Contradiction]:
+def _cross(cross: Any, axes: Any, states: Sequence[str]) -> Iterator[Contradiction]:
+    seen: set[tuple[str, str]] = set()
     for index, entry in enumerate(_sequence(cross)):
         section, path = _mapping(entry), ("cross", index)
+        yield from _known_state(section, path, states)
+        pair = (str(section.get("input")), str(section.get("output")))
+        if section and pair in seen:
+            expected = "one measurement for each pair of axes"
+            yield Contradiction(path, "measures the same pair of axes again", expected, f"{pair[0]} on {pair[1]}")
+        seen.add(pair)
+        yield from _cross_unit(section, path, axes)
         if section and section.get("input") == section.get("output"):
             yield Contradiction((*path, "output"), "is the input axis", "another axis", shown(section.get("output")))
         positions = [_number(value) for value in _sequence(section.get("positions"))]
@@ -222,8 +241,19 @@ def _cross(cross: Any) -> Iterator[Contradiction]:
             yield Contradiction((*path, "positions"), "hold a position twice", "each position once")
 
 
+def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterator[Contradiction]:
+    """Deviations are lengths of a linear output axis and angles of a rotary one."""
+    unit, output = section.get("unit"), _mapping(_mapping(axes).get(str(section.get("output"))))
+    if not isinstance(unit, str) or unit not in TO_INSIDE or not output:
+        return
+    kind = "rotary" if output.get("kind") == "rotary" else "linear"
+    if (TO_INSIDE[unit][0] == "deg") != (kind == "rotary"):
+        expected = "um or mm" if kind == "linear" else "arcsec or deg"
+        yield Contradiction((*path, "unit"), f"does not fit the {kind} axis {section['output']}", expected, shown(unit))
+
+
 def _apply(section: Any) -> Iterator[Contradiction]:
     for plane, bent in _mapping(_mapping(section).get("squareness")).items():
-        if isinstance(bent, str) and not (plane.startswith(bent) or plane.endswith(bent)):
+        if isinstance(bent, str) and (plane == bent or not (plane.startswith(bent) or plane.endswith(bent))):
             found = shown(bent)
             yield Contradiction(("apply", "squareness", plane), "is no axis of this plane", f"the bent axis of {plane}", found)

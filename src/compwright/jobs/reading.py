@@ -11,17 +11,34 @@ from pydantic import ValidationError
 
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
+from compwright.foundations.units import TO_INSIDE
 from compwright.foundations.yaml_reader import YamlDocument, read_yaml_with_faults
 from compwright.jobs.consistency import AS_FOUND, NONE_WORD, Contradiction, contradictions, default_name
 from compwright.jobs.faults import schema_faults, shown
-from compwright.jobs.schema import SCHEMA_VERSION, AxisSection, JobSection, PositionMapSection, TestSection
+from compwright.jobs.schema import (
+    SCHEMA_VERSION,
+    AxisSection,
+    CircleSection,
+    CrossSection,
+    JobSection,
+    PositionMapSection,
+    TestSection,
+)
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, PositionMap
 from compwright.records.fitted import TableRequest
-from compwright.records.job import NONE_STATE, Acceptance, AxisJob, Job, TestRequest, Thermal, UncertaintyBudget
-
-#: Keys that are read and checked, but on which nothing acts yet.
-_PENDING_AT_TOP = ("circles", "cross", "apply")
-_PENDING_OF_AXIS = ("modulo", "gantry", "axis_number")
+from compwright.records.job import (
+    NONE_STATE,
+    Acceptance,
+    ApplyRequest,
+    AxisJob,
+    CircleRequest,
+    CrossRequest,
+    Job,
+    TestRequest,
+    Thermal,
+    UncertaintyBudget,
+    other_axis,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +120,7 @@ def _refuse_other_versions(document: YamlDocument, file: str) -> None:
 
 def job_of(section: JobSection, file: str) -> Job:
     """Return the record of a job that was found free of faults."""
-    findings = (*_pending_findings(section), *_idle_findings(section), *_state_findings(section))
+    findings = (*_pending_findings(section), *_idle_findings(section), *_absent_axes(section), *_state_findings(section))
     thermal = Thermal(**section.thermal.model_dump()) if section.thermal else None
     return Job(
         file=file,
@@ -119,7 +136,13 @@ def job_of(section: JobSection, file: str) -> Job:
         proven=tuple(proof.model_dump() for proof in section.proven),
         standard=section.standard,
         language=section.report.language,
-        pending=tuple(key for key in _PENDING_AT_TOP if getattr(section, key)),
+        circles=tuple(_circle(circle) for circle in section.circles),
+        cross=tuple(_cross(entry) for entry in section.cross),
+        apply=ApplyRequest(
+            squareness=section.apply.squareness, scale=tuple(section.apply.scale), backlash_from=section.apply.backlash_from
+        )
+        if section.apply
+        else ApplyRequest(),
         findings=findings,
     )
 
@@ -163,6 +186,28 @@ def _test(section: TestSection, of_axis: PositionMapSection) -> TestRequest:
     )
 
 
+def _circle(section: CircleSection) -> CircleRequest:
+    files = tuple(file for file in (section.file, section.ccw, section.cw) if file is not None)
+    return CircleRequest(
+        files=files,
+        name=section.name or default_name(files[0]),
+        measured_in=section.measured_in,
+        centre=tuple(section.centre) if section.centre is not None else None,
+    )
+
+
+def _cross(section: CrossSection) -> CrossRequest:
+    factor = TO_INSIDE[section.unit][1]
+    pairs = sorted(zip(section.positions, section.deviations, strict=True))
+    return CrossRequest(
+        input=section.input,
+        output=section.output,
+        positions=tuple(float(position) for position, _ in pairs),
+        deviations=tuple(deviation * factor for _, deviation in pairs),
+        measured_in=section.measured_in,
+    )
+
+
 def _acceptance(accept: Mapping[str, Any] | None) -> Acceptance | None:
     if accept is None:
         return None
@@ -180,9 +225,8 @@ def _budget(section: JobSection) -> UncertaintyBudget | None:
 
 def _pending_findings(section: JobSection) -> list[Finding]:
     """Say of every key on which nothing acts yet that it was read and does nothing."""
-    keys = [key for key in _PENDING_AT_TOP if getattr(section, key)]
+    keys = []
     for name, axis in section.axes.items():
-        keys += [f"axes.{name}.{key}" for key in _PENDING_OF_AXIS if getattr(axis, key) is not None and not _idle(axis, key)]
         if axis.programmed == "diameter":
             keys.append(f"axes.{name}.programmed: diameter")
         if axis.encoder.type != "incremental":
@@ -192,9 +236,25 @@ def _pending_findings(section: JobSection) -> list[Finding]:
     return [Finding("CW-J001", "warning", f"read, but not used yet: {key}") for key in keys]
 
 
-def _idle(axis: AxisSection, key: str) -> bool:
-    """Whether a key means nothing for this kind of axis, whatever will be built."""
-    return key == "modulo" and axis.kind == "linear"
+def _absent_axes(section: JobSection) -> list[Finding]:
+    """Say of every correction that it concerns an axis of which the job knows neither travel nor address."""
+    asked = [(f"cross[{index}]", (entry.input, entry.output)) for index, entry in enumerate(section.cross)]
+    if section.apply is not None:
+        asked += [("apply.scale", (name,)) for name in section.apply.scale]
+        asked += [
+            (f"apply.squareness.{plane}", (bent, other_axis(plane, bent))) for plane, bent in section.apply.squareness.items()
+        ]
+    return [
+        Finding(
+            "CW-J004",
+            "warning",
+            f"{place} does nothing: axis {name} is not among the axes of the job, which give its travel and address "
+            "(before: [] where it has no positioning test)",
+        )
+        for place, names in asked
+        for name in names
+        if name not in section.axes
+    ]
 
 
 def _idle_findings(section: JobSection) -> list[Finding]:

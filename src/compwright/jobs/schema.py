@@ -114,10 +114,10 @@ class TableSection(Section):
 
 
 class AxisSection(Section):
-    """One axis. ``accept`` holds parameter names beside ``test`` and is checked in `compwright.jobs.consistency`."""
+    """One axis. ``accept`` (parameter names beside ``test``) and an empty ``before`` are checked in `compwright.jobs.consistency`."""
 
     travel: Annotated[list[float], Field(min_length=2, max_length=2)]
-    before: Annotated[list[Annotated[TestSection, BeforeValidator(_named_file)]], BeforeValidator(_listed), Field(min_length=1)]
+    before: Annotated[list[Annotated[TestSection, BeforeValidator(_named_file)]], BeforeValidator(_listed)]
     kind: Literal["linear", "rotary"] = "linear"
     modulo: Positive | None = None
     address: Text | None = None
@@ -146,10 +146,11 @@ class CircleSection(Section):
 
 
 class CrossSection(Section):
-    """Deviation of one axis over another, in ``unit``."""
+    """Deviation of one axis over another, in ``unit``, and the state (of ``states``) in which it was measured."""
 
     input: Text
     output: Text
+    measured_in: Text = "as_found"
     positions: Annotated[list[float], Field(min_length=2)]
     deviations: Annotated[list[float], Field(min_length=2)]
     unit: Literal["um", "mm", "arcsec", "deg"]

@@ -27,6 +27,44 @@ class TestRequest:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class CircleRequest:
+    """One circular test: its files (one with both runs, or one per run), its name, and the state it was measured in.
+
+    ``centre``: machine coordinates, mm: of the two axes of the plane in their order, or of X, Y and Z; None: not said.
+    """
+
+    files: tuple[str, ...]
+    name: str
+    measured_in: str = "as_found"
+    centre: tuple[float, ...] | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CrossRequest:
+    """Deviations (k,) of the axis ``output`` (mm or deg) measured at ``positions`` (k,) of the axis ``input``, ascending."""
+
+    input: str
+    output: str
+    positions: tuple[float, ...]
+    deviations: tuple[float, ...]
+    measured_in: str = "as_found"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ApplyRequest:
+    """What of the circular tests is corrected: the bent axis by plane, axes whose scale is taken, where lost motion comes from."""
+
+    squareness: Mapping[str, str] = field(default_factory=dict)
+    scale: tuple[str, ...] = ()
+    backlash_from: Literal["positioning", "circle"] = "positioning"
+
+
+def other_axis(plane: str, bent: str) -> str:
+    """Return the other axis of a plane whose name is that of its two axes, such as X for ``XY`` and ``Y``."""
+    return plane.removesuffix(bent) if plane.endswith(bent) else plane.removeprefix(bent)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Acceptance:
     """Limits by parameter name in µm or arcsec, for the test ``test`` (None: the first)."""
 
@@ -65,7 +103,7 @@ class Thermal:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisJob:
-    """What is asked for one axis."""
+    """What is asked for one axis. ``before`` may be empty where circles or cross measurements are all there is."""
 
     axis: Axis
     before: tuple[TestRequest, ...]
@@ -77,8 +115,8 @@ class AxisJob:
 class Job:
     """The whole job. ``states`` maps a name to the files of that state, `NONE_STATE` for ``none``; empty: not said.
 
-    ``options`` are the controller's; an axis' own stand in ``axis.options`` and go over them. ``pending`` holds top-level keys that
-    are read but whose work is not built yet; ``findings`` says so to the user.
+    ``options`` are the controller's; an axis' own stand in ``axis.options`` and go over them. ``findings`` holds what was
+    noticed in the job itself, such as keys on which nothing acts.
     """
 
     file: str
@@ -94,5 +132,7 @@ class Job:
     proven: tuple[Mapping[str, str], ...] = ()
     standard: str = "iso230-2:2014"
     language: Literal["en", "de", "fr", "ru"] = "en"
-    pending: tuple[str, ...] = ()
+    circles: tuple[CircleRequest, ...] = ()
+    cross: tuple[CrossRequest, ...] = ()
+    apply: ApplyRequest = ApplyRequest()
     findings: tuple[Finding, ...] = ()
