@@ -5,17 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from compwright.formats.addresses import normal_address
+from compwright.formats.increments_axis import increment_limit
+from compwright.formats.increments_entries import OFFSETS
 from compwright.formats.numbering import longest_gap
 from compwright.formats.options import axis_options
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Definition
-from compwright.formats.section_increments import increment_limit, used_numbers
+from compwright.formats.section_increments import used_numbers
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity, Lattice
 from compwright.records.correction import Assumption, ControlState
-
-#: 3627 is a 16-bit number.
-_OFFSETS = (-32767, 32767)
 
 
 def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None) -> Capacity:
@@ -51,7 +50,7 @@ def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str
             unit=unit,
             increments=(-limit, limit),
             magnifications=tuple(range(1, (definition.limit_number("max_magnification") or 1) + 1)),
-            offset_range=_OFFSETS,
+            offset_range=OFFSETS,
             offset_magnified=own.get("offset_magnified") == "yes",
         ),
         interpolation="linear" if own.get("output") == "ramp" else "step",

@@ -6,45 +6,22 @@ other byte of a backup stays.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 from decimal import Decimal
-
-import numpy as np
 
 from compwright.formats.entry_sheet import SheetRow, is_entry_sheet
 from compwright.formats.gathering import Found, Gathered, gather
-from compwright.formats.numbering import NoRoom, Place, find_place
-from compwright.formats.options import axis_options
+from compwright.formats.increments_axis import thousandths
+from compwright.formats.increments_entries import Entries, all_entries, real_text
+from compwright.formats.increments_points import POINTS_FROM, point_number, point_rows
 from compwright.formats.patching import Change, apply_changes, set_field
-from compwright.formats.scale import NotHeld, Scale
 from compwright.formats.schema import Choice, Definition, WrittenFile
-from compwright.formats.section_increments import POINTS_FROM, increment_limit, read_texts, thousandths, used_numbers
+from compwright.formats.section_increments import read_texts
 from compwright.formats.statements import print_form
 from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
-from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
+from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
-
-#: How far a node may be from its place on the grid, in spacings: arithmetic dust, not a wrong grid.
-_ON_GRID = 1e-6
-
-
-@dataclass(frozen=True, slots=True)
-class Entries:
-    """What goes into the control for one axis: parameters by quantity, as text, and increments by point number.
-
-    ``cleared``: numbers that the axis no longer uses. ``kind`` decides the letter of a length.
-    """
-
-    address: str
-    name: str
-    kind: AxisKind
-    parameters: Mapping[str, str]
-    points: Mapping[int, int]
-    cleared: tuple[int, ...]
-    interval: float
-    reference: float
-    place: Place
 
 
 def write_increments(
@@ -62,212 +39,10 @@ def write_increments(
     faults: list[Fault] = []
     own = [file for file in files if not is_entry_sheet(file)]
     patched = _Patcher(definition, own)
-    fresh = [file for entry in entries for file in _fresh(definition, entry, patched.put(entry, faults))]
+    names = {file.name for file in own}
+    fresh = [file for entry in entries for file in _fresh(definition, entry, patched.put(entry, faults), names)]
     raise_all(CapacityError, faults)
     return (*patched.files(entries), *fresh)
-
-
-def all_entries(
-    definition: Definition,
-    pairs: Sequence[tuple[str, Axis, AxisCompensation]],
-    options: Mapping[str, object],
-    state: ControlState | None,
-) -> tuple[Entries, ...]:
-    """Return what has to be entered for each axis; the axes get point numbers apart from each other and from all others'."""
-    facts = state.facts if state is not None else {}
-    used = used_numbers(facts, [address for address, _, _ in pairs])
-    faults: list[Fault] = []
-    entries: list[Entries] = []
-    for address, axis, compensation in pairs:
-        try:
-            entry = _Axis(definition, address, axis, compensation, axis_options(definition, options, axis), facts).entries(used)
-        except NotHeld as error:
-            faults.append(Fault(message=f"axis {axis.name} ({address}): {error}"))
-            continue
-        except CapacityError as error:
-            faults.extend(error.faults)
-            continue
-        used = [*used, *entry.place.ranges]
-        entries.append(entry)
-    raise_all(CapacityError, faults)
-    return tuple(entries)
-
-
-class _Axis:
-    """One axis' table as whole numbers."""
-
-    def __init__(
-        self,
-        definition: Definition,
-        address: str,
-        axis: Axis,
-        compensation: AxisCompensation,
-        options: Mapping[str, object],
-        facts: Mapping[str, Mapping[str, object]],
-    ) -> None:
-        self.definition = definition
-        self.address = address
-        self.axis = axis
-        self.compensation = compensation
-        self.options = options
-        self.facts = facts.get(address, {})
-        self.scale = Scale(definition, axis.kind, options, {})
-        self.unit = self.scale.quantum("value")
-
-    def entries(self, used: Sequence[range]) -> Entries:
-        steps, interval = self._grid()
-        home = self.compensation.reference_return
-        own, other = (self._counts(self.compensation.curve(side)) for side in (home, home.opposite))
-        two = not np.array_equal(own, other)
-        self._check_pair(own, steps, two=two)
-        sets = [own, other] if two else [own]
-        magnification = self._magnification([np.diff(counts) for counts in sets])
-        place = self._place(int(steps[0]), int(steps[-1]), used, two=two)
-        # The positive set comes first in the numbers, whichever direction is the zero state's.
-        positive, negative = (own, other) if home is Direction.POSITIVE else (other, own)
-        points = self._points(positive, steps, place.first, place.reference, magnification)
-        if two and place.negative_first is not None:
-            shift = place.negative_first - place.first
-            points |= {
-                number + shift: value
-                for number, value in self._points(negative, steps, place.first, place.reference, magnification).items()
-            }
-        parameters = {
-            "reference_number": str(place.reference),
-            "first_number": str(place.first),
-            "last_number": str(place.last),
-            "magnification": str(magnification),
-            "table_spacing": self._length(interval),
-            "backlash": self.scale.write("backlash", self.compensation.backlash),
-            "bidirectional": "1" if two else "0",
-        }
-        if self.axis.modulo is not None:
-            parameters["turn"] = self._length(float(self.axis.modulo))
-        if two:
-            parameters["negative_first"] = str(place.negative_first)
-            parameters["negative_offset"] = self._offset(other[steps == 0][0], magnification)
-        return Entries(
-            address=self.address,
-            name=self.axis.name,
-            kind=self.axis.kind,
-            parameters=parameters,
-            points=dict(sorted(points.items())),
-            cleared=self._cleared(points, used),
-            interval=interval,
-            reference=self.axis.reference,
-            place=place,
-        )
-
-    def _grid(self) -> tuple[FloatArray, float]:
-        """Return the nodes as whole spacings from the reference, and the spacing."""
-        positions = self.compensation.positions
-        interval = float(positions[-1] - positions[0]) / (positions.size - 1)
-        ratio = (positions - self.axis.reference) / interval
-        steps: FloatArray = np.round(ratio)
-        worst = float(np.max(np.abs(ratio - steps)))
-        if worst > _ON_GRID:
-            raise NotHeld(
-                f"the points must lie at the reference position ({self.axis.reference:g}) plus whole intervals of {interval:.9g}; "
-                f"one lies {worst * interval:.6g} {self.axis.kind.unit} away"
-            )
-        if not steps[0] <= 0 <= steps[-1]:
-            raise NotHeld("the table must reach from the reference position, from which the control counts")
-        return steps, interval
-
-    def _counts(self, curve: FloatArray) -> FloatArray:
-        counts: FloatArray = np.round(curve / self.unit)
-        worst = int(np.argmax(np.abs(curve / self.unit - counts)))
-        if abs(curve[worst] / self.unit - counts[worst]) > 1e-3:
-            raise NotHeld(f"{curve[worst]:.9g} {self.axis.kind.unit} is not a multiple of the detection unit {self.unit:g}")
-        return counts
-
-    def _check_pair(self, own: FloatArray, steps: FloatArray, *, two: bool) -> None:
-        if own[steps == 0][0] != 0:
-            raise NotHeld("the table is not zero at the reference position in the direction of the reference return")
-        if two and self.compensation.backlash != 0:
-            raise NotHeld("two tables and a backlash value at once would compensate the reversal twice")
-        if self.axis.modulo is not None:
-            if two:
-                raise NotHeld("two tables on an endless axis: nothing confirmed is known about how the control closes them")
-            if own[0] != own[-1]:
-                raise NotHeld(
-                    f"the table of an endless axis must close: it creeps by {own[-1] - own[0]:g} detection units each turn"
-                )
-
-    def _magnification(self, differences: Sequence[FloatArray]) -> int:
-        """Return the smallest magnification that divides every increment and keeps it within the limit."""
-        steps = np.concatenate(differences).astype(np.int64)
-        limit = increment_limit(self.options)
-        most = self.definition.limit_number("max_magnification") or 1
-        divisor = int(np.gcd.reduce(np.abs(steps))) or 1
-        largest = int(np.max(np.abs(steps), initial=0))
-        for candidate in range(1, most + 1):
-            if divisor % candidate == 0 and largest <= limit * candidate:
-                return candidate
-        raise NotHeld(
-            f"an increment of {largest} detection units is more than the control holds: at most {limit} times the magnification, "
-            f"which must divide all increments (their greatest common divisor is {divisor}); a smaller spacing would help"
-        )
-
-    def _place(self, low: int, high: int, used: Sequence[range], *, two: bool) -> Place:
-        own = self.facts.get("reference_number")
-        last = self.facts.get("highest_number")
-        try:
-            return find_place(
-                low,
-                high,
-                highest=self.definition.limit_number("max_number") or 0,
-                used=used,
-                two=two,
-                reference=int(own) if isinstance(own, int) and isinstance(last, int) and last > 0 else None,
-                start=int(str(self.options.get("first_point", 0))),
-            )
-        except NoRoom as error:
-            raise NotHeld(str(error)) from error
-
-    def _points(self, counts: FloatArray, steps: FloatArray, first: int, reference: int, magnification: int) -> dict[int, int]:
-        sign = -1 if self.options.get("pitch_sign") == "-" else 1
-        increments = (np.diff(counts) / magnification).astype(np.int64) * sign
-        points = {reference + int(step): int(value) for step, value in zip(steps[1:], increments, strict=True)}
-        if self.axis.modulo is not None:
-            points[reference] = points[reference + int(steps[-1])]
-        elif steps[0] == 0:  # travel that starts at the reference: 3621 must not lie above 3620
-            points[first] = 0
-        if steps[-1] == 0:  # travel that ends at the reference: 3622 must lie above 3620
-            points[reference + 1] = 0
-        return points
-
-    def _offset(self, count: float, magnification: int) -> str:
-        sign = -1 if self.options.get("offset_sign") == "-" else 1
-        if self.options.get("offset_magnified") == "yes":
-            if count % magnification:
-                raise NotHeld(f"3627 counts in steps of the magnification {magnification}; {count:g} is none")
-            count /= magnification
-        return str(int(count) * sign)
-
-    def _length(self, value: float) -> str:
-        """Return a length in mm or deg exactly, as the control's text wants it."""
-        count = Decimal(repr(round(value, 9)))
-        digits = Decimal("0.001")
-        if count != count.quantize(digits):
-            raise NotHeld(f"{value:.9g} {self.axis.kind.unit} has more than three decimal places")
-        if thousandths(self.definition):
-            return str(int(count / digits))
-        return real_text(count)
-
-    def _cleared(self, points: Mapping[int, int], used: Sequence[range]) -> tuple[int, ...]:
-        first, last = self.facts.get("first_number"), self.facts.get("highest_number")
-        if not (self.facts.get("enabled") and isinstance(first, int) and isinstance(last, int)):
-            return ()
-        return tuple(
-            number for number in range(first, last + 1) if number not in points and not any(number in taken for taken in used)
-        )
-
-
-def real_text(value: Decimal) -> str:
-    """Return a number as the control's own files write it: a decimal point and at least one decimal (``50.0``)."""
-    text = f"{value.normalize():f}"
-    return text if "." in text else f"{text}.0"
 
 
 class _Patcher:
@@ -284,9 +59,8 @@ class _Patcher:
             texts = read_texts(definition, files, found)
             raise_all(InputError, found)
             self.gathered = gather(definition, texts)
-            for rows in self.gathered.file_rows.values():
-                for row in rows:
-                    self.rows.setdefault(int(row.occurrence.tokens["number"].text) - POINTS_FROM, []).append(row)
+            for row in point_rows(definition, self.gathered):
+                self.rows.setdefault(point_number(row), []).append(row)
 
     def put(self, entry: Entries, faults: list[Fault]) -> Entries:
         """Note the changes for one axis and return what has no place in the user's files."""
@@ -403,14 +177,19 @@ def _line_of(content: bytes, place: int, newlines: Sequence[str]) -> tuple[int, 
     return start, end + next((len(mark) for mark in ends if content.startswith(mark, end)), 1)
 
 
-def _fresh(definition: Definition, entry: Entries, left: Entries) -> Iterator[ControlFile]:
-    """Yield minimal files with what found no place in the user's own."""
+def _fresh(definition: Definition, entry: Entries, left: Entries, taken: Collection[str]) -> Iterator[ControlFile]:
+    """Yield minimal files with what found no place in the user's own; they do not take the names of those (``taken``)."""
     for file in definition.writing:
         if file.optional:
             continue
         lines = list(_point_lines(definition, left)) if file.rows else list(_parameter_lines(definition, left))
         if lines:
-            yield _file(definition, file, entry, lines)
+            fresh = _file(definition, file, entry, lines)
+            name = fresh.name
+            while name in taken:
+                stem, dot, ending = name.rpartition(".")
+                name = f"{stem}_MORE{dot}{ending}"
+            yield replace(fresh, name=name)
 
 
 def _file(definition: Definition, file: WrittenFile, entry: Entries, lines: Sequence[str]) -> ControlFile:
@@ -450,9 +229,20 @@ def write_programs(definition: Definition, entries: Sequence[Entries]) -> tuple[
                 for quantity, text in entry.parameters.items()
                 if quantity != "bidirectional" and (number := parameter_number(definition, quantity))
             ]
+            lines += _program_bit(definition, file, entry)
             lines += [f"N{POINTS_FROM + number}R{value}" for number, value in entry.points.items()]
             files.append(_file(definition, file, entry, lines))
     return tuple(files)
+
+
+def _program_bit(definition: Definition, file: WrittenFile, entry: Entries) -> list[str]:
+    """Return the line that switches to one or two sets: single bits are known under G10 L52 only; else the engineer does it."""
+    if not entry.switches:
+        return []
+    number, value = parameter_number(definition, "bidirectional"), entry.parameters["bidirectional"]
+    if any("L52" in line for line in file.header):
+        return [f"N{number}P{entry.address}Q0R{value}"]
+    return [f"(SET BIT 0 OF {number} FOR AXIS {entry.address} TO {value} BY HAND)"]
 
 
 def parameter_number(definition: Definition, quantity: str) -> str:
@@ -471,7 +261,10 @@ def sheet_rows(definition: Definition, entry: Entries) -> tuple[SheetRow, ...]:
         value = text
         if quantity in unit and "." not in text:
             value = real_text(Decimal(text) / 1000)
-        rows.append(SheetRow(f"{number}#0" if quantity == "bidirectional" else number, "", value, unit.get(quantity, "pulse")))
+        if quantity == "bidirectional":
+            rows.append(SheetRow(f"{number}#0", "", value, ""))
+        else:
+            rows.append(SheetRow(number, "", value, unit.get(quantity, "pulse")))
     first = entry.place.negative_first
     count = entry.place.last - entry.place.first
     for point, increment in entry.points.items():

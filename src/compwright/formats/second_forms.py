@@ -6,10 +6,12 @@ from collections.abc import Mapping, Sequence
 
 from compwright.formats.addresses import normal_address
 from compwright.formats.entry_sheet import write_sheet
-from compwright.formats.increments_writing import all_entries, sheet_rows, write_programs
+from compwright.formats.increments_entries import all_entries
+from compwright.formats.increments_writing import sheet_rows, write_programs
 from compwright.formats.options import resolve_options
 from compwright.formats.schema import Definition
 from compwright.formats.writing import write_tables
+from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 
@@ -46,4 +48,15 @@ def second_forms(
         )
         for entry in entries
     ]
-    return (*sheets, *(write_programs(definition, entries) if resolved.get("program") == "g10" else ()))
+    if resolved.get("program") != "g10":
+        return tuple(sheets)
+    if state is not None and any(said.get("length_unit") == "inch" for said in state.facts.values()):
+        raise UsageError(
+            Fault(
+                message="a program has no letter for the unit, and the intervals in mm are not whole on an inch machine (1001#0)",
+                place="program",
+                expected="none: load the files or type in the sheet",
+                found="g10",
+            )
+        )
+    return (*sheets, *write_programs(definition, entries))

@@ -29,7 +29,7 @@ _REST = {"none": r"[ \t]*", "after_blank": r"(?:[ \t][^\r\n]*)?", "anything": r"
 _PIECE = re.compile(r"\{(?P<field>[a-z_][a-z0-9_]*)\}|(?P<blank> +)|#(?P<padded>[0-9]+)|(?P<word>[\w$%.]+)|(?P<mark>.)")
 #: A form that ends in a group which stands once or several times: ``N#03620Q1(A{axis}P{value})*``.
 _GROUPED = re.compile(r"(?P<before>.*)\((?P<group>[^()]*)\)\*")
-_LINE_NUMBER = re.compile(r"[ \t]*[A-Za-z][ \t]*0*([0-9]+)")
+_LINE_NUMBER = re.compile(r"[ \t\r]*[A-Za-z][ \t]*0*([0-9]+)")  # a stray carriage return does not hide a line
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,15 +45,21 @@ class Token:
 class Occurrence:
     """A statement as it stands in a file. ``tokens`` by field name, those of the section too; ``line`` counts from 1.
 
-    ``variant``: in one of the forms that are read but never written. ``checksum``: a line checksum with the blanks before it.
+    ``form``: which of the statement's forms it has, 0 the one that is written, then those that are only read. ``checksum``: a line
+    checksum with the blanks before it.
     """
 
     statement: str
     file: str
     line: int
     tokens: Mapping[str, Token]
-    variant: bool = False
+    form: int = 0
     checksum: Token | None = None
+
+    @property
+    def variant(self) -> bool:
+        """Whether it stands in one of the forms that are read but never written."""
+        return self.form > 0
 
     @property
     def place(self) -> str:

@@ -11,12 +11,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from compwright.formats.schema import Definition, Statement, TextKind
-from compwright.formats.statements import Form, Matcher, Occurrence, Token, compile_statement, line_number
+from compwright.formats.statements import Matcher, Occurrence, Token, compile_statement, line_number
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding
 from compwright.records.correction import ControlFile
 
 _BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]")
+_OPEN = "("
+_ENCLOSED = re.compile(r"\([^()]*\)")
 _UTF8_MARK = "\xef\xbb\xbf"  # the byte order mark, seen as single bytes
 
 
@@ -131,6 +133,8 @@ class _KindReader:
             return line.text
         if not self.kind.comments_anywhere:
             return "" if line.text.lstrip(" \t").startswith(self.kind.comment_marks) else line.text
+        if self.kind.comment_marks == (_OPEN,):  # such a comment has an end; places stay as they are
+            return _ENCLOSED.sub(lambda comment: " " * len(comment[0]), line.text)
         places = [place for mark in self.kind.comment_marks if (place := line.text.find(mark)) >= 0]
         return line.text[: min(places)] if places else line.text
 
@@ -154,7 +158,7 @@ class _KindReader:
             for place, form in enumerate(matcher.forms):
                 match = form.fullmatch(code)
                 if match is not None:
-                    yield from self._occurrences(line, matcher, form, match, variant=place > 0)
+                    yield from self._occurrences(line, matcher, place, match)
                     return
             if matcher.number is not None and matcher.number in self.kind.claims_at_start:
                 self._fault(line, "cannot be read" + _hint(code), expected=_readable(matcher.statement), found=_shown(code))
@@ -170,18 +174,15 @@ class _KindReader:
         elif self.kind.other_lines_refused:
             self._refuse(line, "cannot be read as a row" + _hint(code))
 
-    def _occurrences(
-        self, line: Line, matcher: Matcher, form: Form, match: re.Match[str], *, variant: bool
-    ) -> Iterator[Occurrence]:
-        if form.group is None:
-            yield from self._occurrence(line, matcher, (match,), variant=variant)
+    def _occurrences(self, line: Line, matcher: Matcher, place: int, match: re.Match[str]) -> Iterator[Occurrence]:
+        repeating = matcher.forms[place].group
+        if repeating is None:
+            yield from self._occurrence(line, matcher, place, (match,))
             return
-        for group in form.group.finditer(match.string, match.start("groups_"), match.end("groups_")):
-            yield from self._occurrence(line, matcher, (match, group), variant=variant)
+        for group in repeating.finditer(match.string, match.start("groups_"), match.end("groups_")):
+            yield from self._occurrence(line, matcher, place, (match, group))
 
-    def _occurrence(
-        self, line: Line, matcher: Matcher, matches: tuple[re.Match[str], ...], *, variant: bool
-    ) -> Iterator[Occurrence]:
+    def _occurrence(self, line: Line, matcher: Matcher, place: int, matches: tuple[re.Match[str], ...]) -> Iterator[Occurrence]:
         def token(name: str) -> Token:
             match = next(found for found in matches if name in found.re.groupindex)
             return Token(match[name], line.start + match.start(name), line.start + match.end(name))
@@ -194,7 +195,7 @@ class _KindReader:
             for name, text in within.groupdict().items():
                 tokens[name] = Token(text, self.section_start + within.start(name), self.section_start + within.end(name))
         checksum = token("checksum_") if matches[0].groupdict().get("checksum_") else None
-        yield Occurrence(matcher.statement.name, self.file, line.number, tokens, variant, checksum)
+        yield Occurrence(matcher.statement.name, self.file, line.number, tokens, place, checksum)
 
     def _concerns_us(self, probe: str) -> bool:
         """Whether the line could be a statement here: a key of the same name in another section is not ours."""

@@ -1,0 +1,449 @@
+"""One axis of a control with increments by section (FANUC): parameters and points -> its compensation and facts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+
+import numpy as np
+
+from compwright.formats.axis_reading import Fact, Notes
+from compwright.formats.gathering import Found, Gathered, the_one
+from compwright.formats.increments_points import POINTS_FROM, fault_at, number_list
+from compwright.formats.options import REFERENCE, REFERENCE_RETURN, axis_options
+from compwright.formats.scale import Scale
+from compwright.formats.schema import Choice, Definition
+from compwright.foundations.errors import Fault
+from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
+from compwright.records.correction import AxisCompensation, Interpolation
+
+#: Quantities that say where an axis' table lies.
+GRID = ("reference_number", "first_number", "last_number", "magnification", "table_spacing")
+#: Two positions are the same below this many mm or deg: a control counts in 0.0001 at the finest.
+_SAME_PLACE = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """Where an axis' table lies: numbers of the reference, the first and the last section, interval in mm or deg, magnification.
+
+    ``negative``: first number of the set for travel in -; None: one set for both directions.
+    """
+
+    reference: int
+    first: int
+    last: int
+    interval: float
+    magnification: int
+    negative: int | None = None
+
+
+class IncrementReader:
+    """Reads one axis. ``axis``: what the job knows of it, None without a job."""
+
+    def __init__(
+        self,
+        definition: Definition,
+        gathered: Gathered,
+        points: Mapping[int, Found],
+        address: str,
+        axis: Axis | None,
+        options: Mapping[str, object],
+        notes: Notes,
+    ) -> None:
+        self.definition = definition
+        self.gathered = gathered
+        self.points = points
+        self.address = address
+        self.axis = axis
+        self.options = axis_options(definition, options, axis)
+        self.notes = notes
+        self.label = f"axis {address}"
+        self.said: dict[str, Found] = {}
+
+    # --- single values
+
+    def found(self, quantity: str) -> Found | None:
+        """Return where a quantity stands, for this axis or for the whole machine."""
+        if quantity not in self.definition.bindings:
+            return None
+        binding = self.definition.bindings[quantity]
+        faults: list[Fault] = []
+        places = self.gathered.found(quantity, self.address, None)
+        found = the_one(binding, places, f"{self.label}: {self.name(quantity)}", faults, self.notes.findings)
+        self.notes.faults.extend(fault for fault in faults if fault not in self.notes.faults)
+        if found is not None:
+            self.said[quantity] = found
+        return found
+
+    def name(self, quantity: str) -> str:
+        """Return the parameter's number."""
+        form = self.definition.statements[self.definition.bindings[quantity].statement].form
+        return form.split("#", 1)[-1][:5].lstrip("0").split("Q")[0]
+
+    def integer(self, quantity: str) -> int | None:
+        """Return a whole number; None where the files do not hold it."""
+        found = self.found(quantity)
+        return None if found is None else int(Decimal(found.text))
+
+    def word(self, quantity: str) -> str | None:
+        """Return the neutral word of a choice; None where the files do not hold it."""
+        found, binding = self.found(quantity), self.definition.bindings.get(quantity)
+        return binding.values.get(found.text) if found is not None and isinstance(binding, Choice) else None
+
+    def length(self, quantity: str, kind: AxisKind) -> Decimal | None:
+        """Return a length in mm or deg: M metric, I inch, P the machine's unit; without a point in the control's own small unit."""
+        found = self.found(quantity)
+        if found is None:
+            return None
+        number = Decimal(found.text)
+        if kind is AxisKind.ROTARY:
+            unit = "deg"
+        else:
+            key = found.occurrence.tokens["key"].text.upper()
+            unit = {"M": "mm", "I": "inch"}.get(key) or self.word("length_unit") or "mm"
+        if "." not in found.text and number != 0:
+            if not thousandths(self.definition):
+                self.notes.faults.append(
+                    fault_at(
+                        found,
+                        f"{self.label}: parameter {self.name(quantity)} is a length and needs a decimal point",
+                        "a number such as 50.0",
+                        found.text,
+                    )
+                )
+                return None
+            number *= Decimal("0.0001") if unit == "inch" else Decimal("0.001")
+        return number * (Decimal("25.4") if unit == "inch" else Decimal(1))
+
+    # --- the axis
+
+    def facts(self) -> dict[str, Fact]:
+        """Return what the files say of this axis, by neutral name."""
+        facts: dict[str, Fact] = {}
+        for quantity in ("reference_number", "first_number", "last_number", "magnification", "negative_first"):
+            value = self.integer(quantity)
+            if value is not None:
+                facts[quantity] = value
+        facts["enabled"] = bool(facts.get("magnification", 0)) and facts.get("first_number") != facts.get("last_number")
+        for quantity in ("rotary", "diameter", "length_unit", "absolute_encoder", "separate_rapid", "bidirectional"):
+            word = self.word(quantity)
+            if word is not None:
+                facts[quantity] = word
+        code = self.integer("axis_name")
+        if code is not None and ord("A") <= code <= ord("Z"):
+            facts["axis_name"] = chr(code)
+        for quantity in ("limit_low", "limit_high", "reference_coordinate"):
+            found = self.found(quantity)
+            if found is not None and "." in found.text:
+                facts[quantity] = float(self.length(quantity, self.kind(quiet=True)) or 0)
+        return facts
+
+    def kind(self, *, quiet: bool = False) -> AxisKind:
+        """Return linear or rotary: from the job, else the files, else linear, which is noted unless ``quiet``."""
+        word = self.word("rotary")
+        if self.axis is None:
+            if word is None and not quiet:
+                self.notes.assume(f"{self.label}: kind", "linear", "unconfirmed: neither a job nor the files say so")
+            return AxisKind(word or "linear")
+        if word is not None and word != self.axis.kind and not quiet:
+            self.notes.faults.append(
+                Fault(
+                    message=f"{self.label}: the job and the control's files disagree about its kind (1006#0)",
+                    file=self.said["rotary"].occurrence.file,
+                    place=self.said["rotary"].occurrence.place,
+                    expected=self.axis.kind,
+                    found=word,
+                )
+            )
+        return self.axis.kind
+
+    def read(self) -> AxisCompensation | None:
+        """Return what acts on the axis; None where something is wrong (then the notes have faults)."""
+        kind = self.kind()
+        backlash = self._backlash(kind)
+        numbers = self._numbers(kind)
+        self._check_reference(kind, has_table=numbers is not None)
+        self._check_diameter(kind)
+        if numbers is None:
+            none = np.empty(0)
+            return self._compensation(kind, none, none, none, backlash)
+        values = self._increments(range(numbers.first, numbers.last + 1))
+        other = None
+        if numbers.negative is not None:
+            count = numbers.last - numbers.first
+            other = self._increments(range(numbers.negative, numbers.negative + count + 1))
+        if values is None or (numbers.negative is not None and other is None):
+            return None
+        if self._repeats(kind, numbers):
+            return self._endless(kind, numbers, values, backlash)
+        reference = self._reference()
+        steps = np.arange(numbers.first - 1, numbers.last + 1) - numbers.reference
+        positions = np.round(reference + steps * numbers.interval, 9)
+        scale = float(self._unit(kind)) * numbers.magnification * self._sign("pitch_sign")
+        positive = totals(values, numbers) * scale
+        negative = positive if other is None else totals(other, numbers) * scale
+        if other is not None:
+            positive, negative = self._offset(positive, negative, numbers, kind)
+        return self._compensation(kind, positions, positive, negative, backlash)
+
+    def _compensation(
+        self,
+        kind: AxisKind,
+        positions: FloatArray,
+        positive: FloatArray,
+        negative: FloatArray,
+        backlash: float,
+        period: float | None = None,
+    ) -> AxisCompensation:
+        returns = self.axis.reference_return if self.axis else Direction(str(self.options[REFERENCE_RETURN]))
+        interpolation: Interpolation = "linear" if self.options.get("output") == "ramp" else "step"
+        return AxisCompensation(
+            address=self.address,
+            kind=kind,
+            positions=positions,
+            positive=positive + 0.0,
+            negative=negative + 0.0,
+            backlash=backlash,
+            reference_return=returns,
+            interpolation=interpolation,
+            period=period,
+        )
+
+    def _check_reference(self, kind: AxisKind, *, has_table: bool) -> None:
+        """Hold 1240 against the job's reference, and say what a reference beside zero rests on."""
+        told = self.found("reference_coordinate")
+        where = None
+        if told is not None and ("." in told.text or thousandths(self.definition)):
+            where = self.length("reference_coordinate", kind)
+        if (
+            self.axis is not None
+            and told is not None
+            and where is not None
+            and abs(float(where) - self.axis.reference) > _SAME_PLACE
+        ):
+            message = "the job and the control's files disagree about the reference position (1240)"
+            self._wrong("reference_coordinate", message, f"{job:g}, as the job says", self.said["reference_coordinate"].text)
+        if has_table and (self._reference() != 0 or where):
+            self.notes.find(
+                "CW-S018",
+                "warning",
+                f"{self.label}: the reference position is not machine zero; the points are counted from the position "
+                f"{self._reference():g} (reference), which is unconfirmed: check the correction at two positions",
+            )
+
+    def _check_diameter(self, kind: AxisKind) -> None:
+        """An axis in diameter programming: the job must know it, else everything may be wrong by 2."""
+        if kind is AxisKind.ROTARY or self.word("diameter") != "yes":
+            return
+        if self.axis is not None and self.axis.programmed != "diameter":
+            self._wrong(
+                "diameter", "1006#3 says diameter programming, the job does not", "programmed: diameter in the job", "radius"
+            )
+        self.notes.find(
+            "CW-S019",
+            "warning",
+            f"{self.label}: diameter programming (1006#3): positions, interval and corrections are taken in radius (unconfirmed); "
+            "wrong by 2 is the usual fault, so check one position after loading",
+        )
+
+    def _unit(self, kind: AxisKind) -> Decimal:
+        return Scale(self.definition, kind, self.options, {}).factor("value")
+
+    def _sign(self, option: str) -> int:
+        return -1 if self.options.get(option) == "-" else 1
+
+    def _reference(self) -> float:
+        return self.axis.reference if self.axis else float(str(self.options[REFERENCE]))
+
+    def _turn(self, kind: AxisKind) -> float:
+        """Return the travel per turn of a rotary axis, deg: 3625, else what the job says, else 360."""
+        turn = self.length("turn", kind)
+        if turn:
+            return float(turn)
+        return 360.0 if self.axis is None or self.axis.modulo is None else float(self.axis.modulo)
+
+    def _repeats(self, kind: AxisKind, numbers: Numbers) -> bool:
+        """Whether the axis is endless: the job says so, or the table of a rotary axis starts at the reference and spans a turn."""
+        if kind is not AxisKind.ROTARY or numbers.negative is not None:
+            return False
+        if self.axis is not None and self.axis.modulo is not None:
+            return True
+        span = (numbers.last - numbers.reference) * numbers.interval
+        return numbers.first == numbers.reference and abs(span - self._turn(kind)) < 1e-6
+
+    def _backlash(self, kind: AxisKind) -> float:
+        found = self.found("backlash")
+        if found is None:
+            binding = self.definition.bindings["backlash"]
+            if binding.when_absent is not None:
+                name = self.name("backlash")
+                self.notes.assume(f"{self.label}: {name} (backlash)", "0", str(binding.when_absent.evidence))
+                self.notes.find("CW-S005", "warning", f"{self.label}: {name} is not in the files; counted as 0")
+            return 0.0
+        low, high = self.definition.measure("backlash").range
+        value = int(Decimal(found.text))
+        if not low <= value <= high:
+            self.notes.faults.append(
+                fault_at(found, f"{self.label}: a backlash that the control cannot hold", f"{low:g} .. {high:g}", found.text)
+            )
+        rapid = self.integer("backlash_rapid")
+        if self.word("separate_rapid") == "yes" and rapid is not None and rapid != value:
+            self.notes.find(
+                "CW-S015",
+                "warning",
+                f"{self.label}: cutting feed and rapid have different backlash values ({value} and {rapid}; 1800#4 = 1): "
+                "only that of cutting feed is counted here",
+            )
+        return float(value * self._unit(kind))
+
+    def _numbers(self, kind: AxisKind) -> Numbers | None:
+        """Return where the table lies; None where there is none, or where something is wrong (then the notes have faults)."""
+        present = {name: self.found(name) for name in GRID}
+        if not any(present.values()):
+            self.notes.assume(
+                f"{self.label}: table", "none", "unconfirmed: no file that was given holds its parameters 3620 to 3624"
+            )
+            self.notes.find("CW-S008", "warning", f"{self.label}: no file holds a table; counted as none")
+            return None
+        magnification = self.integer("magnification")
+        if magnification == 0:
+            self.notes.find("CW-S007", "info", f"{self.label}: 3623 is 0: the pitch compensation is off, its data correct nothing")
+            return None
+        missing = [self.name(name) for name, found in present.items() if found is None]
+        if missing:
+            first = next(name for name, found in present.items() if found is not None)
+            self._wrong(first, "parameters of the table are missing", ", ".join(missing), "no such line in the files")
+            return None
+        return self._checked(kind, int(magnification or 0))
+
+    def _checked(self, kind: AxisKind, magnification: int) -> Numbers | None:
+        reference, first, last = (int(self.integer(name) or 0) for name in ("reference_number", "first_number", "last_number"))
+        highest = self.definition.limit_number("max_number") or 0
+        most = self.definition.limit_number("max_magnification") or 100
+        known = len(self.notes.faults)
+        if not first <= reference <= last:
+            self._wrong("first_number", "the numbers are not in order", "3621 <= 3620 <= 3622", f"{first}, {reference}, {last}")
+        if last > highest:
+            self._wrong("last_number", "a number beyond those of the control", f"at most {highest}", str(last))
+        if not 0 <= magnification <= most:
+            self._wrong("magnification", "the magnification does not exist", f"0 .. {most}", str(magnification))
+        if first == last and len(self.notes.faults) == known:
+            self.notes.find("CW-S007", "info", f"{self.label}: 3621 = 3622 = {first}: no section, so no pitch compensation acts")
+            return None
+        interval = self.length("table_spacing", kind)
+        if interval is not None and interval <= 0:
+            self._wrong("table_spacing", "the interval is not positive", "more than 0", str(interval))
+        negative = self._negative_first(first, last, highest)
+        if len(self.notes.faults) > known or interval is None:
+            return None
+        return Numbers(reference, first, last, float(interval), magnification, negative)
+
+    def _wrong(self, quantity: str, message: str, expected: str, found: str = "") -> None:
+        self.notes.faults.append(fault_at(self.said[quantity], f"{self.label}: {message}", expected, found))
+
+    def _negative_first(self, first: int, last: int, highest: int) -> int | None:
+        """Return the first number of the set for travel in -, None with one set (or without its number: then there is a fault)."""
+        if self.word("bidirectional") != "yes":
+            return None
+        negative = self.integer("negative_first")
+        if negative is None:
+            self._wrong("bidirectional", "bidirectional compensation is on (3605#0), but 3626 is missing", "3626")
+            return None
+        end = negative + last - first
+        if negative < 0 or end > highest:
+            self._wrong(
+                "negative_first", "the set for travel in - leaves the control's numbers", f"0 .. {highest}", f"{negative} .. {end}"
+            )
+        elif negative <= last and first <= end:
+            self._wrong("negative_first", "the two sets overlap", f"clear of {first} .. {last}", f"{negative} .. {end}")
+        return negative
+
+    def _increments(self, numbers: range) -> FloatArray | None:
+        missing = [number for number in numbers if number not in self.points]
+        if missing:
+            where = self.said["last_number"]
+            what = f"{numbers.start} to {numbers.stop - 1}, without {number_list(missing)}"
+            message = f"{self.label}: point data are missing ({len(missing)} of {len(numbers)}); missing is not zero"
+            self.notes.faults.append(fault_at(where, message, f"the pitch data N{POINTS_FROM + missing[0]} and so on", what))
+            return None
+        limit = increment_limit(self.options)
+        values = []
+        for number in numbers:
+            row = self.points[number]
+            value = int(row.occurrence.tokens["value"].text)
+            if abs(value) > limit:
+                message = f"{self.label}: an increment that the control cannot hold (option increment_limit)"
+                self.notes.faults.append(fault_at(row, message, f"-{limit} .. {limit}", str(value)))
+                return None
+            values.append(value)
+        return np.array(values, dtype=np.float64)
+
+    def _offset(
+        self, positive: FloatArray, negative: FloatArray, numbers: Numbers, kind: AxisKind
+    ) -> tuple[FloatArray, FloatArray]:
+        """Put 3627, the value at the reference against its return direction, on the curve that is not the zero state's."""
+        found = self.found("negative_offset")
+        if found is None:
+            where = self.said["bidirectional"]
+            self.notes.faults.append(
+                fault_at(where, f"{self.label}: bidirectional compensation is on (3605#0), but 3627 is missing", "3627")
+            )
+        count = 0 if found is None else int(Decimal(found.text))
+        magnified = numbers.magnification if self.options.get("offset_magnified") == "yes" else 1
+        shift = float(count * magnified * self._unit(kind)) * self._sign("offset_sign")
+        returns = self.axis.reference_return if self.axis else Direction(str(self.options[REFERENCE_RETURN]))
+        self.notes.assume(
+            f"{self.label}: bidirectional compensation", "as 3605#0, 3626 and 3627 are understood", "unconfirmed: no manual page"
+        )
+        return (positive, negative + shift) if returns is Direction.POSITIVE else (positive + shift, negative)
+
+    def _endless(self, kind: AxisKind, numbers: Numbers, values: FloatArray, backlash: float) -> AxisCompensation | None:
+        turn = self._turn(kind)
+        sections = numbers.last - numbers.reference
+        where = self.said["last_number"]
+        if numbers.first != numbers.reference or abs(sections * numbers.interval - turn) > 1e-6:
+            self.notes.faults.append(
+                fault_at(
+                    where,
+                    f"{self.label}: the table of an endless axis must span one turn (3622 = 3620 + turn / interval)",
+                    f"{turn:g} deg in whole sections",
+                    f"{sections} sections of {numbers.interval:g} deg",
+                )
+            )
+            return None
+        creep = float(np.sum(values[1:]))
+        unit = float(self._unit(kind)) * numbers.magnification
+        if creep != 0:
+            message = (
+                f"{self.label}: the increments of one turn do not add up to zero: the axis creeps by {creep * unit:g} deg each turn"
+            )
+            self.notes.faults.append(fault_at(where, message, "sum 0", f"{creep:g}"))
+            return None
+        if values[0] != values[-1]:
+            self.notes.find(
+                "CW-S016",
+                "warning",
+                f"{self.label}: point {numbers.reference} should hold the same value as point {numbers.last} ({values[-1]:g})",
+            )
+        curve = np.concatenate([[0.0], np.cumsum(values[1:])]) * unit * self._sign("pitch_sign")
+        positions = np.round(self._reference() + np.arange(sections + 1) * numbers.interval, 9)
+        return self._compensation(kind, positions, curve, curve, backlash, turn)
+
+
+def totals(values: FloatArray, numbers: Numbers) -> FloatArray:
+    """Return the sums (k + 1,) of the increments (k,) ``first`` .. ``last`` at the nodes, zero at the reference."""
+    sums = np.concatenate([[0.0], np.cumsum(values)])
+    zero: FloatArray = sums - sums[numbers.reference - numbers.first + 1]
+    return zero
+
+
+def thousandths(definition: Definition) -> bool:
+    """Return whether lengths without a decimal point count thousandths (0i-A to C, 16i), or are not allowed (30i)."""
+    return definition.measure("table_spacing").linear_unit == "um"
+
+
+def increment_limit(options: Mapping[str, object]) -> int:
+    """Return the largest increment of the control."""
+    return int(str(options["increment_limit"]))
