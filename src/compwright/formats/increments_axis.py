@@ -217,12 +217,8 @@ class IncrementReader:
         where = None
         if told is not None and ("." in told.text or thousandths(self.definition)):
             where = self.length("reference_coordinate", kind)
-        if (
-            self.axis is not None
-            and told is not None
-            and where is not None
-            and abs(float(where) - self.axis.reference) > _SAME_PLACE
-        ):
+        job = None if self.axis is None else self.axis.reference
+        if job is not None and where is not None and abs(float(where) - job) > _SAME_PLACE:
             message = "the job and the control's files disagree about the reference position (1240)"
             self._wrong("reference_coordinate", message, f"{job:g}, as the job says", self.said["reference_coordinate"].text)
         if has_table and (self._reference() != 0 or where):
