@@ -239,8 +239,9 @@ def test_wild_points_give_a_zone_or_are_refused(seed: int, n: int, size: float, 
     except InputError:
         assert np.ptp(size * scatter) > 0.05  # of the radius: what could not be round
         return
-    assert widths(points, np.array([centre]))[0] == pytest.approx(outer - inner, abs=CLOSE)
-    assert outer - inner <= widths(points, np.array([least_squares_circle(points)[0]]))[0] + CLOSE
+    close = CLOSE * max(1.0, outer)  # heavy tails can have radii of 1e5
+    assert widths(points, np.array([centre]))[0] == pytest.approx(outer - inner, abs=close)
+    assert outer - inner <= widths(points, np.array([least_squares_circle(points)[0]]))[0] + close
 
 
 def test_points_far_from_any_circle() -> None:

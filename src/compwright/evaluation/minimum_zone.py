@@ -67,7 +67,7 @@ def minimum_zone(points: FloatArray) -> tuple[Point, float, float]:
         if joining.size == 0:
             return (start[0] + float(centre[0]), start[1] + float(centre[1])), float(distance.min()), float(distance.max())
         working = np.union1d(working, joining)
-        centre = _narrowest(x[working], y[working], centre, reach, tolerance)
+        centre = _narrowest(x[working], y[working], reach, tolerance)
         distance = np.hypot(x - centre[0], y - centre[1])
         low, high = float(distance[working].min()), float(distance[working].max())
         if high - low > width + tolerance or working.size > _MOST_WORKING - 2 * _SECTORS:
@@ -122,8 +122,8 @@ def _pairs(n: int) -> tuple[Indices, Indices]:
     return first, second
 
 
-def _narrowest(x: FloatArray, y: FloatArray, present: FloatArray, reach: float, tolerance: float) -> FloatArray:
-    """Return the centre (2,) of the narrowest annulus of a few points among ``present`` and the crossings of their bisectors.
+def _narrowest(x: FloatArray, y: FloatArray, reach: float, tolerance: float) -> FloatArray:
+    """Return the centre (2,) of the narrowest annulus of a few points among the origin and the crossings of their bisectors.
 
     Centres farther from the origin than ``reach`` are left out. Of several equally good ones the middle is taken: where two
     points on a ray set the width all centres between are as good, and the middle leaves fewest other points outside.
@@ -137,8 +137,18 @@ def _narrowest(x: FloatArray, y: FloatArray, present: FloatArray, reach: float, 
         cx = (level[one] * ny[other] - level[other] * ny[one]) / across
         cy = (nx[one] * level[other] - nx[other] * level[one]) / across
         near = np.hypot(cx, cy) <= reach
-    cx, cy = np.append(cx[near], present[0]), np.append(cy[near], present[1])
+    cx, cy = np.append(cx[near], 0.0), np.append(cy[near], 0.0)
+    width = _widths(x, y, cx, cy)
+    least = width.min() + tolerance
+    best = width <= least
+    middle = np.array([cx[best].mean(), cy[best].mean()])
+    if _widths(x, y, middle[:1], middle[1:])[0] <= least:
+        return middle
+    return np.array([cx[best][0], cy[best][0]])  # equally good ones far apart, with worse ones between: not near a circle
+
+
+def _widths(x: FloatArray, y: FloatArray, cx: FloatArray, cy: FloatArray) -> FloatArray:
+    """Return the width (k,) of the narrowest annulus about each of k centres."""
     distance = np.hypot(x[:, np.newaxis] - cx, y[:, np.newaxis] - cy)
-    width = distance.max(axis=0) - distance.min(axis=0)
-    best = width <= width.min() + tolerance
-    return np.array([cx[best].mean(), cy[best].mean()])
+    width: FloatArray = distance.max(axis=0) - distance.min(axis=0)
+    return width
