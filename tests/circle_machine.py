@@ -18,7 +18,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Machine:
-    """Causes in the contract's units: um, um/m, ms; pitch and decay in mm, centre in mm, phase in rad."""
+    """Causes in the contract's units: um, um/m, ms; pitch and decay in mm, centre in mm, phase in rad.
+
+    ``lag`` ms: dead time that both axes have in common.
+    """
 
     squareness: float = 0.0
     scale_error_first: float = 0.0
@@ -43,6 +46,7 @@ class Machine:
     straightness_first: float = 0.0
     straightness_second: float = 0.0
     radius_change: float = 0.0
+    lag: float = 0.0
     centre: tuple[float, float] = (0.0, 0.0)
 
 
@@ -78,6 +82,7 @@ def truth(machine: Machine, setup: Setup) -> dict[str, float]:
 def distance(machine: Machine, setup: Setup, theta: Array, sense: float) -> Array:
     """Return the bar's length (n,) mm at commanded angles ``theta`` rad, moving ccw (+1) or cw (-1)."""
     R, um = setup.radius, 1e-3
+    theta = theta - sense * setup.feed / 60.0 * 1e-3 * machine.lag / R
     x, y = R * np.cos(theta), R * np.sin(theta)
     moves_x, moves_y = np.sign(-sense * np.sin(theta)), np.sign(sense * np.cos(theta))
     speed = setup.feed / 60.0

@@ -227,7 +227,8 @@ def test_exchanging_the_axes_exchanges_the_causes() -> None:
     for name, effect in here.items():
         other = name.replace("first", "#").replace("second", "first").replace("#", "second")
         sign = -1.0 if name in ("scale_mismatch", "servo_mismatch", "radius_change") else 1.0
-        assert sign * there[other].value == pytest.approx(effect.value, abs=0.3 * effect.std_error), name
+        # The circle is cut open a quarter further on for the spectrum of the noise, which weighs the samples a little otherwise.
+        assert sign * there[other].value == pytest.approx(effect.value, abs=0.75 * effect.std_error), name
         assert there[other].std_error == pytest.approx(effect.std_error, rel=0.15), name
 
 
@@ -247,6 +248,54 @@ def test_uneven_samples_and_several_runs_are_one_fit() -> None:
         assert abs(effect.value - value) < 4.0 * effect.std_error, name
     ratio = both.effects["squareness"].std_error / single.effects["squareness"].std_error
     assert ratio == pytest.approx(np.sqrt(0.5), rel=0.25)  # twice the samples; how white the noise is stays a guess
+
+
+@pytest.mark.parametrize("lag", [20.0, 45.0])
+def test_a_lag_of_both_axes_is_found_and_spoils_nothing(lag: float) -> None:
+    missed, seen = 0, []
+    for index in range(12):
+        rng = np.random.default_rng([31, index])
+        setup = Setup(noise=0.2)
+        machine = replace(random_machine(rng, 150.0), lag=lag)
+        found = diagnose(measured(machine, setup, rng))
+        (message,) = [f.message for f in found.findings if f.code == "CW-D011"]
+        seen.append(float(message.split()[3]))
+        for name, value in truth(machine, setup).items():
+            missed += abs(found.effects[name].value - value) > 3.0 * found.effects[name].std_error
+    # One sample is 19 ms; where within it the axes reverse only the spikes' decay tells.
+    assert seen == pytest.approx([lag] * 12, abs=12.0)
+    assert missed <= 6  # of 180 beyond three standard errors; correlated causes miss together
+
+
+def test_without_a_lag_none_is_found() -> None:
+    for index in range(20):
+        rng = np.random.default_rng([32, index])
+        assert "CW-D011" not in codes(diagnose(measured(random_machine(rng, 150.0), Setup(noise=0.1, wander=0.2), rng)))
+
+
+def test_a_ball_that_creeps_between_the_runs_is_not_lost_motion() -> None:
+    test = measured(Machine(), Setup())
+    theta = np.radians(test.runs[1].angles)
+    crept = test.runs[1].deviations + 1e-3 * (0.8 * np.cos(theta) - 0.6 * np.sin(theta))
+    effects = diagnose(replace(test, runs=(test.runs[0], replace(test.runs[1], deviations=crept)))).effects
+    for axis in ("first", "second"):
+        for end in ("_at_positive", "_at_negative", ""):
+            assert effects[f"backlash_{axis}{end}"].value == pytest.approx(0.0, abs=0.003)  # µm
+
+
+def test_samples_exactly_at_a_reversal_point_do_not_count() -> None:
+    """There an axis stands still and its lost motion is undone or not; the machine here reads neither."""
+    machine = Machine(backlash_first_at_positive=8.0, backlash_first_at_negative=8.0, reversal_spike_first=4.0)
+    test = measured(machine, Setup(start=359.88))  # 1500 samples: whole multiples of 0.24°, 0° and 90° among them
+    runs = tuple(replace(run, angles=np.round(run.angles, 9)) for run in test.runs)
+    spoilt = []
+    for run in runs:
+        at = np.abs(np.mod(run.angles + 45.0, 90.0) - 45.0) < 1e-9
+        assert np.sum(at) == 4
+        spoilt.append(replace(run, deviations=np.where(at, run.deviations + 0.02, run.deviations)))
+    effects = diagnose(replace(test, runs=tuple(spoilt))).effects
+    assert effects["backlash_first"].value == pytest.approx(8.0, abs=0.01)
+    assert effects["reversal_spike_first"].value == pytest.approx(4.0, abs=0.01)
 
 
 # ---------------------------------------------------------------- what cannot be separated

@@ -14,8 +14,10 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.circle_cyclic import Search, search, shortest_pitch
-from compwright.estimation.circle_fit import Fit, Shapes, default_shapes, first_fit, fit, problem_of, spectra_of
+from compwright.estimation.circle_fit import Fit, Problem, Shapes, default_shapes, first_fit, fit, problem_of, spectra_of
+from compwright.estimation.circle_lag import Lag, common_lag, corrected
 from compwright.estimation.circle_model import AXES, Samples, samples_of
+from compwright.estimation.circle_noise import grid_of
 from compwright.estimation.circle_plain import plain_regression
 from compwright.estimation.circle_report import effects_of
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -38,8 +40,12 @@ def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) 
     samples = samples_of(test)
     _refuse_few(test, samples)
     frequencies, findings = _given(test, samples, periods or {})
-    fitted, found = _fitted(samples, frequencies)
-    plain = plain_regression(samples)
+    plain, grid = plain_regression(samples), grid_of(samples)
+    lag = common_lag(samples)
+    if lag is not None:
+        samples = corrected(samples, lag)
+        findings.append(_lag_finding(samples, lag))
+    fitted, found = _fitted(problem_of(samples, grid), frequencies)
     effects, correlation, noticed = effects_of(test, samples, fitted, found)
     return Diagnosis(
         effects=effects,
@@ -110,17 +116,25 @@ def _given(test: CircularTest, samples: Samples, periods: Mapping[str, float]) -
     return frequencies, findings
 
 
-def _fitted(samples: Samples, given: dict[str, float]) -> tuple[Fit, Search]:
+def _lag_finding(samples: Samples, lag: Lag) -> Finding:
+    time = 1e3 * lag.angle * samples.radius / samples.speed
+    doubt = 1e3 * lag.doubt * samples.radius / samples.speed
+    message = f"the axes reverse {time:.1f} ± {doubt:.1f} ms after their commands; the angles were corrected by that"
+    return Finding("CW-D011", "info", message)
+
+
+def _fitted(problem: Problem, given: dict[str, float]) -> tuple[Fit, Search]:
     """Return the fit after everything was sought: noise, decay of the spikes, cyclic errors, and the noise again."""
-    problem = problem_of(samples)
-    shapes = replace(default_shapes(samples), frequencies=given, given=frozenset(given))
+    shapes = replace(default_shapes(problem.samples), frequencies=given, given=frozenset(given))
     fitted = first_fit(problem, shapes)
     fitted = fit(problem, fitted.shapes, spectra_of(fitted), fitted.known, rounds=4)
-    while True:
-        found = search(problem, fitted, tuple(axis for axis in AXES if axis not in fitted.shapes.frequencies))
-        if not found.found:
-            break
+    found = search(problem, fitted, [axis for axis in AXES if axis not in given])
+    while found.found:
         shapes = Shapes(fitted.shapes.lengths, {**fitted.shapes.frequencies, **found.found}, fitted.shapes.given)
         fitted = fit(problem, shapes, fitted.spectra, fitted.known, rounds=5)
+        open_axes = [axis for axis in AXES if axis not in fitted.shapes.frequencies]
+        if not open_axes:
+            break
         fitted = fit(problem, fitted.shapes, spectra_of(fitted), fitted.known, rounds=2)
+        found = search(problem, fitted, open_axes)
     return fit(problem, fitted.shapes, spectra_of(fitted), fitted.known), found

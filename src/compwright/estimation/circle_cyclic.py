@@ -7,20 +7,20 @@ the best are then weighed exactly against everything else in the model.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
 from compwright.estimation.circle_fit import Fit, Problem
-from compwright.estimation.circle_model import AXES, UM, Samples, cyclic_columns
+from compwright.estimation.circle_model import UM, Samples, cyclic_columns
 from compwright.estimation.circle_noise import halves, inverse_cosine_transform
 from compwright.records.axis import FloatArray
 
 #: One search in a thousand finds a cyclic error where there is none.
 _FALSE_ALARM: Final = 1e-3
-_CANDIDATES: Final = 5
+_CANDIDATES: Final = 3
 #: The longest pitch sought: one radius, that is two periods over the circle; longer ones are straightness and scale.
 _LONGEST: Final = 1.0
 #: Phase from sample to sample, in half turns, up to which a pitch is sought where the axis is fastest.
@@ -36,7 +36,7 @@ class Search:
     hidden: Mapping[str, float]
 
 
-def search(problem: Problem, fitted: Fit, axes: tuple[str, ...] = AXES) -> Search:
+def search(problem: Problem, fitted: Fit, axes: Sequence[str]) -> Search:
     """Return the clearest cyclic error of ``axes`` if the residuals of ``fitted`` show it beyond doubt.
 
     One at a time, because a strong one of one axis has side lobes among the frequencies of the other.

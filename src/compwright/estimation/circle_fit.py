@@ -14,12 +14,13 @@ from compwright.estimation.circle_model import (
     Samples,
     cyclic_columns,
     fixed_columns,
+    lag_column,
     spike_columns,
 )
-from compwright.estimation.circle_noise import Grid, Spectrum, grid_of, halves, spectrum_of
+from compwright.estimation.circle_noise import Grid, Spectrum, halves, spectrum_of
 from compwright.records.axis import FloatArray
 
-_SETTLED: Final = 0.01  # change in standard errors that no interval shows
+_SETTLED: Final = 0.02  # change in standard errors that no interval shows
 #: Decay of a spike: the likeliest length as a share of the radius, and the spread of its logarithm.
 SPIKE_SHARE: Final = 0.03
 _SPIKE_SPREAD: Final = 0.8
@@ -91,9 +92,9 @@ class Problem:
     start: dict[str, float]
 
 
-def problem_of(samples: Samples) -> Problem:
+def problem_of(samples: Samples, grid: Grid) -> Problem:
     """Return what the fits of these samples share."""
-    fixed, grid = fixed_columns(samples), grid_of(samples)
+    fixed = fixed_columns(samples)
     x = np.ascontiguousarray(np.array([column.x for column in fixed]).T)
     y = np.ascontiguousarray(np.array([column.y for column in fixed]).T)
     centre_x, centre_y, mean = recentre(samples.theta, samples.deviations, samples.radius)
@@ -243,6 +244,8 @@ def _free_columns(samples: Samples, shapes: Shapes, known: dict[str, float], *, 
         amplitudes = known.get(f"_cyclic_cos_{axis}", 0.0), known.get(f"_cyclic_sin_{axis}", 0.0)
         wanted = cyclic_columns(samples, axis, frequency, amplitudes)
         columns += wanted[:2] if hold or axis in shapes.given else wanted
+    if samples.lag_doubt > 0.0:
+        columns.append(lag_column(samples, known))
     return columns
 
 

@@ -16,7 +16,7 @@ effects in the handbook's model (d = +1 ccw, -1 cw; v path speed):
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -28,6 +28,8 @@ from compwright.records.circular import CircularTest
 
 AXES: Final = ("first", "second")
 UM: Final = 1.0 / MICROMETRES_PER_MILLIMETRE
+#: The softest usual position loop, 1/s (1 m/min per mm).
+SOFTEST_LOOP: Final = 1000.0 / 60.0
 #: Closer to its reversal point (rad) the direction of an axis is a matter of rounding; such a sample tells nothing.
 _AT_REVERSAL: Final = 1e-6
 
@@ -35,7 +37,8 @@ _AT_REVERSAL: Final = 1e-6
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Samples:
     """All samples of a test. ``theta`` (n,) rad, commanded; ``sense`` (n,) +1 ccw, -1 cw; ``deviations`` (n,) mm; ``run``
-    (n,) index of the traverse. ``radius`` mm, ``speed`` mm/s, ``arc`` start and extent in rad."""
+    (n,) index of the traverse. ``radius`` mm, ``speed`` mm/s, ``arc`` start and extent in rad. ``lag_doubt`` rad: how far a
+    common lag, already taken off ``theta``, may still be wrong; 0 when none was taken off."""
 
     theta: FloatArray
     sense: FloatArray
@@ -44,6 +47,7 @@ class Samples:
     radius: float
     speed: float
     arc: tuple[float, float]
+    lag_doubt: float = 0.0
 
     @property
     def both_senses(self) -> bool:
@@ -172,6 +176,19 @@ def spike_columns(samples: Samples, axis: str, length: float, height: float) -> 
     if axis == "first":
         return _limited("reversal_spike_first", shape, zero), Column("_length_first", slope, zero, 1.0)
     return _limited("reversal_spike_second", zero, shape), Column("_length_second", zero, slope, 1.0)
+
+
+def lag_column(samples: Samples, known: Mapping[str, float]) -> Column:
+    """Return what one ``lag_doubt`` of angle does, mm: the slope of the smooth causes as they are ``known``, against the motion."""
+    double, triple = 2.0 * samples.theta, 3.0 * samples.theta
+    slope = (
+        -0.5 * UM * known.get("scale_mismatch", 0.0) * np.sin(double)
+        - 1e-6 * samples.radius * known.get("squareness", 0.0) * np.cos(double)
+        + 0.75 * UM * known.get("straightness_first", 0.0) * np.cos(triple)
+        + 0.75 * UM * known.get("straightness_second", 0.0) * np.sin(triple)
+    )
+    moved = -samples.lag_doubt * samples.sense * slope
+    return Column("_lag", moved * np.cos(samples.theta), moved * np.sin(samples.theta), 1.0)
 
 
 def cyclic_columns(samples: Samples, axis: str, frequency: float, amplitudes: tuple[float, float]) -> tuple[Column, ...]:

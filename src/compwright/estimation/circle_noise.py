@@ -22,12 +22,12 @@ from compwright.records.axis import FloatArray
 IndexArray = NDArray[np.intp]
 
 #: Correlation lengths tried, and ratios of correlated to white density at frequency zero (0: white alone).
-_LENGTHS: Final = 14
-_RATIOS: Final = np.concatenate([[0.0], np.logspace(-1.0, 5.0, 25)])
+_LENGTHS: Final = 10
+_RATIOS: Final = np.concatenate([[0.0], np.logspace(-1.0, 5.0, 19)])
 #: The longest correlation tried is so small a part of a run: the orders that would show a longer one are used up by the causes.
 _SHORTEST_WAVE: Final = 16.0
 #: White noise alone weighs beforehand so many times one ratio: about half as much as all correlated noise together.
-_WHITE: Final = 10.0
+_WHITE: Final = 8.0
 #: Ordinates of a spectrum are pooled above the first so many, in steps of a constant ratio.
 _SINGLE: Final = 32
 _POOLED: Final = 36
@@ -87,7 +87,10 @@ def halves(grid: Grid, values: FloatArray) -> tuple[FloatArray, ...]:
     ``values`` (n, ...) by sample: residuals or rows of the model. Runs of one direction are averaged and count by
     their number; one direction alone gives one half.
     """
-    parts = [np.sqrt(index.shape[0]) * np.mean(values[index], axis=0) for index in grid.index]
+    parts = [
+        values[index[0]] if index.shape[0] == 1 else np.sqrt(index.shape[0]) * np.mean(values[index], axis=0)
+        for index in grid.index
+    ]
     if len(parts) == 2:
         parts = [(parts[0] + parts[1]) / np.sqrt(2.0), (parts[0] - parts[1]) / np.sqrt(2.0)]
     return tuple(cosine_transform(part) for part in parts)
@@ -143,7 +146,7 @@ def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
     weights = np.exp(log - np.max(log))
     weights[0] *= _WHITE
     level = weights / np.sum(weights) * scale / max(total - 2.0, 1.0)
-    density = np.sum(level) + np.einsum("rl,r,lf->f", level, _RATIOS, _correlated(orders / size, lengths), optimize=True)
+    density = np.sum(level) + (_RATIOS @ level) @ _correlated(orders / size, lengths)
     # A millionth of a micrometre: data without any noise keep a finite weight.
     density = np.maximum(density, 1e-18)
     return Spectrum(density, float(density[0] / np.mean(density)))

@@ -28,7 +28,7 @@ def plain_regression(samples: Samples) -> dict[str, float]:
     names, rows = _plain_rows(samples)
     x, y, _ = recentre(samples.theta, samples.deviations, samples.radius)
     values = samples.deviations - second_order(samples.theta, (x, y), samples.radius)
-    solved, *_ = np.linalg.lstsq(rows, values * MICROMETRES_PER_MILLIMETRE, rcond=None)
+    solved, *_ = np.linalg.lstsq(rows.T @ rows, rows.T @ values * MICROMETRES_PER_MILLIMETRE, rcond=None)
     found = {name: float(value) for name, value in zip(names, solved, strict=True) if not name.startswith("_")}
     for axis in AXES:
         ends = [found[key] for key in (f"backlash_{axis}_at_positive", f"backlash_{axis}_at_negative") if key in found]

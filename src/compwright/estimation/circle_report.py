@@ -10,15 +10,13 @@ import numpy as np
 
 from compwright.estimation.circle_cyclic import Search
 from compwright.estimation.circle_fit import Fit
-from compwright.estimation.circle_model import AXES, UM, Samples
+from compwright.estimation.circle_model import AXES, SOFTEST_LOOP, UM, Samples
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularEffect, CircularTest
 
 UNITS: Final = {"squareness": "um/m", "scale_error_first": "um/m", "scale_error_second": "um/m", "servo_mismatch": "ms"}
-#: The softest usual position loop, 1/s (1 m/min per mm): what the radius may have shrunk by at most is v²/(2 Kv² R).
-SOFTEST_LOOP: Final = 1000.0 / 60.0
 _ONE_SIDED: Final = 1.645  # standard errors to the lower end of a one-sided 95 % interval
 #: A standard error so many times that of the cause alone is worth a word when the test is not a full circle both ways.
 _INFLATED: Final = 2.5

@@ -1,0 +1,104 @@
+"""How late the axes reverse: the lag that both have in common, from where lost motion and spikes really set in.
+
+The angles of a test are commanded ones, and axes that follow their commands T late reverse at v T / R after the commanded
+reversal point: 0.8° at 2 000 mm/min on R = 150 mm with a loop of Kv = 16.7/s. Steps fitted at the wrong angle spoil lost
+motion and spikes, and half of what is then left of scale and squareness looks like a lag difference. A lag that all axes share
+moves nothing else to first order, so that it is found here and the angles are corrected by it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.circle_model import SOFTEST_LOOP, Samples
+from compwright.records.axis import FloatArray
+
+#: Samples on either side of a reversal point that are looked at, beyond the largest lag.
+_BESIDE: Final = 14
+#: Decay lengths of the spikes tried, as shares of the radius; two of them imitate those between.
+_DECAYS: Final = (0.012, 0.045)
+_STEPS_PER_SAMPLE: Final = 5
+#: Weighted squares that an angle must save against no lag at all, and within which angles count as equally good.
+_CLEAR: Final = 40.0
+_EQUAL: Final = 9.0
+#: Deviations, mm, below which the shape of a parabola is not asked for more.
+_FLOOR: Final = 2e-5
+
+
+@dataclass(frozen=True, slots=True)
+class Lag:
+    """``angle`` rad by which both directions reverse late, and ``doubt``, half the width of what is equally good, rad."""
+
+    angle: float
+    doubt: float
+
+
+def common_lag(samples: Samples) -> Lag | None:
+    """Return the common lag if the samples beside the reversal points show one clearly, else None."""
+    per_run = samples.theta.size / np.unique(samples.run).size
+    spacing = samples.arc[1] / per_run
+    most = samples.speed / (SOFTEST_LOOP * samples.radius) * 1.3 + spacing
+    count = int(np.ceil(most / spacing))
+    windows = _windows(samples, _BESIDE + count)
+    if not len(windows):
+        return None
+    angles = np.arange(-count, count + 1) * spacing
+    squares, freedom = _squares(windows, angles)
+    none, best = float(squares[count]), float(angles[np.argmin(squares)])
+    near: FloatArray = best + np.linspace(-spacing, spacing, 2 * _STEPS_PER_SAMPLE + 1)
+    squares, freedom = _squares(windows, near)
+    unit = max(float(np.min(squares)) / freedom, _FLOOR**2)
+    if (none - float(np.min(squares))) / unit < _CLEAR:
+        return None
+    equal = near[squares <= np.min(squares) + _EQUAL * unit]
+    # Samples fall at steps: between two of them every angle is as good.
+    low, high = float(equal[0]), float(equal[-1])
+    return Lag(0.5 * (low + high), max(0.5 * (high - low), 0.5 * spacing / _STEPS_PER_SAMPLE))
+
+
+def corrected(samples: Samples, lag: Lag) -> Samples:
+    """Return the samples at the angles where the axes are, not where they were told to be."""
+    return replace(samples, theta=samples.theta - samples.sense * lag.angle, lag_doubt=lag.doubt)
+
+
+def _windows(samples: Samples, half: int) -> FloatArray:
+    """Return (w, 2, 2 half): angle travelled since the reversal point, rad, and deviation, mm, beside each point of each run."""
+    found = []
+    for number in np.unique(samples.run):
+        mine = np.flatnonzero(samples.run == number)
+        sense = float(samples.sense[mine[0]])
+        for point in np.arange(4) * 0.5 * np.pi:
+            travelled = np.mod(sense * (samples.theta[mine] - point) + np.pi, 2.0 * np.pi) - np.pi
+            order = np.argsort(travelled)
+            middle = int(np.searchsorted(travelled[order], 0.0))
+            near = order[max(middle - half, 0) : middle + half]
+            reach = np.ptp(travelled[near]) if near.size else np.inf
+            # At the ends of a run or an arc neighbours are not neighbours in time.
+            if near.size == 2 * half and reach < np.pi / 4 and np.ptp(near) < 2 * half:
+                found.append(np.vstack([travelled[near], samples.deviations[mine[near]]]))
+    return np.array(found)
+
+
+def _squares(windows: FloatArray, angles: FloatArray) -> tuple[FloatArray, float]:
+    """Return the sum of squares (a,) left over in all windows with everything sudden set in at each of ``angles`` (a,).
+
+    In each window: a parabola, and from the reversal on a step, a bend and two decays. Also the degrees of freedom.
+    """
+    travelled, values = windows[:, 0, :], windows[:, 1, :]
+    size = float(np.max(np.abs(travelled)))
+    late = travelled[np.newaxis] - angles[:, np.newaxis, np.newaxis]
+    after = late > 0.0
+    smooth = np.broadcast_to(
+        np.stack([np.ones_like(travelled), travelled / size, (travelled / size) ** 2], axis=-1), (*late.shape, 3)
+    )
+    sudden = [after, after * late / size, *(after * np.exp(-np.maximum(late, 0.0) / decay) for decay in _DECAYS)]
+    rows = np.concatenate([smooth, np.stack(sudden, axis=-1)], axis=-1)
+    normal = np.swapaxes(rows, -1, -2) @ rows
+    right = np.einsum("awsk,ws->awk", rows, values)
+    normal = normal + 1e-9 * np.eye(rows.shape[-1])
+    solved = np.linalg.solve(normal, right[..., np.newaxis])[..., 0]
+    left = values[np.newaxis] - np.einsum("awsk,awk->aws", rows, solved)
+    return np.sum(left**2, axis=(1, 2)), float(values.size - values.shape[0] * rows.shape[-1])
