@@ -584,3 +584,28 @@ def test_the_solvers_print_nothing(capfd: pytest.CaptureFixture[str]) -> None:
     fit(SMOOTH, COARSE, spacing=50.0, goal="M")
     captured = capfd.readouterr()
     assert captured.out == captured.err == ""
+
+
+def test_points_that_serve_other_axes_too_stay_where_they_are() -> None:
+    own = tuple(float(x) for x in (-820, -600, -410, -200, 0, 35))
+    given = replace(FINE, spacing="free", nodes=own)
+    assert fit(SMOOTH, given).compensation.positions.tolist() == list(own)
+    assert fit(SMOOTH, given, start=-820.0, end=35.0).compensation.positions.tolist() == list(own)
+    with pytest.raises(CapacityError, match="own table have to stay") as caught:
+        fit(SMOOTH, given, start=-800.0, spacing=50.0)
+    assert [fault.place for fault in caught.value.faults] == ["table.start", "table.spacing"]
+
+
+def test_a_table_reaches_beyond_the_travel_where_nobody_knows_what_acts_there() -> None:
+    plain = fit(SMOOTH, FINE).compensation
+    reaching = fit(SMOOTH, replace(FINE, cover=1)).compensation
+    step = plain.positions[1] - plain.positions[0]
+    expected = [plain.positions[0] - step, *plain.positions, plain.positions[-1] + step]
+    assert reaching.positions.tolist() == pytest.approx(expected, abs=1e-9)  # mm
+    # Beyond the travel the end value is held: within 0.1 µm, the tie that settles what no part of the travel sees.
+    for end in (0, -1):
+        assert reaching.positive[end] == pytest.approx(reaching.positive[1 if end == 0 else -2], abs=0.1 * UM)
+    fixed = fit(SMOOTH, replace(FINE, cover=1), start=-800.0, end=0.0).compensation
+    assert (fixed.positions[0], fixed.positions[-1]) == (-800.0, 0.0)
+    full = replace(FINE, cover=1, max_points=plain.positions.size)
+    assert fit(SMOOTH, full).compensation.positions.size <= plain.positions.size

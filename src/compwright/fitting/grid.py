@@ -6,7 +6,7 @@ All arithmetic on positions is in whole quanta of the position, so that start + 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -64,6 +64,8 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
     if request.spacing is not None and not request.spacing > 0.0:
         found = f"{request.spacing:g} {wanted.kind.unit}"
         raise UsageError(Fault(message="the spacing must be positive", place="table.spacing", found=found))
+    if capacity.nodes is not None:
+        return _explicit_grid(_given_nodes(np.array(capacity.nodes), request, wanted.kind.unit), wanted)
     if capacity.anchored or capacity.period is not None:
         _check_order(wanted, request)
         grids = anchored_grids(wanted, capacity, request, _most(capacity))
@@ -77,7 +79,39 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
         return _explicit_grid(nodes, wanted)
     pool, others = _candidates(span, capacity, wanted, _most(capacity))
     ends = (span.low * capacity.position_quantum, span.high * capacity.position_quantum)
-    return _automatic(pool, others, ends, capacity, wanted)
+    return _covering(_automatic(pool, others, ends, capacity, wanted), span, capacity)
+
+
+def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatArray:
+    """Return the nodes that the control's own table has; the job may name them, but no others."""
+    step = float(np.max(np.diff(nodes)))
+    asked = (("start", request.start, float(nodes[0])), ("end", request.end, float(nodes[-1])), ("spacing", request.spacing, step))
+    raise_all(
+        CapacityError,
+        [
+            Fault(
+                message="the points of the control's own table have to stay, because other axes' columns depend on them",
+                place=f"table.{name}",
+                expected=f"{there:.10g} {unit}, or nothing",
+                found=f"{given:.10g} {unit}",
+            )
+            for name, given, there in asked
+            if given is not None and abs(given - there) > 1e-6
+        ],
+    )
+    return nodes
+
+
+def _covering(grid: Grid, span: _Span, capacity: Capacity) -> Grid:
+    """Return the grid with the spacings beyond the travel that the control should have where the job left the ends open."""
+    nodes = grid.nodes
+    below = 0 if span.low_fixed else capacity.cover
+    above = 0 if span.high_fixed else capacity.cover
+    if not below + above or nodes.size + below + above > _most(capacity):
+        return grid
+    first, last = float(nodes[1] - nodes[0]), float(nodes[-1] - nodes[-2])
+    reaching = np.concatenate([nodes[0] - first * np.arange(below, 0, -1), nodes, nodes[-1] + last * np.arange(1, above + 1)])
+    return replace(grid, nodes=np.round(reaching, 10))
 
 
 def _most(capacity: Capacity) -> int:
