@@ -16,7 +16,7 @@ SAME = 1e-6
 _MOST_SHIFT = 5
 #: Factors with a known cause.
 _FACTORS = {
-    2.0: "twice: radius and diameter mixed up, or loaded on top of itself",
+    2.0: "twice: radius and diameter mixed up, loaded on top of itself, or twice the magnification",
     0.5: "half: radius and diameter mixed up",
     10.0: "ten times: another detection unit or increment system",
     0.1: "a tenth: another detection unit or increment system",
@@ -69,6 +69,41 @@ def _explanations(
         if equal({side: _shifted(planned, where, side, nodes * spacing) for side in Direction}):
             yield "shifted", f"the table sits {abs(nodes)} nodes too far to {'+' if nodes > 0 else '-'}"
     yield from _one_side(wish, found)
+    yield from _apart_from_backlash(wish, found, where, planned, old, spacing)
+
+
+def _apart_from_backlash(
+    wish: dict[Direction, FloatArray],
+    found: dict[Direction, FloatArray],
+    where: FloatArray,
+    planned: Correction,
+    old: Correction,
+    spacing: float,
+) -> Iterator[tuple[str, str]]:
+    """Compare shapes only: backlash adds a constant per direction, and a control may count the table from a zero of its own."""
+    if all(_constant(wish[side]) for side in Direction):
+        return
+
+    def alike(other: dict[Direction, FloatArray]) -> bool:
+        return all(_constant(found[side] - other[side]) for side in Direction)
+
+    if all(_constant(found[side]) for side in Direction):
+        yield "not_active", "no table acts: it is off or empty; only backlash does"
+    if alike({side: old(where, side) for side in Direction}):
+        yield "not_active", "the table that was in the control before is still there; only the backlash differs from before"
+    if alike({side: -wish[side] for side in Direction}):
+        yield "inverted", "every value of the table has the opposite sign, apart from the backlash"
+    for factor, says in _FACTORS.items():
+        if alike({side: factor * wish[side] for side in Direction}):
+            yield "scaled", f"every value of the table, apart from the backlash, is {says}"
+    for nodes in (shift * sign for shift in range(1, _MOST_SHIFT + 1) for sign in (1, -1)):
+        if alike({side: _shifted(planned, where, side, nodes * spacing) for side in Direction}):
+            where_to = f"{abs(nodes)} nodes too far to {'+' if nodes > 0 else '-'}"
+            yield "shifted", f"the table sits {where_to} and counts from its own zero: another number or position of the reference"
+
+
+def _constant(values: FloatArray) -> bool:
+    return float(np.ptp(values)) <= SAME
 
 
 def _one_side(wish: dict[Direction, FloatArray], found: dict[Direction, FloatArray]) -> Iterator[tuple[str, str]]:
