@@ -276,6 +276,7 @@ def test_the_job_counts_axes_its_own_way() -> None:
 BAD_SHEETS = {
     "no sign": ("# value: error\n", "", "must say what its values are"),
     "unknown sign": ("value: error", "value: deviation", "value: error or # value: correction"),
+    "cut short": ("# value: error\n", "# value: error\n# points: 4\n", "as many points as it says; .* expected 4, found 3"),
     "positions descend": ("1,0,0,mm", "1,-200,0,mm", "do not ascend"),
     "a point missing": ("1,0,0,mm\n", "", "numbered one by one"),
     "unit of a point": ("1,0,0,mm", "1,0,0,inch", "unit of a point"),
@@ -432,7 +433,7 @@ def test_a_sheet_as_it_is_written() -> None:
     (sheet,) = write_tables(ITNC, [wanted], [axis_of("X")], {})
     assert sheet.name == "entry_X.csv"
     assert sheet.content.decode() == (
-        "# axis: X\n# address: X\n# format: heidenhain-itnc530\n# value: error\n"
+        "# axis: X\n# address: X\n# format: heidenhain-itnc530\n# value: error\n# points: 3\n"
         "# note: values of points are errors as the control is assumed to expect them: check the sign, see the card\n"
         "# note: positions are machine coordinates in mm\n"
         "point,position,value,unit\n"
@@ -480,7 +481,7 @@ def test_the_card_names_the_own_bit_and_column() -> None:
     assert (values["number"], values["bit"], values["nonlinear"], values["linear"]) == ("2", "1", "1", "0.000")
     steps = {step.title: step.text for step in card_steps(ITNC, axis_of("Y"), values)}
     assert "MP710.1 = 0.0025 mm, MP720.1 = 0.000 mm/m, MP730 bit 1 = 1" in steps["Set the parameters"]
-    assert "5 points from 0 to 200 mm, datum 0, spacing 50 mm" in steps["Enter the table"]
+    assert "5 points from 0 to 200 mm, every 50 mm" in steps["Enter the table"]
     assert "column 2=F(). The values are errors" in steps["Enter the table"]
     assert "100 mm: +2.0 µm arriving in +, -0.5 µm in -" in steps["Check the sign"]
     other = card_values(ITNC, replace(axis_of("W"), axis_number=7), replace(wanted, address="W"), {})

@@ -197,7 +197,7 @@ def user_card_values(
 ) -> dict[str, str]:
     """Return what the card says beside the general values: the table in words, the axis' number, its bit, its parameters.
 
-    ``line_check``: corrections at the ends and the middle of the travel, where there is no table whose nodes could be named.
+    ``check``: corrections at the ends and the middle of the travel, where there is no table whose nodes could be named.
     """
     own = axis_options(definition, options, axis)
     address, _ = normal_address(definition, axis)
@@ -210,8 +210,10 @@ def user_card_values(
         "nonlinear": "1" if nodes.size else "0",
         "linear": slope_scale(definition, own).write("slope", compensation.slope),
         "table_values": str(own["table_values"]),
-        "table": f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g} {unit}" if nodes.size else "no table",
+        "table": "no table" if not nodes.size else f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g} {unit}",
     }
+    if nodes.size > 1:
+        values["table"] += f", every {(nodes[-1] - nodes[0]) / (nodes.size - 1):.10g} {unit}"
     if not nodes.size:
         where = np.array([axis.travel[0], 0.5 * (axis.travel[0] + axis.travel[1]), axis.travel[1]])
         curves = [compensation.at(where, direction) * factor for direction in Direction]
@@ -220,5 +222,5 @@ def user_card_values(
             f"{place:.10g} {unit}: {plus:+.1f} {shown} arriving in +, {minus:+.1f} {shown} in -"
             for place, plus, minus in zip(where, *curves, strict=True)
         ]
-        values.update({"check": "; ".join(parts), "start": "-", "end": "-", "spacing": "-"})
+        values["check"] = "; ".join(parts)
     return values

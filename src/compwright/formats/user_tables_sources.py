@@ -171,6 +171,7 @@ def _take_sheet(sources: Sources, file: ControlFile, faults: list[Fault]) -> Non
         else:
             expected = f"a point from 0 with its position, or {', '.join(names)} without one"
             faults.append(_at(row, file.name, "no point and no parameter is called so", expected, row.point))
+    _check_count(sheet, len(points), faults)
     for before, after in itertools.pairwise(points):
         if after.position <= before.position:
             faults.append(
@@ -185,6 +186,15 @@ def _take_sheet(sources: Sources, file: ControlFile, faults: list[Fault]) -> Non
     if len(faults) == known:
         sources.sheets[address] = sheet
         sources.points[address] = tuple(points)
+
+
+def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
+    """A sheet that says how many points it has is checked: a lost last line would otherwise go unnoticed."""
+    said = sheet.comments.get("points")
+    if said is not None and said != str(found):
+        place = f"line {sheet.lines.get('points', 1)}"
+        message = "the sheet does not hold as many points as it says; it may have been cut short"
+        faults.append(Fault(message=message, file=sheet.name, place=place, expected=said[:60], found=str(found)))
 
 
 def _points(row: SheetRow, expected: int, file: str, faults: list[Fault]) -> Iterator[SheetPoint]:

@@ -90,9 +90,9 @@ class _Patcher:
                 points = entry.points()
         left = {name: text for name, text in entry.parameters().items() if not self._parameter(address, name, text)}
         rows = [*points, *entry.parameter_rows(left)]
-        return self._sheet(address, entry, rows) if rows else None
+        return self._sheet(address, entry, rows, len(points)) if rows else None
 
-    def _sheet(self, address: str, entry: _Entry, rows: Sequence[SheetRow]) -> ControlFile:
+    def _sheet(self, address: str, entry: _Entry, rows: Sequence[SheetRow], points: int) -> ControlFile:
         file = next(file for file in self.definition.writing if file.rows is not None)
         meaning = str(entry.options["table_values"])
         comments = [
@@ -100,6 +100,7 @@ class _Patcher:
             ("address", address),
             ("format", self.definition.id),
             ("value", meaning),
+            ("points", str(points)),
             ("note", f"values of points are {meaning}s as the control is assumed to expect them: check the sign, see the card"),
             ("note", f"positions are machine coordinates in {entry.axis.kind.unit}"),
         ]
