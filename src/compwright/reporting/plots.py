@@ -1,4 +1,4 @@
-"""Figures of the documents: deviations over position as in ISO 230-2 figure 2, before and after, table, estimate.
+"""Figures of the documents: deviations over position as in ISO 230-2 figure 2, circles, before and after, table, estimate.
 
 Every function takes plain documents (deviations in µm or arcsec, positions in mm or deg) and returns the bytes of one file. The
 approach directions differ by marker, line and lightness, so that a print without colours can be read. The same input gives
@@ -7,7 +7,9 @@ the same bytes.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import PurePath
+from typing import Any
 
 from compwright.foundations.errors import Fault, UsageError
 from compwright.reporting.panels import (
@@ -31,7 +33,9 @@ from compwright.reporting.panels import (
     title_of,
     zero_line,
 )
+from compwright.reporting.polar import TEST_HEIGHT, draw_test, require_runs
 
+_ROW_HEIGHT = 2.9  # inches, of one positioning result
 _MOST_MARKED = 150  # nodes of a table that markers can still tell apart
 
 
@@ -51,25 +55,39 @@ def positioning_plot(result: Document, *, format: str = "svg") -> bytes:  # noqa
 
 
 def evaluation_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: A002
-    """Return one figure with a panel for each positioning result of an evaluation document, one below the other.
+    """Return one figure with a panel for each positioning result, one below the other, and below them each circular result.
 
-    Raises UsageError when there is none, for an unknown format, or when the report extra is missing.
+    A circular result is drawn as by `polar.polar_figure`. Raises UsageError when there is none, for an unknown format, or when the
+    report extra is missing.
     """
     kind = known_format(format, format)
-    results = [result for result in document.get("results", []) if result.get("kind", "positioning") == "positioning"]
-    if not results:
-        raise UsageError(Fault(message="nothing to plot", expected="a positioning test that could be evaluated"))
+    results = document.get("results", [])
+    straight = [result for result in results if result.get("kind", "positioning") == "positioning"]
+    round_ = [result for result in results if result.get("kind") == "circular"]
+    if not straight and not round_:
+        raise UsageError(Fault(message="nothing to plot", expected="a test that could be evaluated"))
+    for result in round_:
+        require_runs(result)
+    heights = [_ROW_HEIGHT * len(straight) + 0.35] * bool(straight) + [TEST_HEIGHT] * len(round_)
     with style():
-        figure = new_figure(2.9 * len(results) + 0.35)
-        panels = figure.subplots(len(results), 1, squeeze=False)[:, 0]
-        for panel, result in zip(panels, results, strict=True):
-            draw_result(panel, result)
-            panel.set_title(title_of(result), fontweight="bold")
-            panel.set_title(parameter_line(result), loc="right", fontsize=8.0)
-            label_axes(panel, result.get("unit"))
-        figure.align_ylabels(list(panels))
-        legend(figure, panels)
+        figure = new_figure(sum(heights))
+        parts = list(figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0]) if round_ else [figure]
+        if straight:
+            _draw_positioning(parts[0], straight)
+        for part, result in zip(parts[len(parts) - len(round_) :], round_, strict=True):
+            draw_test(part, result)
         return render(figure, kind)
+
+
+def _draw_positioning(figure: Any, results: Sequence[Document]) -> None:
+    panels = figure.subplots(len(results), 1, squeeze=False)[:, 0]
+    for panel, result in zip(panels, results, strict=True):
+        draw_result(panel, result)
+        panel.set_title(title_of(result), fontweight="bold")
+        panel.set_title(parameter_line(result), loc="right", fontsize=8.0)
+        label_axes(panel, result.get("unit"))
+    figure.align_ylabels(list(panels))
+    legend(figure, panels)
 
 
 def before_after_plot(

@@ -1,22 +1,27 @@
-"""``evaluate``: measurement files and folders to evaluations, one per test and standard."""
+"""``evaluate``: measurement files and folders to evaluations, one per test: positioning and circular."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from pathlib import Path
-from typing import Any, Literal, cast
+from typing import TYPE_CHECKING, Any, Literal, cast
 
-from compwright.documents.evaluation import evaluation_document
+from compwright.documents.evaluation import evaluation_document, result_document
 from compwright.documents.json_text import to_json
-from compwright.evaluation.standards import DEFAULT_STANDARD, STANDARDS, evaluate, standard_by_id
+from compwright.evaluation.standards import DEFAULT_STANDARD, evaluate, standard_by_id
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, collect, raise_all
 from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
 
+if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
+    from compwright.records.circular import CircularResult, CircularTest
+
 _CIRCULAR = "iso230-4:"
+_DEFAULT_CIRCULAR = "iso230-4:2005"  # of evaluation.circular, which positioning tests do not load
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,29 +29,32 @@ class EvaluationRun:
     """``document`` is the JSON of ``evaluate``, ``results`` the same as records, ``exit_code`` 0, or 3 for an unreadable file."""
 
     document: Mapping[str, Any]
-    results: tuple[PositioningResult, ...]
+    results: tuple[PositioningResult | CircularResult, ...]
     exit_code: int
 
 
 def evaluate_files(paths: Sequence[Path], standards: Sequence[str] = (), spread: str = "std") -> EvaluationRun:
-    """Evaluate every file of ``paths`` (folders: every file in them, hidden ones left out) to every standard.
+    """Evaluate every file of ``paths`` (folders: every file in them, hidden ones left out), each kind of test to its standard.
 
-    Without ``standards`` to the default. A file that cannot be read, also one in a folder that is no measurement file, becomes an
-    entry in ``errors`` and the rest is evaluated. Raises UsageError for unknown standards, circular ones, a range method
-    that a standard does not have, or no path at all.
+    ``standards``: at most one for positioning and one for circular tests; without one the default of the kind. Two files that hold
+    one direction each of the same circular test are one test (`circular_pairs.paired`). A file that cannot be read, also one in
+    a folder that is no measurement file, becomes an entry in ``errors`` and the rest is evaluated. Raises UsageError for
+    unknown standards, two of one kind, a range method that the standard does not have, or no path at all.
     """
-    chosen = _standards(standards, spread)
+    positioning, circular = _standards(standards, spread)
     if not paths:
         raise UsageError(Fault(message="nothing to evaluate", expected="at least one measurement file or folder"))
     files, faults = _files(paths)
-    results: list[PositioningResult] = []
-    for file in files:
+    results: list[PositioningResult | CircularResult] = []
+    for test in _tests(files, faults):
         try:
-            test = read_positioning(storage.read_bytes(file), str(file))
-            results.extend(_evaluated(test, standard, spread, file) for standard in chosen)
+            if isinstance(test, PositioningTest):
+                results.append(_evaluated(test, positioning, spread))
+            else:
+                results.append(_evaluated_circle(test, circular))
         except InputError as error:
-            faults.extend(fault.in_file(str(file)) for fault in error.faults)
-    document = evaluation_document(results, faults)
+            faults.extend(fault.in_file(test.sources[0].file) for fault in error.faults)
+    document = {**evaluation_document((), faults), "results": [_entry(result) for result in results]}
     return EvaluationRun(document=document, results=tuple(results), exit_code=InputError.exit_code if faults else 0)
 
 
@@ -59,7 +67,15 @@ def evaluation_renderables(document: Mapping[str, Any], *, targets: bool = False
     """Return what a terminal shows of an evaluation document, as rich renderables."""
     from compwright.reporting.terminal import evaluation_tables
 
-    return [*evaluation_tables(document, targets=targets)]
+    shown: list[Any] = []
+    for kind, results in groupby(document["results"], key=lambda result: str(result["kind"])):
+        if kind == "circular":
+            from compwright.reporting.circular_tables import circular_tables
+
+            shown += circular_tables(list(results))
+        else:
+            shown += evaluation_tables({"results": list(results), "errors": []}, targets=targets)
+    return [*shown, *evaluation_tables({"results": [], "errors": document["errors"]})]
 
 
 def write_evaluation(
@@ -89,21 +105,33 @@ def _plot(document: Mapping[str, Any], path: Path) -> bytes:
         raise UsageError(*(fault.within("--plot").in_file(str(path)) for fault in error.faults)) from error
 
 
-def _standards(names: Sequence[str], spread: str) -> tuple[str, ...]:
+def _standards(names: Sequence[str], spread: str) -> tuple[str, str]:
+    """Return the standards of positioning and of circular tests."""
     errors: list[CompwrightError] = []
+    kinds: dict[str, list[str]] = {"positioning": [], "circular": []}
     for name in names:
-        if name.startswith(_CIRCULAR):
-            fault = Fault(message="circular tests: not yet", place="--standard", expected=", ".join(STANDARDS), found=name)
-            errors.append(UsageError(fault))
-            continue
         try:
-            standard_by_id(name, spread)
+            if name.startswith(_CIRCULAR):
+                kinds["circular"].append(_circular_standard(name))
+            else:
+                kinds["positioning"].append(standard_by_id(name, spread).id)
         except UsageError as error:
             errors.append(error)
+    for kind, chosen in kinds.items():
+        if len(chosen) > 1:
+            message = f"more than one for {kind} tests"
+            fault = Fault(message=message, place="--standard", expected="one per kind of test", found=", ".join(chosen))
+            errors.append(UsageError(fault))
     if not names:
         standard_by_id(DEFAULT_STANDARD, spread)
     raise_all(UsageError, collect(errors))
-    return tuple(dict.fromkeys(names)) or (DEFAULT_STANDARD,)
+    return (*kinds["positioning"], DEFAULT_STANDARD)[0], (*kinds["circular"], _DEFAULT_CIRCULAR)[0]
+
+
+def _circular_standard(name: str) -> str:
+    from compwright.evaluation.circular import circular_standard_by_id
+
+    return circular_standard_by_id(name).id
 
 
 def _files(paths: Sequence[Path]) -> tuple[list[Path], list[Fault]]:
@@ -122,8 +150,49 @@ def _files(paths: Sequence[Path]) -> tuple[list[Path], list[Fault]]:
     return list(files), faults
 
 
-def _evaluated(test: PositioningTest, standard: str, spread: str, file: Path) -> PositioningResult:
+def _tests(files: Sequence[Path], faults: list[Fault]) -> list[PositioningTest | CircularTest]:
+    """Return the tests in the files, those of one circular test joined; what cannot be read goes to ``faults``."""
+    tests: list[PositioningTest | CircularTest] = []
+    for file in files:
+        try:
+            tests.append(_read(storage.read_bytes(file), str(file)))
+        except InputError as error:
+            faults.extend(fault.in_file(str(file)) for fault in error.faults)
+    if all(isinstance(test, PositioningTest) for test in tests):
+        return tests
+    from compwright.workflow.circles import pairs_joined
+
+    return pairs_joined(tests)
+
+
+def _read(content: bytes, file: str) -> PositioningTest | CircularTest:
+    try:
+        return read_positioning(content, file)
+    except InputError:
+        from compwright.workflow.circles import read_if_circular  # only now: the way of a positioning test stays short
+
+        test = read_if_circular(content, file)
+        if test is None:
+            raise
+        return test
+
+
+def _evaluated_circle(test: CircularTest, standard: str) -> CircularResult:
+    from compwright.workflow.circles import evaluated_circle
+
+    return evaluated_circle(test, standard)
+
+
+def _entry(result: PositioningResult | CircularResult) -> dict[str, Any]:
+    if isinstance(result, PositioningResult):
+        return result_document(result)
+    from compwright.documents.circular import circular_document
+
+    return circular_document(result)
+
+
+def _evaluated(test: PositioningTest, standard: str, spread: str) -> PositioningResult:
     try:
         return evaluate(test, standard, spread=cast("Literal['std', 'range']", spread))
     except UsageError as error:
-        raise UsageError(*(fault.in_file(str(file)) for fault in error.faults)) from error
+        raise UsageError(*(fault.in_file(test.sources[0].file) for fault in error.faults)) from error

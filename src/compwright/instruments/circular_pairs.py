@@ -1,0 +1,122 @@
+"""Two files of one circular test, one per direction: which belong together.
+
+Codes made here:
+
+- ``CW-R038`` info: two files were taken as the two directions of one test
+- ``CW-R039`` warning: a file of one direction fits several of the other, and was left alone
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import islice
+from pathlib import PurePath
+from typing import Final
+
+from compwright.foundations.errors import InputError
+from compwright.foundations.findings import Finding
+from compwright.instruments.circular_reading import merge_circular
+from compwright.records.circular import CircularTest, Sense
+
+#: ``ccw`` or ``cw`` as a word of its own in a file's name, with the marks before it.
+_SENSE_IN_NAME: Final = re.compile(r"[-_. ]?(?<![a-z])(?:ccw|cw)(?![a-z])", re.IGNORECASE)
+#: What the files say of the machine must not differ where both say it.
+_SAME_MACHINE: Final = ("machine", "serial")
+_ENOUGH: Final = 2  # partners that make a file doubtful; more need not be sought
+
+
+def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
+    """Return the tests in their order, files of one direction joined to a test of both where that is beyond doubt.
+
+    A file that holds only ccw and one that holds only cw fit when plane, axes, radius, feed, arc, and centre and machine where
+    both say them, are the same (`merge_circular`). First those of one folder are joined whose names differ only by the words ccw
+    and cw, then of the others those that fit each other and nothing else. What fits several stays alone, with a finding. A
+    joined test is named as its files are without that word, or by both names, and stands in the place of the first.
+    """
+    found = dict(enumerate(tests))
+    for by_name in (True, False):
+        partners = _partners(found, by_name=by_name)
+        for index in sorted(partners):
+            other = partners[index][0] if len(partners[index]) == 1 else index
+            if index < other and partners[other] == [index]:
+                found[index] = _joined(found[index], found.pop(other))
+    for index, others in _partners(found, by_name=False).items():
+        if others:
+            found[index] = _doubtful(found[index], [found[other] for other in others])
+    return tuple(found[index] for index in sorted(found))
+
+
+def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, list[int]]:
+    """Return for each test of one direction those of the other that fit it, at most two of them."""
+    ways: dict[Sense, list[int]] = {"ccw": [], "cw": []}
+    for index, test in tests.items():
+        sense = _only(test)
+        if sense is not None:
+            ways[sense].append(index)
+    known: dict[frozenset[int], bool] = {}
+
+    def fit(one: int, other: int) -> bool:
+        pair = frozenset((one, other))
+        if pair not in known:
+            known[pair] = (not by_name or _place(tests[one]) == _place(tests[other])) and _belong(tests[one], tests[other])
+        return known[pair]
+
+    partners: dict[int, list[int]] = {}
+    for mine, theirs in ((ways["ccw"], ways["cw"]), (ways["cw"], ways["ccw"])):
+        for index in mine:
+            partners[index] = list(islice((other for other in theirs if fit(index, other)), _ENOUGH))
+    return partners
+
+
+def _only(test: CircularTest) -> Sense | None:
+    """Return the one direction that the test holds; None for both."""
+    senses = {run.sense for run in test.runs}
+    return senses.pop() if len(senses) == 1 else None
+
+
+def _belong(one: CircularTest, other: CircularTest) -> bool:
+    """Whether both files can be of one test."""
+    if any(one.header.get(key) and other.header.get(key) and one.header[key] != other.header[key] for key in _SAME_MACHINE):
+        return False
+    if (one.axes, one.nominal_radius) != (other.axes, other.nominal_radius):  # merge_circular checks more, and slower
+        return False
+    try:
+        merge_circular((one, other), one.name)
+    except InputError:
+        return False
+    return True
+
+
+def _joined(one: CircularTest, other: CircularTest) -> CircularTest:
+    bare = _bare(one.name)
+    name = bare if bare and bare.lower() == _bare(other.name).lower() else " + ".join(dict.fromkeys((one.name, other.name)))
+    joined = merge_circular((one, other), name)
+    files = " and ".join(f"{_file_of(test)} ({_only(test)})" for test in (one, other))
+    message = f"{files} were taken as the two directions of one test."
+    return replace(joined, findings=(*joined.findings, Finding("CW-R038", "info", message)))
+
+
+def _bare(name: str) -> str:
+    """Return the name without the words ccw and cw."""
+    return _SENSE_IN_NAME.sub("", name).strip("-_. ")
+
+
+def _place(test: CircularTest) -> tuple[str, str]:
+    """Return the folder of the test's file and its name without the direction."""
+    folder = str(PurePath(test.sources[0].file).parent) if test.sources else ""
+    return folder, _bare(test.name).lower()
+
+
+def _file_of(test: CircularTest) -> str:
+    return PurePath(test.sources[0].file).name if test.sources else test.name
+
+
+def _doubtful(test: CircularTest, others: Sequence[CircularTest]) -> CircularTest:
+    """Return the test with a finding: files that nobody took fit it, and no pair of them is certain."""
+    message = (
+        f"The other direction may be in {', '.join(map(_file_of, others))}, but no pair is certain: not joined. Evaluate one pair"
+        " at a time, or give its files names that differ only by ccw and cw."
+    )
+    return replace(test, findings=(*test.findings, Finding("CW-R039", "warning", message)))

@@ -1,0 +1,173 @@
+"""The causes in a circular result, ranked and in words: one way for the terminal, the pictures and the report."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Final
+
+from compwright.reporting.numbers import number
+
+#: A cause below this share of all effects, or below this effect (µm; half the last digit shown), is named, not listed.
+LEAST_SHARE: Final = 0.01
+LEAST_EFFECT: Final = 0.005
+
+_UNITS: Final = {"um": "µm", "um/m": "µm/m", "ms": "ms"}
+_DECIMALS: Final = {"um": 2, "um/m": 1, "ms": 3}
+#: Contract name -> words; {first} and {second} are the axes.
+_WORDS: Final = {
+    "squareness": "Squareness {first}{second}",
+    "scale_mismatch": "Scale mismatch {first} − {second}",
+    "servo_mismatch": "Servo mismatch {first} − {second}",
+    "radius_change": "Radius change ccw − cw",
+    "backlash": "Lost motion {axis}",
+    "lateral_play": "Lateral play {axis}",
+    "reversal_spike": "Reversal spike {axis}",
+    "cyclic": "Cyclic error {axis}",
+    "straightness": "Straightness {axis}",
+    "scale_error": "Scale error {axis}",
+}
+#: Contract name -> name that Renishaw software prints (A the first axis of the plane, B the second). Only quantities that are the
+#: same thing: spikes and cyclic errors are printed per reversal and per direction.
+_PRINTED: Final = {
+    "squareness": "AF_SQUARENESS",
+    "scale_mismatch": "AF_SCALE_MISMATCH",
+    "servo_mismatch": "AF_SERVO_MISMATCH",
+    "radius_change": "AF_RADIUS_CHANGE",
+    "backlash": "AF_BACKLASH_{letter}_GLOBAL",
+    "backlash_at_positive": "AF_BACKLASH_{letter}_POS",
+    "backlash_at_negative": "AF_BACKLASH_{letter}_NEG",
+    "lateral_play": "AF_LATERAL_PLAY_{letter}_GLOBAL",
+    "straightness": "AF_STRAIGHTNESS_{letter}",
+    "scale_error": "AF_SCALE_ERROR_{letter}",
+}
+_PARTS: Final = {"at_positive": "at {axis}+", "at_negative": "at {axis}−"}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cause:
+    """One cause: ``value`` and ``error`` (one standard error) in ``unit``; ``effect`` µm peak to peak; ``share`` of all, 0 to 1.
+
+    ``parts`` are its details (each end of a lost motion, the scale errors beside their mismatch), which count in it. ``plain`` and
+    ``printed`` are the same quantity by the plain regression and by the instrument's software; None where there is none.
+    ``doubtful``: the instrument's software itself says that it is not valid.
+    """
+
+    name: str
+    words: str
+    value: float
+    error: float
+    unit: str
+    effect: float
+    share: float
+    low: float | None = None
+    plain: float | None = None
+    printed: float | None = None
+    doubtful: bool = False
+    parts: tuple[Cause, ...] = ()
+
+    @property
+    def value_text(self) -> str:
+        """Return value ± standard error with the decimals of the unit."""
+        decimals = _DECIMALS.get(self.unit, 2)
+        return f"{number(self.value, decimals)} ± {number(self.error, decimals)}"
+
+    @property
+    def unit_text(self) -> str:
+        """Return the unit as it is shown."""
+        return _UNITS.get(self.unit, self.unit)
+
+    def text(self, value: float | None) -> str:
+        """Return another value of the same quantity with the decimals of the unit; nothing for None."""
+        return "" if value is None else number(value, _DECIMALS.get(self.unit, 2))
+
+    @property
+    def shown(self) -> bool:
+        """Whether it is large enough for a line of its own."""
+        return self.share >= LEAST_SHARE and self.effect >= LEAST_EFFECT
+
+    @property
+    def significant(self) -> bool:
+        """Whether the value is more than twice its standard error."""
+        return abs(self.value) > 2.0 * self.error
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Return the effects, µm, at the ends of the 95 % interval of the value, never below zero.
+
+        An effect is taken as proportional to its value, which holds for all causes but cyclic errors of both directions, where
+        it is close. A value of zero has no proportion: then both are the effect.
+        """
+        if not self.value:
+            return self.effect, self.effect
+        scale = self.effect / abs(self.value)
+        ends = [abs(self.value) - 1.96 * self.error, abs(self.value) + 1.96 * self.error]
+        if self.low is not None:
+            ends[0] = self.low
+        return max(0.0, scale * ends[0]), scale * ends[1]
+
+
+def ranked_causes(result: Mapping[str, Any]) -> list[Cause]:
+    """Return the causes of a circular result of the evaluation document, the largest effect first; none without a diagnosis."""
+    entries = result.get("diagnosis") or {}
+    causes = [_cause(name, result) for name in entries if _whole(name) == name]
+    return sorted(causes, key=lambda cause: -cause.effect)  # stable: equals stay in the order of the document
+
+
+def _whole(name: str) -> str:
+    """Return the cause of which ``name`` is a detail, or ``name`` itself."""
+    for part in _PARTS:
+        if name.endswith(f"_{part}"):
+            return name.removesuffix(f"_{part}")
+    return "scale_mismatch" if name.startswith("scale_error") else name
+
+
+def _cause(name: str, result: Mapping[str, Any]) -> Cause:
+    entry = result["diagnosis"][name]
+    printed, doubtful = _printed(name, result.get("vendor") or {})
+    return Cause(
+        name=name,
+        words=_words(name, result.get("axes") or ("first", "second")),
+        value=_finite(entry.get("value")),
+        error=_finite(entry.get("std_error")),
+        unit=str(entry.get("unit", "um")),
+        effect=_finite(entry.get("effect")),
+        share=_finite(entry.get("share")),
+        low=entry.get("low"),
+        plain=(result.get("plain") or {}).get(name),
+        printed=printed,
+        doubtful=doubtful,
+        parts=tuple(_cause(other, result) for other in result["diagnosis"] if other != name and _whole(other) == name),
+    )
+
+
+def _finite(value: object) -> float:
+    return float(value) if isinstance(value, int | float) and math.isfinite(value) else 0.0
+
+
+def _split(name: str) -> tuple[str, str, str]:
+    """Return kind, ``first`` or ``second`` or nothing, and the part, of a contract name."""
+    part = next((part for part in _PARTS if name.endswith(f"_{part}")), "")
+    rest = name.removesuffix(f"_{part}") if part else name
+    for which in ("first", "second"):
+        if rest.endswith(f"_{which}"):
+            return rest.removesuffix(f"_{which}"), which, part
+    return rest, "", part
+
+
+def _words(name: str, axes: Any) -> str:
+    kind, which, part = _split(name)
+    axis = axes[("first", "second").index(which)] if which else ""
+    form = _PARTS[part] if part else _WORDS.get(kind, name.replace("_", " "))
+    return form.format(first=axes[0], second=axes[1], axis=axis)
+
+
+def _printed(name: str, vendor: Mapping[str, Any]) -> tuple[float | None, bool]:
+    kind, which, part = _split(name)
+    key = _PRINTED.get(f"{kind}_{part}" if part else kind, "").format(letter="A" if which == "first" else "B")
+    block = next((block for title, block in vendor.items() if str(title).startswith("RENISHAW_DIAGNOSTICS")), None)
+    entry = block.get(key) if isinstance(block, Mapping) else None
+    if not isinstance(entry, Mapping) or not isinstance(entry.get("value"), int | float):
+        return None, False
+    return float(entry["value"]), entry.get("valid") is False

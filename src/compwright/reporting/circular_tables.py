@@ -1,0 +1,177 @@
+"""Circular results of an evaluation document at the terminal, as rich renderables for 80 columns. Computes nothing.
+
+This module loads rich; whoever serves a command that may not print tables imports it inside a function.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import PurePath
+from typing import Any, Final
+
+from rich.console import Group, RenderableType
+from rich.rule import Rule
+from rich.table import Table
+from rich.text import Text
+
+from compwright.reporting.causes import Cause, ranked_causes
+from compwright.reporting.numbers import MISSING, number, plain, standard_text
+from compwright.reporting.summaries import finding_lines
+
+#: Rows of the parameter table: words, letter, keys for ccw, cw and both.
+_ROWS: Final = (
+    ("Circular deviation, minimum zone", "G", ("G_ccw", "G_cw", "G_bidirectional")),
+    ("  by the least-squares circle", "", ("G_ccw_lsc", "G_cw_lsc", "G_bidirectional_lsc")),
+    ("Radial deviation, largest", "F max", ("F_max_ccw", "F_max_cw", "")),
+    ("Radial deviation, smallest", "F min", ("F_min_ccw", "F_min_cw", "")),
+    ("  largest, least-squares centre", "", ("F_max_ccw_lsc", "F_max_cw_lsc", "")),
+    ("  smallest, least-squares centre", "", ("F_min_ccw_lsc", "F_min_cw_lsc", "")),
+    ("Circular hysteresis", "H", ("", "", "H")),
+    ("Mean radial deviation", "D", ("", "", "D")),
+)
+#: What Renishaw software prints under an edition of ISO 230-4: letter, names for ccw, cw and both.
+_PRINTED: Final = (
+    (
+        "G",
+        (
+            "AF_CIRCULAR_DEVIATION_CCW",
+            "AF_CIRCULAR_DEVIATION_CW",
+            "AF_BIDIRECTIONAL_CIRCULAR_DEVIATION",
+            "AF_CIRCULAR_DEVIATION_BIDIRECTIONAL",
+        ),
+    ),
+    ("F max", ("AF_MAX_RADIAL_DEVIATION_CCW", "AF_MAX_RADIAL_DEVIATION_CW")),
+    ("F min", ("AF_MIN_RADIAL_DEVIATION_CCW", "AF_MIN_RADIAL_DEVIATION_CW")),
+    ("H", ("AF_CIRCULAR_HYSTERESIS",)),
+    ("D", ("AF_MEAN_BIDIRECTIONAL_RADIAL_DEVIATION",)),
+)
+
+
+def circular_tables(results: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
+    """Return the renderables of circular results of an evaluation document: parameters, centre, ranked causes, findings."""
+    return [_result(result) for result in results]
+
+
+def _result(result: Mapping[str, Any]) -> RenderableType:
+    parts: list[RenderableType] = [Rule(Text(_title(result), style="bold"), align="left", characters="─"), *_facts(result)]
+    parts += [Text(), _parameters(result), *_printed(result), *_not_applicable(result), Text(), *_causes(result)]
+    if result["findings"]:
+        parts += [Text(), *finding_lines(result["findings"])]
+    return Group(*parts, Text())
+
+
+def _title(result: Mapping[str, Any]) -> str:
+    files = ", ".join(PurePath(source["file"]).name for source in result["sources"]) or str(result["name"])
+    return f"{files} · circle {result['plane']}"
+
+
+def _facts(result: Mapping[str, Any]) -> list[Text]:
+    arc = result["arc"]
+    path = "full circle" if arc["extent"] >= 360.0 else f"arc of {_short(arc['extent'])}° from {_short(arc['start'])}°"
+    bar = "length of the bar calibrated" if result["calibrated"] else "length of the bar not calibrated"
+    setting = f"R {plain(result['nominal_radius'])} mm, {_short(result['feed'])} mm/min"
+    return [
+        Text(f"{standard_text(result['standard'])}, {path}, {setting}"),
+        Text(f"{bar}; {_centre(result)}"),
+    ]
+
+
+def _short(value: float | None) -> str:
+    return MISSING if value is None else f"{value:.5g}"
+
+
+def _centre(result: Mapping[str, Any]) -> str:
+    """Return where the common least-squares circle lies, or that of the only direction."""
+    given = {name: point for name, point in result["centre"].items() if point is not None}
+    name = "common" if "common" in given else next(iter(given))
+    places = ", ".join(f"{axis} {number(value)}" for axis, value in zip(result["axes"], given[name], strict=True))
+    return f"centre {places} µm"
+
+
+def _parameters(result: Mapping[str, Any]) -> Table:
+    values = result["parameters"]
+    table = _table()
+    table.add_column("Parameter, µm", no_wrap=True)
+    table.add_column("", no_wrap=True)
+    for heading in ("ccw", "cw", "both"):
+        table.add_column(heading, justify="right", no_wrap=True)
+    for words, letter, keys in _ROWS:
+        own = keys[0].removesuffix("_lsc")
+        if all(values.get(key) is None for key in keys) or (own != keys[0] and own[0] == "F" and values[own] == values[keys[0]]):
+            continue  # why it is missing stands below the table; the same numbers twice say nothing
+        signed = keys[0][:1] == "F" or letter == "D"
+        table.add_row(words, letter, *(_deviation(values[key], signed=signed) if key else "" for key in keys))
+    return table
+
+
+def _deviation(value: float | None, *, signed: bool) -> str:
+    return f"+{number(value)}" if signed and value is not None and value >= 0.005 else number(value)
+
+
+def _printed(result: Mapping[str, Any]) -> list[Text]:
+    """Return what the instrument's software printed for this edition, in one line."""
+    block = result["vendor"].get(f"ISO230_4 {str(result['standard']).rpartition(':')[2]}")
+    if not isinstance(block, Mapping):
+        return []
+    told = []
+    for letter, names in _PRINTED:
+        found = [plain(block[name]["value"]) for name in names if isinstance(block.get(name), Mapping)]
+        if found:
+            told.append(f"{letter} {' / '.join(found)}")
+    return [Text(f"Printed in the file: {', '.join(told)} µm", style="dim")] if told else []
+
+
+def _not_applicable(result: Mapping[str, Any]) -> list[Text]:
+    """Return one line per reason, with the parameters that it takes away."""
+    reasons: dict[str, list[str]] = {}
+    for name, reason in result["not_applicable"].items():
+        if name != "diagnosis":
+            reasons.setdefault(reason, []).append(name)
+    return [Text(f"{MISSING} {_listed(names)}: {reason}", style="dim") for reason, names in reasons.items()]
+
+
+def _listed(names: Sequence[str]) -> str:
+    """Return parameters by their letters, each once: of a long list nobody reads more."""
+    return ", ".join(dict.fromkeys("G (both)" if "_bi" in name else name.partition("_")[0] + _way(name) for name in names))
+
+
+def _way(name: str) -> str:
+    ways = [way for way in ("ccw", "cw") if f"_{way}" in name]
+    return f" {ways[0]}" if ways else ""
+
+
+def _causes(result: Mapping[str, Any]) -> list[RenderableType]:
+    causes = ranked_causes(result)
+    if not causes:
+        return [Text(f"No causes: {result['not_applicable'].get('diagnosis', 'not diagnosed')}")]
+    printed = any(item.printed is not None for cause in causes for item in (cause, *cause.parts))
+    table = _table()
+    table.add_column("Cause, effect in µm", no_wrap=True)
+    for heading in ("value ± std.", "", "effect", "share", "plain", *(("printed",) if printed else ())):
+        table.add_column(heading, justify="left" if not heading else "right", no_wrap=True)
+    shown = [cause for cause in causes if cause.shown]
+    for cause in shown:
+        table.add_row(*_row(cause, cause.words, printed=printed), style="" if cause.significant else "dim")
+        for part in cause.parts:
+            table.add_row(*_row(part, f"  {part.words}", printed=printed, whole=False), style="dim")
+    small = ", ".join(cause.words for cause in causes if not cause.shown)
+    lines: list[RenderableType] = [table] if shown else []
+    if small:
+        lines.append(Text(f"Below 1 % or 0.005 µm each: {small}", style="dim"))
+    if any(item.doubtful for cause in shown for item in (cause, *cause.parts)):
+        lines.append(Text("(…) the instrument's software itself calls it not valid", style="dim"))
+    return lines
+
+
+def _row(cause: Cause, words: str, *, printed: bool, whole: bool = True) -> list[str]:
+    cells = [words, cause.value_text, cause.unit_text]
+    cells += [number(cause.effect), f"{100.0 * cause.share:.0f} %"] if whole else ["", ""]
+    cells.append(cause.text(cause.plain))
+    if printed:
+        text = "" if cause.printed is None else plain(cause.printed)
+        cells.append(f"({text})" if cause.doubtful else text)
+    return cells
+
+
+def _table() -> Table:
+    return Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold")
