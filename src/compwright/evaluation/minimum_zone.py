@@ -44,7 +44,7 @@ def minimum_zone(points: FloatArray) -> tuple[Point, float, float]:
     The least width over all centres in the region around the least-squares centre that the reach bounds; a centre far away, about
     which a short piece of arc looks like a strip, is not what roundness means. Every point counts, and each lies in the
     annulus. The width is the least one to within rounding (some 1e-14 of the radius). Where two points on one ray alone set it,
-    many centres give it; one of them is returned.
+    many centres give it, to 1e-9 of itself; one of them is returned.
 
     Raises InputError for fewer than three different points, for points on a straight line, and for points whose distances from the
     least-squares centre spread over more than a quarter of the radius; CapacityError when the zone does not stand still.
@@ -138,17 +138,7 @@ def _narrowest(x: FloatArray, y: FloatArray, reach: float, tolerance: float) -> 
         cy = (nx[one] * level[other] - nx[other] * level[one]) / across
         near = np.hypot(cx, cy) <= reach
     cx, cy = np.append(cx[near], 0.0), np.append(cy[near], 0.0)
-    width = _widths(x, y, cx, cy)
-    least = width.min() + tolerance
-    best = width <= least
-    middle = np.array([cx[best].mean(), cy[best].mean()])
-    if _widths(x, y, middle[:1], middle[1:])[0] <= least:
-        return middle
-    return np.array([cx[best][0], cy[best][0]])  # equally good ones far apart, with worse ones between: not near a circle
-
-
-def _widths(x: FloatArray, y: FloatArray, cx: FloatArray, cy: FloatArray) -> FloatArray:
-    """Return the width (k,) of the narrowest annulus about each of k centres."""
     distance = np.hypot(x[:, np.newaxis] - cx, y[:, np.newaxis] - cy)
-    width: FloatArray = distance.max(axis=0) - distance.min(axis=0)
-    return width
+    width = distance.max(axis=0) - distance.min(axis=0)
+    best = width <= width.min() + tolerance
+    return np.array([cx[best].mean(), cy[best].mean()])
