@@ -87,7 +87,7 @@ def evaluate_circle(test: CircularTest, standard: str = DEFAULT_CIRCULAR_STANDAR
 
     A parameter is None where the standard does not define it, its direction was not measured, or the bar was not calibrated
     (F; 3.4 note 3 and 4.5); ``not_applicable`` says which. Raises UsageError for an unknown standard; InputError for an arc
-    below 90° (3.1), for readings that do not fit together and where no circle passes through the points.
+    below 90° (3.1), for readings that do not fit together and for points that are not near a circle.
     """
     chosen = circular_standard_by_id(standard)
     _require_sound(test)

@@ -30,7 +30,7 @@ Indices = NDArray[np.intp]
 _SECTORS: Final = 6
 _MOST_ROUNDS: Final = 100
 #: Distances from the least-squares centre that spread over more than this share of the radius are not those of a circle. Below it
-#: 20 000 random sets (even, normal, heavy-tailed, coarse, spikes; arcs from 90°) took 9 rounds and 14 points at most.
+#: 9 000 random sets (even, normal, heavy-tailed, coarse, spikes; arcs from 90°) took 9 rounds and 14 points at most.
 _NOT_ROUND: Final = 0.25
 #: Crossings of all bisectors of so many points are the most that are tried at once (about 12 million distances).
 _MOST_WORKING: Final = 40
