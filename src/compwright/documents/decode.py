@@ -6,11 +6,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from compwright.documents.prediction import table_outside
+from compwright.documents.prediction import cross_outside, table_outside
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.correction import Assumption
+from compwright.records.correction import Assumption, CrossCompensation
 
 SCHEMA = "compwright/decode/1"
 
@@ -25,12 +25,17 @@ class DecodedAxis:
     negative: FloatArray
 
 
-def decode_document(axes: Mapping[str, DecodedAxis], assumed: Iterable[Assumption], findings: Iterable[Finding]) -> dict[str, Any]:
-    """Return what the control does, by address; positions keep their order."""
+def decode_document(
+    axes: Mapping[str, DecodedAxis],
+    assumed: Iterable[Assumption],
+    findings: Iterable[Finding],
+    cross: Iterable[CrossCompensation] = (),
+) -> dict[str, Any]:
+    """Return what the control does, by address; positions keep their order. ``cross``: what one axis' position adds to another."""
     return {
         "schema": SCHEMA,
         "axes": {address: _axis(axis) for address, axis in axes.items()},
-        "cross": [],
+        "cross": [cross_outside(entry) for entry in cross],
         "assumed": assumed_documents(assumed),
         "findings": finding_documents(findings),
     }

@@ -15,11 +15,12 @@ from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, FloatArray
-from compwright.records.correction import Assumption, AxisCompensation, ControlFile
+from compwright.records.circular import CircularRun, CircularTest
+from compwright.records.correction import Assumption, AxisCompensation, ControlFile, CrossCompensation
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, Limit, TableRequest
 from compwright.records.job import Acceptance
-from compwright.records.plan import Plan, PlannedAxis, PlannedTest
+from compwright.records.plan import Plan, PlannedAxis, PlannedCircle, PlannedCross, PlannedTest
 from compwright.records.positioning import PositioningTest
 
 SCHEMA = "compwright/plan/1"
@@ -42,6 +43,8 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         },
         "sources": [asdict(source) for source in plan.sources],
         "assumed": [asdict(entry) for entry in plan.assumed],
+        "cross": [_cross_out(entry) for entry in plan.cross],
+        "circles": {name: _circle_out(circle) for name, circle in plan.circles.items()},
     }
 
 
@@ -78,6 +81,90 @@ def _plan_in(data: Mapping[str, Any]) -> Plan:
         },
         sources=tuple(Source(**entry) for entry in data["sources"]),
         assumed=tuple(Assumption(**entry) for entry in data["assumed"]),
+        cross=tuple(_cross_in(entry) for entry in data.get("cross", ())),
+        circles={str(name): _circle_in(circle) for name, circle in data.get("circles", {}).items()},
+    )
+
+
+def _cross_out(cross: PlannedCross) -> dict[str, Any]:
+    return {**asdict(cross), "added": _arrays_out(cross.added)}
+
+
+def _cross_in(data: Mapping[str, Any]) -> PlannedCross:
+    added = data["added"]
+    return PlannedCross(
+        input=str(data["input"]),
+        output=str(data["output"]),
+        added=CrossCompensation(
+            input=str(added["input"]),
+            output=str(added["output"]),
+            input_kind=AxisKind(added["input_kind"]),
+            output_kind=AxisKind(added["output_kind"]),
+            positions=_array(added, "positions"),
+            positive=_array(added, "positive"),
+            negative=_array(added, "negative"),
+            below=added["below"],
+            above=added["above"],
+            period=_optional(added["period"], float),
+        ),
+        source=data["source"],
+        tests=tuple(str(name) for name in data["tests"]),
+        squareness=float(data["squareness"]),
+        std_error=_optional(data["std_error"], float),
+    )
+
+
+def _circle_out(circle: PlannedCircle) -> dict[str, Any]:
+    test = circle.test
+    return {
+        "measured_in": circle.measured_in,
+        "centre": list(circle.centre),
+        "test": {
+            "name": test.name,
+            "plane": test.plane,
+            "axes": list(test.axes),
+            "nominal_radius": float(test.nominal_radius),
+            "feed": float(test.feed),
+            "arc": list(test.arc),
+            "calibrated": test.calibrated,
+            "centre": None if test.centre is None else list(test.centre),
+            "runs": [_arrays_out(run) for run in test.runs],
+            "sources": [asdict(source) for source in test.sources],
+            "header": dict(test.header),
+            "findings": [asdict(finding) for finding in test.findings],
+        },
+    }
+
+
+def _circle_in(data: Mapping[str, Any]) -> PlannedCircle:
+    test = data["test"]
+    first, second = test["axes"]
+    start, extent = test["arc"]
+    return PlannedCircle(
+        test=CircularTest(
+            name=str(test["name"]),
+            plane=str(test["plane"]),
+            axes=(str(first), str(second)),
+            nominal_radius=float(test["nominal_radius"]),
+            feed=float(test["feed"]),
+            arc=(float(start), float(extent)),
+            calibrated=bool(test["calibrated"]),
+            centre=_optional(test["centre"], lambda values: tuple(float(value) for value in values)),
+            runs=tuple(
+                CircularRun(
+                    sense=run["sense"],
+                    angles=_array(run, "angles"),
+                    deviations=_array(run, "deviations"),
+                    number=int(run["number"]),
+                )
+                for run in test["runs"]
+            ),
+            sources=tuple(Source(**entry) for entry in test["sources"]),
+            header=dict(test["header"]),
+            findings=tuple(Finding(**entry) for entry in test["findings"]),
+        ),
+        measured_in=str(data["measured_in"]),
+        centre=(float(data["centre"][0]), float(data["centre"][1])),
     )
 
 

@@ -2,26 +2,71 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
-from compwright.foundations.units import outside_factor, outside_unit
+from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, outside_factor, outside_unit
 from compwright.records.axis import AxisKind, Direction, FloatArray
-from compwright.records.correction import AxisCompensation
-from compwright.records.prediction import AxisPrediction, Quantiles, TestPrediction
+from compwright.records.circular import CircularResult
+from compwright.records.correction import AxisCompensation, CrossCompensation
+from compwright.records.prediction import AxisPrediction, CirclePrediction, Quantiles, TestPrediction
 from compwright.records.result import PositioningResult
 
 SCHEMA = "compwright/prediction/1"
 
 
-def prediction_document(format_id: str, axes: Mapping[str, AxisPrediction]) -> dict[str, Any]:
-    """Return the prediction of a run."""
+def prediction_document(
+    format_id: str,
+    axes: Mapping[str, AxisPrediction],
+    cross: Iterable[CrossCompensation] = (),
+    circles: Mapping[str, CirclePrediction] | None = None,
+) -> dict[str, Any]:
+    """Return the prediction of a run; ``cross`` holds what one axis' position adds to another, by the names of the job."""
     return {
         "schema": SCHEMA,
         "format": format_id,
         "axes": {name: _axis(axis) for name, axis in axes.items()},
-        "cross": [],
-        "circles": {},
+        "cross": [cross_outside(entry) for entry in cross],
+        "circles": {name: circle_outside(circle) for name, circle in (circles or {}).items()},
+    }
+
+
+def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
+    """Return what one axis adds to another: positions mm or deg, corrections µm or arcsec.
+
+    ``correction`` is that of both directions; where they differ, that of + beside ``correction_positive`` and
+    ``correction_negative``.
+    """
+    factor = outside_factor(entry.output_kind.unit)
+    positive, negative = ((curve * factor).tolist() for curve in (entry.positive, entry.negative))
+    both = {} if positive == negative else {"correction_positive": positive, "correction_negative": negative}
+    return {
+        "input": entry.input,
+        "output": entry.output,
+        "positions": entry.positions.tolist(),
+        "correction": positive,
+        **both,
+        "unit": outside_unit(entry.output_kind.unit),
+    }
+
+
+def circle_outside(circle: CirclePrediction) -> dict[str, Any]:
+    """Return one circular test, before and predicted: parameters in µm, causes in their own units, by their contract names."""
+    return {"before": circle_values(circle.before), "predicted": circle_quantiles(circle)}
+
+
+def circle_values(result: CircularResult) -> dict[str, float | None]:
+    """Return the parameters (µm) and causes (their own units) of a circular test by their contract names."""
+    values = {name: None if value is None else value * MICROMETRES_PER_MILLIMETRE for name, value in result.parameters.items()}
+    effects = {} if result.diagnosis is None else result.diagnosis.effects
+    return {**values, **{name: effect.value for name, effect in effects.items()}}
+
+
+def circle_quantiles(circle: CirclePrediction) -> dict[str, dict[str, float]]:
+    """Return what a fresh circular test will show, in the units of `circle_values`."""
+    return {
+        **quantiles_outside(circle.predicted, AxisKind.LINEAR),
+        **{name: {"median": value.median, "p05": value.p05, "p95": value.p95} for name, value in circle.causes.items()},
     }
 
 

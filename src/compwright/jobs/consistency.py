@@ -15,6 +15,7 @@ from typing import Any
 from compwright.foundations.units import TO_INSIDE
 from compwright.foundations.yaml_reader import KeyPath
 from compwright.jobs.faults import number_hint, shown, suggestion, too_large
+from compwright.records.job import other_axis
 
 AS_FOUND = "as_found"
 NONE_WORD = "none"
@@ -253,7 +254,12 @@ def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterato
 
 
 def _apply(section: Any) -> Iterator[Contradiction]:
+    seen: set[frozenset[str]] = set()
     for plane, bent in _mapping(_mapping(section).get("squareness")).items():
+        pair = frozenset({str(bent), other_axis(str(plane), str(bent))})
+        if pair in seen:
+            yield Contradiction(("apply", "squareness", plane), "names this plane again", "each plane once", shown(bent))
+        seen.add(pair)
         if isinstance(bent, str) and (plane == bent or not (plane.startswith(bent) or plane.endswith(bent))):
             found = shown(bent)
             yield Contradiction(("apply", "squareness", plane), "is no axis of this plane", f"the bent axis of {plane}", found)

@@ -238,7 +238,9 @@ def _pending_findings(section: JobSection) -> list[Finding]:
 
 def _absent_axes(section: JobSection) -> list[Finding]:
     """Say of every correction that it concerns an axis of which the job knows neither travel nor address."""
-    asked = [(f"cross[{index}]", (entry.input, entry.output)) for index, entry in enumerate(section.cross)]
+    asked: list[tuple[str, tuple[str, ...]]] = [
+        (f"cross[{index}]", (entry.input, entry.output)) for index, entry in enumerate(section.cross)
+    ]
     if section.apply is not None:
         asked += [("apply.scale", (name,)) for name in section.apply.scale]
         asked += [

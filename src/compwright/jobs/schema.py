@@ -114,7 +114,7 @@ class TableSection(Section):
 
 
 class AxisSection(Section):
-    """One axis. ``accept`` (parameter names beside ``test``) and an empty ``before`` are checked in `compwright.jobs.consistency`."""
+    """One axis. ``accept`` (parameter names beside ``test``) and an empty ``before``: see `compwright.jobs.consistency`."""
 
     travel: Annotated[list[float], Field(min_length=2, max_length=2)]
     before: Annotated[list[Annotated[TestSection, BeforeValidator(_named_file)]], BeforeValidator(_listed)]

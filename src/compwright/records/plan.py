@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Literal
 
 from compwright.foundations.provenance import Source
 from compwright.records.axis import Axis
-from compwright.records.correction import Assumption, AxisCompensation, ControlFile
+from compwright.records.circular import CircularTest
+from compwright.records.correction import Assumption, AxisCompensation, ControlFile, CrossCompensation
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import Acceptance
@@ -41,8 +43,43 @@ class PlannedAxis:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class PlannedCircle:
+    """A circular test as it went into the plan, the state that was active, and its centre (mm, machine coordinates)."""
+
+    test: CircularTest
+    measured_in: str
+    centre: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlannedCross:
+    """What is added to the axis ``output`` over the axis ``input`` (names of the job), beside what the control does already.
+
+    ``added``: the table before the control rounds it, by the control's addresses, zero at the reference of the input axis.
+    ``source``: from circular tests (``tests`` names them) or from a cross measurement. ``squareness``: the angle that it removes,
+    rad, > 0 for more than 90°; ``std_error`` of it, rad, None where nobody said it.
+    """
+
+    input: str
+    output: str
+    added: CrossCompensation
+    source: Literal["circle", "cross"]
+    tests: tuple[str, ...] = ()
+    squareness: float = 0.0
+    std_error: float | None = None
+
+    @property
+    def pair(self) -> frozenset[str]:
+        """The two axes, whichever of them is bent."""
+        return frozenset({self.input, self.output})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """The plan. ``states`` holds the control's own files byte by byte: None where the job did not say, empty for ``none``."""
+    """The plan. ``states`` holds the control's own files byte by byte: None where the job did not say, empty for ``none``.
+
+    ``cross``: the tables between axes that were written; ``circles``: the circular tests by name.
+    """
 
     version: str
     format: str
@@ -53,3 +90,5 @@ class Plan:
     machine: Mapping[str, str] = field(default_factory=dict)
     sources: tuple[Source, ...] = ()
     assumed: tuple[Assumption, ...] = ()
+    cross: tuple[PlannedCross, ...] = ()
+    circles: Mapping[str, PlannedCircle] = field(default_factory=dict)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from compwright.foundations.findings import Finding
+from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation
 from compwright.records.fitted import Limit
 from compwright.records.result import PositioningResult
@@ -33,6 +34,19 @@ class TestPrediction:
     predicted_new_targets: Mapping[str, Quantiles]
 
     __test__ = False  # not a test class, whatever the name suggests to a collector
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CirclePrediction:
+    """One circular test: what it showed, what it would have shown with the new tables, and what a fresh one will show.
+
+    ``predicted``: parameters by their contract names, mm; ``causes``: diagnosis by its contract names, in the contract's units.
+    """
+
+    before: CircularResult
+    expected: CircularResult
+    predicted: Mapping[str, Quantiles]
+    causes: Mapping[str, Quantiles]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

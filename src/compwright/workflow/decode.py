@@ -11,6 +11,7 @@ import numpy as np
 from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Direction, FloatArray
+from compwright.workflow.circle_work import judged_cross
 from compwright.workflow.control import decode, judged, open_control, read_files
 
 MOST_POSITIONS = 1_000_000
@@ -36,7 +37,8 @@ def decode_files(
             positive=judged(decoded, address, where, Direction.POSITIVE),
             negative=judged(decoded, address, where, Direction.NEGATIVE),
         )
-    return decode_document(answer, (*control.assumed(decoded.state), *decoded.state.assumed), decoded.state.findings)
+    assumed = (*control.assumed(decoded.state), *decoded.state.assumed)
+    return decode_document(answer, assumed, decoded.state.findings, judged_cross(decoded, wanted))
 
 
 def positions_of(text: str) -> FloatArray:

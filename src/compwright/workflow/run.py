@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from compwright import __version__
+from compwright.documents.circular import circular_document
 from compwright.documents.decode import assumed_documents, finding_documents
 from compwright.documents.evaluation import evaluation_document
 from compwright.documents.json_text import to_json
@@ -15,17 +16,22 @@ from compwright.documents.plan import plan_document
 from compwright.documents.prediction import prediction_document
 from compwright.formats.second_forms import second_forms
 from compwright.foundations import storage
-from compwright.foundations.errors import UsageError
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
+from compwright.records.axis import Axis
+from compwright.records.circular import CircularTest
 from compwright.records.correction import Assumption, ControlFile
 from compwright.records.job import Job
 from compwright.records.plan import Plan
-from compwright.records.prediction import AxisPrediction
+from compwright.records.prediction import AxisPrediction, CirclePrediction
 from compwright.workflow.card import card_document, changes_csv
-from compwright.workflow.control import Control, DecodedState, named_axes, open_control, origin_of
+from compwright.workflow.circle_work import Acting, CircleWork, acting, checked_axes, predict, read_circles, start_circles
+from compwright.workflow.control import Control, DecodedState, decode, named_axes, open_control, origin_of
+from compwright.workflow.cross import plan_cross
+from compwright.workflow.cross_tables import CrossOutcome, write_planned
 from compwright.workflow.inputs import JobInputs, read_job_inputs
 from compwright.workflow.view import run_view
-from compwright.workflow.work import AS_FOUND, AxisWork, export, fit_all, predict_axis, start_axis
+from compwright.workflow.work import AS_FOUND, AxisWork, correction_of, export, fit_all, predict_axis, start_axis
 
 NO_STATE = (
     "no table is written: the job does not say what is active in the control; "
@@ -63,6 +69,10 @@ class _Finished:
     tables: tuple[ControlFile, ...]
     loaded: DecodedState | None
     assumed: tuple[Assumption, ...]
+    circles: tuple[CircleWork, ...]
+    circle_predictions: Mapping[str, CirclePrediction]
+    cross: CrossOutcome
+    findings: tuple[Finding, ...]
 
     @property
     def stated(self) -> bool:
@@ -84,8 +94,8 @@ def run_job(
     nothing is written then. Without a state of the control, evaluation, prediction and report are written but no table (exit 2).
     """
     finished = _work_through(job, folder, accept_worse=accept_worse)
-    evaluation = evaluation_document([result for work in finished.works.values() for result in work.results], [])
-    prediction = prediction_document(job.format, finished.predictions)
+    evaluation = _evaluation(finished)
+    prediction = prediction_document(job.format, finished.predictions, finished.cross.totals, finished.circle_predictions)
     files, notes = _files(finished, evaluation, prediction)
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
     written = storage.write_files(out, files, force=force, elsewhere=elsewhere)
@@ -105,14 +115,25 @@ def run_job(
 def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
     control = open_control(job.format, job.options, origin_of(job))
     job, renamed = named_axes(job, control)
-    inputs = read_job_inputs(job, control, folder)
-    works = {name: start_axis(job, entry, inputs) for name, entry in job.axes.items()}
+    axes = {name: entry.axis for name, entry in job.axes.items()}
+    inputs, tests = _inputs(job, control, folder)
+    works = {name: start_axis(job, entry, inputs) for name, entry in job.axes.items() if entry.before}
+    circles = start_circles(job, tests, axes)
     tables: tuple[ControlFile, ...] = ()
     loaded: DecodedState | None = None
+    cross = CrossOutcome(written=(), files=(), after=None)
+    findings = [finding for work in circles for finding in (*work.findings, *checked_axes(work, axes))]
     if AS_FOUND in inputs.states:
-        control = control.in_state(inputs.states[AS_FOUND].state)
-        works = fit_all(works, control, inputs.states[AS_FOUND].state, job.file)
-        works, tables, loaded = export(works, control, inputs.states[AS_FOUND], accept_worse=accept_worse)
+        as_found = inputs.states[AS_FOUND]
+        control = control.in_state(as_found.state)
+        works = fit_all(works, control, as_found.state, job.file)
+        works, tables, loaded = export(works, control, as_found, accept_worse=accept_worse)
+        plan = plan_cross(job, circles, inputs.states, as_found)
+        cross = write_planned(control, plan.planned, tables, as_found, axes)
+        findings += [*plan.findings, *cross.findings]
+        if cross.written:
+            tables = cross.files
+            loaded = decode(control, tables, [work.planned.axis for work in works.values() if work.planned.fitted is not None])
     states = [decoded.state for decoded in inputs.states.values()]
     capacities = [work.capacity for work in works.values() if work.capacity is not None]
     assumed = (
@@ -130,7 +151,50 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
         tables=tables,
         loaded=loaded,
         assumed=assumed,
+        circles=circles,
+        circle_predictions=_predicted_circles(axes, inputs, works, circles, loaded, cross),
+        cross=cross,
+        findings=tuple(findings),
     )
+
+
+def _inputs(job: Job, control: Control, folder: Path) -> tuple[JobInputs, tuple[CircularTest, ...]]:
+    """Read the files of a job. Raises InputError with the faults of all of them."""
+    tests: tuple[CircularTest, ...] = ()
+    faults: tuple[Fault, ...] = ()
+    try:
+        tests = read_circles(job, folder)
+    except InputError as error:
+        faults = error.faults
+    try:
+        inputs = read_job_inputs(job, control, folder)
+    except InputError as error:
+        raise InputError(*error.faults, *faults) from error
+    raise_all(InputError, list(faults))
+    return inputs, tests
+
+
+def _predicted_circles(
+    axes: Mapping[str, Axis],
+    inputs: JobInputs,
+    works: Mapping[str, AxisWork],
+    circles: Sequence[CircleWork],
+    loaded: DecodedState | None,
+    cross: CrossOutcome,
+) -> dict[str, CirclePrediction]:
+    """Predict every circle from the state it was measured in to what acts after loading."""
+    if not circles:
+        return {}
+    now = acting(inputs.states.get(AS_FOUND), axes)
+    along = {name: correction_of(loaded, work.planned.axis) for name, work in works.items() if work.planned.fitted is not None}
+    then = Acting({**now.along, **along}, now.across if cross.after is None else acting(cross.after, axes).across)
+    return {work.name: predict(work, acting(inputs.states.get(work.planned.measured_in), axes), then) for work in circles}
+
+
+def _evaluation(finished: _Finished) -> dict[str, Any]:
+    document = evaluation_document([result for work in finished.works.values() for result in work.results], [])
+    circles = [circular_document(work.result) for work in finished.circles]
+    return {**document, "results": [*document["results"], *circles]}
 
 
 def _files(
@@ -151,6 +215,7 @@ def _files(
         files |= {f"rollback/{format_id}/{file.name}": file.content for file in as_found}
     if finished.tables:
         card = card_document(finished.job, finished.control, finished.works, finished.loaded, finished.inputs, finished.assumed)
+        card = {**card, "steps": [*card["steps"], *finished.cross.steps]}
         from compwright.reporting.card import card_markdown
 
         files["card/card.md"] = card_markdown(dict(card)).encode()
@@ -205,14 +270,20 @@ def _plan(finished: _Finished) -> Plan:
         axes={name: work.planned for name, work in finished.works.items()},
         states={name: decoded.files for name, decoded in finished.inputs.states.items()},
         machine=job.machine,
-        sources=tuple(source for tests in finished.inputs.tests.values() for planned in tests for source in planned.test.sources),
+        sources=(
+            *(source for tests in finished.inputs.tests.values() for planned in tests for source in planned.test.sources),
+            *(source for work in finished.circles for source in work.planned.test.sources),
+        ),
         assumed=finished.assumed,
+        cross=finished.cross.written,
+        circles={work.name: work.planned for work in finished.circles},
     )
 
 
 def _findings(finished: _Finished) -> tuple[Finding, ...]:
     state = [finding for decoded in finished.inputs.states.values() for finding in decoded.state.findings]
-    return (*finished.job.findings, *state, *(finding for work in finished.works.values() for finding in work.findings))
+    works = (finding for work in finished.works.values() for finding in work.findings)
+    return (*finished.job.findings, *state, *works, *finished.findings)
 
 
 def _exit_code(finished: _Finished) -> int:

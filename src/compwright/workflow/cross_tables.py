@@ -1,0 +1,184 @@
+"""Tables between axes into the control's files and back, and what the card says about them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from compwright.formats.cec_capacity import cec_available
+from compwright.formats.cec_writing import write_cross
+from compwright.foundations.errors import CapacityError, CompwrightError, Fault, raise_all
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.records.axis import Axis, Direction
+from compwright.records.correction import ControlFile, CrossCompensation
+from compwright.records.plan import PlannedCross
+from compwright.workflow.circle_work import judged_cross
+from compwright.workflow.control import Control, DecodedState, decode
+
+#: Reading back may differ from what was planned by half a step of the value at either node, mm or deg.
+READ_BACK = 2e-6
+#: What a control without tables between axes needs instead, by the beginning of its format's id.
+_INSTEAD = {
+    "siemens": "set the option cec: available, if the control has sag compensation, and name free indices in cec_tables",
+    "fanuc": (
+        "straightness compensation is an option of the control, and its parameter numbers are not confirmed here: "
+        "enter the two-point line by the machine's own manual"
+    ),
+    "heidenhain": (
+        "a column of the bent axis in the table of the other one, or KinematicsComp where the control has it, holds it: "
+        "compwright does not write them yet"
+    ),
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CrossOutcome:
+    """What was written: ``written`` of the plan, ``files`` that the control loads in all, what is in it then (None: no files).
+
+    ``totals``: what then acts between the axes of ``written``, read back by the judge, by the names of the job.
+    """
+
+    written: tuple[PlannedCross, ...]
+    files: tuple[ControlFile, ...]
+    after: DecodedState | None
+    totals: tuple[CrossCompensation, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    steps: tuple[Mapping[str, str], ...] = ()
+
+
+def write_planned(
+    control: Control,
+    planned: Sequence[PlannedCross],
+    tables: tuple[ControlFile, ...],
+    as_found: DecodedState,
+    axes: Mapping[str, Axis],
+) -> CrossOutcome:
+    """Write the tables between axes beside ``tables`` (those of the single axes) and read everything back.
+
+    What the control cannot hold is not written: a finding and a step of the card say so, and what would help. Raises
+    CompwrightError (a fault of our own) when something else comes back than was written.
+    """
+    base = _together(as_found.files, tables)
+    known = list(axes.values())
+    before = _read(control, base, known)
+    if not planned:
+        return CrossOutcome(written=(), files=tables, after=before)
+    if not cec_available(control.definition, control.options):
+        return _not_held(control, planned, tables, before, _instead(control), axes)
+    try:
+        state = as_found.state if before is None else before.state
+        new = write_cross(control.definition, [entry.added for entry in planned], control.options, state, base)
+    except CapacityError as error:
+        return _not_held(control, planned, tables, before, "; ".join(str(fault) for fault in error.faults), axes)
+    files = _together(tables, new)
+    after = _read(control, _together(base, new), known)
+    raise_all(CompwrightError, _wrong(planned, before, after))
+    return CrossOutcome(
+        written=tuple(planned),
+        files=files,
+        after=after,
+        totals=_totals(planned, after, axes),
+        steps=tuple(_written_step(entry) for entry in planned),
+    )
+
+
+def _together(first: Sequence[ControlFile], then: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
+    """Return the files of both, those of ``then`` in place of others of their name."""
+    return tuple({file.name: file for file in (*first, *then)}.values())
+
+
+def _read(control: Control, files: tuple[ControlFile, ...], axes: Sequence[Axis]) -> DecodedState | None:
+    return decode(control, files, axes) if files else None
+
+
+def _wrong(planned: Sequence[PlannedCross], before: DecodedState | None, after: DecodedState | None) -> list[Fault]:
+    """Return a fault for every pair of axes that does not read back as before plus what was planned."""
+    faults = []
+    old = {} if before is None else {(entry.input, entry.output): entry for entry in judged_cross(before)}
+    new = {} if after is None else {(entry.input, entry.output): entry for entry in judged_cross(after)}
+    for pair in dict.fromkeys((*old, *new)):
+        mine = [entry.added for entry in planned if (entry.added.input, entry.added.output) == pair]
+        where = np.unique(np.concatenate([entry.positions for entry in (*_of(old, pair), *_of(new, pair), *mine)]))
+        for direction in Direction:
+            wanted = sum((entry.at(where, direction) for entry in (*_of(old, pair), *mine)), np.zeros(where.size))
+            found = sum((entry.at(where, direction) for entry in _of(new, pair)), np.zeros(where.size))
+            worst = float(np.max(np.abs(found - wanted)))
+            if worst > READ_BACK:
+                message = f"what {pair[0]} does to {pair[1]} does not come back as it was written; please report this"
+                faults.append(Fault(message=message, place=f"direction {direction.value}", found=f"a difference of {worst:.3g}"))
+    return faults
+
+
+def _of(tables: Mapping[tuple[str, str], CrossCompensation], pair: tuple[str, str]) -> tuple[CrossCompensation, ...]:
+    return (tables[pair],) if pair in tables else ()
+
+
+def _totals(planned: Sequence[PlannedCross], after: DecodedState | None, axes: Mapping[str, Axis]) -> tuple[CrossCompensation, ...]:
+    names = {axis.address: name for name, axis in axes.items()}
+    mine = {(entry.added.input, entry.added.output) for entry in planned}
+    return tuple(
+        replace(entry, input=names[entry.input], output=names[entry.output])
+        for entry in (() if after is None else judged_cross(after))
+        if (entry.input, entry.output) in mine
+    )
+
+
+def _not_held(
+    control: Control,
+    planned: Sequence[PlannedCross],
+    tables: tuple[ControlFile, ...],
+    before: DecodedState | None,
+    why: str,
+    axes: Mapping[str, Axis],
+) -> CrossOutcome:
+    findings, steps = [], []
+    for entry in planned:
+        helps = _matrixkins(entry, axes) if control.id.startswith("linuxcnc") else why
+        message = f"{_label(entry)} is not corrected: this control, as the job describes it, cannot hold it; {helps}."
+        findings.append(Finding("CW-K013", "warning", message))
+        steps.append({"title": f"Not corrected: {_label(entry)}", "text": f"{helps}.", "evidence": "inferred"})
+    return CrossOutcome(written=(), files=tables, after=before, findings=tuple(findings), steps=tuple(steps))
+
+
+def _label(entry: PlannedCross) -> str:
+    what = "squareness" if entry.source == "circle" else "the measured deviation"
+    return f"{what} of {entry.output} over {entry.input} ({entry.squareness * 1e6:+.1f} µm/m)"
+
+
+def _instead(control: Control) -> str:
+    return next((text for start, text in _INSTEAD.items() if control.id.startswith(start)), "it has no tables between axes")
+
+
+def _matrixkins(entry: PlannedCross, axes: Mapping[str, Axis]) -> str:
+    """Return the values of LinuxCNC's matrixkins: joint of the bent axis = ... + C * position of the other one.
+
+    Its leaning angle is minus squareness, and C is minus that angle.
+    """
+    pin = f"matrixkins.C_{entry.output.lower()}{entry.input.lower()}"
+    zero = axes[entry.input].reference
+    away = f", which also moves {entry.output} by {entry.squareness * zero * 1e3:+.2f} µm at its zero" if zero else ""
+    return (
+        f"with the kinematics matrixkins (LinuxCNC 2.10) add {entry.squareness:+.9f} to the value of {pin} that is in force{away}; "
+        "without it this control has no place for it"
+    )
+
+
+def _written_step(entry: PlannedCross) -> dict[str, str]:
+    added = entry.added
+    factor, unit = outside_factor(added.output_kind.unit), shown_unit(added.output_kind.unit)
+    ends = ", ".join(
+        f"{value * factor:+.2f} {unit} at {entry.input} {position:g}"
+        for position, value in zip(added.positions[[0, -1]], added.positive[[0, -1]], strict=True)
+    )
+    return {
+        "title": f"{entry.output} over {entry.input}",
+        "text": (
+            f"{_label(entry)}: {entry.output} is moved by {ends}, 0 at the reference of {entry.input}. "
+            f"Work offsets of {entry.output} shift with {entry.input}: probe them again. "
+            "Check the sign with a square or a dial gauge before production."
+        ),
+        "evidence": "inferred",
+    }
