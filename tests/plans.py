@@ -100,7 +100,7 @@ def random_request(format_id: str, axis: Axis, rng: np.random.Generator) -> Tabl
     low, high = axis.travel
     if axis.modulo is not None:
         return TableRequest(spacing=float(rng.choice([5, 10, 22.5, 30, 45])))
-    if rng.random() < 0.4:
+    if rng.random() < 0.4 or format_id == "linuxcnc":
         return TableRequest(mode="bidirectional" if format_id == "linuxcnc" and rng.random() < 0.5 else "auto")
     if format_id.startswith("fanuc"):
         return TableRequest(spacing=float(rng.choice([2, 5, 10, 12.5, 20, 33.333])))

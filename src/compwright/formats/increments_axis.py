@@ -40,7 +40,7 @@ class Numbers:
 
 
 class IncrementReader:
-    """Reads one axis. ``axis``: what the job knows of it, None without a job."""
+    """Reads one axis. ``axis``: what the job knows of it, None without a job; not ``asked``: only its facts are wanted."""
 
     def __init__(
         self,
@@ -51,13 +51,15 @@ class IncrementReader:
         axis: Axis | None,
         options: Mapping[str, object],
         notes: Notes,
+        *,
+        asked: bool = True,
     ) -> None:
         self.definition = definition
         self.gathered = gathered
         self.points = points
         self.address = address
         self.axis = axis
-        self.options = axis_options(definition, options, axis)
+        self.options = axis_options(definition, options, axis) if asked else options
         self.notes = notes
         self.label = f"axis {address}"
         self.said: dict[str, Found] = {}

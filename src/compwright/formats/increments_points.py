@@ -24,7 +24,7 @@ def point_rows(definition: Definition, gathered: Gathered) -> list[Found]:
     number is far above all points; a line with Q1, the mark of parameters, only where no other one is pitch data.
     """
     forms = definition.statements["point"]
-    marks = [form.split("}", 1)[1].split("P", 1)[0] for form in (forms.form, *forms.also_read)]
+    marks = [form.split("}", 1)[1].split("P", 1)[0].strip() for form in (forms.form, *forms.also_read)]
     rows = [(row, marks[row.occurrence.form]) for rows in gathered.file_rows.values() for row in rows]
     certain = [row for row, mark in rows if mark == "Q0" or (mark == "" and _may_be_point(row))]
     highest = definition.limit_number("max_number") or 0

@@ -56,7 +56,9 @@ def read_increments(
         if one not in named:
             notes.faults.append(_unnamed(one, named, files))
             continue
-        reader = IncrementReader(definition, gathered, points, one, wanted.get(one), resolved, notes if asked else Notes())
+        reader = IncrementReader(
+            definition, gathered, points, one, wanted.get(one), resolved, notes if asked else Notes(), asked=asked
+        )
         facts[one] = reader.facts()
         if asked:
             compensation = reader.read()
