@@ -64,8 +64,8 @@ def values(control: VirtualControl, address: str, positions: Sequence[float], di
 class TestSinumerik:
     def test_positive_value_moves_the_axis_towards_minus(self) -> None:
         control = siemens(EEC)
-        # 0.5 * (0.003 + 0.001) at -75, 0.5 * (-0.002 - 0.0045) at 75, by hand; below MIN nothing, above MAX the last value
-        wanted = [0.0, -0.003, -0.002, -0.001, 0.0, 0.002, 0.00325, 0.0045, 0.0045]
+        # 0.5 * (0.003 + 0.001) at -75, 0.5 * (-0.002 - 0.0045) at 75, by hand; outside the end values (p. 240)
+        wanted = [-0.003, -0.003, -0.002, -0.001, 0.0, 0.002, 0.00325, 0.0045, 0.0045]
         for direction in (UP, DOWN):
             got = values(control, "AX1", [-150, -100, -75, -50, 0, 50, 75, 100, 150], direction)
             assert got == pytest.approx(wanted, abs=1e-15)  # mm; rounding of doubles
@@ -150,7 +150,7 @@ class TestSinumerik:
         positions = [*rng.uniform(-700, 700, 400), *np.arange(-625, 626, 50.0)]
         got = values(siemens(text), "AX1", positions, UP)
         for x, correction in zip(positions, got, strict=True):
-            assert correction == pytest.approx(-slow_value(x, [-625 + 50 * n for n in range(26)], table, below=0.0), abs=1e-15)
+            assert correction == pytest.approx(-slow_value(x, [-625 + 50 * n for n in range(26)], table), abs=1e-15)
 
     def test_only_system_with_a_table_is_taken_and_said(self) -> None:
         control = siemens(EEC.replace("[0,", "[1,"), "$MA_BACKLASH[0,AX1]=0.5\n")
@@ -206,9 +206,6 @@ class TestSinumerik:
         with pytest.raises(InputError) as caught:
             siemens(EEC.replace("0.003", "x").replace("-0.002", "y"))
         assert [fault.place for fault in caught.value.faults] == ["line 3", "line 6"]
-
-    def test_sag_tables_are_named_as_not_judged(self) -> None:
-        assert any("$AN_CEC" in note for note in siemens("$AN_CEC[0,0]=0.1\n" + EEC).notes)
 
     def test_untouched_second_system_of_an_archive_is_no_table(self) -> None:
         zero = "".join(f"$AA_ENC_COMP_{key}[1,AX1]=0\n" for key in ("STEP", "MIN", "MAX", "IS_MODULO"))
@@ -439,11 +436,19 @@ class TestNumbers:
 
 class TestContract:
     def test_known_and_unknown(self) -> None:
-        assert set(KNOWN) == {"siemens-840d-sl", "linuxcnc"}
+        heidenhain, fanuc = {"heidenhain-itnc530", "heidenhain-nck"}, {"fanuc-0i-16i", "fanuc-30i"}
+        assert set(KNOWN) == {"siemens-840d-sl", "linuxcnc"} | heidenhain | fanuc
         with pytest.raises(UsageError, match="no virtual control"):
             virtual_control("abacus", [ControlFile("a", b"")])
-        with pytest.raises(InputError, match="no control files"):
-            virtual_control("linuxcnc", [])
+        for format_id in KNOWN:
+            with pytest.raises(InputError, match="no control files"):
+                virtual_control(format_id, [])
+
+    def test_a_control_without_cross_tables_says_so(self) -> None:
+        for control in (siemens(EEC), comp(OBSERVED)):
+            assert control.cross() == ()
+            with pytest.raises(UsageError, match="no table"):
+                control.cross_correction("X", "Y", np.zeros(2), UP)
 
     def test_unknown_axis(self) -> None:
         for control in (siemens(EEC), comp(OBSERVED)):
@@ -511,12 +516,10 @@ def test_any_bytes_linuxcnc(table: bytes, ini: bytes) -> None:
     ask_everything("linuxcnc", [ControlFile("joint_0.comp", table), ControlFile("joint_0.ini", ini)])
 
 
-def slow_value(
-    x: float, nodes: Sequence[float] | np.ndarray, column: Sequence[float] | np.ndarray, below: float | None = None
-) -> float:
-    """Linear interpolation by search, one position at a time; the last value held above, ``below`` or the first below."""
+def slow_value(x: float, nodes: Sequence[float] | np.ndarray, column: Sequence[float] | np.ndarray) -> float:
+    """Linear interpolation by search, one position at a time; the end values held outside."""
     if x < nodes[0]:
-        return float(column[0]) if below is None else below
+        return float(column[0])
     for i in range(len(nodes) - 1):
         if nodes[i] <= x <= nodes[i + 1]:
             return float(column[i] + (column[i + 1] - column[i]) * (x - nodes[i]) / (nodes[i + 1] - nodes[i]))

@@ -75,13 +75,13 @@ def values(loaded: VirtualControl, address: str, positions: Sequence[float], dir
 
 
 def crossed(loaded: VirtualControl, moving: str, output: str, positions: Sequence[float]) -> list[float]:
-    found = [loaded.cross_correction(moving, output, np.array(positions), direction).tolist() for direction in Direction]  # type: ignore[attr-defined]  # beyond the protocol
+    found = [loaded.cross_correction(moving, output, np.array(positions), direction).tolist() for direction in Direction]
     assert found[0] == found[1]  # these tables know no direction
     return [float(value) for value in found[0]]
 
 
 def pairs(loaded: VirtualControl) -> tuple[tuple[str, str], ...]:
-    return loaded.cross()  # type: ignore[attr-defined, no-any-return]  # beyond the protocol
+    return loaded.cross()
 
 
 def facts(loaded: VirtualControl) -> dict[str, str]:
@@ -676,7 +676,7 @@ class TestProtocol:
             assert loaded.correction(axis, grid, DOWN).shape == (3, 4)
             assert loaded.correction(axis, np.array(5.0), DOWN).shape == ()
             assert np.array_equal(loaded.correction(axis, grid, UP).ravel(), loaded.correction(axis, grid.ravel(), UP))
-        assert loaded.cross_correction("X", "Y", grid, UP).shape == (3, 4)  # type: ignore[attr-defined]  # beyond the protocol
+        assert loaded.cross_correction("X", "Y", grid, UP).shape == (3, 4)
 
     def test_what_is_not_sure_is_listed(self) -> None:
         listed = facts(itnc({"X.COM": COM}))

@@ -249,8 +249,8 @@ class TestSums:
         # as an error the sag value turns, and only that
         turned = load(text, options={"cec_sign": "error"})
         assert at(turned, "AX1", [0, 50, 100], UP) == pytest.approx([-0.013, -0.022, -0.031], abs=EXACT)
-        # below MIN the leadscrew table is silent, the sag table holds its end (p. 248)
-        assert at(load(text), "AX1", [-10, 110], UP) == pytest.approx([0.010, 0.029], abs=EXACT)
+        # outside both tables hold their ends (p. 240, p. 248)
+        assert at(load(text), "AX1", [-10, 110], UP) == pytest.approx([0.007, 0.029], abs=EXACT)
 
     def test_nodes_are_those_of_all_own_tables(self) -> None:
         text = eec("AX1", [0, 0, 0], (-50.0, 50.0, 50.0)) + cec(0, [0, 0, 0], (0.0, 30.0, 60.0))

@@ -147,7 +147,7 @@ def test_all_faults_at_once() -> None:
     ("what", "file", "old", "new"),
     [
         ("flipped sign", "siemens-840d-sl.yaml", "    sign: error", "    sign: correction"),
-        ("other end", "siemens-840d-sl.yaml", "below: zero, above: hold", "below: hold, above: zero"),
+        ("other end", "siemens-840d-sl.yaml", "below: hold, above: hold", "below: hold, above: zero"),
         ("start and end exchanged", "siemens-840d-sl.yaml", "_COMP_MIN[{system},{axis}]={v", "_COMP_MAX[{system},{axis}]={v"),
         ("unit inch", "siemens-840d-sl.yaml", "mm, rotary: deg}\n    sign: error", "inch, rotary: deg}\n    sign: error"),
         ("first value counts", "siemens-840d-sl.yaml", 'writes: "1"\n    repeated: last', 'writes: "1"\n    repeated: first'),
@@ -189,6 +189,15 @@ def test_options_have_defaults_and_are_converted() -> None:
     assert any(line.startswith("points (default not given)") for line in describe_options(SIEMENS))
 
 
+def test_a_choice_that_is_not_built_is_refused_with_what_is_missing() -> None:
+    text = CONTENT["siemens-840d-sl.yaml"].decode()
+    old = "    choices: [absent, available]\n    not_built: {}\n"
+    assert old in text
+    definition = load_definition(text.replace(old, old.replace("{}", "{available: later}")).encode(), "mine.yaml")
+    with pytest.raises(UsageError, match="not built yet: later"):
+        resolve_options(definition, {"cec": "available"})
+
+
 @pytest.mark.parametrize(
     ("given", "says"),
     [
@@ -199,7 +208,6 @@ def test_options_have_defaults_and_are_converted() -> None:
         ({"points": "-1"}, "whole number"),
         ({"points": "nan"}, "whole number"),
         ({"cec": "perhaps"}, "absent, available"),
-        ({"cec": "available"}, "not built yet"),
         ({"cec_tables": [1, "x"]}, "whole number"),
         ({"encoder_system": 3}, "auto, 1, 2"),
         ({"reference": "0,5"}, "decimal point"),
@@ -250,9 +258,7 @@ def test_spans_of_a_section_and_of_insertions() -> None:
 
 def test_the_card_is_filled_in_with_its_evidence() -> None:
     axis = axis_of("AX1", system=2)
-    compensation = table(
-        "AX1", [-100.0, -50.0, 0.0, 50.0, 100.0], [-0.003, -0.001, 0.0, 0.002, 0.0045], backlash=0.0125, below="zero"
-    )
+    compensation = table("AX1", [-100.0, -50.0, 0.0, 50.0, 100.0], [-0.003, -0.001, 0.0, 0.002, 0.0045], backlash=0.0125)
     steps = card_steps(SIEMENS, axis, card_values(SIEMENS, axis, compensation, {}))
     text = "\n".join(step.text for step in steps)
     assert UNKNOWN not in text
@@ -270,7 +276,7 @@ def test_the_card_is_filled_in_with_its_evidence() -> None:
 
 
 def test_list_show_and_check(tmp_path: Path) -> None:
-    assert [line.split()[0] for line in list_formats()] == ["linuxcnc", "siemens-840d-sl"]
+    assert [line.split()[0] for line in list_formats()] == sorted(DEFINITIONS)
     shown = "\n".join(show_format("siemens-840d-sl"))
     for words in (
         "error, the opposite of the correction",
@@ -282,7 +288,7 @@ def test_list_show_and_check(tmp_path: Path) -> None:
         assert words in shown
     with pytest.raises(UsageError, match="linuxcnc or siemens-840d-sl"):
         show_format("siemens")
-    assert len(check_formats([])) == 2
+    assert len(check_formats([])) == len(DEFINITIONS)
     good = tmp_path / "good.yaml"
     good.write_bytes(CONTENT["linuxcnc.yaml"])
     assert len(check_formats([tmp_path])) == 1

@@ -146,13 +146,16 @@ def test_the_line_turns_about_the_reference() -> None:
 
 
 def test_an_exported_table_with_another_axis_column() -> None:
-    state = itnc(file("X.COM", COM), file("MP.TXT", MP.replace("%00010", "%00011")), axes=(axis_of("X"),))
+    state = itnc(file("X.COM", COM), file("MP.TXT", MP.replace("%00010", "%00111")), axes=(axis_of("X"),))
     assert um(state, "X", -392) == pytest.approx(0.6, abs=NM)
     assert um(state, "X", -368) == pytest.approx(2.1, abs=NM)
     assert um(state, "X", -368, MINUS) == pytest.approx(2.1 - 4, abs=NM)
     (cross,) = state.cross
     assert (cross.input, cross.output) == ("X", "Z")
     assert cross.at(np.array([-384.0, -376.0]), PLUS) == pytest.approx([-0.0003, 0.00015], abs=1e-9)
+    # the bit of Z is 0: no table acts on Z, another axis' neither; its column is there all the same
+    (off,) = itnc(file("X.COM", COM), file("MP.TXT", MP.replace("%00010", "%00011")), axes=(axis_of("X"),)).cross
+    assert (off.input, off.output, off.positive.tolist()) == ("X", "Z", [0.0] * cross.positions.size)
 
 
 def test_the_exponent_counts_tenths_of_a_micrometre() -> None:

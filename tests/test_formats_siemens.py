@@ -40,9 +40,9 @@ def test_the_manuals_sample_is_the_opposite_of_its_values() -> None:
     np.testing.assert_array_equal(axis.positive, CORRECTIONS)
     np.testing.assert_array_equal(axis.negative, CORRECTIONS)
     assert axis.kind is AxisKind.LINEAR
-    # between two points linear; below the first one 0; above the last one its value (manual p237, p240)
+    # between two points linear, outside the end values (manual p237, p240)
     assert correction(state, "AX1", -75.0, POSITIVE) == pytest.approx(-0.002, abs=1e-12)
-    assert correction(state, "AX1", -100.001, POSITIVE) == 0.0
+    assert correction(state, "AX1", -100.001, POSITIVE) == pytest.approx(-0.003, abs=1e-12)
     assert correction(state, "AX1", 999.0, NEGATIVE) == pytest.approx(0.0045, abs=1e-12)
 
 
@@ -194,7 +194,7 @@ def test_switched_on_without_the_table_is_contradictory() -> None:
         ("an implausible value", "=0.003", "=30.0", "not plausible"),
         ("unknown switch", "IS_MODULO[0,AX1]=0", "IS_MODULO[0,AX1]=2", "not known"),
         ("more points than the control has", "M17", "$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=4\nM17", "reserved"),
-        ("repeats", "IS_MODULO[0,AX1]=0", "IS_MODULO[0,AX1]=1", "endless"),
+        ("repeats with unequal ends", "IS_MODULO[0,AX1]=0", "IS_MODULO[0,AX1]=1", "two ends differ"),
         ("no values at all", SAMPLE[: SAMPLE.index("$AA_ENC_COMP_STEP")], "", "no values"),
         ("backlash cannot be read", "M17", "$MA_BACKLASH[0,AX1]=x\nM17", "cannot be read"),
         ("the end of the file inside a number", "\nM17\n", "", "cut short"),
@@ -204,7 +204,7 @@ def test_contradictory_or_unreadable_files_are_refused(what: str, old: str, new:
     assert old in SAMPLE
     with pytest.raises(InputError, match=says) as caught:
         siemens(SAMPLE.replace(old, new, 1))
-    assert "A.INI" in str(caught.value) or says == "endless"
+    assert "A.INI" in str(caught.value)
 
 
 def test_cut_anywhere_a_file_is_refused_or_complete() -> None:
@@ -258,15 +258,6 @@ def test_the_kind_of_axis_from_the_machine_data() -> None:
         siemens(text, axis_of("AX1"))
 
 
-def test_an_archive_of_a_machine_with_endless_axes_gives_the_others() -> None:
-    text = SAMPLE.replace("M17", "") + SAMPLE.replace("AX1", "AX4").replace("IS_MODULO[0,AX4]=0", "IS_MODULO[0,AX4]=1")
-    state = siemens(text)
-    assert list(state.axes) == ["AX1"]
-    assert "CW-S011" in codes(state)
-    with pytest.raises(InputError, match="endless"):
-        siemens(text, axis_of("AX4", kind=AxisKind.ROTARY))
-
-
 # Writing -----------------------------------------------------------------------------------------------------------------------
 
 WRITTEN = """%_N_AX_EEC_INI
@@ -285,13 +276,13 @@ M17
 
 
 def test_the_written_files_are_those_of_the_manual() -> None:
-    compensation = table("AX1", NODES, CORRECTIONS, backlash=0.0125, below="zero")
+    compensation = table("AX1", NODES, CORRECTIONS, backlash=0.0125)
     eec, md = write_tables(SIEMENS, [compensation], [axis_of("AX1", system=2)], {})
     assert eec.name == "AX1_EEC.INI"
     assert eec.content.decode() == WRITTEN
     assert md.name == "AX1_MD.INI"
     assert md.content.decode() == "CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.012500\nM17\n"
-    none = write_tables(SIEMENS, [table("AX1", NODES, CORRECTIONS, below="zero")], [axis_of("AX1")], {})
+    none = write_tables(SIEMENS, [table("AX1", NODES, CORRECTIONS)], [axis_of("AX1")], {})
     assert b"$MA_BACKLASH[0,AX1]=0.000000" in none[1].content  # part of the complete set, also when it is 0
 
 
@@ -300,7 +291,7 @@ def test_the_capacity_is_what_the_manual_says() -> None:
     capacity = capacity_for(SIEMENS, axis_of("AX1"), {}, state)
     assert (capacity.curves, capacity.spacing) == (1, "equidistant")
     assert (capacity.quantum, capacity.position_quantum, capacity.backlash_quantum) == (1e-6, 1e-6, 1e-6)  # mm
-    assert (capacity.below, capacity.above) == ("zero", "hold")
+    assert (capacity.below, capacity.above) == ("hold", "hold")
     assert (capacity.min_points, capacity.max_points) == (2, 26)
     assert capacity_for(SIEMENS, axis_of("AX1"), {"points": "801"}, state).max_points == 801  # what will be reserved
     assert capacity_for(SIEMENS, axis_of("AX1"), {"points": "9000"}, None).max_points == 5000
@@ -326,7 +317,7 @@ def test_the_capacity_is_what_the_manual_says() -> None:
         ("a value out of range", {"positive": [-0.003, -0.001, 0.0, 0.002, 10.5]}, {}, "outside"),
         ("backlash out of range", {"backlash": 11.0}, {}, "outside"),
         ("backlash between the steps", {"backlash": 0.0000015}, {}, "multiple"),
-        ("another end than the control's", {"below": "hold"}, {}, "below the table"),
+        ("another end than the control's", {"below": "zero"}, {}, "below the table"),
         ("not finite", {"positive": [-0.003, float("nan"), 0.0, 0.002, 0.0045]}, {}, "finite"),
         ("not ascending", {"positions": [-100, -50, 0, 0, 100]}, {}, "ascend"),
         ("values missing", {"positive": [0.0] * 4}, {}, "lengths"),
@@ -335,14 +326,14 @@ def test_the_capacity_is_what_the_manual_says() -> None:
 def test_what_the_control_cannot_hold_is_refused(
     what: str, changes: dict[str, object], options: dict[str, object], says: str
 ) -> None:
-    values: dict[str, object] = {"positions": NODES, "positive": CORRECTIONS, "below": "zero", **changes}
+    values: dict[str, object] = {"positions": NODES, "positive": CORRECTIONS, **changes}
     compensation = table("AX1", **values)  # type: ignore[arg-type]  # a table of changes
     with pytest.raises(CapacityError, match=says):
         write_tables(SIEMENS, [compensation], [axis_of("AX1")], options)
 
 
-def test_an_endless_axis_and_wrong_addresses_are_refused() -> None:
-    good = table("AX1", NODES, CORRECTIONS, below="zero", kind=AxisKind.ROTARY)
+def test_a_table_that_does_not_close_and_wrong_addresses_are_refused() -> None:
+    good = table("AX1", NODES, CORRECTIONS, kind=AxisKind.ROTARY)
     with pytest.raises(CapacityError, match="endless"):
         write_tables(SIEMENS, [good], [axis_of("AX1", kind=AxisKind.ROTARY, modulo=360.0)], {})
     with pytest.raises(CapacityError, match="kind"):
@@ -359,11 +350,11 @@ def test_a_range_bounds_the_value_in_the_file() -> None:
     assert capacity_for(definition, axis_of("AX1"), {}, None).value_range == (-10.0, 0.004)
     with pytest.raises(InputError, match="not plausible"):
         read_state(definition, files(A__INI=SAMPLE), {})  # its last error is -0.0045 mm
-    write_tables(definition, [table("AX1", [0.0, 50.0], [-0.0045, 0.0], below="zero")], [axis_of("AX1")], {})
+    write_tables(definition, [table("AX1", [0.0, 50.0], [-0.0045, 0.0])], [axis_of("AX1")], {})
     with pytest.raises(CapacityError, match="outside"):
-        write_tables(definition, [table("AX1", [0.0, 50.0], [0.0045, 0.0], below="zero")], [axis_of("AX1")], {})
+        write_tables(definition, [table("AX1", [0.0, 50.0], [0.0045, 0.0])], [axis_of("AX1")], {})
 
 
 def test_a_first_value_of_zero_makes_the_lower_end_the_same() -> None:
-    held = table("AX1", [0.0, 50.0], [0.0, 0.002], below="hold")
-    assert write_tables(SIEMENS, [held], [axis_of("AX1")], {})
+    silent = table("AX1", [0.0, 50.0], [0.0, 0.002], below="zero")
+    assert write_tables(SIEMENS, [silent], [axis_of("AX1")], {})

@@ -342,7 +342,7 @@ def test_an_inch_machine_gets_an_inch_table(tmp_path: Path) -> None:
 
 
 def test_an_archive_that_holds_other_axes_too_is_a_state(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Only the axes under work are read and written; the others are neither judged nor touched."""
+    """Only the axes under work are read and written; the others are neither judged nor touched: the archive itself is patched."""
     lines = ["CHANDATA(1)"]
     for axis, values in (("AX1", (0.0, 0.004, 0.009)), ("AX2", (0.0, -0.002, 0.001))):
         lines += [f"$AA_ENC_COMP[0,{i},{axis}]={value}" for i, value in enumerate(values)]
@@ -351,7 +351,10 @@ def test_an_archive_that_holds_other_axes_too_is_a_state(folder: Path, capsys: p
     (folder / "ARCHIVE.INI").write_text("\n".join([*lines, "M17"]) + "\n")
     assert compwright(["run", str(job(folder, states="{as_found: [ARCHIVE.INI]}"))]) == 0
     names = sorted(path.name for path in (folder / "job" / "tables" / "siemens-840d-sl").iterdir())
-    assert names == ["AX1_EEC.INI", "AX1_MD.INI"]
+    assert names == ["ARCHIVE.INI"]
+    old, new = ((place / "ARCHIVE.INI").read_text() for place in (folder, folder / "job" / "tables" / "siemens-840d-sl"))
+    assert old != new
+    assert [line for line in new.splitlines() if "AX1" not in line] == [line for line in old.splitlines() if "AX1" not in line]
     assert (folder / "job" / "rollback" / "siemens-840d-sl" / "ARCHIVE.INI").read_bytes() == (folder / "ARCHIVE.INI").read_bytes()
     capsys.readouterr()
     assert compwright(["decode", str(folder / "ARCHIVE.INI"), "--format", "siemens-840d-sl", "--axis", "AX2", "--json", "-"]) == 0

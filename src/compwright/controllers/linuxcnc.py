@@ -83,6 +83,14 @@ class LinuxCncControl:
             return np.full(x.shape, direction.sign * joint.backlash / 2.0 * joint.unit)
         return _looked_up(joint.table, x, direction) * joint.unit
 
+    def cross(self) -> tuple[tuple[str, str], ...]:
+        """Return (): no table of one joint acts on another."""
+        return ()
+
+    def cross_correction(self, input: str, output: str, positions: FloatArray, direction: Direction) -> FloatArray:  # noqa: A002, ARG002
+        """Raise UsageError: no table of one joint acts on another."""
+        raise UsageError(Fault(message=f"no table by which {input} corrects {output}: LinuxCNC has none between joints"))
+
     def _joint(self, address: str) -> _Joint:
         joint = self.joints.get(joint_number(address))
         if joint is None:

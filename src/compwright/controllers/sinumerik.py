@@ -4,9 +4,8 @@ Stated from the manuals, apart from the definition that writes the files; the sa
 
 - The leadscrew table's value is added to the actual value, so a positive value moves the axis towards minus: the shift of the
   axis is minus the value (Function Manual Extended Functions 03/2013, p. 238; 808D Function Manual 01/2017, p. 106).
-- Linear between points (p. 237). Above MAX the last value stays (p. 240). Below MIN nothing acts; this is not settled, p. 240
-  reads that the first value stays. A modulo table repeats with the period MAX - MIN (p. 242); its two end values have to be
-  equal (p. 249).
+- Linear between points (p. 237). Outside the end values stay: that of point 0 below MIN, the last one above MAX (p. 240). A
+  modulo table repeats with the period MAX - MIN (p. 242); its two end values have to be equal (p. 249).
 - MD32700 must be 1 for the table to act (p. 237); a load sequence counts by its last value.
 - MD32450 positive: the encoder leads the machine part, plain lost motion (808D ADVANCED parameter manual p. 241). Nothing in
   the direction of referencing, on reversal the whole value in the direction of motion: shift = sgn(d) * MD32450 * MD32452.
@@ -48,8 +47,7 @@ class _Axis:
         """Return how far the leadscrew table moves the axis at ``positions`` (any shape)."""
         if self.table is None or not self.enabled:
             return np.zeros(positions.shape)
-        acts = positions >= self.table.lowest if not self.table.modulo else np.full(positions.shape, fill_value=True)
-        return np.asarray(np.where(acts, 0.0 - self.table.value(positions), 0.0), dtype=np.float64)
+        return np.asarray(0.0 - self.table.value(positions), dtype=np.float64)
 
 
 @dataclass(frozen=True, slots=True)

@@ -47,6 +47,17 @@ class VirtualControl(Protocol):
         """
         ...
 
+    def cross(self) -> tuple[tuple[str, str], ...]:
+        """Return (input, output) of the tables by which one axis corrects another; empty without any."""
+        ...
+
+    def cross_correction(self, input: str, output: str, positions: FloatArray, direction: Direction) -> FloatArray:  # noqa: A002
+        """Return what is added to ``output`` with ``input`` at ``positions`` (any shape) arriving in ``direction``, mm or deg.
+
+        Raises UsageError for a pair of axes without a table.
+        """
+        ...
+
 
 _MAKERS: Mapping[str, Callable[[Sequence[ControlFile], Request], VirtualControl]] = {
     "fanuc-0i-16i": fanuc_0i_16i_control,

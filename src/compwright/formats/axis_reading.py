@@ -9,7 +9,7 @@ from decimal import Decimal
 import numpy as np
 
 from compwright.formats.consistency import grid
-from compwright.formats.gathering import Found, Gathered, same_value, the_one
+from compwright.formats.gathering import Found, Gathered, first_set, same_value, the_one
 from compwright.formats.options import ENCODER_SYSTEM, REFERENCE, REFERENCE_RETURN
 from compwright.formats.scale import Scale, in_range
 from compwright.formats.schema import Binding, Choice, Definition
@@ -43,15 +43,17 @@ class Notes:
 
 @dataclass(frozen=True, slots=True)
 class AxisReading:
-    """The compensation of one axis and further facts about it; ``endless``: its table repeats, which is not built yet."""
+    """The compensation of one axis by its own table and backlash, and further facts about it."""
 
     compensation: AxisCompensation
     facts: Mapping[str, Fact]
-    endless: bool
 
 
 class AxisReader:
-    """Reads one axis. ``rows``: the rows of its table where they are not named by axis; None where the text names them itself."""
+    """Reads one axis. ``rows``: the rows of its table where they are not named by axis; None where the text names them itself.
+
+    ``elsewhere``: other tables of the control act on the axis, so that it needs none of its own.
+    """
 
     def __init__(
         self,
@@ -61,7 +63,10 @@ class AxisReader:
         options: Mapping[str, object],
         notes: Notes,
         rows: Sequence[Found] | None,
+        *,
+        elsewhere: bool = False,
     ) -> None:
+        self.elsewhere = elsewhere
         self.definition: Definition = gathered.definition
         self.gathered = gathered
         self.address = address
@@ -86,12 +91,14 @@ class AxisReader:
         has_table = bool(self.rows) or any(self._single(name) for name in grid(self.definition) if name in self._names())
         enabled = self._enabled(has_table=has_table, max_points=max_points)
         facts["enabled"] = enabled
-        endless = has_table and enabled and self._choice("repeats") == "yes"
+        repeats = has_table and enabled and self._choice("repeats") == "yes"
+        self._check_modulo()
         table: Table | None = None
         scale = self._scale(kind, has_table=has_table)
-        if has_table and enabled and not endless and scale is not None:
+        if has_table and enabled and scale is not None:
             table = self._table(scale, max_points)
         backlash, constant = self._backlash(scale, has_table=table is not None) if scale is not None else (0.0, 0.0)
+        period = self._period(table) if repeats and table is not None else None
         if table is None:
             table = self._constant(constant)
         compensation = AxisCompensation(
@@ -104,8 +111,9 @@ class AxisReader:
             reference_return=returns,
             below=self.definition.layout.below,
             above=self.definition.layout.above,
+            period=period,
         )
-        return AxisReading(compensation, facts, endless)
+        return AxisReading(compensation, facts)
 
     def _names(self) -> set[str]:
         return set(self.definition.bindings)
@@ -269,10 +277,39 @@ class AxisReader:
                     expected="the file with the table too",
                 )
             )
-        if found is None:
+        if found is None and not self.elsewhere:
             self.notes.assume(f"{self.label}: table", "none", "unconfirmed: no file that was given holds one")
             self.notes.find("CW-S008", "warning", f"{self.label}: no file holds a table; counted as none")
         return self._word("enabled") != "no"
+
+    def _check_modulo(self) -> None:
+        """An axis that the job takes for endless must not be one with ends for the control."""
+        found = self._single("modulo", quiet=False)
+        if found is not None and self._word("modulo") == "no" and self.axis is not None and self.axis.modulo is not None:
+            self.notes.faults.append(
+                Fault(
+                    message=f"{self.label}: the job says that the axis is endless, the control's files that it is not",
+                    file=found.occurrence.file,
+                    place=found.occurrence.place,
+                    expected=f"modulo {self.axis.modulo:g}",
+                    found=found.text,
+                )
+            )
+
+    def _period(self, table: Table) -> float:
+        """Return the period of a table that repeats: it follows itself without a step only if both ends are equal."""
+        if table.positive[0] != table.positive[-1] or table.negative[0] != table.negative[-1]:
+            first, last = self.rows[0].occurrence, self.rows[-1].occurrence
+            self.notes.faults.append(
+                Fault(
+                    message=f"{self.label}: the table repeats, but its two ends differ: the axis would jump once a turn",
+                    file=first.file,
+                    place=f"{first.place} to {last.line}",
+                    expected="the same value at both ends",
+                    found=f"{table.positive[0]:g} and {table.positive[-1]:g} (corrections)",
+                )
+            )
+        return float(table.positions[-1] - table.positions[0])
 
     def _table(self, scale: Scale, max_points: Found | None) -> Table | None:
         singles = {
@@ -316,7 +353,7 @@ class AxisReader:
                 )
             )
         if scale.sign("backlash") == "lost_motion":
-            return float(value) + 0.0, 0.0
+            return float(value * self._backlash_factor()) + 0.0, 0.0
         if has_table and value != 0:
             self.notes.find(
                 "CW-S009",
@@ -324,6 +361,16 @@ class AxisReader:
                 f"{self.label}: {self._name_in_file(binding)} = {text} is ignored by the control, which has a table",
             )
         return 0.0, 0.0 if has_table else float(value) / 2.0
+
+    def _backlash_factor(self) -> Decimal:
+        """Return the factor on the backlash of the first parameter set; 1 where the files hold none."""
+        binding = self.definition.bindings.get("backlash_factor")
+        places = first_set(self.gathered.found("backlash_factor", self.address, self.system))
+        if binding is None or not places:
+            return Decimal(1)
+        label = f"{self.label}: {self._name_in_file(binding)}"
+        found = the_one(binding, places, label, self.notes.faults, self.notes.findings)
+        return Decimal(1) if found is None else Decimal(found.text)
 
     def _constant(self, half: float) -> Table:
         """Return no table, or one node (the reference) whose value holds everywhere."""

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from compwright.formats.addresses import normal_address
+from compwright.formats.cec_capacity import cec_available, with_cec
 from compwright.formats.consistency import curves, grid
 from compwright.formats.increments_capacity import increments_capacity
-from compwright.formats.options import resolve_options, settled_number
+from compwright.formats.options import axis_options, resolve_options, settled_number
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Choice, Definition, OptionValue
 from compwright.formats.user_tables_capacity import user_tables_capacity
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption, ControlState
 
@@ -46,13 +47,14 @@ def capacity_for(definition: Definition, axis: Axis, options: Mapping[str, objec
         return increments_capacity(definition, axis, resolved, state)
     if definition.layout.shape == "user_tables":
         return user_tables_capacity(definition, axis, resolved, state)
+    resolved = axis_options(definition, resolved, axis)
     address, assumption = normal_address(definition, axis)
     assumed = [assumption] if assumption is not None else []
     scale = scale_for_writing(definition, axis, resolved)
     facts = state.facts.get(address, {}) if state is not None else {}
     value, node = curves(definition)[0], grid(definition)[0]
     beside = "backlash" in definition.bindings and definition.limit("no_backlash_beside_table") is None
-    return Capacity(
+    capacity = Capacity(
         format=definition.id,
         curves=1 if definition.layout.pairing == "none" else 2,
         spacing="equidistant" if definition.layout.shape == "values_by_index" else "free",
@@ -65,8 +67,17 @@ def capacity_for(definition: Definition, axis: Axis, options: Mapping[str, objec
         max_points=_max_points(definition, axis, resolved, facts.get("max_points"), assumed),
         below=definition.layout.below,
         above=definition.layout.above,
+        period=_period(definition, axis),
         assumed=tuple(assumed),
     )
+    return with_cec(definition, axis, resolved, state, capacity) if cec_available(definition, resolved) else capacity
+
+
+def _period(definition: Definition, axis: Axis) -> float | None:
+    """Return the turn of an endless axis whose table repeats; on a linear axis modulo has no meaning."""
+    if definition.layout.shape != "values_by_index" or definition.limit("no_endless_axis") is not None:
+        return None
+    return axis.modulo if axis.kind is AxisKind.ROTARY else None
 
 
 def _max_points(

@@ -10,6 +10,8 @@ import numpy as np
 from compwright.formats.addresses import normal_address
 from compwright.formats.axis_reading import Fact
 from compwright.formats.capacity import scale_for_writing
+from compwright.formats.cec import CEC_PAIR
+from compwright.formats.consistency import has_cross
 from compwright.formats.options import axis_options, resolve_options
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Definition
@@ -20,6 +22,8 @@ from compwright.records.axis import Axis, Direction
 from compwright.records.correction import AxisCompensation, Evidence
 
 UNKNOWN = "(not known)"
+#: Among the values of a card: how many curves the table has that is written.
+CURVES = "curves"
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,11 +45,12 @@ def card_steps(definition: Definition, axis: Axis, values: Mapping[str, str]) ->
     return tuple(
         CardStep(
             title=rule.title,
-            text=print_form(rule.text, {name: known.get(name, UNKNOWN) for name in field_names(rule.text)}),
+            text=print_form(text, {name: known.get(name, UNKNOWN) for name in field_names(text)}),
             evidence=rule.evidence.state,
             source=rule.evidence.source,
         )
         for rule in definition.card
+        for text in (rule.two_curves if known.get(CURVES) == "2" else rule.text,)
     )
 
 
@@ -69,6 +74,9 @@ def card_values(
     factor = float(scale.factor(node))
     positions = compensation.positions
     values = {"points": str(positions.size), "unit": scale.unit(node), "backlash": f"{compensation.backlash / factor:.10g}"}
+    if has_cross(definition) and not np.array_equal(compensation.positive, compensation.negative):
+        values[CURVES] = "2"
+    values |= _cross_values(facts or {})
     if positions.size:
         values["start"] = f"{positions[0] / factor:.10g}"
         values["end"] = f"{positions[-1] / factor:.10g}"
@@ -92,8 +100,27 @@ def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
         "reference": f"{axis.reference:.10g}",
         "reference_return": axis.reference_return.value,
         "unit": axis.kind.unit,
+        "gantry": _gantry(axis),
         **files,
     }
+
+
+def _gantry(axis: Axis) -> str:
+    if axis.gantry is None:
+        return (
+            f"Axis {axis.name} leads no gantry as far as the job says. If it does, stop: a table on the leading axis alone "
+            "racks the bridge. Name its synchronised axis in the job (gantry), so that it gets the same table."
+        )
+    return (
+        f"Axis {axis.name} leads a gantry: do every step for the synchronised axis {axis.gantry} too, before anything moves. "
+        "A table on the leading axis alone racks the bridge."
+    )
+
+
+def _cross_values(facts: Mapping[str, Fact]) -> dict[str, str]:
+    """Return which tables between axes hold the two directions, as far as the files that were written say it."""
+    pair = str(facts.get(CEC_PAIR, "")).split()
+    return {"table_positive": pair[0], "table_negative": pair[1]} if len(pair) == 2 else {}
 
 
 def _increment_values(

@@ -6,13 +6,13 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-from compwright.formats.schema import CHOICES, PLAIN, Choice, Definition, Measure, OptionRule, OptionValue
+from compwright.formats.schema import CHOICES, CROSS, PLAIN, Choice, Definition, Measure, OptionRule, OptionValue
 from compwright.formats.statements import field_names
 from compwright.foundations.errors import Fault
 from compwright.foundations.yaml_reader import KeyPath, YamlDocument
 
 #: Quantities that stand alone, one value each.
-SINGLES = ("backlash", "slope", *CHOICES, *PLAIN)
+SINGLES = tuple(name for name in ("backlash", "slope", *CHOICES, *PLAIN) if name not in CROSS)
 #: The neutral words that the engine knows for a choice; `table_form` has its own.
 WORDS = {
     "rotary": {"linear", "rotary"},
@@ -25,6 +25,7 @@ _SIGNS = {
     "value": {"error", "correction", "actual_position"},
     "value_positive": {"error", "correction", "actual_position"},
     "value_negative": {"error", "correction", "actual_position"},
+    "cross_value": {"error", "correction"},
 }
 _NUMBERED = (
     "min_points",
@@ -51,6 +52,11 @@ def grid(definition: Definition) -> tuple[str, ...]:
     if definition.layout.shape == "section_increments":
         return ("table_spacing",)
     return ("node_position",)
+
+
+def has_cross(definition: Definition) -> bool:
+    """Return whether the control has tables by which one axis corrects another, or itself in one direction only."""
+    return any(name in definition.bindings for name in CROSS)
 
 
 def contradictions(definition: Definition) -> tuple[Fault, ...]:
@@ -99,6 +105,8 @@ def _layout(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
         if single not in SINGLES:
             yield ("layout", "singles"), f"{single} cannot stand alone; known are {', '.join(SINGLES)}"
     needed = {*grid(definition), *curves(definition), *singles}
+    if has_cross(definition):  # tables between axes come with all that they need, or not at all
+        needed |= set(CROSS)
     for name in sorted(needed - set(definition.bindings)):
         yield ("bindings",), f"the layout needs the quantity {name}"
     for name in sorted(set(definition.bindings) - needed):
@@ -147,7 +155,12 @@ def _measure(definition: Definition, binding: Measure, path: KeyPath) -> Iterato
     if isinstance(binding.linear_unit, OptionValue) and binding.linear_unit.option not in definition.options:
         yield (*path, "unit"), f"no option is called {binding.linear_unit.option}"
     allowed = _SIGNS.get(binding.quantity, {"position"})
-    signs = [binding.sign] if binding.sign is not None else list(binding.signs.values())
+    signs: list[str] = [binding.sign] if binding.sign is not None else list(binding.signs.values())
+    if binding.sign_option is not None:
+        option = definition.options.get(binding.sign_option)
+        signs = list(option.choices) if option is not None else []
+        if not signs:
+            yield (*path, "sign"), f"no option with choices is called {binding.sign_option}"
     for sign in signs:
         if sign not in allowed:
             yield (*path, "sign"), f"{sign} does not suit this quantity; it can be {', '.join(sorted(allowed))}"
@@ -188,6 +201,8 @@ def _default_suits(option: OptionRule) -> bool:
 
 
 def _limits(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    if definition.layout.shape == "rows_by_position" and definition.limit("no_patching") is None:
+        yield ("limits",), "rows by position are written afresh: this needs no_patching"
     for predicate, count in Counter(rule.predicate for rule in definition.limits).items():
         if count > 1:
             yield ("limits",), f"{predicate} is given {count} times"
@@ -200,9 +215,14 @@ def _limits(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
 
 def _writing(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
     table = definition.bindings.get(curves(definition)[0])
-    tables = [file for file in definition.writing if file.rows is not None]
+    tables = [file for file in definition.writing if file.rows is not None and file.when in ("always", "one_curve")]
     if len(tables) != 1 or (table is not None and tables[0].rows != table.statement):
         yield ("writing",), "exactly one file must hold the rows of the table"
+    for when in ("two_curves", "cross"):
+        rows = [file.rows for file in definition.writing if file.when == when and file.rows is not None]
+        wanted = [definition.bindings["cross_value"].statement] if "cross_value" in definition.bindings else []
+        if rows != wanted:
+            yield ("writing",), f"one file of the set {when} must hold the rows of tables between axes, where the control has them"
     for index, file in enumerate(definition.writing):
         path = ("writing", index)
         if file.text not in definition.texts:

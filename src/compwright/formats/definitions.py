@@ -6,6 +6,7 @@ A key that is absent is an error, never a default; an unknown key too. What the 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import cast, get_args
 
 from compwright.formats.consistency import contradictions
 from compwright.formats.schema import (
@@ -42,6 +43,7 @@ from compwright.formats.schema import (
     Sign,
     Statement,
     TextKind,
+    When,
     WrittenFile,
 )
 from compwright.formats.yaml_fields import Node
@@ -266,7 +268,8 @@ def _binding(name: str, node: Node) -> Binding | None:
 def _measure(name: str, node: Node) -> Measure:
     part = node.keys("statement", "field", "unit", "sign", "digits", "range", "repeated", "when_absent", "evidence")
     unit = part["unit"].keys("linear", "rotary")
-    sign, sign_by, signs = _sign(part["sign"])
+    option = part["sign"].data.get("option") if isinstance(part["sign"].data, dict) else None
+    sign, sign_by, signs = (None, None, {}) if option is not None else _sign(part["sign"])
     bounds = [item.number() for item in part["range"].items()]
     if part["range"].data is not None and (len(bounds) != 2 or bounds[0] >= bounds[1]):
         part["range"].fault("is not a range", expected="two numbers, the smaller one first")
@@ -284,6 +287,7 @@ def _measure(name: str, node: Node) -> Measure:
         signs=signs,
         digits=part["digits"].integer(0, 9),
         range=(bounds[0], bounds[-1]) if bounds else (0.0, 0.0),
+        sign_option=None if option is None else part["sign"].keys("option")["option"].text(),
     )
 
 
@@ -342,20 +346,28 @@ def _option(name: str, node: Node) -> OptionRule:
 
 def _written(node: Node) -> WrittenFile:
     part = node.keys("name", "text", "header", "rows", "footer", "set", "evidence")
+    belongs = part["set"].one_of(("complete", "optional", *(word for word in get_args(When) if word != "always")))
     return WrittenFile(
         name=part["name"].text(),
         text=part["text"].text(),
         header=part["header"].texts(),
         rows=part["rows"].optional_text(),
         footer=part["footer"].texts(),
-        optional=part["set"].one_of(("complete", "optional")) == "optional",
+        optional=belongs == "optional",
+        when="always" if belongs in ("complete", "optional") else cast("When", belongs),
         evidence=_evidence(part["evidence"]),
     )
 
 
 def _card(node: Node) -> CardRule:
     part = node.keys("title", "text", "evidence")
-    return CardRule(title=part["title"].text(), text=part["text"].text(), evidence=_evidence(part["evidence"]))
+    by_curves = part["text"].keys("one_curve", "two_curves") if isinstance(part["text"].data, dict) else {}
+    return CardRule(
+        title=part["title"].text(),
+        text=by_curves.get("one_curve", part["text"]).text(),
+        two_curves=by_curves.get("two_curves", part["text"]).text() if by_curves else part["text"].data or "",
+        evidence=_evidence(part["evidence"]),
+    )
 
 
 def _expectation(node: Node, sample: Mapping[str, str]) -> Expectation:

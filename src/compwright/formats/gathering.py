@@ -44,8 +44,13 @@ class Gathered:
     sections: list[str] = field(default_factory=list)
 
     def addresses(self) -> list[str]:
-        """Return the addresses that the files name, in the order of their first appearance."""
-        return list(dict.fromkeys(address for address, _ in (*self.singles, *self.rows) if address is not None))
+        """Return the addresses that the files name, in the order of their first appearance.
+
+        Where the control counts measuring systems, what is said of the axis as a whole (that it is rotary) does not name it.
+        """
+        counted = any("system" in statement.fields for statement in self.definition.statements.values())
+        keys = (key for key in (*self.singles, *self.rows) if key[1] is not None or not counted)
+        return list(dict.fromkeys(address for address, _ in keys if address is not None))
 
     def systems(self, address: str) -> list[str]:
         """Return the measuring systems that the files name for an address, in order."""
@@ -124,6 +129,11 @@ def the_one(binding: Binding, places: Sequence[Found], label: str, faults: list[
             )
         )
     return chosen[0]
+
+
+def first_set(places: Sequence[Found]) -> list[Found]:
+    """Return the places of the first parameter set (0), where a quantity has several."""
+    return [place for place in places if "set" not in place.occurrence.tokens or int(place.occurrence.tokens["set"].text) == 0]
 
 
 def same_value(one: str, other: str) -> bool:

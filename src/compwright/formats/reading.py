@@ -11,16 +11,19 @@ from collections.abc import Mapping, Sequence
 
 from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.axis_reading import AxisReader, Fact, Notes
+from compwright.formats.cec import check_sums, cross_tables, read_cec, with_own_tables
 from compwright.formats.consistency import curves
+from compwright.formats.gantry import find_partners, partner_of
 from compwright.formats.gathering import Found, Gathered, gather
-from compwright.formats.options import REFERENCE, REFERENCE_RETURN, resolve_options
-from compwright.formats.schema import Definition
+from compwright.formats.options import REFERENCE, REFERENCE_RETURN, axis_options, resolve_options
+from compwright.formats.schema import Choice, Definition
 from compwright.formats.section_increments import read_increments
 from compwright.formats.statements import field_matches
+from compwright.formats.tables import SAME_TURN
 from compwright.formats.texts import ReadText, TextReader
 from compwright.formats.user_tables import read_user_tables
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 
 
@@ -52,16 +55,22 @@ class _StateReader:
         self.options = options
         self.notes = Notes()
         self.wanted: dict[str, Axis | None] = {}
+        self.partners: dict[str, str] = {}
         if address is not None:
             self.wanted[normal_text(definition, address)] = None
         for axis in axes:
             name, assumption = normal_address(definition, axis)
             self.wanted[name] = axis
+            if axis.gantry is not None:
+                self.partners[name] = normal_text(definition, axis.gantry)
             if assumption is not None:
                 self.notes.assumed.append(assumption)
                 self.notes.find(
                     "CW-S010", "warning", f"axis {axis.name} is taken as {name} of the control: check it, or give its address"
                 )
+        for leading, partner in self.partners.items():
+            leader = self.wanted[leading]
+            self.wanted.setdefault(partner, None if leader is None else partner_of(leader, partner))
         self.used_files: set[int] = set()
 
     def read(self, files: Sequence[ControlFile]) -> ControlState:
@@ -69,8 +78,10 @@ class _StateReader:
         gathered = gather(self.definition, texts)
         for text in texts:
             self.notes.findings.extend(text.findings)
-        named = self._named(gathered, texts, reader)
-        if not self.wanted and not named:
+        cec = read_cec(gathered, self.options, self.notes, self.wanted)
+        check_sums(cec, self.notes)
+        named = list(dict.fromkeys((*self._named(gathered, texts, reader), *cec.own_axes())))
+        if not self.wanted and not named and not cec.tables:
             template = next(file.name for file in self.definition.writing if file.rows is not None)
             self.notes.faults.append(
                 Fault(
@@ -93,17 +104,21 @@ class _StateReader:
                 )
                 continue
             rows = self._rows(gathered, texts, address, spoken_of=address in self._spoken_of(gathered, reader))
-            reading = AxisReader(gathered, address, axis, self.options, self.notes, rows).read()
-            if reading.endless:
-                self._endless(address, asked=address in self.wanted or len(named) == 1)
-                continue
-            compensations[address] = reading.compensation
-            facts[address] = reading.facts
+            elsewhere = bool(cec.acting((address, address)))
+            options = axis_options(self.definition, self.options, axis)
+            reading = AxisReader(gathered, address, axis, options, self.notes, rows, elsewhere=elsewhere).read()
+            compensations[address] = with_own_tables(cec, reading.compensation)
+            facts[address] = {**reading.facts, **cec.facts(address)}
+            if axis is not None:
+                self._check_turn(axis, compensations[address])
+        cross = cross_tables(cec, lambda name: self._kind(name, gathered))
         raise_all(InputError, self.notes.faults)
+        find_partners(gathered, self.partners, compensations, self.notes, asked=bool(self.wanted))
         self._after(texts)
         return ControlState(
             format=self.definition.id,
             axes=compensations,
+            cross=cross,
             facts=facts,
             assumed=tuple(self.notes.assumed),
             findings=tuple(dict.fromkeys(self.notes.findings)),
@@ -204,18 +219,41 @@ class _StateReader:
             )
         return rows
 
-    def _endless(self, address: str, *, asked: bool) -> None:
-        if asked:
-            self.notes.faults.append(
-                Fault(
-                    message=f"axis {address}: a table that repeats (endless rotary axis) is not built yet",
-                    expected="an axis with ends",
+    def _check_turn(self, axis: Axis, compensation: AxisCompensation) -> None:
+        """The job and the control's files must mean the same turn; a table that does not fit the job's axis is told."""
+        for table in (compensation, *compensation.others):
+            if table.positions.size == 0:
+                continue
+            if axis.modulo is None and table.period is not None:
+                self.notes.find(
+                    "CW-S033",
+                    "warning",
+                    f"axis {table.address}: its table repeats every {table.period:g}, but the job gives no modulo; "
+                    "a new table will have ends",
                 )
-            )
-        else:
-            self.notes.find(
-                "CW-S011", "warning", f"axis {address} is left out: a table that repeats (endless rotary axis) is not built yet"
-            )
+            elif axis.modulo is not None and table.period is None:
+                self.notes.find(
+                    "CW-S033", "warning", f"axis {table.address} is endless, but its table does not repeat: it ends at both sides"
+                )
+            elif axis.modulo is not None and table.period is not None and abs(table.period - axis.modulo) > SAME_TURN:
+                self.notes.faults.append(
+                    Fault(
+                        message=f"axis {table.address}: the period of its table is not the modulo of the job",
+                        expected=f"{axis.modulo:g}",
+                        found=f"{table.period:g}",
+                    )
+                )
+
+    def _kind(self, address: str, gathered: Gathered) -> AxisKind:
+        """Return the kind of an axis of a table between axes: the job's, the files', else linear, which changes units only."""
+        axis = self.wanted.get(address)
+        if axis is not None:
+            return axis.kind
+        binding = self.definition.bindings.get("rotary")
+        places = gathered.singles.get((address, None), {}).get("rotary", [])
+        if not isinstance(binding, Choice) or not places:
+            return AxisKind.LINEAR
+        return AxisKind(binding.values.get(places[-1].text, "linear"))
 
     def _after(self, texts: Sequence[ReadText]) -> None:
         """Note what concerns the files as a whole."""

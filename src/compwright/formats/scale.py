@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from decimal import Decimal
+from typing import cast
 
 from compwright.formats.options import DETECTION_UNIT
 from compwright.formats.schema import Definition, Measure, OptionValue, Sign
@@ -67,6 +68,8 @@ class Scale:
     def sign(self, quantity: str) -> Sign:
         """Return what the number in the text is."""
         binding = self.definition.measure(quantity)
+        if binding.sign_option is not None:
+            return cast("Sign", self.options[binding.sign_option])
         if binding.sign_by is not None:
             return binding.signs[self.choices[binding.sign_by]]
         return binding.sign if binding.sign is not None else "position"

@@ -23,6 +23,11 @@ MEASURES = (
     "table_spacing",
     "backlash",
     "slope",
+    "cross_value",
+    "cross_start",
+    "cross_end",
+    "cross_spacing",
+    "cross_max_sum",
 )
 CHOICES = (
     "repeats",
@@ -34,6 +39,11 @@ CHOICES = (
     "diameter",
     "absolute_encoder",
     "separate_rapid",
+    "modulo",
+    "cross_repeats",
+    "cross_table_enabled",
+    "cross_axis_enabled",
+    "cross_metric",
 )
 PLAIN = (
     "max_points",
@@ -46,11 +56,20 @@ PLAIN = (
     "negative_first",
     "negative_offset",
     "backlash_rapid",
+    "backlash_factor",
     "axis_name",
     "reference_coordinate",
     "limit_low",
     "limit_high",
+    "cross_input",
+    "cross_output",
+    "cross_direction",
+    "cross_multiplier",
+    "cross_weight",
+    "cross_max_points",
 )
+#: What a control has or has not as a whole: tables by which one axis corrects another, or itself in one direction only.
+CROSS = tuple(name for name in (*MEASURES, *CHOICES, *PLAIN) if name.startswith("cross_"))
 
 AddressType = Literal["integer", "name"]
 Case = Literal["ignored", "kept"]
@@ -69,11 +88,14 @@ Predicate = Literal[
     "line_length_read",
     "no_backlash_beside_table",
     "no_endless_axis",
+    "no_patching",
     "max_number",
     "max_magnification",
     "feed_per_spacing",
     "spacing_per_step",
 ]
+#: When a file belongs to the set: always, with one table for both directions, with one for each, for tables between two axes.
+When = Literal["always", "one_curve", "two_curves", "cross"]
 OptionType = Literal["integer", "number", "choice", "text", "integers"]
 
 
@@ -181,7 +203,10 @@ class Binding:
 
 @dataclass(frozen=True, slots=True)
 class Measure(Binding):
-    """A length or an angle. ``sign`` may depend on a choice; ``range`` bounds position, correction or backlash in ``unit``."""
+    """A length or an angle. ``sign`` may depend on a choice; ``range`` bounds position, correction or backlash in ``unit``.
+
+    ``sign_option``: the option whose value is the sign, where nothing in the files says it.
+    """
 
     linear_unit: str | OptionValue
     rotary_unit: str
@@ -190,6 +215,7 @@ class Measure(Binding):
     signs: Mapping[str, Sign]
     digits: int
     range: tuple[float, float]
+    sign_option: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -245,7 +271,7 @@ class OptionRule:
 class WrittenFile:
     """One file of the complete set: its name, the lines around the table, the statement of a table row (None: no table).
 
-    ``optional``: no part of the set but a second form of the same values, on request.
+    ``optional``: no part of the set but a second form of the same values, on request. ``when``: the tables that it is for.
     """
 
     name: str
@@ -254,15 +280,17 @@ class WrittenFile:
     rows: str | None
     footer: tuple[str, ...]
     optional: bool
+    when: When
     evidence: EvidenceNote
 
 
 @dataclass(frozen=True, slots=True)
 class CardRule:
-    """One step of the commissioning card, with ``{name}`` fields."""
+    """One step of the commissioning card, with ``{name}`` fields. ``two_curves``: its text where each direction has its table."""
 
     title: str
     text: str
+    two_curves: str
     evidence: EvidenceNote
 
 

@@ -19,6 +19,8 @@ from compwright.records.correction import AxisCompensation
 
 #: How far (MAX - MIN) / STEP may be from a whole number when a file is read.
 WHOLE_STEPS = Decimal("1e-6")
+#: How far period and modulo of an endless axis may be apart, deg: less than any control resolves.
+SAME_TURN = 1e-6
 
 
 @dataclass(slots=True)
@@ -116,6 +118,9 @@ def _read_by_index(definition: Definition, source: TableSource, scale: Scale) ->
     grid = {name: source.singles.get(name) for name in ("table_start", "table_end", "table_spacing")}
     if not source.rows and not any(grid.values()):
         return None
+    if is_blank(definition, source):
+        source.findings.append(Finding("CW-S032", "info", f"{source.label}: values and grid are all zero, which means no table"))
+        return None
     forms = {name: definition.statements[definition.bindings[name].statement].form for name in grid}
     missing = [forms[name] for name, found in grid.items() if found is None]
     if missing:
@@ -144,6 +149,14 @@ def _read_by_index(definition: Definition, source: TableSource, scale: Scale) ->
     pairs = [_read_values(definition, values[index], scale, source, positions[index]) for index in range(steps + 1)]
     whole = [pair for pair in pairs if pair is not None]
     return _table(positions, whole) if len(whole) == len(pairs) else None
+
+
+def is_blank(definition: Definition, source: TableSource) -> bool:
+    """Return whether everything that was found is zero, the grid too: memory that nobody has written."""
+    fields = [definition.bindings[quantity].field for quantity in curves(definition)]
+    values = [row.occurrence.tokens[name].text for row in source.rows for name in fields]
+    grid = [found.text for found in source.singles.values()]
+    return bool(grid) and all(Decimal(text) == 0 for text in (*values, *grid))
 
 
 def _indexed(definition: Definition, source: TableSource) -> dict[int, Found] | None:

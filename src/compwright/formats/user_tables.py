@@ -102,6 +102,9 @@ class _StateReader:
                 if positions is None or values is None:
                     continue
                 nodes, curve, period = self.values.turned(moving, np.array([float(one) for one in positions]), values, table.file)
+                bits = self.sources.given.get((output, "enabled"), [])
+                if bits and bits[0].text == "0":  # no table acts on this axis; the column is there all the same
+                    curve = np.zeros(nodes.size)
                 found.append(
                     CrossCompensation(
                         input=moving,

@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from compwright.formats.addresses import normal_address, normal_text
-from compwright.formats.capacity import capacity_for, scale_for_writing, written_text
+from compwright.formats.capacity import capacity_for
+from compwright.formats.consistency import has_cross
+from compwright.formats.gantry import partner_of
 from compwright.formats.increments_writing import write_increments
-from compwright.formats.options import resolve_options
-from compwright.formats.patching import Change, apply_changes, set_field
-from compwright.formats.scale import NotHeld, Scale
-from compwright.formats.schema import Choice, Definition, WrittenFile
-from compwright.formats.statements import Occurrence, print_form
-from compwright.formats.tables import WrittenTable, write_table
-from compwright.formats.texts import TextReader
+from compwright.formats.options import axis_options, resolve_options
+from compwright.formats.schema import Definition
+from compwright.formats.table_writing import AxisTable, holds_two_curves, write_table_files
+from compwright.formats.tables import SAME_TURN
 from compwright.formats.user_tables import read_user_tables
 from compwright.formats.user_tables_capacity import broken_limits
 from compwright.formats.user_tables_writing import write_user_tables
-from compwright.foundations.errors import CapacityError, Fault, InputError, UsageError, raise_all
+from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis
+from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 
 
@@ -43,6 +44,8 @@ def write_tables(
     pairs = _pairs(definition, compensations, axes)
     if definition.layout.shape == "user_tables" and files:  # what they hold is the limit, whatever was known before
         state = read_user_tables(definition, files, options, [axis for _, axis, _ in pairs])
+    if definition.layout.shape in ("values_by_index", "rows_by_position"):
+        pairs = _with_partners(definition, pairs)
     faults = [fault for _, axis, compensation in pairs for fault in check_limits(definition, axis, compensation, resolved, state)]
     sound = [pair for pair in pairs if pair[2].positions.size >= 2 and not _unsound(pair[2])]
     if definition.layout.shape == "section_increments":
@@ -51,21 +54,19 @@ def write_tables(
     if definition.layout.shape == "user_tables":
         raise_all(CapacityError, list(dict.fromkeys(faults)))
         return write_user_tables(definition, pairs, resolved, files)
-    written: list[ControlFile] = []
-    for address, axis, compensation in sound:
-        scale = scale_for_writing(definition, axis, resolved)
-        inexact: list[Fault] = []
-        table = write_table(definition, compensation, scale, inexact)
-        written.extend(_file(definition, file, address, axis, compensation, table, scale, inexact) for file in definition.writing)
-        faults.extend(_first_few(inexact, address))
+    written = write_table_files(definition, sound, resolved, state, files, faults)
     raise_all(CapacityError, list(dict.fromkeys(faults)))
-    return tuple(written)
+    return written
 
 
-def _first_few(faults: list[Fault], address: str) -> list[Fault]:
-    """One wrong rounding spoils every row: three of them say it."""
-    rest = len(faults) - 3
-    return faults if rest <= 0 else [*faults[:3], Fault(message=f"axis {address}: {rest} more values like these")]
+def _with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[AxisTable]:
+    """Return the tables with those of gantry partners, which are the same: on one axis alone a table racks the bridge."""
+    result = {address: (address, axis, compensation) for address, axis, compensation in pairs}
+    for _, axis, compensation in pairs:
+        if axis.gantry is not None:
+            partner = normal_text(definition, axis.gantry)
+            result.setdefault(partner, (partner, partner_of(axis, partner), replace(compensation, address=partner)))
+    return list(result.values())
 
 
 def _pairs(
@@ -114,34 +115,70 @@ def check_limits(
     unsound = _unsound(compensation)
     if unsound:
         return (Fault(message=f"{label}: {unsound}"),)
-    capacity = capacity_for(definition, axis, options, state)
-    faults: list[Fault] = []
-
-    def fault(message: str, expected: str, found: object) -> None:
-        faults.append(Fault(message=f"{label}: {message}", expected=expected, found=str(found)))
-
-    count = compensation.positions.size
-    hard = definition.limit_number("max_points")
-    most = min((limit for limit in (capacity.max_points, hard) if limit is not None), default=None)
-    if count < capacity.min_points:
-        fault("too few points", f"at least {capacity.min_points}", count)
-    if most is not None and count > most:
-        fault("too many points; a wider spacing would help", f"at most {most}", count)
-    if capacity.curves == 1 and not np.array_equal(compensation.positive, compensation.negative):
-        fault(
-            "the control holds one curve for both directions; put the reversal into the backlash",
-            "one curve",
-            "two different curves",
-        )
-    if capacity.backlash_quantum is None and compensation.backlash != 0:
-        fault("the control has no backlash value beside the table; put it into the two curves", "0", f"{compensation.backlash:g}")
+    options = axis_options(definition, resolve_options(definition, options, state), axis)
+    if has_cross(definition) and not holds_two_curves(definition, options, compensation):
+        options = {**options, "cec": "absent"}  # one table and backlash are the better home for one curve
+    try:
+        capacity = capacity_for(definition, replace(axis, options={}), options, state)
+    except CapacityError as error:
+        return error.faults
+    faults = [*_size(definition, capacity, compensation, label), *_curves(capacity, compensation, label)]
     if axis.modulo is not None and definition.limit("no_endless_axis") is not None:
-        fault("tables that repeat (endless rotary axis) are not built yet", "an axis with ends", f"modulo {axis.modulo:g}")
+        faults.append(
+            Fault(
+                message=f"{label}: tables that repeat (endless rotary axis) are not built yet",
+                expected="an axis with ends",
+                found=f"modulo {axis.modulo:g}",
+            )
+        )
+    elif definition.layout.shape == "values_by_index":
+        faults.extend(_turn(capacity, compensation, label))
     if compensation.kind is not axis.kind:
-        fault("the table and the axis differ in kind", axis.kind, compensation.kind)
+        faults.append(Fault(message=f"{label}: the table and the axis differ in kind", expected=axis.kind, found=compensation.kind))
     if definition.layout.shape == "user_tables":
         faults.extend(broken_limits(definition, axis, compensation, capacity))
     return (*faults, *_ends(definition, compensation, label))
+
+
+def _size(definition: Definition, capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
+    count = compensation.positions.size
+    hard = definition.limit_number("max_points")
+    most = min((limit for limit in (capacity.max_points, hard) if limit is not None), default=None)
+    faults = []
+    if count < capacity.min_points:
+        faults.append(Fault(message=f"{label}: too few points", expected=f"at least {capacity.min_points}", found=str(count)))
+    if most is not None and count > most:
+        message = f"{label}: too many points; a wider spacing would help"
+        faults.append(Fault(message=message, expected=f"at most {most}", found=str(count)))
+    return faults
+
+
+def _curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
+    faults = []
+    if capacity.curves == 1 and not np.array_equal(compensation.positive, compensation.negative):
+        message = f"{label}: the control holds one curve for both directions; put the reversal into the backlash"
+        faults.append(Fault(message=message, expected="one curve", found="two different curves"))
+    if capacity.backlash_quantum is None and compensation.backlash != 0:
+        message = f"{label}: the control has no backlash value beside the table; put it into the two curves"
+        faults.append(Fault(message=message, expected="0", found=f"{compensation.backlash:g}"))
+    return faults
+
+
+def _turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
+    """The table of an endless axis spans one turn and closes; another one does not repeat."""
+    period = capacity.period
+    if period is None:
+        if compensation.period is None:
+            return []
+        return [Fault(message=f"{label}: the table repeats, the axis does not", expected="an axis with modulo")]
+    span = float(compensation.positions[-1] - compensation.positions[0]) if compensation.positions.size else 0.0
+    faults = []
+    if compensation.period is None or abs(compensation.period - period) > SAME_TURN or abs(span - period) > SAME_TURN:
+        expected = f"a table that repeats, from end to end {period:g}"
+        faults.append(Fault(message=f"{label}: the axis is endless, its table not", expected=expected, found=f"{span:g}"))
+    if span and any(curve[0] != curve[-1] for curve in (compensation.positive, compensation.negative)):
+        faults.append(Fault(message=f"{label}: the table of an endless axis must have the same value at both ends"))
+    return faults
 
 
 def _ends(definition: Definition, compensation: AxisCompensation, label: str) -> list[Fault]:
@@ -163,72 +200,3 @@ def _ends(definition: Definition, compensation: AxisCompensation, label: str) ->
                 )
             )
     return faults
-
-
-def _file(
-    definition: Definition,
-    file: WrittenFile,
-    address: str,
-    axis: Axis,
-    compensation: AxisCompensation,
-    table: WrittenTable,
-    scale: Scale,
-    faults: list[Fault],
-) -> ControlFile:
-    """Return one file: the skeleton of the definition with its single values set and the rows put in."""
-    named = {"axis": address, "system": str(axis.encoder.system - 1)}
-    newline = definition.dialect.newline
-    header = "".join(print_form(line, named) + newline for line in file.header)
-    footer = "".join(print_form(line, named) + newline for line in file.footer)
-    name = print_form(file.name, named)
-    skeleton = (header + footer).encode("ascii")
-    changes: list[Change] = []
-    if file.rows is not None:
-        form = definition.statements[file.rows].form
-        rows = [print_form(form, {**named, **row}) for row in table.rows]
-        changes.append(Change(len(header), len(header), "".join(row + newline for row in rows).encode("ascii")))
-        _check_lines(definition, name, rows, faults)
-    texts = _singles(definition, compensation, table, scale, named, faults)
-    for place in _statements(definition, ControlFile(name, skeleton)):
-        for quantity, text in texts.items():
-            binding = definition.bindings[quantity]
-            if binding.statement == place.statement:
-                changes.extend(set_field(place, binding.field, text))
-    return ControlFile(name, apply_changes(skeleton, changes))
-
-
-def _singles(
-    definition: Definition,
-    compensation: AxisCompensation,
-    table: WrittenTable,
-    scale: Scale,
-    named: Mapping[str, str],
-    faults: list[Fault],
-) -> dict[str, str]:
-    texts = dict(table.singles)
-    for quantity, binding in definition.bindings.items():
-        if isinstance(binding, Choice) and quantity in definition.layout.singles:
-            texts[quantity] = written_text(binding, scale.options)
-    if "table_file" in definition.bindings:
-        texts["table_file"] = next(print_form(file.name, named) for file in definition.writing if file.rows is not None)
-    if "backlash" in definition.bindings and definition.limit("no_backlash_beside_table") is None:
-        try:
-            texts["backlash"] = scale.write("backlash", compensation.backlash)
-        except NotHeld as error:
-            faults.append(Fault(message=f"axis {compensation.address}, backlash: {error}"))
-    return texts
-
-
-def _statements(definition: Definition, skeleton: ControlFile) -> tuple[Occurrence, ...]:
-    """Return the places of the single values in a skeleton."""
-    faults: list[Fault] = []
-    read = TextReader(definition).read(skeleton, faults)
-    raise_all(InputError, faults)
-    return () if read is None else read.occurrences
-
-
-def _check_lines(definition: Definition, name: str, rows: Sequence[str], faults: list[Fault]) -> None:
-    longest = definition.limit_number("line_length")
-    worst = max((len(row) for row in rows), default=0)
-    if longest is not None and worst > longest:
-        faults.append(Fault(message="a line is too long", file=name, expected=f"at most {longest} characters", found=str(worst)))

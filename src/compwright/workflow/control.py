@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from compwright.controllers.virtual import VirtualControl, virtual_control
-from compwright.formats.addresses import normal_address
+from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.definitions import definitions_from
 from compwright.formats.options import resolve_options
 from compwright.formats.reading import read_state
@@ -22,12 +22,15 @@ from compwright.formats.schema import Definition
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, Direction, FloatArray
-from compwright.records.correction import Assumption, ControlFile, ControlState
+from compwright.records.correction import Assumption, ControlFile, ControlState, CrossCompensation
 from compwright.records.job import AxisJob, Job
 
 #: Largest difference of the two readers, mm or deg: a control that keeps single precision rounds 1 mm to 6e-8 mm.
 AGREEMENT = 2e-7
-
+#: Positions of tables of which only one reader knows, mm or deg: every 5 mm of the longest machines.
+EVERYWHERE = np.linspace(-5000.0, 5000.0, 2001)
+#: The finding of a table that was left out, because nobody asked for its axis.
+LEFT_OUT = "CW-S011"
 
 #: Options of decode that the axes of a job say themselves, and that the reading of files without a job lists itself.
 _SAID_ELSEWHERE = frozenset({"reference", "reference_return"})
@@ -94,10 +97,16 @@ class Control:
         settled = {name for name, option in self.definition.options.items() if option.settled_by in answered}
         said = set(self.given) | settled | _SAID_ELSEWHERE
         return tuple(
-            Assumption(f"option {name}", _shown(value), "default of the definition")
+            Assumption(f"option {name}", _shown(value), self._default_evidence(name))
             for name, value in self.options.items()
             if name not in said
         )
+
+    def _default_evidence(self, name: str) -> str:
+        rule = self.definition.options.get(name)
+        if rule is None or rule.evidence.state != "unconfirmed":
+            return "default of the definition"
+        return f"default of the definition; {rule.evidence}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,6 +162,7 @@ def named_axes(job: Job, control: Control) -> tuple[Job, tuple[Assumption, ...]]
     for name, entry in job.axes.items():
         try:
             address, assumption = normal_address(control.definition, entry.axis)
+            gantry = None if entry.axis.gantry is None else normal_text(control.definition, entry.axis.gantry)
         except UsageError as error:
             faults.extend(fault.within(f"axes.{name}.address").in_file(job.file) for fault in error.faults)
             continue
@@ -162,7 +172,7 @@ def named_axes(job: Job, control: Control) -> tuple[Job, tuple[Assumption, ...]]
                 Fault(message=f"axes {taken} and {name} have one address", file=job.file, place=f"axes.{name}", found=address)
             )
         assumed.extend([assumption] if assumption else [])
-        axes[name] = replace(entry, axis=replace(entry.axis, address=address))
+        axes[name] = replace(entry, axis=replace(entry.axis, address=address, gantry=gantry))
     raise_all(UsageError, faults)
     return replace(job, axes=axes), tuple(assumed)
 
@@ -202,16 +212,17 @@ def decode(
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
     state = read_state(control.definition, files, control.options, axes, address=address)
+    named = [(each, axis) for axis in axes for each in (axis.address, axis.gantry) if each is not None]
     alone = address or (axes[0].address if len(axes) == 1 else None)
     judge = virtual_control(
         control.id,
         files,
         reference_return={address: axis.reference_return for address, axis in state.axes.items()},
         kinds={address: axis.kind for address, axis in state.axes.items()},
-        encoder={axis.address: axis.encoder.system for axis in axes},
-        modulo={axis.address: axis.modulo for axis in axes if axis.modulo is not None},
-        reference={axis.address: axis.reference for axis in axes},
-        axis_options={axis.address: axis.options for axis in axes},
+        encoder={address: axis.encoder.system for address, axis in named},
+        modulo={address: axis.modulo for address, axis in named if axis.modulo is not None},
+        reference={address: axis.reference for address, axis in named},
+        axis_options={address: axis.options for address, axis in named},
         options={**control.options, **({"axis": alone} if alone is not None else {})},
     )
     raise_all(CompwrightError, _disagreements(state, judge))
@@ -248,6 +259,41 @@ def _disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
                         message="the two readers of compwright do not agree on these files; please report this",
                         place=f"axis {address}, position {where[worst]:g}, direction {direction.value}",
                         found=f"a difference of {difference[worst]:.3g} {axis.kind.unit}",
+                    )
+                )
+    return [*faults, *_cross_disagreements(state, judge)]
+
+
+def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
+    """Hold the tables between axes against each other; several of one pair add up."""
+    mine: dict[tuple[str, str], list[CrossCompensation]] = {}
+    for entry in state.cross:
+        mine.setdefault((entry.input, entry.output), []).append(entry)
+    theirs = {(base.casefold(), corrected.casefold()): (base, corrected) for base, corrected in judge.cross()}
+    seen = {(base.casefold(), corrected.casefold()) for base, corrected in mine}
+    faults = [
+        Fault(
+            message="the two readers of compwright find different tables between axes in these files; please report this",
+            place=" on ".join(pair),
+        )
+        for pair in sorted(seen - set(theirs))
+    ]
+    if not any(finding.code == LEFT_OUT for finding in state.findings):  # what the judge alone sees must be switched off
+        mine.update({pair: [] for key, pair in theirs.items() if key not in seen})
+    for (base, corrected), entries in mine.items():
+        if (base.casefold(), corrected.casefold()) not in theirs:
+            continue
+        where = np.concatenate([EVERYWHERE, *(probe_positions(entry.positions) for entry in entries)])
+        for direction in Direction:
+            total = np.sum([entry.at(where, direction) for entry in entries], axis=0) + np.zeros(where.size)
+            difference = np.abs(total - judge.cross_correction(base, corrected, where, direction))
+            if not np.all(difference <= AGREEMENT):
+                worst = int(np.argmax(difference))
+                faults.append(
+                    Fault(
+                        message="the two readers of compwright do not agree on a table between axes; please report this",
+                        place=f"{base} on {corrected}, position {where[worst]:g}, direction {direction.value}",
+                        found=f"a difference of {difference[worst]:.3g} mm or deg",
                     )
                 )
     return faults
