@@ -18,7 +18,10 @@ from compwright.foundations.processors import use_one_thread
 
 P = ParamSpec("P")
 
-_STANDARDS = "iso230-2:1988, iso230-2:1997, iso230-2:2006, iso230-2:2014 (default), gost27843:2006, vdi3441"
+_STANDARDS = (
+    "iso230-2:1988, iso230-2:1997, iso230-2:2006, iso230-2:2014 (default), gost27843:2006, vdi3441;"
+    " circular: iso230-4:1996, iso230-4:2005 (default)"
+)
 #: A file of the wrong kind is wrong in every line: nobody reads more than these.
 _MOST_ERRORS = 25
 
@@ -165,7 +168,7 @@ def compwright() -> None:
 
 @compwright.command()
 @click.argument("paths", nargs=-1, required=True, metavar="FILE|FOLDER...", type=_PATH)
-@click.option("--standard", "standards", multiple=True, metavar="ID", help=f"Standard to evaluate to: {_STANDARDS}.")
+@click.option("--standard", "standards", multiple=True, metavar="ID", help=f"One per kind of test: {_STANDARDS}.")
 @click.option(
     "--spread", type=click.Choice(["std", "range"]), default="std", help="How s is estimated (range: 1988 and GOST only)."
 )
@@ -183,7 +186,7 @@ def evaluate(
     json_path: Path | None,
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
-    """Evaluate positioning tests to a standard."""
+    """Evaluate positioning and circular tests to a standard."""
     from compwright.workflow.evaluate import evaluate_files, evaluation_renderables, write_evaluation
 
     outcome = evaluate_files(paths, standards, spread)

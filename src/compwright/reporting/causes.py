@@ -47,10 +47,11 @@ _PARTS: Final = {"at_positive": "at {axis}+", "at_negative": "at {axis}−"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cause:
-    """One cause: ``value`` and ``error`` (one standard error) in ``unit``; ``effect`` µm peak to peak; ``share`` of all, 0 to 1.
+    """One cause: ``value`` and ``error`` (one standard error, NaN if unknown) in ``unit``, ``effect`` peak to peak and ``share``.
 
-    ``parts`` are its details (each end of a lost motion, the scale errors beside their mismatch), which count in it. ``plain`` and
-    ``printed`` are the same quantity by the plain regression and by the instrument's software; None where there is none.
+    ``effect`` in µm, ``share`` of all effects from 0 to 1. ``parts`` are its details (each end of a lost motion, the scale errors
+    beside their mismatch), which count in it. ``plain`` and ``printed`` are the same quantity by the plain regression and by the
+    instrument's software; None where there is none.
     ``doubtful``: the instrument's software itself says that it is not valid.
     """
 
@@ -97,8 +98,10 @@ class Cause:
         """Return the effects, µm, at the ends of the 95 % interval of the value, never below zero.
 
         An effect is taken as proportional to its value, which holds for all causes but cyclic errors of both directions, where
-        it is close. A value of zero has no proportion: then both are the effect.
+        it is close. A value of zero has no proportion: then both are the effect. Without a standard error nothing is bounded.
         """
+        if math.isnan(self.error):
+            return 0.0, math.inf
         if not self.value:
             return self.effect, self.effect
         scale = self.effect / abs(self.value)
@@ -130,7 +133,7 @@ def _cause(name: str, result: Mapping[str, Any]) -> Cause:
         name=name,
         words=_words(name, result.get("axes") or ("first", "second")),
         value=_finite(entry.get("value")),
-        error=_finite(entry.get("std_error")),
+        error=_finite(entry.get("std_error"), math.nan),
         unit=str(entry.get("unit", "um")),
         effect=_finite(entry.get("effect")),
         share=_finite(entry.get("share")),
@@ -142,8 +145,8 @@ def _cause(name: str, result: Mapping[str, Any]) -> Cause:
     )
 
 
-def _finite(value: object) -> float:
-    return float(value) if isinstance(value, int | float) and math.isfinite(value) else 0.0
+def _finite(value: object, otherwise: float = 0.0) -> float:
+    return float(value) if isinstance(value, int | float) and math.isfinite(value) else otherwise
 
 
 def _split(name: str) -> tuple[str, str, str]:

@@ -33,7 +33,7 @@ from compwright.reporting.panels import (
     title_of,
     zero_line,
 )
-from compwright.reporting.polar import TEST_HEIGHT, draw_test, require_runs
+from compwright.reporting.polar import TEST_HEIGHT, draw_test
 
 _ROW_HEIGHT = 2.9  # inches, of one positioning result
 _MOST_MARKED = 150  # nodes of a table that markers can still tell apart
@@ -57,17 +57,15 @@ def positioning_plot(result: Document, *, format: str = "svg") -> bytes:  # noqa
 def evaluation_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: A002
     """Return one figure with a panel for each positioning result, one below the other, and below them each circular result.
 
-    A circular result is drawn as by `polar.polar_figure`. Raises UsageError when there is none, for an unknown format, or when the
-    report extra is missing.
+    A circular result with its samples is drawn as by `polar.polar_figure`. Raises UsageError when there is nothing to draw, for an
+    unknown format, or when the report extra is missing.
     """
     kind = known_format(format, format)
     results = document.get("results", [])
     straight = [result for result in results if result.get("kind", "positioning") == "positioning"]
-    round_ = [result for result in results if result.get("kind") == "circular"]
+    round_ = [result for result in results if result.get("kind") == "circular" and result.get("runs")]
     if not straight and not round_:
         raise UsageError(Fault(message="nothing to plot", expected="a test that could be evaluated"))
-    for result in round_:
-        require_runs(result)
     heights = [_ROW_HEIGHT * len(straight) + 0.35] * bool(straight) + [TEST_HEIGHT] * len(round_)
     with style():
         figure = new_figure(sum(heights))

@@ -67,17 +67,12 @@ def polar_figure(result: Document, *, format: str = "svg") -> bytes:  # noqa: A0
     missing.
     """
     kind = known_format(format, format)
-    require_runs(result)
+    if not result.get("runs"):
+        raise UsageError(Fault(message="nothing to plot", expected="the angles and deviations of a circular test"))
     with style():
         figure = new_figure(TEST_HEIGHT)
         draw_test(figure, result)
         return render(figure, kind)
-
-
-def require_runs(result: Document) -> None:
-    """Raise UsageError when there is nothing of the circle to draw."""
-    if not result.get("runs"):
-        raise UsageError(Fault(message="nothing to plot", expected="the angles and deviations of a circular test"))
 
 
 def draw_test(figure: Any, result: Document) -> None:
