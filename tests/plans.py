@@ -63,7 +63,7 @@ def random_options(format_id: str, rng: np.random.Generator) -> dict[str, object
         chosen: dict[str, object] = {"detection_unit": float(rng.choice([0.001, 0.0001, 0.0005, 0.01]))}
         for name, values in (("output", ("step", "ramp")), ("pitch_sign", "+-"), ("increment_limit", ("7", "127"))):
             if rng.random() < 0.5:
-                chosen[name] = str(rng.choice(list(values)))
+                chosen[name] = str(rng.choice(np.array(list(values))))
         if rng.random() < 0.3:
             chosen["first_point"] = int(rng.integers(0, 900))
         return chosen

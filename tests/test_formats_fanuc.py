@@ -338,7 +338,7 @@ def test_written_for_any_reference_the_judge_does_what_was_meant(reference: floa
     totals -= totals[steps == 0]
     meant = replace(
         table(steps.tolist(), totals.tolist(), spacing=12.5, backlash=6 * UM, reference_return=home),
-        positions=reference + steps * 12.5,
+        positions=np.asarray(reference + steps * 12.5, dtype=np.float64),
         interpolation="step" if output == "step" else "linear",
     )
     where = axis(reference=reference, reference_return=home)

@@ -215,22 +215,21 @@ class _KindReader:
             return
         final = lines[last - 1]
         if not self.kind.ends_with:
-            if not final.ended and self.kind.other_lines_refused:
-                yield Finding("CW-S001", "warning", f"{self.file}: the last row has no line end; check that the file is complete")
+            if not final.ended:
+                yield Finding("CW-S001", "warning", f"{self.file}: the last line has no line end; check that the file is complete")
             return
-        # Where one mark both opens and closes a file, the first line is no end.
-        if any(self._code(line).strip(" \t").upper() in self.kind.ends_with for line in lines[1:][-20:]):
-            return
+        # Checked first: an archive of several programs holds end marks before its last line.
         if not final.ended and occurrences[-1].line == final.number:
             self._fault(
                 final,
                 "the file ends inside this line, it may have been cut short",
                 expected=f"a line end, then {self.kind.ends_with[0]}",
             )
-        else:
-            yield Finding(
-                "CW-S002", "warning", f"{self.file}: no {self.kind.ends_with[0]} at the end; check that the file is complete"
-            )
+            return
+        # Where one mark both opens and closes a file, the first line is no end.
+        if any(self._code(line).strip(" \t").upper() in self.kind.ends_with for line in lines[1:][-20:]):
+            return
+        yield Finding("CW-S002", "warning", f"{self.file}: no {self.kind.ends_with[0]} at the end; check that the file is complete")
 
     def _refuse(self, line: Line, message: str, expected: str = "") -> None:
         rows = " or ".join(_readable(matcher.statement) for matcher in self.matchers)
