@@ -7,11 +7,12 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from compwright.documents.decode import finding_documents
-from compwright.documents.prediction import parameters_outside, quantiles_outside
+from compwright.documents.prediction import circle_quantiles, circle_values, parameters_outside, quantiles_outside
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import FloatArray
-from compwright.records.prediction import AcceptDecision, Quantiles
+from compwright.records.circular import CircularResult
+from compwright.records.prediction import AcceptDecision, CirclePrediction, Decision, Quantiles
 from compwright.records.result import PositioningResult
 
 SCHEMA = "compwright/verification/1"
@@ -40,15 +41,41 @@ class VerifiedAxis:
     findings: tuple[Finding, ...] = ()
 
 
+@dataclass(frozen=True, slots=True)
+class SquarenessCheck:
+    """Squareness after loading, µm/m: the value, what the plan expects, and the uncertainty (k = 2) of their difference."""
+
+    value: float
+    expected: float
+    U: float
+
+    @property
+    def decision(self) -> Decision:
+        """accept where the difference lies within its uncertainty, else reject."""
+        return "accept" if abs(self.value - self.expected) <= self.U else "reject"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VerifiedCircle:
+    """What ``verify`` found on one circular test; ``squareness`` only where that of its plane was corrected from circles."""
+
+    prediction: CirclePrediction
+    after: CircularResult
+    squareness: SquarenessCheck | None = None
+
+
 def verification_document(
-    format_id: str, axes: Mapping[str, VerifiedAxis], verdict: Literal["good", "bad", "undecided"]
+    format_id: str,
+    axes: Mapping[str, VerifiedAxis],
+    verdict: Literal["good", "bad", "undecided"],
+    circles: Mapping[str, VerifiedCircle] | None = None,
 ) -> dict[str, Any]:
     """Return the verification of a run."""
     return {
         "schema": SCHEMA,
         "format": format_id,
         "axes": {name: _axis(axis) for name, axis in axes.items()},
-        "circles": {},
+        "circles": {name: _circle(circle) for name, circle in (circles or {}).items()},
         "verdict": verdict,
     }
 
@@ -77,6 +104,24 @@ def _axis(axis: VerifiedAxis) -> dict[str, Any]:
             for name, entry in axis.accept.items()
         },
         "findings": finding_documents(axis.findings),
+    }
+
+
+def _circle(circle: VerifiedCircle) -> dict[str, Any]:
+    """Return one circular test: parameters in µm and causes in their own units, by their contract names."""
+    after, predicted = circle_values(circle.after), circle_quantiles(circle.prediction)
+    check = circle.squareness
+    return {
+        "before": circle_values(circle.prediction.before),
+        "predicted": predicted,
+        "after": after,
+        "within_prediction": {name: _within(after.get(name), band) for name, band in predicted.items()},
+        "squareness": None
+        if check is None
+        else {"value": check.value, "expected": check.expected, "U": check.U, "unit": "um/m", "decision": check.decision},
+        "findings": finding_documents(
+            (*circle.after.findings, *(circle.after.diagnosis.findings if circle.after.diagnosis else ()))
+        ),
     }
 
 

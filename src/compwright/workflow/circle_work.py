@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -176,7 +176,7 @@ def start_circles(job: Job, tests: Sequence[CircularTest], axes: Mapping[str, Ax
     return tuple(works)
 
 
-def in_job_names(test: CircularTest, axes: Mapping[str, Axis]) -> CircularTest:
+def in_job_names(test: CircularTest, axes: Iterable[str]) -> CircularTest:
     """Return the test with its axes named as in the job, whatever the case of their letters."""
     known = {name.upper(): name for name in axes}
     first, second = (known.get(name.upper(), name) for name in test.axes)

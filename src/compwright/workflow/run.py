@@ -8,9 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from compwright import __version__
-from compwright.documents.circular import circular_document
 from compwright.documents.decode import assumed_documents, finding_documents
-from compwright.documents.evaluation import evaluation_document
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document
 from compwright.documents.prediction import prediction_document
@@ -25,12 +23,13 @@ from compwright.records.job import Job
 from compwright.records.plan import Plan
 from compwright.records.prediction import AxisPrediction, CirclePrediction
 from compwright.workflow.card import card_document, changes_csv
+from compwright.workflow.circle_checks import Checks
 from compwright.workflow.circle_work import Acting, CircleWork, acting, checked_axes, predict, read_circles, start_circles
 from compwright.workflow.control import Control, DecodedState, decode, named_axes, open_control, origin_of
 from compwright.workflow.cross import plan_cross
 from compwright.workflow.cross_tables import CrossOutcome, write_planned
 from compwright.workflow.inputs import JobInputs, read_job_inputs
-from compwright.workflow.view import run_view
+from compwright.workflow.view import evaluations, run_view
 from compwright.workflow.work import AS_FOUND, AxisWork, correction_of, export, fit_all, predict_axis, start_axis
 
 NO_STATE = (
@@ -94,7 +93,8 @@ def run_job(
     nothing is written then. Without a state of the control, evaluation, prediction and report are written but no table (exit 2).
     """
     finished = _work_through(job, folder, accept_worse=accept_worse)
-    evaluation = _evaluation(finished)
+    tests = [result for work in finished.works.values() for result in work.results]
+    evaluation = evaluations(tests, [work.result for work in finished.circles])
     prediction = prediction_document(job.format, finished.predictions, finished.cross.totals, finished.circle_predictions)
     files, notes = _files(finished, evaluation, prediction)
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
@@ -123,6 +123,10 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
     loaded: DecodedState | None = None
     cross = CrossOutcome(written=(), files=(), after=None)
     findings = [finding for work in circles for finding in (*work.findings, *checked_axes(work, axes))]
+    checks = Checks(job, works, {name: acting(decoded, axes) for name, decoded in inputs.states.items()})
+    findings += checks.findings(circles)
+    works, taken = checks.with_circle_backlash(circles)
+    findings += taken
     if AS_FOUND in inputs.states:
         as_found = inputs.states[AS_FOUND]
         control = control.in_state(as_found.state)
@@ -189,12 +193,6 @@ def _predicted_circles(
     along = {name: correction_of(loaded, work.planned.axis) for name, work in works.items() if work.planned.fitted is not None}
     then = Acting({**now.along, **along}, now.across if cross.after is None else acting(cross.after, axes).across)
     return {work.name: predict(work, acting(inputs.states.get(work.planned.measured_in), axes), then) for work in circles}
-
-
-def _evaluation(finished: _Finished) -> dict[str, Any]:
-    document = evaluation_document([result for work in finished.works.values() for result in work.results], [])
-    circles = [circular_document(work.result) for work in finished.circles]
-    return {**document, "results": [*document["results"], *circles]}
 
 
 def _files(

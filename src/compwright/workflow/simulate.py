@@ -11,11 +11,15 @@ import numpy as np
 from compwright.formats.addresses import normal_address
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.prediction.circular import moved_test
 from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.circular import CircularRun
+from compwright.simulation.circular import CircleRecording, Traverse
 from compwright.simulation.circular_files import to_b5r, to_circular_csv
 from compwright.simulation.files import to_csv
 from compwright.simulation.machine import Correction, VirtualMachine
 from compwright.simulation.reading import read_machine
+from compwright.workflow.circle_work import Acting, acting
 from compwright.workflow.control import Control, DecodedState, Origin, decode, judged, open_control, read_files
 
 
@@ -40,8 +44,11 @@ def simulate_files(
         test = machine.measure(name, rng=rng, correction=correction)
         files[f"{name.lower()}.csv"] = to_csv(test)
     corrections = {name: _correction(loaded, virtual.axis) for name, virtual in machine.axes.items()} if loaded else {}
+    between = _between(machine, loaded) if loaded else Acting({}, {})
     for number, name in enumerate(machine.circles, start=len(machine.axes)):
-        files[_circle_file(machine, name)] = _measured_circle(machine, name, seed=_seed_of(seed, number), corrections=corrections)
+        files[_circle_file(machine, name)] = _measured_circle(
+            machine, name, seed=_seed_of(seed, number), corrections=corrections, between=between
+        )
     return storage.write_files(out, files, force=force)
 
 
@@ -54,10 +61,40 @@ def _circle_file(machine: VirtualMachine, name: str) -> str:
     return f"{name.lower()}.{machine.circles[name].format}"
 
 
-def _measured_circle(machine: VirtualMachine, name: str, *, seed: int, corrections: Mapping[str, Correction]) -> bytes:
+def _measured_circle(
+    machine: VirtualMachine, name: str, *, seed: int, corrections: Mapping[str, Correction], between: Acting
+) -> bytes:
     recording = machine.record_circle(name, seed=seed, corrections=corrections)
+    recording = _bent(recording, between)
     about = {key: text for key, text in (("machine", machine.name), ("serial", machine.serial)) if text}
     return to_b5r(recording, about) if machine.circles[name].format == "b5r" else to_circular_csv(recording.test, about)
+
+
+def _bent(recording: CircleRecording, between: Acting) -> CircleRecording:
+    """Return what the instrument records when one axis' position moves the other one: every point of the path moved so far."""
+    plan = recording.plan
+    step = plan.arc[1] / plan.samples
+    whole = []
+    for traverse in recording.traverses:
+        along: FloatArray = (np.arange(traverse.readings.size, dtype=np.float64) - traverse.start + 0.5) * step
+        angles = recording.test.arc[0] + (along if traverse.run.sense == "ccw" else plan.arc[1] - along)
+        whole.append(replace(traverse.run, angles=angles, deviations=traverse.readings))
+    moved = moved_test(replace(recording.test, runs=tuple(whole)), plan.centre, between.displacement(plan.axes))
+    traverses = tuple(_rerecorded(*pair) for pair in zip(recording.traverses, moved.runs, strict=True))
+    runs = sorted((traverse.run for traverse in traverses), key=lambda run: (run.sense, run.number))
+    return replace(recording, test=replace(recording.test, runs=tuple(runs)), traverses=traverses)
+
+
+def _rerecorded(traverse: Traverse, moved: CircularRun) -> Traverse:
+    within = moved.deviations[traverse.start : traverse.end + 1]
+    return replace(traverse, readings=moved.deviations, run=replace(traverse.run, deviations=within))
+
+
+def _between(machine: VirtualMachine, loaded: tuple[Control, DecodedState]) -> Acting:
+    """Return what the control does between the axes of the machine."""
+    control, decoded = loaded
+    axes = {name: _addressed(control, virtual.axis) for name, virtual in machine.axes.items()}
+    return replace(acting(decoded, axes), along={})
 
 
 def _load(machine: VirtualMachine, tables: Path, file: str) -> tuple[Control, DecodedState]:

@@ -10,10 +10,9 @@ from typing import Any
 import numpy as np
 
 from compwright.documents.decode import finding_documents
-from compwright.documents.evaluation import evaluation_document
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import read_plan
-from compwright.documents.verification import ExpectedMeans, VerifiedAxis, verification_document
+from compwright.documents.verification import ExpectedMeans, VerifiedAxis, VerifiedCircle, verification_document
 from compwright.estimation.axis import AxisPosterior
 from compwright.evaluation.decision import decide
 from compwright.evaluation.standards import evaluate
@@ -45,7 +44,8 @@ from compwright.workflow.control import (
 from compwright.workflow.inputs import read_measurement, read_test
 from compwright.workflow.outlook import DRAWS, Change, accepted_index, predict
 from compwright.workflow.planning import posterior_of
-from compwright.workflow.view import verify_view
+from compwright.workflow.verify_circles import split_after, squareness_decisions, verify_circles
+from compwright.workflow.view import evaluations, verify_view
 from compwright.workflow.work import AS_FOUND
 
 
@@ -96,18 +96,23 @@ def verify_job(
     raise_all(InputError, _other_format(job, plan, str(plan_file)))
     job, _ = named_axes(job, control)
     raise_all(InputError, _other_axes(job, plan, str(plan_file)))
-    tests = _after_tests(job, plan, after)
+    others, circle_files = split_after(plan, after)
+    tests = _after_tests(job, plan, others) if others or not circle_files else []
     as_found = decode(control, plan.states.get(AS_FOUND, ()), [entry.axis for entry in plan.axes.values()])
     read_back = decode(control, read_files(loaded), [entry.axis for entry in plan.axes.values()]) if loaded else None
     axes = {test.axis: _verify_axis(job, plan.axes[test.axis], test, as_found, read_back) for test in tests}
+    states = _circle_states(control, plan, circle_files)
+    circles = verify_circles(plan, circle_files, as_found, states)
+    squareness = squareness_decisions(circles)
+    # Without a positioning test only squareness says whether the tables act.
+    loadings = [axis.loading["verdict"] for axis in axes.values()] or ["loaded" for _ in squareness]
     verdict = overall_verdict(
-        (entry.decision for axis in axes.values() for entry in axis.accept.values()),
-        (axis.loading["verdict"] for axis in axes.values()),
+        [*(entry.decision for axis in axes.values() for entry in axis.accept.values()), *squareness], loadings
     )
     if any(finding.severity == "error" for axis in axes.values() for finding in axis.findings):
         verdict = "bad"
-    document = verification_document(plan.format, axes, verdict)
-    files, notes = _files(job, control, axes, document)
+    document = verification_document(plan.format, axes, verdict, circles)
+    files, notes = _files(job, control, axes, circles, document)
     elsewhere = {} if json_path is None else {json_path: files["verification.json"]}
     written = storage.write_files(out, files, force=force, elsewhere=elsewhere)
     return VerifyOutcome(exit_code=0 if verdict == "good" else 1, document=document, files=tuple(written), notes=notes)
@@ -345,8 +350,19 @@ def _compare_loaded(planned: PlannedAxis, read_back: DecodedState | None) -> tup
     )
 
 
+def _circle_states(control: Control, plan: Plan, circles: Mapping[str, Sequence[Path]]) -> dict[str, DecodedState]:
+    """Return the states in which the repeated circles were measured."""
+    names = {plan.circles[name].measured_in for name in circles}
+    axes = [entry.axis for entry in plan.axes.values()]
+    return {name: decode(control, plan.states[name], axes) for name in names if name in plan.states}
+
+
 def _files(
-    job: Job, control: Control, axes: Mapping[str, VerifiedAxis], document: Mapping[str, Any]
+    job: Job,
+    control: Control,
+    axes: Mapping[str, VerifiedAxis],
+    circles: Mapping[str, VerifiedCircle],
+    document: Mapping[str, Any],
 ) -> tuple[dict[str, bytes], tuple[str, ...]]:
     files = {"verification.json": to_json(document).encode()}
     try:
@@ -357,8 +373,10 @@ def _files(
             control,
             document["axes"],
             verification=document,
-            evaluation_before=evaluation_document([axis.before for axis in axes.values()], []),
-            evaluation_after=evaluation_document([axis.after for axis in axes.values()], []),
+            evaluation_before=evaluations(
+                [axis.before for axis in axes.values()], [circle.prediction.before for circle in circles.values()]
+            ),
+            evaluation_after=evaluations([axis.after for axis in axes.values()], [circle.after for circle in circles.values()]),
             findings=finding_documents(finding for axis in axes.values() for finding in axis.findings),
         )
         files["verification.html"] = verify_report(view)

@@ -6,13 +6,23 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from compwright import __version__
+from compwright.documents.circular import circular_document
 from compwright.documents.decode import finding_documents
+from compwright.documents.evaluation import evaluation_document
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Direction
+from compwright.records.circular import CircularResult
 from compwright.records.job import Job
+from compwright.records.result import PositioningResult
 from compwright.workflow.control import Control, DecodedState
 from compwright.workflow.outlook import Change
 from compwright.workflow.work import AxisWork, correction_of
+
+
+def evaluations(tests: Sequence[PositioningResult], circles: Sequence[CircularResult]) -> dict[str, Any]:
+    """Return the evaluation document of positioning and circular tests."""
+    document = evaluation_document(tests)
+    return {**document, "results": [*document["results"], *(circular_document(circle) for circle in circles)]}
 
 
 def run_view(

@@ -1,0 +1,430 @@
+"""Circles through run and verify: a bent machine is measured, corrected, read back by the judge, and measured again.
+
+The machine stands here a second time, in exact geometry and apart from the package's own simulator; a test holds the two together.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.documents.json_text import to_json
+from compwright.documents.plan import plan_document, read_plan
+from compwright.records.axis import Direction
+from compwright.records.circular import CircularRun, CircularTest
+from compwright.records.correction import ControlFile
+from compwright.simulation.circular import CircleAxis, CircleErrors, CirclePlan, simulate_circle
+from compwright.simulation.circular_files import to_circular_csv
+from loop import Floats, Machine, csv_of
+
+SIEMENS = "siemens-840d-sl"
+CEC = "{cec: available, cec_tables: [0, 1, 2, 3, 4, 5, 6, 7]}"
+CENTRE = (400.0, -250.0)
+RADIUS, FEED = 150.0, 1000.0  # mm, mm/min
+
+
+@dataclass(frozen=True)
+class Bent:
+    """Two axes with scale and lost motion of their own, squareness (rad, > 0: more than 90°), a late first axis (s), noise (mm)."""
+
+    x: Machine = Machine(low=0.0, high=800.0, slope=25e-6, bow=0.0, lost=0.005, noise=0.0003)
+    y: Machine = Machine(low=-500.0, high=0.0, slope=-20e-6, bow=0.0, lost=0.003, noise=0.0003)
+    squareness: float = 40e-6
+    lag: float = 1e-4
+    noise: float = 0.0003
+
+    def circle(self, seed: int, judge: VirtualControl | None = None, centre: tuple[float, float] = CENTRE) -> CircularTest:
+        """Measure a circle, with a control's tables acting."""
+        rng = np.random.default_rng(seed)
+        runs = []
+        for sense, d in (("ccw", 1.0), ("cw", -1.0)):
+            along = (np.arange(1500) + 0.5) * 2.0 * np.pi / 1500
+            theta = along if d > 0 else 2.0 * np.pi - along
+            late = theta - d * FEED / 60.0 / RADIUS * self.lag
+            x, y = centre[0] + RADIUS * np.cos(late), centre[1] + RADIUS * np.sin(theta)
+            moves_x, moves_y = np.where(d * np.sin(late) >= 0, -1, 1), np.where(d * np.cos(theta) >= 0, 1, -1)
+            u = x - centre[0] + moved(self.x.error, x, moves_x)
+            v = y - centre[1] + moved(self.y.error, y, moves_y)
+            if judge is not None:
+                u = u + moved(acts(judge, "AX1"), x, moves_x)
+                v = v + moved(acts(judge, "AX2"), y, moves_y)
+                for base, corrected in judge.cross():
+                    where, moves = (x, moves_x) if base == "AX1" else (y, moves_y)
+                    shift = moved(acts(judge, base, corrected), where, moves)
+                    u, v = (u + shift, v) if corrected == "AX1" else (u, v + shift)
+            u = u - self.squareness * v
+            deviations = np.hypot(u + 0.02, v - 0.01) - RADIUS + self.noise * rng.standard_normal(theta.size)
+            runs.append(CircularRun(sense=sense, angles=np.degrees(theta), deviations=deviations))  # type: ignore[arg-type]
+        return CircularTest(
+            name="xy",
+            plane="XY",
+            axes=("X", "Y"),
+            nominal_radius=RADIUS,
+            feed=FEED,
+            arc=(0.0, 360.0),
+            calibrated=True,
+            runs=tuple(runs),
+        )
+
+
+def moved(by: Callable[[Floats, int], Floats], where: Floats, moves: Any) -> Floats:
+    """What ``by`` gives at positions reached in the directions ``moves``."""
+    return np.asarray(np.where(moves > 0, by(where, 1), by(where, -1)))
+
+
+def acts(judge: VirtualControl, address: str, output: str = "") -> Callable[[Floats, int], Floats]:
+    def correction(where: Floats, sign: int) -> Floats:
+        way = Direction.POSITIVE if sign > 0 else Direction.NEGATIVE
+        return judge.cross_correction(address, output, where, way) if output else judge.correction(address, where, way)
+
+    return correction
+
+
+def judge_of(folder: Path) -> VirtualControl:
+    files = [ControlFile(path.name, path.read_bytes()) for path in sorted(folder.iterdir())]
+    return virtual_control(SIEMENS, files, reference_return={"AX1": Direction.POSITIVE, "AX2": Direction.POSITIVE})
+
+
+def write_circle(path: Path, test: CircularTest) -> None:
+    path.write_bytes(to_circular_csv(test, {}))
+
+
+def write_axis(path: Path, machine: Machine, seed: int, judge: VirtualControl | None, address: str) -> None:
+    targets = machine.targets()
+    correction = None if judge is None else acts(judge, address)
+    path.write_text(csv_of(targets, machine.measure(targets, seed, correction), axis=path.stem[0].upper()))
+
+
+def job(
+    folder: Path,
+    *,
+    options: str = CEC,
+    apply: str = "{squareness: {XY: Y}}",
+    extra: str = "",
+    x: str = "",
+    y: str = "",
+    control: str = SIEMENS,
+    states: str = "none",
+    circle: str = "centre: [400, -250]",
+) -> Path:
+    first, second = ("AX1", "AX2") if control == SIEMENS else ("0", "1")
+    path = folder / "job.yaml"
+    path.write_text(
+        f"compwright: 1\ncontroller: {{format: {control}, options: {options}}}\nstates: {{as_found: {states}}}\naxes:\n"
+        f'  X: {{travel: [0, 800], address: "{first}", before: [x.csv]{x}}}\n'
+        f'  Y: {{travel: [-500, 0], address: "{second}", before: [y.csv]{y}}}\n'
+        f"circles: [{{file: xy.csv, name: xy-150, {circle}}}]\napply: {apply}\n{extra}"
+    )
+    return path
+
+
+def document(path: Path) -> Any:
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def codes(capsys: pytest.CaptureFixture[str]) -> str:
+    return " ".join(capsys.readouterr().out.split())
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    measure(tmp_path, Bent())
+    return tmp_path
+
+
+def measure(folder: Path, machine: Bent) -> None:
+    write_axis(folder / "x.csv", machine.x, 1, None, "AX1")
+    write_axis(folder / "y.csv", machine.y, 2, None, "AX2")
+    write_circle(folder / "xy.csv", machine.circle(3))
+
+
+def diagnosed(path: Path, out: Path) -> Any:
+    assert compwright(["evaluate", str(path), "--json", str(out)]) == 0
+    return document(out)["results"][0]
+
+
+def test_the_machine_here_is_that_of_the_simulator() -> None:
+    machine = replace(Bent(), noise=0.0)
+
+    def along(axis: str, where: Floats, moves: Floats) -> Floats:
+        return moved((machine.x if axis == "X" else machine.y).error, where, moves)
+
+    errors = CircleErrors(first=CircleAxis(lag=machine.lag), squareness=machine.squareness, offset=(0.02, -0.01))
+    theirs = simulate_circle(errors, CirclePlan(radius=RADIUS, feed=FEED, centre=CENTRE), corrections=along)
+    for mine, other in zip(machine.circle(0).runs, theirs.runs, strict=True):
+        assert mine.sense == other.sense
+        cos, sin = np.cos(np.radians(mine.angles)), np.sin(np.radians(mine.angles))
+        basis = np.column_stack([cos, sin])  # their set-up point lies where the corrections are zero: another centre
+        rest = mine.deviations - other.deviations
+        rest = rest - basis @ np.linalg.lstsq(basis, rest, rcond=None)[0]
+        # 1e-5 mm: second order of the other centre, 12 µm: (12e-3)² / (2 · 150) = 5e-7 mm, and the squareness of it
+        assert np.max(np.abs(rest)) < 1e-5
+
+
+def test_a_bent_machine_is_straight_after_one_round(folder: Path) -> None:
+    machine = Bent()
+    assert compwright(["run", str(job(folder))]) == 0
+    out = folder / "job"
+    prediction = document(out / "prediction.json")
+    circle = prediction["circles"]["xy-150"]
+    assert circle["before"]["squareness"] == pytest.approx(40.0, abs=1.0)  # µm/m, std error 0.15
+    assert circle["before"]["G_ccw"] > 10.0  # µm
+    judge = judge_of(out / "tables" / SIEMENS)
+    after = machine.circle(11, judge)
+    write_circle(folder / "after.csv", after)
+    result = diagnosed(folder / "after.csv", folder / "after.json")
+    causes = {name: entry["value"] for name, entry in result["diagnosis"].items()}
+    assert abs(causes["squareness"]) < 2.0  # µm/m
+    assert abs(causes["backlash_first"]) < 0.4  # µm: the laser's mean of 5 + 5 readings, noise 0.3
+    assert abs(causes["backlash_second"]) < 0.4
+    assert causes["servo_mismatch"] == pytest.approx(0.1, abs=0.02)  # ms: what no table changes
+    # What lag leaves and noise: a circle of a machine with these two alone.
+    rest = Machine(low=-1e4, high=1e4, slope=0.0, bow=0.0, lost=0.0, noise=0.0003)
+    floor = replace(machine, x=rest, y=rest, squareness=0.0)
+    write_circle(folder / "floor.csv", floor.circle(12))
+    ideal = diagnosed(folder / "floor.csv", folder / "floor.json")["parameters"]
+    for name in ("G_ccw", "G_cw", "G_bidirectional"):
+        assert result["parameters"][name] < ideal[name] + 0.8  # µm: the errors of scale and reversal left, each 0.1 to 0.3
+        band = circle["predicted"][name]
+        assert band["p05"] - 0.5 < result["parameters"][name] < band["p95"] + 0.5  # µm
+
+
+@pytest.mark.parametrize("bent", ["X", "Y"])
+@pytest.mark.parametrize("squareness", [40e-6, -25e-6])
+def test_the_ramp_has_the_sign_and_the_axes_of_the_methods(tmp_path: Path, bent: str, squareness: float) -> None:
+    measure(tmp_path, replace(Bent(), squareness=squareness))
+    assert compwright(["run", str(job(tmp_path, apply=f"{{squareness: {{XY: {bent}}}}}"))]) == 0
+    (cross,) = document(tmp_path / "job" / "prediction.json")["cross"]
+    given = "Y" if bent == "X" else "X"
+    assert (cross["input"], cross["output"], cross["unit"]) == (given, bent, "um")
+    # + beta times the distance of the other axis from its reference, 0 (methods, section 2): mm times µm/m is 1e-3 µm
+    expected = [squareness * 1e6 * position * 1e-3 for position in cross["positions"]]
+    assert cross["correction"] == pytest.approx(expected, abs=0.3 * 0.8)  # 0.3 µm/m over 0.8 m
+    assert cross["positions"] == ([0.0, 800.0] if given == "X" else [-500.0, 0.0])
+    judge = judge_of(tmp_path / "job" / "tables" / SIEMENS)
+    write_circle(tmp_path / "after.csv", replace(Bent(), squareness=squareness).circle(5, judge))
+    after = diagnosed(tmp_path / "after.csv", tmp_path / "after.json")
+    assert abs(after["diagnosis"]["squareness"]["value"]) < 2.0  # µm/m
+
+
+def test_the_reference_of_the_input_axis_is_where_the_ramp_is_zero(folder: Path) -> None:
+    assert compwright(["run", str(job(folder, x=", reference: 800"))]) == 0
+    (cross,) = document(folder / "job" / "prediction.json")["cross"]
+    assert cross["correction"][1] == 0.0
+    assert cross["correction"][0] == pytest.approx(-32.0, abs=0.3)  # µm: 40 µm/m · (0 - 0.8 m)
+
+
+def test_nothing_is_corrected_from_a_circle_unless_asked(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert compwright(["run", str(job(folder, apply="{}"))]) == 0
+    prediction = document(folder / "job" / "prediction.json")
+    assert prediction["cross"] == []
+    assert "CW-K008" in codes(capsys)
+    circle = prediction["circles"]["xy-150"]
+    assert circle["predicted"]["squareness"]["median"] == pytest.approx(circle["before"]["squareness"], abs=0.2)  # µm/m
+    # ... while the tables of the axes change what they change: lost motion and the mismatch of scale
+    assert circle["before"]["backlash_first"] == pytest.approx(5.0, abs=0.3)  # µm
+    assert abs(circle["predicted"]["backlash_first"]["median"]) < 0.3
+    assert circle["before"]["scale_mismatch"] == pytest.approx(45e-6 * 2 * RADIUS * 1e3, abs=0.3)  # µm over the diameter
+    assert abs(circle["predicted"]["scale_mismatch"]["median"]) < 0.3
+
+
+def test_a_control_that_cannot_hold_squareness_says_so(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert compwright(["run", str(job(folder, options="{}"))]) == 0
+    said = codes(capsys)
+    assert "CW-K013" in said
+    assert "cec: available" in said
+    assert document(folder / "job" / "prediction.json")["cross"] == []
+    assert "Not corrected: squareness of Y over X" in (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
+
+
+def test_too_few_free_tables_leave_the_axes_as_they_are(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert compwright(["run", str(job(folder, options="{cec: available, cec_tables: [0, 1, 2, 3]}"))]) == 0
+    assert "CW-K013" in codes(capsys)
+    assert document(folder / "job" / "prediction.json")["axes"]["X"]["table"] is not None
+
+
+@pytest.mark.parametrize(("bent", "pin"), [("Y", "C_yx"), ("X", "C_xy")])
+def test_linuxcnc_gets_the_values_of_matrixkins(folder: Path, bent: str, pin: str) -> None:
+    path = job(folder, options="{}", control="linuxcnc", apply=f"{{squareness: {{XY: {bent}}}}}")
+    assert compwright(["run", str(path)]) == 0
+    card = (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
+    # facts 3.4: actual X = X + theta Y has C_xy = -theta; here theta = -beta, so C is + beta
+    found = re.search(r"add ([+-]0\.\d+) to the value of matrixkins\.(C_..)", card.replace("\\", ""))
+    assert found is not None
+    assert (float(found[1]), found[2]) == (pytest.approx(40e-6, abs=1e-6), pin)
+
+
+def test_plan_and_evaluation_carry_the_circle(folder: Path) -> None:
+    assert compwright(["run", str(job(folder))]) == 0
+    out = folder / "job"
+    content = (out / "plan.json").read_bytes()
+    plan = read_plan(content, "plan.json")
+    (cross,) = plan.cross
+    assert (cross.input, cross.output, cross.source, cross.tests) == ("X", "Y", "circle", ("xy-150",))
+    assert cross.squareness == pytest.approx(40e-6, abs=1e-6)
+    assert plan.circles["xy-150"].centre == CENTRE
+    assert plan.circles["xy-150"].test.runs[1].deviations.size == 1500
+    assert to_json(plan_document(plan)).encode() == content
+    kinds = [(result["kind"], result["name"]) for result in document(out / "evaluation.json")["results"]]
+    assert kinds == [("positioning", "x"), ("positioning", "y"), ("circular", "xy-150")]
+
+
+def test_decode_shows_what_one_axis_does_to_the_other(folder: Path) -> None:
+    assert compwright(["run", str(job(folder))]) == 0
+    tables = sorted((folder / "job" / "tables" / SIEMENS).iterdir())
+    for at, positions in (([], [0.0, 800.0]), (["--at", "800,200"], [800.0, 200.0])):
+        options = [*(str(path) for path in tables), "--format", SIEMENS, *at, "--json", str(folder / f"decode{len(at)}.json")]
+        assert compwright(["decode", *options]) == 0
+        (cross,) = document(folder / f"decode{len(at)}.json")["cross"]
+        assert (cross["input"], cross["output"], cross["positions"]) == ("AX1", "AX2", positions)
+        assert cross["correction"] == pytest.approx([0.04 * position for position in positions], abs=0.3)  # µm: 40 µm/m
+
+
+def test_the_same_job_gives_the_same_bytes(folder: Path) -> None:
+    path = str(job(folder))
+    for name in ("one", "two"):
+        assert compwright(["run", path, "--out", str(folder / name)]) == 0
+    for name in ("prediction.json", "plan.json", "evaluation.json"):
+        assert (folder / "one" / name).read_bytes() == (folder / "two" / name).read_bytes()
+
+
+def after_files(folder: Path, machine: Bent, tables: Path | None) -> list[str]:
+    """Measure everything again with the tables in a folder loaded (None: nothing is)."""
+    judge = None if tables is None else judge_of(tables)
+    write_axis(folder / "x_after.csv", machine.x, 21, judge, "AX1")
+    write_axis(folder / "y_after.csv", machine.y, 22, judge, "AX2")
+    write_circle(folder / "xy_after.csv", machine.circle(23, judge))
+    return [str(folder / f"{name}_after.csv") for name in ("x", "y", "xy")]
+
+
+def verify(path: Path, *after: str) -> int:
+    return compwright(["verify", str(path), *(word for file in after for word in ("--after", file)), "--force"])
+
+
+def test_verify_finds_the_circle_by_its_plane_and_squareness_gone(folder: Path) -> None:
+    path = job(folder)
+    assert compwright(["run", str(path)]) == 0
+    files = after_files(folder, Bent(), folder / "job" / "tables" / SIEMENS)
+    assert verify(path, *files) == 0
+    answer = document(folder / "job" / "verification.json")
+    assert answer["verdict"] == "good"
+    circle = answer["circles"]["xy-150"]
+    assert circle["before"]["squareness"] == pytest.approx(40.0, abs=1.0)
+    assert abs(circle["after"]["squareness"]) < 2.0
+    assert circle["squareness"]["decision"] == "accept"
+    assert 0.1 < circle["squareness"]["U"] < 1.0  # µm/m: 2 · √2 · 0.15
+    band = circle["predicted"]["squareness"]
+    assert band["p05"] < 0.0 < band["p95"]
+    within = [circle["within_prediction"][name] for name in ("squareness", "scale_mismatch", "backlash_first", "backlash_second")]
+    assert within.count(True) >= 2  # of four 90 % intervals
+
+
+def test_verify_of_the_circle_alone_sees_that_the_cross_table_does_not_act(folder: Path) -> None:
+    path = job(folder)
+    assert compwright(["run", str(path)]) == 0
+    tables = folder / "job" / "tables" / SIEMENS
+    files = after_files(folder, Bent(), tables)
+    assert verify(path, f"xy-150={files[2]}") == 0
+    (tables / "AX2_CROSS.INI").unlink()
+    files = after_files(folder, Bent(), tables)
+    assert verify(path, files[2]) == 1
+    answer = document(folder / "job" / "verification.json")
+    assert (answer["verdict"], answer["circles"]["xy-150"]["squareness"]["decision"]) == ("bad", "reject")
+
+
+def test_a_circle_does_not_count_in_the_verdict_when_nothing_of_it_was_applied(folder: Path) -> None:
+    path = job(folder, apply="{}")
+    assert compwright(["run", str(path)]) == 0
+    files = after_files(folder, Bent(), folder / "job" / "tables" / SIEMENS)
+    assert verify(path, *files) == 0
+    assert document(folder / "job" / "verification.json")["circles"]["xy-150"]["squareness"] is None
+
+
+def test_verify_refuses_a_circle_of_another_plane(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = job(folder)
+    assert compwright(["run", str(path)]) == 0
+    write_circle(folder / "zx.csv", replace(Bent().circle(1), plane="ZX", axes=("Z", "X")))
+    assert verify(path, str(folder / "zx.csv")) == 2
+    assert "ZX" in capsys.readouterr().err
+
+
+def test_a_circle_measured_in_another_state_uses_that_state(folder: Path) -> None:
+    """With the tables loaded the circle is straight; the machine without them is not: the ramp is the same."""
+    assert compwright(["run", str(job(folder))]) == 0
+    tables = folder / "job" / "tables" / SIEMENS
+    (cross,) = document(folder / "job" / "prediction.json")["cross"]
+    write_circle(folder / "xy.csv", Bent().circle(9, judge_of(tables)))
+    loaded = folder / "loaded"
+    tables.rename(loaded)
+    path = job(folder, circle="centre: [400, -250], measured_in: with_tables")
+    path.write_text(path.read_text().replace("{as_found: none}", "{as_found: none, with_tables: [loaded]}"))
+    assert compwright(["run", str(path), "--out", str(folder / "again")]) == 0
+    prediction = document(folder / "again" / "prediction.json")
+    assert abs(prediction["circles"]["xy-150"]["before"]["squareness"]) < 2.0  # µm/m
+    (again,) = prediction["cross"]
+    assert again["correction"] == pytest.approx(cross["correction"], abs=0.5)  # µm: 2 · 0.3 µm/m over 0.8 m
+    assert abs(prediction["circles"]["xy-150"]["predicted"]["backlash_first"]["median"]) < 0.3  # µm: no change, not - 5
+
+
+def test_a_second_round_adds_to_what_acts(folder: Path) -> None:
+    """The machine has bent further by 10 µm/m since: the old ramp stays and a new one takes the rest."""
+    assert compwright(["run", str(job(folder))]) == 0
+    (folder / "job" / "tables" / SIEMENS).rename(folder / "control")
+    judge = judge_of(folder / "control")
+    machine = replace(Bent(), squareness=50e-6)
+    write_axis(folder / "x.csv", machine.x, 31, judge, "AX1")
+    write_axis(folder / "y.csv", machine.y, 32, judge, "AX2")
+    write_circle(folder / "xy.csv", machine.circle(33, judge))
+    path = job(folder, states="[control]")
+    assert compwright(["run", str(path), "--out", str(folder / "again"), "--accept-worse"]) == 0
+    prediction = document(folder / "again" / "prediction.json")
+    assert prediction["circles"]["xy-150"]["before"]["squareness"] == pytest.approx(10.0, abs=1.0)
+    (cross,) = prediction["cross"]
+    assert cross["correction"] == pytest.approx([0.05 * position for position in cross["positions"]], abs=0.6)  # µm, the total
+    assert abs(prediction["circles"]["xy-150"]["predicted"]["squareness"]["median"]) < 1.0
+
+
+def test_a_missing_centre_is_said_and_the_middle_taken(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert compwright(["run", str(job(folder, circle="measured_in: as_found"))]) == 0
+    assert "CW-K001" in codes(capsys)
+    assert read_plan((folder / "job" / "plan.json").read_bytes(), "").circles["xy-150"].centre == (400.0, -250.0)
+
+
+def test_lost_motion_of_the_circle_when_asked_and_the_disagreement(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The moving axis loses 2 µm more than the standing one."""
+    machine = replace(Bent(), x=replace(Bent().x, lost=0.007))
+    write_circle(folder / "xy.csv", machine.circle(3))
+    lost = {}
+    for source in ("positioning", "circle"):
+        path = job(folder, apply=f"{{backlash_from: {source}}}")
+        assert compwright(["run", str(path), "--out", str(folder / source), "--accept-worse"]) == 0
+        said = codes(capsys)
+        assert "CW-K014" in said
+        assert ("CW-K017" in said) == (source == "circle")
+        table = document(folder / source / "prediction.json")["axes"]["X"]["table"]
+        difference = np.array(table["correction_positive"]) - np.array(table["correction_negative"])
+        lost[source] = float(np.mean(difference))
+    assert lost["positioning"] == pytest.approx(5.0, abs=0.3)  # µm
+    assert lost["circle"] == pytest.approx(7.0, abs=0.3)
+
+
+def test_agreement_of_laser_and_circle_is_not_reported(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert compwright(["run", str(job(folder))]) == 0
+    said = codes(capsys)
+    assert not {code for code in ("CW-K014", "CW-K015", "CW-K016") if code in said}
+
+
+def test_disagreement_about_the_mismatch_of_scale(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    machine = replace(Bent(), x=replace(Bent().x, slope=45e-6))  # the laser saw 25 µm/m
+    write_circle(folder / "xy.csv", machine.circle(3))
+    assert compwright(["run", str(job(folder))]) == 0
+    assert "CW-K016" in codes(capsys)
