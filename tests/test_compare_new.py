@@ -162,7 +162,7 @@ def test_files_that_say_nothing_of_the_axis_are_an_error(done: Path, tmp_path: P
 
 # What a table does, by arithmetic: no control needed ------------------------------------------------------------------------
 
-NODES = np.arange(-3, 6) * 50.0
+NODES = np.arange(-150.0, 300.0, 50.0)
 SHAPE = np.array([4.0, 1.0, 3.0, 0.0, -2.0, 5.0, 5.5, 9.0, 7.0]) * 1e-3
 
 

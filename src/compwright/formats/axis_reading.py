@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from decimal import Decimal
 
 import numpy as np
 
 from compwright.formats.consistency import grid
 from compwright.formats.gathering import Found, Gathered, first_set, same_value, the_one
+from compwright.formats.notes import Notes
 from compwright.formats.options import ENCODER_SYSTEM, REFERENCE, REFERENCE_RETURN
 from compwright.formats.scale import Scale, in_range
 from compwright.formats.schema import Binding, Choice, Definition
@@ -17,28 +18,9 @@ from compwright.formats.tables import Table, TableSource, read_table
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, AxisKind, Direction
-from compwright.records.correction import Assumption, AxisCompensation
+from compwright.records.correction import AxisCompensation
 
 Fact = float | int | str | bool
-
-
-@dataclass(slots=True)
-class Notes:
-    """What is collected while files are read."""
-
-    faults: list[Fault] = field(default_factory=list)
-    findings: list[Finding] = field(default_factory=list)
-    assumed: list[Assumption] = field(default_factory=list)
-
-    def assume(self, fact: str, value: str, evidence: str) -> None:
-        """Note an assumption once."""
-        note = Assumption(fact, value, evidence)
-        if note not in self.assumed:
-            self.assumed.append(note)
-
-    def find(self, code: str, severity: str, message: str) -> None:
-        """Note a finding."""
-        self.findings.append(Finding(code, "warning" if severity == "warning" else "info", message))
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,7 +157,7 @@ class AxisReader:
         if absent.say != "nothing":
             self.notes.assume(f"{self.label}: {name} ({binding.quantity.replace('_', ' ')})", absent.value, str(absent.evidence))
         if absent.say == "warning":
-            self.notes.find("CW-S005", "warning", f"{self.label}: {name} is not in the files; counted as {absent.value}")
+            self.notes.counted_as(self.label, name, absent.value)
         return absent.value
 
     def _measuring_system(self, options: Mapping[str, object]) -> str | None:
@@ -265,7 +247,7 @@ class AxisReader:
         if has_table:
             word = self._choice("enabled")
             if word == "no":
-                self.notes.find("CW-S007", "info", f"{self.label}: the table is switched off in the files; it corrects nothing")
+                self.notes.switched_off(self.label, "the table is switched off in the files")
             return word != "no"
         found = self._single("enabled")
         if found is not None and self._word("enabled") == "yes" and not (max_points is not None and int(max_points.text) == 0):
@@ -279,7 +261,7 @@ class AxisReader:
             )
         if found is None and not self.elsewhere:
             self.notes.assume(f"{self.label}: table", "none", "unconfirmed: no file that was given holds one")
-            self.notes.find("CW-S008", "warning", f"{self.label}: no file holds a table; counted as none")
+            self.notes.no_table(self.label)
         return self._word("enabled") != "no"
 
     def _check_modulo(self) -> None:

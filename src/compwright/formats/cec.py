@@ -13,9 +13,9 @@ from decimal import Decimal
 import numpy as np
 
 from compwright.formats.addresses import normal_text
-from compwright.formats.axis_reading import Notes
 from compwright.formats.consistency import has_cross
 from compwright.formats.gathering import Found, Gathered, same_value, the_one
+from compwright.formats.notes import Notes
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Choice, Definition
 from compwright.formats.tables import Table, TableSource, read_table

@@ -8,8 +8,8 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.axis_reading import Notes
 from compwright.formats.gathering import Gathered, Key
+from compwright.formats.notes import Notes
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 

@@ -8,9 +8,10 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.axis_reading import Fact, Notes
+from compwright.formats.axis_reading import Fact
 from compwright.formats.gathering import Found, Gathered, the_one
 from compwright.formats.increments_points import POINTS_FROM, fault_at, number_list
+from compwright.formats.notes import Notes
 from compwright.formats.options import REFERENCE, REFERENCE_RETURN, axis_options
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Choice, Definition
@@ -278,7 +279,7 @@ class IncrementReader:
             if binding.when_absent is not None:
                 name = self.name("backlash")
                 self.notes.assume(f"{self.label}: {name} (backlash)", "0", str(binding.when_absent.evidence))
-                self.notes.find("CW-S005", "warning", f"{self.label}: {name} is not in the files; counted as 0")
+                self.notes.counted_as(self.label, name, "0")
             return 0.0
         low, high = self.definition.measure("backlash").range
         value = int(Decimal(found.text))
@@ -303,11 +304,11 @@ class IncrementReader:
             self.notes.assume(
                 f"{self.label}: table", "none", "unconfirmed: no file that was given holds its parameters 3620 to 3624"
             )
-            self.notes.find("CW-S008", "warning", f"{self.label}: no file holds a table; counted as none")
+            self.notes.no_table(self.label)
             return None
         magnification = self.integer("magnification")
         if magnification == 0:
-            self.notes.find("CW-S007", "info", f"{self.label}: 3623 is 0: the pitch compensation is off, its data correct nothing")
+            self.notes.switched_off(self.label, "3623 is 0, the table is off")
             return None
         missing = [self.name(name) for name, found in present.items() if found is None]
         if missing:
@@ -328,7 +329,7 @@ class IncrementReader:
         if not 0 <= magnification <= most:
             self._wrong("magnification", "the magnification does not exist", f"0 .. {most}", str(magnification))
         if first == last and len(self.notes.faults) == known:
-            self.notes.find("CW-S007", "info", f"{self.label}: 3621 = 3622 = {first}: no section, so no pitch compensation acts")
+            self.notes.switched_off(self.label, f"3621 = 3622 = {first}, the table has no section")
             return None
         interval = self.length("table_spacing", kind)
         if interval is not None and interval <= 0:

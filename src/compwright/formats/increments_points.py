@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from compwright.formats.axis_reading import Notes
 from compwright.formats.gathering import Found, Gathered, same_value
+from compwright.formats.notes import Notes
 from compwright.formats.schema import Definition
 from compwright.foundations.errors import Fault
 

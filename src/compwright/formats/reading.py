@@ -10,11 +10,12 @@ import re
 from collections.abc import Mapping, Sequence
 
 from compwright.formats.addresses import normal_address, normal_text
-from compwright.formats.axis_reading import AxisReader, Fact, Notes
+from compwright.formats.axis_reading import AxisReader, Fact
 from compwright.formats.cec import check_sums, cross_tables, read_cec, with_own_tables
 from compwright.formats.consistency import curves
 from compwright.formats.gantry import find_partners, partner_of
 from compwright.formats.gathering import Found, Gathered, gather
+from compwright.formats.notes import Notes
 from compwright.formats.options import REFERENCE, REFERENCE_RETURN, axis_options, resolve_options
 from compwright.formats.schema import Choice, Definition
 from compwright.formats.section_increments import read_increments
@@ -65,9 +66,7 @@ class _StateReader:
                 self.partners[name] = normal_text(definition, axis.gantry)
             if assumption is not None:
                 self.notes.assumed.append(assumption)
-                self.notes.find(
-                    "CW-S010", "warning", f"axis {axis.name} is taken as {name} of the control: check it, or give its address"
-                )
+                self.notes.taken_for(axis.name, name)
         for leading, partner in self.partners.items():
             leader = self.wanted[leading]
             self.wanted.setdefault(partner, None if leader is None else partner_of(leader, partner))

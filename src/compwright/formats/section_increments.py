@@ -11,11 +11,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 
 from compwright.formats.addresses import normal_address, normal_text
-from compwright.formats.axis_reading import Fact, Notes
+from compwright.formats.axis_reading import Fact
 from compwright.formats.entry_sheet import is_entry_sheet, parameter_lines
 from compwright.formats.gathering import Gathered, gather
 from compwright.formats.increments_axis import GRID, IncrementReader
 from compwright.formats.increments_points import points_by_number
+from compwright.formats.notes import Notes
 from compwright.formats.options import REFERENCE, REFERENCE_RETURN, resolve_options
 from compwright.formats.schema import Definition
 from compwright.formats.texts import ReadText, TextReader
@@ -112,7 +113,7 @@ def _wanted(definition: Definition, axes: Sequence[Axis], address: str | None, n
         wanted[name] = axis
         if assumption is not None:
             notes.assumed.append(assumption)
-            notes.find("CW-S010", "warning", f"axis {axis.name} is taken as {name} of the control: check it, or give its address")
+            notes.taken_for(axis.name, name)
     return wanted
 
 

@@ -12,8 +12,9 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from compwright.formats.addresses import normal_address, normal_text
-from compwright.formats.axis_reading import Fact, Notes
+from compwright.formats.axis_reading import Fact
 from compwright.formats.gathering import same_value
+from compwright.formats.notes import Notes
 from compwright.formats.options import REFERENCE, REFERENCE_RETURN, resolve_options
 from compwright.formats.scale import Scale, in_range
 from compwright.formats.schema import Definition
@@ -302,7 +303,7 @@ class _AxisReader:
             message = f"{self.label}: {name} says that a table acts, but no file holds it"
             self.values.fault(found.file, found.place, message, "the table too", "none")
         if found.text == "0" and self.curves is not None:
-            self.notes.find("CW-S007", "info", f"{self.label}: {name} switches the table off; it corrects nothing")
+            self.notes.switched_off(self.label, f"{name} switches the table off")
         return found.text == "1"
 
     def _parameter(self, quantity: str, scale: Scale) -> float:
@@ -312,7 +313,7 @@ class _AxisReader:
             absent, name = binding.when_absent, parameter_name(self.definition, quantity)
             if absent is not None and absent.say == "warning":
                 self.notes.assume(f"{self.label}: {name}", absent.value, str(absent.evidence))
-                self.notes.find("CW-S005", "warning", f"{self.label}: {name} is not in the files; counted as {absent.value}")
+                self.notes.counted_as(self.label, name, absent.value)
             return 0.0
         value = scale.read(quantity, found.text)
         if not in_range(self.definition.measure(quantity), scale, value):

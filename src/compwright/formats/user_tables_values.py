@@ -7,7 +7,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.axis_reading import Notes
+from compwright.formats.notes import Notes
 from compwright.formats.options import axis_options
 from compwright.formats.scale import Scale, in_range
 from compwright.formats.schema import Definition

@@ -11,8 +11,8 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.axis_reading import Notes
 from compwright.formats.entry_sheet import SheetRow, is_entry_sheet, write_sheet
+from compwright.formats.notes import Notes
 from compwright.formats.options import axis_options
 from compwright.formats.patching import Change, apply_changes, set_field
 from compwright.formats.scale import EXACTNESS, NotHeld
