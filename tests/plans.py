@@ -78,7 +78,7 @@ def random_axis(format_id: str, rng: np.random.Generator) -> Axis:
     low = float(rng.choice([0.0, -length, -float(rng.integers(0, int(length))), float(rng.integers(-500, 500))]))
     if kind is AxisKind.ROTARY and format_id.startswith("fanuc") and rng.random() < 0.4:
         return replace(axis_at(format_id, rng, kind, (0.0, 360.0), 0.0), modulo=360.0)
-    reference = low + float(rng.choice([0.0, length, rng.integers(0, int(length)), 0.5 * length]))
+    reference = low + float(rng.choice([0.0, length, float(rng.integers(0, int(length))), 0.5 * length]))
     if format_id.startswith("fanuc") and rng.random() < 0.5 and low <= 0 <= low + length:
         reference = 0.0
     return axis_at(format_id, rng, kind, (low, low + length), reference)

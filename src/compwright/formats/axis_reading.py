@@ -337,11 +337,7 @@ class AxisReader:
         if scale.sign("backlash") == "lost_motion":
             return float(value * self._backlash_factor()) + 0.0, 0.0
         if has_table and value != 0:
-            self.notes.find(
-                "CW-S009",
-                "warning",
-                f"{self.label}: {self._name_in_file(binding)} = {text} is ignored by the control, which has a table",
-            )
+            self.notes.ignored(self.label, f"{self._name_in_file(binding)} = {text}", "it has a table")
         return 0.0, 0.0 if has_table else float(value) / 2.0
 
     def _backlash_factor(self) -> Decimal:

@@ -42,3 +42,11 @@ class Notes:
     def taken_for(self, axis: str, address: str) -> None:
         """Note which axis of the control an axis of the job was taken for."""
         self.find("CW-S010", "warning", f"axis {axis} is taken as {address} of the control: check it, or give its address")
+
+    def ignored(self, label: str, what: str, why: str) -> None:
+        """Note a value that the control ignores."""
+        self.find("CW-S009", "warning", f"{label}: {what} is ignored by the control: {why}")
+
+    def idle_file(self, message: str) -> None:
+        """Note that a table file and what the control loads do not fit."""
+        self.find("CW-S012", "warning", message)

@@ -258,7 +258,7 @@ class _StateReader:
         """Note what concerns the files as a whole."""
         for text in self._table_texts(texts):
             if text.number not in self.used_files and not self.wanted:
-                self.notes.find("CW-S012", "warning", f"{text.file} is not named by any axis: the control does not load it")
+                self.notes.idle_file(f"{text.file} is not named by any axis: the control does not load it")
         for text in texts:
             variants = [occurrence.line for occurrence in text.occurrences if occurrence.variant]
             if variants:

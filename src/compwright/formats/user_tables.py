@@ -128,11 +128,11 @@ class _StateReader:
         for file, address in sources.assumed.items():
             self.notes.assume(f"{file}: moving axis", address, "inferred from its name: no table of assignments (.CMA) was given")
         for table in sources.idle:
-            self.notes.find("CW-S012", "warning", f"{table.file} is not named by the active line of assignments: it does not act")
+            self.notes.idle_file(f"{table.file} is not named by the active line of assignments: it does not act")
         for address, name in sources.missing.items():
             if address not in self.asked:
                 message = f"{name}, active for the motion of {address}, was not given: what it does to other axes is not known"
-                self.notes.find("CW-S012", "warning", message)
+                self.notes.idle_file(message)
         if any(one.positions.size for one in compensations.values()):
             self.notes.assume("outside the tables", "the end values hold", str(self.definition.layout.evidence))
         if any(address not in self.axes for address in compensations):
@@ -327,7 +327,7 @@ class _AxisReader:
         why = "it has a table" if enabled else "it is a rotary axis" if kind is AxisKind.ROTARY else ""
         if slope and why:
             name = parameter_name(self.definition, "slope")
-            self.notes.find("CW-S009", "warning", f"{self.label}: {name} is ignored by the control: {why}")
+            self.notes.ignored(self.label, name, why)
         return 0.0 if why else slope
 
 
