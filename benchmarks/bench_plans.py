@@ -1,7 +1,7 @@
 """Random plans by the thousand: fitted, written, read by the judge; every table the same to the last quantum. Judges nothing.
 
-``python benchmarks/bench_plans.py [PLANS]`` (10 000 by default, shared by the formats). Prints, by format: plans written and refused, the
-largest difference between the fitted table and the judge's reading, and plans a second; then every plan that differs, with its seed.
+``python benchmarks/bench_plans.py [PLANS]`` (10 000 by default, shared by the formats). Prints, by format: plans written and
+refused, the largest difference between the fitted table and the judge's reading, plans a second, and every plan that differs.
 """
 
 from __future__ import annotations
