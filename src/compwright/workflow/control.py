@@ -231,14 +231,19 @@ def decode(
 
 def judged(state: DecodedState, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
     """Return the judge's correction at ``positions`` (mm or deg); zero for an axis that the files do not hold."""
-    if state.judge is None or address not in state.judge.addresses():
+    if state.judge is None or not _judges(state.judge, address):
         return np.zeros(np.shape(positions))
     return state.judge.correction(address, positions, direction)
 
 
+def _judges(judge: VirtualControl, address: str) -> bool:
+    """Return whether the judge finds an axis in the files, which may spell it in another case."""
+    return address.casefold() in {known.casefold() for known in judge.addresses()}
+
+
 def _disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
     faults = []
-    unseen = sorted(set(state.axes) - set(judge.addresses()))  # the other way round: axes that nobody asked for
+    unseen = sorted(address for address in state.axes if not _judges(judge, address))  # others: axes that nobody asked for
     if unseen:
         faults.append(
             Fault(
@@ -247,7 +252,7 @@ def _disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
                 found=", ".join(sorted(judge.addresses())) or "no axis",
             )
         )
-    for address in sorted(set(state.axes) & set(judge.addresses())):
+    for address in sorted(set(state.axes) - set(unseen)):
         axis = state.axes[address]
         where = probe_positions(axis.positions)
         for direction in Direction:

@@ -1,0 +1,592 @@
+"""SINUMERIK: tables between axes (CEC), by hand-worked numbers: pairs of an axis over itself, squareness, straightness."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from compwright.formats.capacity import capacity_for
+from compwright.formats.card import UNKNOWN, card_steps, card_values
+from compwright.formats.cec import Cec, cross_tables
+from compwright.formats.cec_writing import write_cross
+from compwright.formats.reading import read_state
+from compwright.formats.writing import write_tables
+from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
+from compwright.records.axis import Axis, AxisKind, Direction
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState, CrossCompensation
+from compwright.workflow.control import decode, open_control
+from format_samples import LINUXCNC, SIEMENS, axis_of, codes, correction, files, siemens, table
+
+POSITIVE, NEGATIVE = Direction.POSITIVE, Direction.NEGATIVE
+EXACT = 1e-12  # mm; rounding of doubles
+
+
+def cec(
+    index: int,
+    values: Sequence[float],
+    grid: tuple[float, float, float],
+    axes: tuple[str, str] = ("AX1", "AX1"),
+    direction: int = 0,
+    **more: int,
+) -> str:
+    """One table; ``grid``: MIN, STEP, MAX."""
+    lines = [f"$AN_CEC[{index},{n}]={value:.7f}" for n, value in enumerate(values)]
+    lines += [f"$AN_CEC_INPUT_AXIS[{index}]=({axes[0]})", f"$AN_CEC_OUTPUT_AXIS[{index}]=({axes[1]})"]
+    for key, number in zip(("MIN", "STEP", "MAX"), grid, strict=True):
+        lines.append(f"$AN_CEC_{key}[{index}]={number}")
+    said = {"DIRECTION": direction, "MULT_BY_TABLE": 0, "IS_MODULO": 0, **more}
+    lines += [f"$AN_CEC_{key}[{index}]={value}" for key, value in said.items()]
+    return "\n".join(lines) + "\n"
+
+
+PAIR = cec(4, [0.0, 0.002, -0.0015], (0, 400, 800), direction=1) + cec(7, [-0.004, -0.001, -0.0065], (0, 400, 800), direction=-1)
+RAMP = cec(0, [0.0, -0.016], (0, 800, 800), ("AX1", "AX2"))
+EEC = (
+    "$AA_ENC_COMP[0,0,AX1]=0.003\n$AA_ENC_COMP[0,1,AX1]=0.001\n"
+    "$AA_ENC_COMP_STEP[0,AX1]=800\n$AA_ENC_COMP_MIN[0,AX1]=0\n$AA_ENC_COMP_MAX[0,AX1]=800\n$AA_ENC_COMP_IS_MODULO[0,AX1]=0\n"
+)
+MD = "$MA_BACKLASH[0,AX1]=0\n"
+CEC: dict[str, object] = {"cec": "available", "cec_tables": [4, 7]}
+#: Two curves: what the pair of PAIR does.
+TWO = table("AX1", [0.0, 400.0, 800.0], [0.0, 0.002, -0.0015], [-0.004, -0.001, -0.0065])
+ONE = table("AX1", [0.0, 800.0], [0.0, 0.002], backlash=0.003)
+
+
+def texts(written: Sequence[ControlFile]) -> dict[str, str]:
+    return {file.name: file.content.decode() for file in written}
+
+
+def agreed(written: Sequence[ControlFile], axes: Sequence[Axis] = (), **options: object) -> ControlState:
+    """What both readers say; raises where they do not agree."""
+    return decode(open_control("siemens-840d-sl", options), written, axes).state
+
+
+# Reading -----------------------------------------------------------------------------------------------------------------------
+
+
+def test_a_pair_is_two_curves_and_another_pair_of_axes_stands_beside() -> None:
+    state = siemens(PAIR + RAMP + MD)
+    assert list(state.axes) == ["AX1"]
+    axis = state.axes["AX1"]
+    assert axis.positions.tolist() == [0, 400, 800]
+    assert axis.positive.tolist() == [0, 0.002, -0.0015]
+    assert axis.negative.tolist() == [-0.004, -0.001, -0.0065]
+    assert (axis.below, axis.above, axis.backlash, axis.others) == ("hold", "hold", 0.0, ())
+    assert "CW-S008" not in codes(state)  # the axis has a table
+    (cross,) = state.cross
+    assert (cross.input, cross.output) == ("AX1", "AX2")
+    # half of -0.016 at 400; both directions; the ends hold
+    assert cross.at(np.array([-50, 400, 900]), POSITIVE) == pytest.approx([0, -0.008, -0.016], abs=EXACT)
+    assert cross.at(np.array([400.0]), NEGATIVE) == pytest.approx([-0.008], abs=EXACT)
+
+
+def test_the_sign_is_an_option() -> None:
+    state = siemens(PAIR + RAMP + EEC + MD, options={"cec_sign": "error"})
+    assert correction(state, "AX1", 400, POSITIVE) == pytest.approx(-0.002 - 0.002, abs=EXACT)  # EEC keeps its own sign
+    assert state.cross[0].positive.tolist() == [0, 0.016]
+
+
+def test_leadscrew_table_pair_and_backlash_add_up() -> None:
+    state = siemens(PAIR + EEC + "$MA_BACKLASH[0,AX1]=0.010\n", axis_of("AX1"))
+    assert len(state.axes["AX1"].others) == 1
+    assert correction(state, "AX1", 400, POSITIVE) == pytest.approx(-0.002 + 0.002, abs=EXACT)
+    assert correction(state, "AX1", 400, NEGATIVE) == pytest.approx(-0.002 - 0.001 - 0.010, abs=EXACT)
+
+
+def test_tables_of_one_pair_of_axes_add_up_whatever_their_grids() -> None:
+    text = cec(1, [0.0, 0.010], (0, 100, 100)) + cec(2, [0.001, 0.003, 0.002], (-30, 60, 90), direction=-1)
+    text += "$SN_CEC_TABLE_WEIGHT[1]=0.5\n"
+    state = siemens(text + MD)
+    # + : half of the first; - : second table too, at 0 it is 0.001 + 0.002 * 30 / 60, at 60 it is 0.003 - 0.001 * 30 / 60
+    assert correction(state, "AX1", 60, POSITIVE) == pytest.approx(0.003, abs=EXACT)
+    assert correction(state, "AX1", 0, NEGATIVE) == pytest.approx(0.002, abs=EXACT)
+    assert correction(state, "AX1", 60, NEGATIVE) == pytest.approx(0.003 + 0.0025, abs=EXACT)
+    assert correction(state, "AX1", -500, NEGATIVE) == pytest.approx(0.001, abs=EXACT)
+
+
+@pytest.mark.parametrize(
+    ("what", "line", "pair_acts", "ramp_acts"),
+    [
+        ("one table off", "$SN_CEC_TABLE_ENABLE[0]=0", True, False),
+        ("off, then on", "$SN_CEC_TABLE_ENABLE[0]=0\n$SN_CEC_TABLE_ENABLE[0]=1", True, True),
+        ("on, then off", "$MA_CEC_ENABLE[AX2]=1\n$MA_CEC_ENABLE[AX2]=0", True, False),
+        ("the input axis does not matter", "$MA_CEC_ENABLE[AX1]=0", False, True),
+        ("on", "$MA_CEC_ENABLE[AX1]=1\n$SN_CEC_TABLE_ENABLE[4]=1", True, True),
+    ],
+)
+def test_switches(what: str, line: str, pair_acts: bool, ramp_acts: bool) -> None:
+    state = agreed(files(A__INI=f"{PAIR}{RAMP}{MD}{line}\n"))
+    assert (state.axes["AX1"].positions.size > 0) is pair_acts
+    assert bool(state.cross) is ramp_acts
+    assert ("CW-S034" in codes(state)) is not (pair_acts and ramp_acts)
+
+
+def test_what_the_files_do_not_say_is_listed() -> None:
+    facts = [note.fact for note in siemens(PAIR + MD).assumed]
+    assert any("$SN_CEC_TABLE_ENABLE" in fact for fact in facts)
+    assert any("$MA_CEC_ENABLE" in fact for fact in facts)
+    said = "$MA_CEC_ENABLE[AX1]=1\n$SN_CEC_TABLE_ENABLE[4]=1\n$SN_CEC_TABLE_ENABLE[7]=1\n"
+    assert not any("CEC" in note.fact for note in siemens(PAIR + MD + said).assumed)
+
+
+@pytest.mark.parametrize(
+    ("what", "old", "new", "says"),
+    [
+        ("no direction", "$AN_CEC_DIRECTION[4]=1\n", "", "DIRECTION is missing"),
+        ("no input", "$AN_CEC_INPUT_AXIS[4]=(AX1)\n", "", "INPUT_AXIS is missing"),
+        ("no output", "$AN_CEC_OUTPUT_AXIS[4]=(AX1)\n", "", "OUTPUT_AXIS is missing"),
+        ("no step", "$AN_CEC_STEP[4]=400\n", "", "STEP is missing"),
+        ("no value", "$AN_CEC[4,1]=0.0020000\n", "", "values are missing"),
+        ("another direction", "DIRECTION[4]=1", "DIRECTION[4]=2", "direction that is not known"),
+        ("a product", "MULT_BY_TABLE[4]=0", "MULT_BY_TABLE[4]=8", "multiplied by table 7"),
+        ("repeats, unequal ends", "IS_MODULO[4]=0", "IS_MODULO[4]=1", "two ends differ"),
+        ("a switch that is no switch", "IS_MODULO[4]=0", "IS_MODULO[4]=7", "not known"),
+        ("a spacing that does not divide", "STEP[4]=400", "STEP[4]=390", "does not divide"),
+        ("too large", "0.0020000", "20.002", "not plausible"),
+        ("a decimal comma", "0.0020000", "0,002", "decimal comma"),
+        ("a damaged name", "$AN_CEC_STEP[4]", "$AN_CEC_STEPS[4]", "cannot be read"),
+    ],
+)
+def test_contradictory_tables_are_refused(what: str, old: str, new: str, says: str) -> None:
+    assert old in PAIR
+    with pytest.raises(InputError, match=says) as caught:
+        siemens(PAIR.replace(old, new, 1) + MD)
+    assert "A.INI" in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ("$AN_CEC_INPUT_AXIS[4]=(AX3)", "contradicts"),
+        ("$MN_MM_CEC_MAX_POINTS[4]=2", "not reserved"),
+        ("$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=0", "inch"),
+        ("$MA_CEC_MAX_SUM[AX1]=0.006", "CEC_MAX_SUM"),
+    ],
+)
+def test_what_speaks_against_a_table(line: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        siemens(f"{PAIR}{MD}{line}\n")
+    fitting = siemens(f"{PAIR}{MD}$MN_MM_CEC_MAX_POINTS[4]=3\n$MA_CEC_MAX_SUM[AX1]=0.0065\n$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=1\n")
+    assert fitting.axes["AX1"].positions.size == 3
+
+
+def test_a_product_on_another_axis_is_left_out_where_nobody_asks_for_it() -> None:
+    text = RAMP.replace("MULT_BY_TABLE[0]=0", "MULT_BY_TABLE[0]=5") + PAIR + MD
+    state = siemens(text, axis_of("AX1"))
+    assert state.cross == ()
+    assert "CW-S011" in codes(state)
+    with pytest.raises(InputError, match="multiplied"):
+        siemens(text)
+
+
+def test_memory_that_nobody_wrote_is_no_table() -> None:
+    blank = cec(9, [0.0, 0.0], (0, 0, 0), ("AX3", "AX3"))
+    state = siemens(blank + PAIR + MD)
+    assert list(state.axes) == ["AX1"]
+    assert "9 " not in str(state.facts["AX1"]["cec_tables"])
+
+
+def test_a_file_of_cross_tables_alone_is_read() -> None:
+    state = agreed(files(A__INI=RAMP))
+    assert (dict(state.axes), len(state.cross)) == ({}, 1)
+
+
+def test_both_spellings_of_an_axis_and_lines_that_are_not_used() -> None:
+    text = (PAIR + RAMP).replace("(AX1)", "( ax1 )") + MD
+    extra = "$AN_CEC_INPUT_NCU[4]=0\n$AN_CEC_OUTPUT_NCU[4]=0\n$AN_CEC_TYPE[4]=0\n"
+    assert siemens(text + extra).axes["AX1"].positive.tolist() == [0, 0.002, -0.0015]
+    bare = siemens(PAIR.replace("(AX1)", "AX1") + MD)
+    assert bare.axes["AX1"].negative.tolist() == [-0.004, -0.001, -0.0065]
+    assert "CW-S013" in codes(bare)
+
+
+# Capacity ----------------------------------------------------------------------------------------------------------------------
+
+
+def test_the_capacity_of_a_pair() -> None:
+    capacity = capacity_for(SIEMENS, axis_of("AX1"), CEC, None)
+    assert (capacity.curves, capacity.backlash_quantum, capacity.quantum) == (2, None, 1e-6)
+    assert (capacity.max_points, capacity.value_range) == (None, (-10.0, 10.0))
+    assert any("4, 7" in note.fact for note in capacity.assumed)
+    reserved = "$MN_MM_CEC_MAX_POINTS[4]=40\n$MN_MM_CEC_MAX_POINTS[7]=30\n$MN_MM_CEC_MAX_POINTS[2]=5\n"
+    state = siemens(f"{MD}{reserved}$MA_CEC_MAX_SUM[AX1]=0.05\n" + cec(2, [0.0, -0.02], (0, 10, 10), ("AX3", "AX1")))
+    capacity = capacity_for(SIEMENS, axis_of("AX1"), CEC, state)
+    assert capacity.max_points == 30
+    assert capacity.value_range == pytest.approx((-0.03, 0.03))  # 0.05 less what another axis' table takes
+    assert capacity_for(SIEMENS, axis_of("AX1"), {**CEC, "points": 200}, state).max_points == 200
+    assert capacity_for(SIEMENS, axis_of("AX1"), {}, state).curves == 1
+
+
+@pytest.mark.parametrize(
+    ("indices", "found"),
+    [([], "none"), ([4], "1 among 4"), ([4, 0], "1 among 4, 0"), ([0, 1], "0 among"), ([4, 4], "1 among")],
+)
+def test_too_few_tables_are_told_with_how_many_are_needed(indices: list[int], found: str) -> None:
+    taken = RAMP + cec(1, [0.0, 0.1], (0, 1, 1), ("AX3", "AX3"))
+    state = siemens(taken + MD, axis_of("AX1"))
+    options = {"cec": "available", "cec_tables": indices}
+    with pytest.raises(CapacityError, match="2 CEC tables") as caught:
+        capacity_for(SIEMENS, axis_of("AX1"), options, state)
+    assert "cec_tables" in str(caught.value)
+    assert found in str(caught.value)
+    with pytest.raises(CapacityError, match="2 CEC tables"):
+        write_tables(SIEMENS, [TWO], [axis_of("AX1")], options, state, files(A__INI=taken + MD))
+
+
+def test_options_of_an_axis_go_over_those_of_the_control() -> None:
+    axis = replace(axis_of("AX1"), options={"cec_tables": "4,7"})
+    assert capacity_for(SIEMENS, axis, {"cec": "available", "cec_tables": [0]}, None).curves == 2
+    assert capacity_for(SIEMENS, replace(axis, options={"cec": "absent"}), CEC, None).curves == 1
+
+
+# Writing -----------------------------------------------------------------------------------------------------------------------
+
+WRITTEN = """%_N_NC_CEC_INI
+CHANDATA(1)
+$AN_CEC[4,0]=0.000000
+$AN_CEC[4,1]=0.002000
+$AN_CEC[4,2]=-0.001500
+$AN_CEC_INPUT_AXIS[4]=(AX1)
+$AN_CEC_OUTPUT_AXIS[4]=(AX1)
+$AN_CEC_MIN[4]=0.000000
+$AN_CEC_MAX[4]=800.000000
+$AN_CEC_STEP[4]=400.000000
+$AN_CEC_DIRECTION[4]=1
+$AN_CEC_MULT_BY_TABLE[4]=0
+$AN_CEC_IS_MODULO[4]=0
+$AN_CEC[7,0]=-0.004000
+$AN_CEC[7,1]=-0.001000
+$AN_CEC[7,2]=-0.006500
+$AN_CEC_INPUT_AXIS[7]=(AX1)
+$AN_CEC_OUTPUT_AXIS[7]=(AX1)
+$AN_CEC_MIN[7]=0.000000
+$AN_CEC_MAX[7]=800.000000
+$AN_CEC_STEP[7]=400.000000
+$AN_CEC_DIRECTION[7]=-1
+$AN_CEC_MULT_BY_TABLE[7]=0
+$AN_CEC_IS_MODULO[7]=0
+M17
+"""
+
+
+def test_two_curves_go_into_a_pair_and_nothing_else_acts() -> None:
+    written = texts(write_tables(SIEMENS, [TWO], [axis_of("AX1", system=2)], CEC))
+    assert list(written) == ["AX1_MD.INI", "AX1_CEC.INI"]
+    assert written["AX1_CEC.INI"] == WRITTEN
+    assert written["AX1_MD.INI"] == "CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.000000\n$MA_ENC_COMP_ENABLE[1,AX1]=0\nM17\n"
+    turned = texts(write_tables(SIEMENS, [TWO], [axis_of("AX1")], {**CEC, "cec_sign": "error"}))
+    assert "$AN_CEC[7,2]=0.006500\n" in turned["AX1_CEC.INI"]
+
+
+def test_one_curve_and_backlash_stay_in_the_leadscrew_table() -> None:
+    one = table("AX1", [0.0, 800.0], [0.0, 0.002], backlash=0.003)
+    assert list(texts(write_tables(SIEMENS, [one], [axis_of("AX1")], CEC))) == ["AX1_EEC.INI", "AX1_MD.INI"]
+    with pytest.raises(CapacityError, match="one curve"):
+        write_tables(SIEMENS, [TWO], [axis_of("AX1")], {})
+    with pytest.raises(CapacityError, match="backlash"):
+        write_tables(SIEMENS, [replace(TWO, backlash=0.001)], [axis_of("AX1")], CEC)
+
+
+def test_what_is_written_comes_back_through_both_readers() -> None:
+    axis = axis_of("AX1", returns=NEGATIVE)
+    written = write_tables(SIEMENS, [TWO], [axis], {**CEC, "cec_sign": "error"})
+    back = agreed(written, [axis], **CEC, cec_sign="error").axes["AX1"]
+    assert (back.positive.tolist(), back.negative.tolist()) == (TWO.positive.tolist(), TWO.negative.tolist())
+    assert (back.backlash, back.others) == (0.0, ())
+
+
+def patch(text: str, compensation: AxisCompensation, options: Mapping[str, object], axis: Axis | None = None) -> dict[str, str]:
+    axis = axis or axis_of("AX1")
+    given = files(A__INI=text)
+    state = read_state(SIEMENS, given, options, [axis])
+    written = write_tables(SIEMENS, [compensation], [axis], options, state, given)
+    agreed(written, [axis], **options)
+    return texts(written)
+
+
+def test_an_own_pair_is_patched_in_place_each_table_keeps_its_direction() -> None:
+    swapped = PAIR.replace("DIRECTION[4]=1", "DIRECTION[4]=-1").replace("DIRECTION[7]=-1", "DIRECTION[7]=1")
+    text = RAMP + swapped.replace("(AX1)", "(ax1)") + MD + "$MA_ENC_COMP_ENABLE[0,AX1]=0\nM17\n"
+    new = table("AX1", [0.0, 400.0, 800.0], [0.001, 0.002, 0.003], [-0.001, -0.002, -0.003])
+    patched = patch(text, new, CEC)["A.INI"]
+    old_lines, new_lines = text.splitlines(), patched.splitlines()[: len(text.splitlines())]
+    assert {a: b for a, b in zip(old_lines, new_lines, strict=True) if a != b} == {
+        "$AN_CEC[4,0]=0.0000000": "$AN_CEC[4,0]=-0.0010000",
+        "$AN_CEC[4,1]=0.0020000": "$AN_CEC[4,1]=-0.0020000",
+        "$AN_CEC[4,2]=-0.0015000": "$AN_CEC[4,2]=-0.0030000",
+        "$AN_CEC[7,0]=-0.0040000": "$AN_CEC[7,0]=0.0010000",
+        "$AN_CEC[7,1]=-0.0010000": "$AN_CEC[7,1]=0.0020000",
+        "$AN_CEC[7,2]=-0.0065000": "$AN_CEC[7,2]=0.0030000",
+    }
+
+
+def test_free_tables_are_taken_in_their_order_and_others_never() -> None:
+    written = patch(RAMP + MD + "M17\n", TWO, {"cec": "available", "cec_tables": [0, 9, 3, 5]})
+    assert set(written) == {"A.INI", "AX1_MD.INI", "AX1_CEC.INI"}
+    assert written["A.INI"] == RAMP + MD + "M17\n"
+    assert written["AX1_MD.INI"] == "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX1]=0\nM17\n"
+    assert written["AX1_CEC.INI"] == WRITTEN.replace("[4", "[9").replace("[7", "[3")
+
+
+def test_reserved_memory_is_filled_in_place() -> None:
+    blank = cec(4, [0.0, 0.0], (0, 0, 0), ("AX2", "AX2")) + "$SN_CEC_TABLE_ENABLE[4]=0\n$SN_CEC_TABLE_WEIGHT[4]=0.5\n"
+    written = patch(blank + MD + "$MA_CEC_ENABLE[AX1]=0\n$MA_ENC_COMP_ENABLE[0,AX1]=0\nM17\n", TWO, CEC)
+    assert set(written) == {"A.INI", "AX1_CEC.INI"}
+    for line in (
+        "$AN_CEC[4,2]=-0.0015000",
+        "$AN_CEC_INPUT_AXIS[4]=(AX1)",
+        "$AN_CEC_MAX[4]=800",
+        "$SN_CEC_TABLE_ENABLE[4]=1",
+        "$SN_CEC_TABLE_WEIGHT[4]=1.0",
+        "$MA_CEC_ENABLE[AX1]=1",
+    ):
+        assert line in written["A.INI"].splitlines()
+    assert "$AN_CEC[4," not in written["AX1_CEC.INI"]
+    assert "$AN_CEC_DIRECTION[7]=-1" in written["AX1_CEC.INI"]
+
+
+def test_the_leadscrew_table_is_switched_off_where_a_pair_is_written() -> None:
+    text = EEC + "$MA_BACKLASH[0,AX1]=0.012\n$MA_ENC_COMP_ENABLE[0,AX1]=1\nM17\n"
+    written = patch(text, TWO, CEC)
+    assert "$MA_BACKLASH[0,AX1]=0.000\n" in written["A.INI"]
+    assert "$MA_ENC_COMP_ENABLE[0,AX1]=0\n" in written["A.INI"]
+    assert written["A.INI"].startswith(EEC)
+    silent = patch(EEC + "$MA_BACKLASH[0,AX1]=0.012\nM17\n", TWO, CEC)
+    assert silent["AX1_MD.INI"] == "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX1]=0\nM17\n"
+
+
+def test_an_old_pair_is_emptied_where_one_curve_is_written() -> None:
+    written = patch(PAIR + RAMP + MD + "M17\n", ONE, CEC)
+    lines = written["A.INI"].splitlines()
+    for index in (4, 7):
+        assert {line for line in lines if line.startswith(f"$AN_CEC[{index},")} == {
+            f"$AN_CEC[{index},{n}]=0.0000000" for n in range(3)
+        }
+    assert "$AN_CEC[0,1]=-0.0160000" in lines  # another pair of axes
+    assert "$MA_BACKLASH[0,AX1]=0.003" in lines
+    assert "AX1_EEC.INI" in written
+    with pytest.raises(CapacityError, match="would act beside the new table") as caught:
+        patch(PAIR + MD + "M17\n", ONE, {"cec": "available", "cec_tables": [4, 1]})
+    assert "7" in str(caught.value)
+
+
+def test_a_third_own_table_is_emptied_too() -> None:
+    third = cec(2, [0.001, 0.001], (0, 1, 1))
+    written = patch(PAIR + third + MD + "M17\n", TWO, {"cec": "available", "cec_tables": [7, 4, 2]})
+    assert "$AN_CEC[2,0]=0.0000000" in written["A.INI"]
+    assert "$AN_CEC[7,2]=-0.0065000" in written["A.INI"]
+
+
+def test_two_axes_take_tables_apart_from_each_other() -> None:
+    other = replace(TWO, address="AX2")
+    axes = [axis_of("AX1"), replace(axis_of("AX2"), name="Y")]
+    options = {"cec": "available", "cec_tables": [1, 2, 3, 4]}
+    written = texts(write_tables(SIEMENS, [TWO, other], axes, options))
+    assert "$AN_CEC_OUTPUT_AXIS[2]=(AX1)" in written["AX1_CEC.INI"]
+    assert "$AN_CEC_OUTPUT_AXIS[3]=(AX2)" in written["AX2_CEC.INI"]
+    with pytest.raises(CapacityError, match=r"axis Y.*2 CEC tables"):
+        write_tables(SIEMENS, [TWO, other], axes, {"cec": "available", "cec_tables": [1, 2, 3]})
+
+
+def test_a_sum_that_is_switched_off_is_not_switched_on_for_others_tables() -> None:
+    sleeping = cec(1, [0.0, 0.1], (0, 1, 1), ("AX3", "AX1")) + "$MA_CEC_ENABLE[AX1]=0\n"
+    with pytest.raises(CapacityError, match="would wake others too: 1"):
+        patch(sleeping + MD + "M17\n", TWO, CEC)
+
+
+def test_the_card_names_the_tables_and_the_check_of_the_sign() -> None:
+    axis = axis_of("AX1")
+    state = read_state(SIEMENS, write_tables(SIEMENS, [TWO], [axis], CEC), CEC, [axis])
+    steps = card_steps(SIEMENS, axis, card_values(SIEMENS, axis, TWO, CEC, state.facts["AX1"]))
+    text = "\n".join(step.text for step in steps)
+    assert UNKNOWN not in text
+    for words in (
+        "table 4 for travel in +, table 7 for travel in -",
+        "AX1_CEC.INI",
+        "MD18342",
+        "cec_sign=error",
+        "racks the bridge",
+    ):
+        assert words in text
+    single = "\n".join(step.text for step in card_steps(SIEMENS, axis, card_values(SIEMENS, axis, ONE, CEC, {})))
+    assert "AX1_EEC.INI" in single
+    assert "MD18342 $MN" not in single
+
+
+# Tables between axes -----------------------------------------------------------------------------------------------------------
+
+
+def cross(
+    positive: Sequence[float], negative: Sequence[float] | None = None, axes: tuple[str, str] = ("AX1", "AX2")
+) -> CrossCompensation:
+    return CrossCompensation(
+        input=axes[0],
+        output=axes[1],
+        input_kind=AxisKind.LINEAR,
+        output_kind=AxisKind.LINEAR,
+        positions=np.linspace(0, 800, len(positive)),
+        positive=np.array(positive),
+        negative=np.array(positive if negative is None else negative),
+    )
+
+
+def test_squareness_is_a_ramp_of_two_points() -> None:
+    # beta = -20 um/m: AX2 has to move by -0.016 mm while AX1 goes 800 mm
+    (file,) = write_cross(SIEMENS, [cross([0.0, -0.016])], {"cec": "available", "cec_tables": [0]})
+    assert file.name == "AX2_CROSS.INI"
+    body = [line for line in file.content.decode().splitlines() if line.startswith("$")]
+    assert body == [
+        "$AN_CEC[0,0]=0.000000",
+        "$AN_CEC[0,1]=-0.016000",
+        "$AN_CEC_INPUT_AXIS[0]=(AX1)",
+        "$AN_CEC_OUTPUT_AXIS[0]=(AX2)",
+        "$AN_CEC_MIN[0]=0.000000",
+        "$AN_CEC_MAX[0]=800.000000",
+        "$AN_CEC_STEP[0]=800.000000",
+        "$AN_CEC_DIRECTION[0]=0",
+        "$AN_CEC_MULT_BY_TABLE[0]=0",
+        "$AN_CEC_IS_MODULO[0]=0",
+    ]
+    back = agreed([file]).cross[0]
+    assert (back.positive.tolist(), back.negative.tolist()) == ([0, -0.016], [0, -0.016])
+
+
+def test_straightness_by_direction_takes_a_pair_of_free_tables_and_adds_up() -> None:
+    bow = cross([0.0, 0.003, 0.0], [0.001, 0.004, 0.001])
+    given = files(A__INI=RAMP + PAIR + MD + "M17\n")
+    state = read_state(SIEMENS, given, {})
+    options = {"cec": "available", "cec_tables": [0, 4, 5, 6]}
+    written = write_cross(SIEMENS, [bow], options, state, given)
+    assert list(texts(written)) == ["AX2_CROSS.INI"]  # nothing of the own file changes
+    assert "$AN_CEC_DIRECTION[6]=-1" in texts(written)["AX2_CROSS.INI"]
+    (total,) = agreed([*given, *written]).cross
+    assert total.at(np.array([400.0]), POSITIVE) == pytest.approx([-0.008 + 0.003], abs=EXACT)
+    assert total.at(np.array([400.0]), NEGATIVE) == pytest.approx([-0.008 + 0.004], abs=EXACT)
+    with pytest.raises(CapacityError, match=r"AX1 on AX2.*2 CEC tables"):
+        write_cross(SIEMENS, [bow], {"cec": "available", "cec_tables": [0, 4, 5]}, state, given)
+
+
+def test_reserved_memory_takes_cross_tables_too() -> None:
+    given = files(A__INI=cec(3, [0.0], (0, 0, 0), ("AX1", "AX1")) + MD + "$MA_CEC_ENABLE[AX2]=0\nM17\n")
+    state = read_state(SIEMENS, given, {})
+    (file,) = write_cross(SIEMENS, [cross([0.0, -0.016])], {"cec": "available", "cec_tables": [3]}, state, given)
+    assert "$AN_CEC[3,1]=-0.0160000" in file.content.decode()
+    assert "$MA_CEC_ENABLE[AX2]=1" in file.content.decode()
+    assert agreed([file]).cross[0].positive.tolist() == [0, -0.016]
+
+
+@pytest.mark.parametrize(
+    ("entry", "says"),
+    [
+        (replace(cross([0.0, 0.1]), below="zero", positive=np.array([0.1, 0.1])), "holds the end value"),
+        (replace(cross([0.0, 0.1]), positive=np.array([0.0])), "two points"),
+        (replace(cross([0.0, 0.1]), positive=np.array([0.0, np.nan])), "not finite"),
+        (replace(cross([0.0, 0.1]), positions=np.array([5.0, 5.0])), "ascend"),
+        (replace(cross([0.0, 0.1, 0.2]), positions=np.array([0.0, 1.0, 3.0])), "equally spaced"),
+        (cross([0.0, 0.0000005]), "multiple"),
+        (cross([0.0, 11.0]), "outside"),
+        (replace(cross([0.0, 0.1]), period=800.0), "same value at both ends"),
+        (replace(cross([0.0, 0.0]), period=700.0), "one period"),
+    ],
+)
+def test_cross_tables_that_no_control_holds_are_refused(entry: CrossCompensation, says: str) -> None:
+    with pytest.raises(CapacityError, match=says):
+        write_cross(SIEMENS, [entry], {"cec": "available", "cec_tables": [0, 1, 2]})
+
+
+def test_cross_tables_need_the_option_free_memory_and_room() -> None:
+    with pytest.raises(CapacityError, match="option cec"):
+        write_cross(SIEMENS, [cross([0.0, 0.1])], {})
+    with pytest.raises(UsageError, match="over itself"):
+        write_cross(SIEMENS, [cross([0.0, 0.1], axes=("AX1", "ax1"))], {"cec": "available", "cec_tables": [0]})
+    given = files(A__INI=f"{RAMP}$MA_CEC_MAX_SUM[AX2]=0.02\n$MN_MM_CEC_MAX_POINTS[1]=2\n$MA_BACKLASH[0,AX2]=0\nM17\n")
+    state = read_state(SIEMENS, given, {})
+    options = {"cec": "available", "cec_tables": [1]}
+    assert write_cross(SIEMENS, [cross([0.0, 0.004])], options, state, given)
+    with pytest.raises(CapacityError, match="MD32720"):
+        write_cross(SIEMENS, [cross([0.0, 0.005])], options, state, given)
+    with pytest.raises(CapacityError, match="MD18342"):
+        write_cross(SIEMENS, [cross([0.0, 0.001, 0.002])], options, state, given)
+
+
+def test_cross_tables_and_a_pair_of_one_run_do_not_meet() -> None:
+    options = {"cec": "available", "cec_tables": [2, 3, 5]}
+    axis = axis_of("AX1")
+    tables = write_tables(SIEMENS, [TWO], [axis], options)
+    state = read_state(SIEMENS, tables, options, [axis])
+    new = write_cross(SIEMENS, [cross([0.0, -0.016])], options, state, tables)
+    assert "$AN_CEC_INPUT_AXIS[5]=(AX1)" in texts(new)["AX2_CROSS.INI"]
+    both = agreed([*tables, *new], [axis], **options)
+    assert both.axes["AX1"].positive.tolist() == TWO.positive.tolist()
+    assert both.cross[0].positive.tolist() == [0, -0.016]
+
+
+def test_a_definition_without_such_tables_holds_none() -> None:
+    with pytest.raises(CapacityError, match="option"):
+        write_cross(LINUXCNC, [cross([0.0, 0.1])], {})
+
+
+# Both readers ------------------------------------------------------------------------------------------------------------------
+
+
+@st.composite
+def sag(draw: st.DrawFn) -> str:
+    text = MD + draw(st.sampled_from(["", EEC, "$MA_CEC_ENABLE[AX1]=0\n", "$MA_CEC_ENABLE[AX2]=1\n"]))
+    for index in draw(st.lists(st.integers(0, 9), unique=True, max_size=4)):
+        count = draw(st.integers(2, 5))
+        values = draw(st.lists(st.integers(-9999, 9999), min_size=count, max_size=count))
+        modulo = draw(st.booleans())
+        if modulo:
+            values[-1] = values[0]
+        start, step = draw(st.integers(-500, 500)), draw(st.integers(1, 200))
+        axes = draw(st.sampled_from([("AX1", "AX1"), ("AX1", "AX2"), ("AX2", "AX1")]))
+        grid = (float(start), float(step), float(start + step * (count - 1)))
+        text += cec(index, [v / 1e6 for v in values], grid, axes, draw(st.sampled_from([-1, 0, 1])), IS_MODULO=int(modulo))
+        text += draw(st.sampled_from(["", f"$SN_CEC_TABLE_ENABLE[{index}]=0\n", f"$SN_CEC_TABLE_WEIGHT[{index}]=-0.5\n"]))
+    return text
+
+
+@given(text=sag(), sign=st.sampled_from(["correction", "error"]))
+@settings(deadline=None, max_examples=150)
+def test_both_readers_agree_on_any_tables(text: str, sign: str) -> None:
+    agreed(files(A__INI=text + "M17\n"), cec_sign=sign)
+
+
+@given(data=st.data())
+@settings(deadline=None, max_examples=300)
+def test_damaged_tables_are_refused_or_agreed_on(data: st.DataObject) -> None:
+    content = (PAIR + RAMP + MD + "M17\n").encode()
+    for _ in range(data.draw(st.integers(1, 3))):
+        place = data.draw(st.integers(0, len(content)))
+        piece = data.draw(st.one_of(st.binary(max_size=4), st.sampled_from([b"\n", b"'", b"(", b"-1", b"$AN_CEC", b"9" * 16])))
+        content = content[:place] + piece + content[place + data.draw(st.integers(0, 10)) :]
+    try:
+        state = read_state(SIEMENS, [ControlFile("A.INI", content)], {})
+    except (InputError, UsageError):
+        return
+    for axis in state.axes.values():
+        assert np.all(np.diff(axis.positions) > 0)
+
+
+def test_a_difference_between_the_readers_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    given = files(A__INI=RAMP + MD)
+    agreed(given)
+
+    def a_micrometre_off(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
+        return tuple(replace(one, positive=one.positive + 1e-3) for one in cross_tables(cec, kind))
+
+    def none(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
+        return cross_tables(cec, kind)[:0]
+
+    def another(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
+        return tuple(replace(one, output="AX3") for one in cross_tables(cec, kind))
+
+    for wrong, says in ((a_micrometre_off, "do not agree"), (none, "do not agree"), (another, "different tables")):
+        monkeypatch.setattr("compwright.formats.reading.cross_tables", wrong)
+        with pytest.raises(CompwrightError, match=says):
+            agreed(given)
