@@ -387,3 +387,30 @@ def test_a_tolerance_bounds_the_size_of_the_mean_reversal_value(folder: Path) ->
     axis = document(folder / "job" / "prediction.json")["axes"]["X"]
     assert axis["predicted"]["B_mean"]["p95"] < -4
     assert axis["accept"]["B_mean"]["decision"] == "reject"
+
+
+def test_a_rough_old_table_does_not_blur_the_error(tmp_path: Path) -> None:
+    """What the control added is known exactly: with the same noise, the new table is the one that an empty control would get."""
+    machine = Machine()
+    targets = machine.targets(21)
+    nodes = np.arange(0.0, 801.0, 25.0)
+    zigzag = np.where(np.arange(nodes.size) % 2 == 0, 0.003, -0.003)
+    zigzag[0] = 0.0  # zero at the reference
+    old = tmp_path / "joint_0.comp"
+    old.write_text("".join(f"{x:.6f} {x - c:.6f} {x - c:.6f}\n" for x, c in zip(nodes, zigzag, strict=True)))
+    (tmp_path / "joint_0.ini").write_text("[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 0\n")
+    corrections = {}
+    for name, states, active in (
+        ("empty", ["none"], None),
+        ("rough", [str(old), str(tmp_path / "joint_0.ini")], lambda x, _: np.interp(x, nodes, zigzag)),
+    ):
+        (tmp_path / f"{name}.csv").write_text(csv_of(targets, machine.measure(targets, 7, active)))
+        words = ["run", str(tmp_path / f"{name}.csv"), "--format", "linuxcnc", "--axis", "X", "--travel", "0:800"]
+        words += [word for state in states for word in ("--state", state)]
+        words += ["--option", "address=0", "--option", "spacing=50", "--out", str(tmp_path / name)]
+        assert compwright(words) == 0
+        files = [ControlFile(path.name, path.read_bytes()) for path in sorted((tmp_path / name / "tables" / "linuxcnc").iterdir())]
+        control = virtual_control("linuxcnc", files)
+        corrections[name] = [control.correction("0", np.linspace(0, 800, 801), side) for side in Direction]
+    # Readings are written to 1e-6 µm; 1e-6 mm is the last digit of the table.
+    np.testing.assert_allclose(corrections["rough"], corrections["empty"], atol=2e-6)

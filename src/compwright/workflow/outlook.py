@@ -8,7 +8,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.estimation.axis import AxisPosterior
 from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.prediction.positioning import decide_prediction, dithered_targets, predict_test
@@ -16,6 +15,7 @@ from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.job import Acceptance, AxisJob
 from compwright.records.prediction import AcceptDecision, Quantiles, TestPrediction
 from compwright.records.result import PositioningResult
+from compwright.workflow.planning import MeasuredError
 
 DRAWS = 2000
 #: Newly dithered targets stay this far from the ends of the travel: mm, and for rotary axes deg.
@@ -37,7 +37,7 @@ class Change:
         return self.new(positions, direction) - self.active(positions, direction)
 
 
-def predict(result: PositioningResult, posterior: AxisPosterior, change: Change, axis: Axis) -> TestPrediction:
+def predict(result: PositioningResult, posterior: MeasuredError, change: Change, axis: Axis) -> TestPrediction:
     """Return what a fresh test like ``result`` will show with the changed correction, at its targets and at new ones."""
     return TestPrediction(
         name=result.test.name,
@@ -47,7 +47,7 @@ def predict(result: PositioningResult, posterior: AxisPosterior, change: Change,
     )
 
 
-def predict_new_targets(result: PositioningResult, posterior: AxisPosterior, change: Change, axis: Axis) -> Mapping[str, Quantiles]:
+def predict_new_targets(result: PositioningResult, posterior: MeasuredError, change: Change, axis: Axis) -> Mapping[str, Quantiles]:
     """Return what a fresh test like ``result`` will show with the changed correction at newly dithered targets."""
     test = result.test
     new_targets = dithered_targets(
@@ -131,7 +131,7 @@ def accepted_index(accept: Acceptance, names: tuple[str, ...]) -> int:
 
 
 def _predict_at(
-    result: PositioningResult, posterior: AxisPosterior, change: Change, targets: FloatArray, axis: Axis
+    result: PositioningResult, posterior: MeasuredError, change: Change, targets: FloatArray, axis: Axis
 ) -> Mapping[str, Quantiles]:
     rng = _generator(axis.name, result.test.name, "draws")
     draws = posterior.draw(targets, DRAWS, rng)

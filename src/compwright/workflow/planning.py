@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from compwright.estimation.axis import AxisPosterior, estimate_axis
+from compwright.estimation.axis import AxisPosterior, Draws, estimate_axis
+from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
@@ -18,9 +19,68 @@ DENSE_MOST = 4001
 DENSE_PER_PERIOD = 10
 
 
-def posterior_of(test: PositioningTest, axis: Axis) -> AxisPosterior:
-    """Return the error of ``axis`` as one test tells it. The same test gives the same posterior."""
-    return estimate_axis(test, travel=axis.travel, periods=axis.screw_pitch)
+@dataclass(frozen=True, slots=True)
+class MeasuredError:
+    """The error of an axis as one test shows it: that of the axis itself, estimated, and what the control added, which is known.
+
+    A table may be as rough as it likes: it is taken out before the smooth error is estimated, and put back exactly.
+    """
+
+    own: AxisPosterior
+    active: AxisCompensation | None
+
+    @property
+    def noise(self) -> float:
+        """Standard deviation of one reading, mm or deg."""
+        return self.own.noise
+
+    @property
+    def noise_dof(self) -> float:
+        """Degrees of freedom of ``noise``."""
+        return self.own.noise_dof
+
+    @property
+    def reversal_log_odds(self) -> float:
+        """Natural logarithm of the evidence for a reversal of the axis itself that varies with position."""
+        return self.own.reversal_log_odds
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What was noticed while estimating."""
+        return self.own.findings
+
+    def summary(self, positions: FloatArray) -> ErrorEstimate:
+        """Return mean and standard deviation of the deviation at ``positions`` (g,), with what acted during the test."""
+        estimate = self.own.summary(positions)
+        if self.active is None:
+            return estimate
+        return replace(
+            estimate,
+            mean_positive=estimate.mean_positive + self.active.at(positions, Direction.POSITIVE),
+            mean_negative=estimate.mean_negative + self.active.at(positions, Direction.NEGATIVE),
+        )
+
+    def draw(self, positions: FloatArray, count: int, rng: np.random.Generator) -> Draws:
+        """Return ``count`` joint draws of the deviation at ``positions`` (k,), with what acted during the test."""
+        draws = self.own.draw(positions, count, rng)
+        if self.active is None:
+            return draws
+        return replace(
+            draws,
+            positive=draws.positive + self.active.at(positions, Direction.POSITIVE),
+            negative=draws.negative + self.active.at(positions, Direction.NEGATIVE),
+        )
+
+
+def measured_error(test: PositioningTest, axis: Axis, active: AxisCompensation | None) -> MeasuredError:
+    """Return the error of ``axis`` as one test tells it; ``active``: what the control did meanwhile, None where nobody said.
+
+    The same test gives the same answer.
+    """
+    bare = test
+    if active is not None:
+        bare = with_change(test, *(-active.at(test.targets, direction) for direction in Direction))
+    return MeasuredError(estimate_axis(bare, travel=axis.travel, periods=axis.screw_pitch), active)
 
 
 def dense_positions(axis: Axis) -> FloatArray:

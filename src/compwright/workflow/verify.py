@@ -13,7 +13,6 @@ from compwright.documents.decode import finding_documents
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import read_plan
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis, VerifiedCircle, verification_document
-from compwright.estimation.axis import AxisPosterior
 from compwright.evaluation.decision import decide
 from compwright.evaluation.standards import evaluate
 from compwright.foundations import storage
@@ -43,7 +42,7 @@ from compwright.workflow.control import (
 )
 from compwright.workflow.inputs import read_measurement, read_test
 from compwright.workflow.outlook import DRAWS, Change, accepted_index, predict
-from compwright.workflow.planning import posterior_of
+from compwright.workflow.planning import MeasuredError, measured_error
 from compwright.workflow.verify_circles import split_after, squareness_decisions, verify_circles
 from compwright.workflow.view import evaluations, verify_view
 from compwright.workflow.work import AS_FOUND
@@ -242,7 +241,7 @@ def _verify_axis(
         evaluate(test, job.standard, travel=axis.travel, periods=axis.screw_pitch, budget=job.uncertainty, thermal=job.thermal)
         for test in (before_test, after.test)
     )
-    posterior = posterior_of(planned.tests[0].test, axis)
+    posterior = measured_error(planned.tests[0].test, axis, planned.active)
     active = planned.active or no_compensation(axis.address, axis.kind, axis.reference_return)
 
     def unchanged(positions: Any, direction: Direction) -> Any:
@@ -272,7 +271,7 @@ def _verify_axis(
     )
 
 
-def _expected(result: PositioningResult, posterior: AxisPosterior, change: Change) -> ExpectedMeans:
+def _expected(result: PositioningResult, posterior: MeasuredError, change: Change) -> ExpectedMeans:
     targets = result.test.targets
     estimate = posterior.summary(targets)
     positive, negative = (
@@ -282,7 +281,7 @@ def _expected(result: PositioningResult, posterior: AxisPosterior, change: Chang
     return ExpectedMeans(positions=targets, positive=positive, negative=negative, s=estimate.noise)
 
 
-def _judge(test: PositioningTest, posterior: AxisPosterior, loaded: Change, inactive: Change) -> LoadingVerdict:
+def _judge(test: PositioningTest, posterior: MeasuredError, loaded: Change, inactive: Change) -> LoadingVerdict:
     draws = posterior.draw(test.targets, DRAWS, np.random.default_rng(0))
     estimate = posterior.summary(test.targets)
     expected = {

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from compwright.estimation.axis import AxisPosterior
 from compwright.evaluation.standards import evaluate
 from compwright.fitting.fit import fit_table
 from compwright.formats.capacity import capacity_for
@@ -34,7 +33,7 @@ from compwright.workflow.outlook import (
     predict_new_targets,
     why_not_better,
 )
-from compwright.workflow.planning import dense_positions, posterior_of, wanted_correction, with_change
+from compwright.workflow.planning import MeasuredError, dense_positions, measured_error, wanted_correction, with_change
 
 AS_FOUND = "as_found"
 
@@ -45,7 +44,7 @@ class AxisWork:
 
     entry: AxisJob
     results: tuple[PositioningResult, ...]
-    posterior: AxisPosterior
+    posterior: MeasuredError
     planned: PlannedAxis
     as_found: Correction
     capacity: Capacity | None = None
@@ -82,12 +81,13 @@ def start_axis(job: Job, entry: AxisJob, inputs: JobInputs) -> AxisWork:
         for planned in tests
     )
     check_limits(job.file, entry, results)
-    posterior = posterior_of(tests[0].test, axis)
+    active = _compensation(inputs.states.get(tests[0].measured_in), axis)
+    posterior = measured_error(tests[0].test, axis, active)
     planned = PlannedAxis(
         axis=axis,
         tests=tests,
         estimate=posterior.summary(dense_positions(axis)),
-        active=_compensation(inputs.states.get(tests[0].measured_in), axis),
+        active=active,
         wanted=None,
         request=entry.table,
         fitted=None,
