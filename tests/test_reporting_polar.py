@@ -207,6 +207,9 @@ def test_a_radius_far_from_nominal_does_not_hide_the_form() -> None:
     form = result["parameters"]["G_ccw_lsc"]
     assert np.ptp(radii) == pytest.approx(_scale(panel) * form, rel=0.2)  # about another centre than that of the run
     assert _scale(panel) * form > 0.1 * RADIUS
+    own = polar_of(line(panel, "least-squares circle"))[1]
+    assert own == pytest.approx(np.full(own.size, RADIUS), abs=1e-9)
+    assert radii.mean() == pytest.approx(RADIUS, abs=0.5 * _scale(panel) * form)
 
 
 def test_one_direction_and_further_runs() -> None:

@@ -21,9 +21,12 @@ from rich.console import Console
 from circle_machine import Machine, Setup, measured, truth
 from circular_samples import ballbar_file, table
 from compwright.cli import run as compwright
+from compwright.estimation.circle import diagnose
 from compwright.foundations.errors import UsageError
+from compwright.records.circular import CircularTest, Diagnosis
 from compwright.simulation.circular import CircleErrors, CirclePlan, record_circle
 from compwright.simulation.circular_files import to_b5r
+from compwright.workflow import circles
 from compwright.workflow.evaluate import evaluate_files, evaluation_renderables
 from places import PROJECT, REAL, needs_shared
 
@@ -247,9 +250,9 @@ def test_a_whole_test_and_the_rest_by_elimination(tmp_path: Path) -> None:
 
 
 def test_a_word_that_only_contains_cw_is_no_direction(tmp_path: Path) -> None:
-    made = {name: csv_of(way, keys={"date": name}) for name, way in (("macw", "cw"), ("mac", "ccw"), ("macccw", "ccw"))}
-    put(tmp_path, **made)
-    assert {codes[0] for _, _, codes in names_and_codes(tmp_path)} == {"CW-R039"}
+    """Without its last letters macw would be the partner of ma."""
+    put(tmp_path, macw=csv_of("cw"), ma=csv_of("ccw"), zz=csv_of("ccw", keys={"date": "1"}))
+    assert names_and_codes(tmp_path) == [(name, 1, ["CW-R039"]) for name in ("ma", "macw", "zz")]
 
 
 # --- standards, kinds, missing diagnosis ---------------------------------------------------------------------------------------
@@ -284,6 +287,21 @@ def test_without_a_diagnosis_the_rest_is_given(tmp_path: Path, capsys: pytest.Ca
     assert "too few samples" in result["not_applicable"]["diagnosis"]
     assert result["parameters"]["G_bidirectional"] > 0.0
     assert "No causes: " in shown(document, 80)
+
+
+@pytest.mark.parametrize("singular", [True, False])
+def test_causes_without_a_standard_error_are_not_given(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, singular: bool) -> None:
+    def unsound(test: CircularTest) -> Diagnosis:
+        if singular:
+            raise np.linalg.LinAlgError
+        found = diagnose(test)
+        return replace(found, effects={name: replace(effect, std_error=float("nan")) for name, effect in found.effects.items()})
+
+    monkeypatch.setattr(circles, "diagnose", unsound)
+    put(tmp_path, xy=csv_of())
+    (result,) = evaluate_files([tmp_path]).document["results"]
+    assert result["diagnosis"] is None
+    assert "do not tell the causes apart" in result["not_applicable"]["diagnosis"]
 
 
 @pytest.mark.parametrize("extent", [90.0, 180.0, 360.0])
@@ -395,6 +413,7 @@ def test_the_terminal_shows_the_documents_numbers_at_80_columns(tmp_path: Path) 
     assert rows["Radial deviation, smallest"][2:] == [f"{values[name]:.2f}" for name in ("F_min_ccw", "F_min_cw")]
     assert rows["Mean radial deviation"] == ["D", f"{values['D']:+.2f}"]
     assert "largest, least-squares centre" not in text  # the same as F on a full circle
+    assert "Circular hysteresis" not in text  # not of 2005: why stands below
     lines = [line for line in text.splitlines() if re.search(r" ± .* %", line)]
     squareness = next(line for line in lines if line.startswith("Squareness XY"))
     entry = result["diagnosis"]["squareness"]
@@ -418,6 +437,8 @@ def test_the_terminal_shows_what_the_instrument_printed() -> None:
     assert "Printed in the file: G 7.2 / 6.7 / 7.2, D −5.7 µm" in text
     assert "— F ccw, F cw: the length of the bar was not calibrated" in text
     assert re.search(r"Squareness XY +31\.\d .* 31$|Squareness XY +30\.\d .* 31$", text, re.MULTILINE)
+    assert re.search(r"Lateral play X .* 1\.4$", text, re.MULTILINE)
+    assert re.search(r"Lateral play Y .* 0\.6$", text, re.MULTILINE)
     assert re.search(r"Scale mismatch Z − X .*\(−3\.3\)$", text, re.MULTILINE)  # which the instrument calls not valid
 
 
