@@ -16,7 +16,7 @@ import numpy as np
 from compwright.controllers.virtual import VirtualControl, virtual_control
 from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.definitions import definitions_from
-from compwright.formats.options import resolve_options
+from compwright.formats.options import ENCODER_SYSTEM, resolve_options
 from compwright.formats.reading import read_state
 from compwright.formats.schema import Definition
 from compwright.foundations import storage
@@ -219,7 +219,7 @@ def decode(
         files,
         reference_return={address: axis.reference_return for address, axis in state.axes.items()},
         kinds={address: axis.kind for address, axis in state.axes.items()},
-        encoder={address: axis.encoder.system for address, axis in named},
+        encoder={**_systems(state), **{address: axis.encoder.system for address, axis in named}},
         modulo={address: axis.modulo for address, axis in named if axis.modulo is not None},
         reference={address: axis.reference for address, axis in named},
         axis_options={address: axis.options for address, axis in named},
@@ -227,6 +227,12 @@ def decode(
     )
     raise_all(CompwrightError, _disagreements(state, judge))
     return DecodedState(files=tuple(files), state=state, judge=judge)
+
+
+def _systems(state: ControlState) -> dict[str, int]:
+    """Return the measuring system whose table was read, by address: the option or the files say it where no job does."""
+    found = {address: facts.get(ENCODER_SYSTEM) for address, facts in state.facts.items()}
+    return {address: system for address, system in found.items() if isinstance(system, int)}
 
 
 def judged(state: DecodedState, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
