@@ -25,8 +25,8 @@ from compwright.records.correction import AxisCompensation, ControlFile
 from loop import Floats, Machine, accuracy, allowed, csv_of
 
 FORMATS = ("siemens-840d-sl", "linuxcnc", "fanuc-30i", "fanuc-0i-16i", "heidenhain-itnc530", "heidenhain-nck")
-#: The same controls met otherwise: tables of their own that are filled. The name before + is the format.
-MET_OTHERWISE = ("heidenhain-nck+filled", "heidenhain-itnc530+filled")
+#: The same controls met otherwise: tables of their own that are filled, an option that they have. The name before + is the format.
+MET_OTHERWISE = ("heidenhain-nck+filled", "heidenhain-itnc530+filled", "siemens-840d-sl+cec")
 ADDRESS = {
     "siemens-840d-sl": "AX1",
     "linuxcnc": "0",
@@ -37,6 +37,8 @@ ADDRESS = {
 }
 #: What nobody can know but the user.
 OPTIONS = {"fanuc-30i": {"detection_unit": 0.001}, "fanuc-0i-16i": {"detection_unit": 0.001}}
+#: What a control met otherwise has.
+MORE_OPTIONS = {"siemens-840d-sl+cec": {"cec": "available", "cec_tables": "3,8"}}
 #: Controls that hold whole steps of 1 µm which come out in the middle of a section.
 STEPS = ("fanuc-30i", "fanuc-0i-16i")
 #: Decimal places of a table value in mm, where it is not 6.
@@ -69,12 +71,13 @@ def allowed_by(format_id: str, machine: Machine, targets: Floats, spacing: float
 
 
 def run_arguments(folder: Path, format_id: str, machine: Machine, *states: str) -> list[str]:
+    more = MORE_OPTIONS.get(format_id, {})
     format_id = format_of(format_id)
     state = [word for name in states for word in ("--state", name)]
     option = [
         f"address={ADDRESS[format_id]}",
         f"reference_return={'+' if machine.reference_return > 0 else '-'}",
-        *(f"{name}={value}" for name, value in OPTIONS.get(format_id, {}).items()),
+        *(f"{name}={value}" for name, value in {**OPTIONS.get(format_id, {}), **more}.items()),
     ]
     return [
         "run", str(folder / "x.csv"), "--format", format_id, "--axis", "X", "--travel", f"{machine.low}:{machine.high}", *state,
