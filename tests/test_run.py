@@ -414,3 +414,33 @@ def test_a_rough_old_table_does_not_blur_the_error(tmp_path: Path) -> None:
         corrections[name] = [control.correction("0", np.linspace(0, 800, 801), side) for side in Direction]
     # Readings are written to 1e-6 µm; 1e-6 mm is the last digit of the table.
     np.testing.assert_allclose(corrections["rough"], corrections["empty"], atol=2e-6)
+
+
+def test_the_first_visit_switches_the_table_on_and_reserves_its_points(folder: Path) -> None:
+    """A SINUMERIK that never had a table says so in its machine data: nothing reserved, switched off."""
+    (folder / "MD.TXT").write_text(
+        "CHANDATA(1)\nN32450 $MA_BACKLASH[0,AX1]=0\nN32700 $MA_ENC_COMP_ENABLE[0,AX1]=0\n"
+        "N38000 $MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=0\nN32700 $MA_ENC_COMP_ENABLE[0,AX2]=0\nM17\n"
+    )
+    assert compwright(["run", str(job(folder, states="{as_found: [MD.TXT]}"))]) == 0
+    tables = folder / "job" / "tables" / "siemens-840d-sl"
+    text = (tables / "MD.TXT").read_text()
+    assert "N32700 $MA_ENC_COMP_ENABLE[0,AX1]=1\n" in text
+    assert "N32700 $MA_ENC_COMP_ENABLE[0,AX2]=0\n" in text
+    count = len(document(folder / "job" / "prediction.json")["axes"]["X"]["table"]["positions"])
+    assert f"N38000 $MA_MM_ENC_COMP_MAX_POINTS[0,AX1]={count}\n" in text
+    x = np.linspace(10, 790, 97)
+    control = sinumerik(tables)
+    for sign in (1, -1):  # within the error of the estimate, six standard deviations of a mean of ten readings
+        assert np.ptp(MACHINE.error(x, sign) + control(x, sign)) < 2 * 3 * MACHINE.noise / np.sqrt(10)
+
+
+def test_decode_reads_the_measuring_system_that_is_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    table = "".join(f"$AA_ENC_COMP[{e},{k},AX1]={(1 + e) * k / 1000}\n" for e in (0, 1) for k in range(3)) + "".join(
+        f"$AA_ENC_COMP_STEP[{e},AX1]=100\n$AA_ENC_COMP_MIN[{e},AX1]=0\n$AA_ENC_COMP_MAX[{e},AX1]=200\n" for e in (0, 1)
+    )
+    (tmp_path / "a.ini").write_text(f"CHANDATA(1)\n{table}M17\n")
+    for system, expected in ((1, [0, -1, -2]), (2, [0, -2, -4])):
+        words = ["decode", str(tmp_path / "a.ini"), "--format", "siemens-840d-sl", "--option", f"encoder_system={system}"]
+        assert compwright([*words, "--json", "-"]) == 0
+        assert json.loads(capsys.readouterr().out)["axes"]["AX1"]["correction_positive"] == pytest.approx(expected, abs=1e-9)

@@ -125,12 +125,12 @@ class _Writer:
         rows = rows_by_index(self.own.gathered.rows.get((address, text.named["system"]), ()))
         singles = {name: said[name] for name in names if name in said}
         places = TablePlaces(rows, singles, value, {**text.named, "axis": _spelled(rows, singles, address)})
+        self._switch_on(said.get("enabled", ()))
+        self._reserve(said.get("max_points", ()), len(text.rows))
         if not places.anywhere:
             return placed
         field = self.definition.bindings[value].field
         self.own.put_table(places, [row[field] for row in text.rows], {name: text.singles[name] for name in names})
-        self._switch_on(said.get("enabled", ()))
-        self._reserve(said.get("max_points", ()), len(text.rows))
         return placed | {value, *names}
 
     def _switch_on(self, places: Sequence[Found]) -> None:
@@ -142,10 +142,12 @@ class _Writer:
             self.own.put("enabled", last, word_text(self.definition, "enabled", "yes"))
 
     def _reserve(self, places: Sequence[Found], count: int) -> None:
-        """Put the number of points that the option promises where the files say fewer than the table has."""
+        """Reserve the points where the files say fewer than the table has: what the option promises, or where none were reserved
+        as many as it has; files that say less would take the room away again when they are loaded."""
         promised = self.options.get("points")
-        if self.own is not None and isinstance(promised, int) and any(0 < int(place.text) < count for place in places):
-            self.own.put("max_points", places, str(promised))
+        needed = promised if isinstance(promised, int) else count
+        if self.own is not None and any(int(place.text) < count for place in places):
+            self.own.put("max_points", places, str(needed))
 
     def own_files(self, addresses: Sequence[str]) -> tuple[ControlFile, ...]:
         """Return the control's own files that say something of the axes, with all changes made."""
