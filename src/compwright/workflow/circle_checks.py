@@ -128,7 +128,7 @@ class Checks:
             f"{work.planned.test.axes[index]}: lost motion {laser.lost_motion.words(_UM, 'µm')} by the laser, "
             f"{circle.words(_UM, 'µm')} by {work.name} (moving): they disagree; that of the {counts} counts."
         )
-        yield Finding("CW-K014", "warning", message)
+        yield Finding("CW-P114", "warning", message)
 
     def _scale(self, work: CircleWork, index: int, laser: ByLaser) -> Iterator[Finding]:
         circle = scale_error(work, index)
@@ -138,7 +138,7 @@ class Checks:
             f"{work.planned.test.axes[index]}: scale {laser.scale.words(_PPM, 'µm/m')} by the laser, "
             f"{circle.words(_PPM, 'µm/m')} by {work.name}: they disagree; the laser counts."
         )
-        yield Finding("CW-K015", "warning", message)
+        yield Finding("CW-P115", "warning", message)
 
     def _mismatch(self, work: CircleWork, first: ByLaser, second: ByLaser) -> Iterator[Finding]:
         circle = mismatch(work)
@@ -151,7 +151,7 @@ class Checks:
             f"Scale of {axes}: {laser.words(_PPM, 'µm/m')} by the laser, {circle.words(_PPM, 'µm/m')} by {work.name}: "
             "they disagree; the laser counts."
         )
-        yield Finding("CW-K016", "warning", message)
+        yield Finding("CW-P116", "warning", message)
 
     def with_circle_backlash(self, circles: Sequence[CircleWork]) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
         """Return the axes with the lost motion of their circles in place of the laser's, where the job asks for that."""
@@ -164,7 +164,7 @@ class Checks:
                 continue
             works[name] = _shifted(axis, shift.value)
             message = f"{name}: its lost motion is taken from the circles: {shift.words(_UM, 'µm')} against the laser's."
-            findings.append(Finding("CW-K017", "info", message))
+            findings.append(Finding("CW-P117", "info", message))
         return works, tuple(findings)
 
     def _shift(self, name: str, circles: Sequence[CircleWork]) -> Stated | None:

@@ -210,7 +210,7 @@ def _middle_assumed(test: CircularTest, centre: tuple[float, float]) -> Finding:
         f"Circle {test.name}: nobody says where it lies in the machine; the middle of the travel is assumed ({where}). "
         "Give its centre: where the tables act depends on it."
     )
-    return Finding("CW-K001", "warning", message)
+    return Finding("CW-P101", "warning", message)
 
 
 def checked_axes(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, ...]:
@@ -224,7 +224,7 @@ def checked_axes(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, .
         if axis.kind is not AxisKind.LINEAR or reach[0] < axis.travel[0] or reach[1] > axis.travel[1]:
             span = f"{reach[0]:g} to {reach[1]:g}"
             message = f"Circle {test.name}: a whole circle about its centre reaches from {span} on {name}, beyond the travel."
-            found.append(Finding("CW-K002", "warning", message))
+            found.append(Finding("CW-P102", "warning", message))
     return tuple(found)
 
 

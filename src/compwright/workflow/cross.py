@@ -121,7 +121,7 @@ class _Planner:
             tables.append(table)
         if missed > 2.0 * QUANTUM:
             message = f"{given} on {bent}: nodes at equal steps miss the measured points by up to {missed * 1e3:.2g} µm."
-            self.find("CW-K003", "info", message)
+            self.find("CW-P103", "info", message)
         return _compensation(axis, self.axes[bent], nodes, *tables)
 
     def _check_by_circle(self, planned: PlannedCross) -> None:
@@ -132,9 +132,9 @@ class _Planner:
         named = f"{planned.input} and {planned.output}: squareness {planned.squareness * _PPM:+.1f} µm/m by the direct measurement"
         if difference > max(SIGNIFICANT * circle.std_error, SQUARE):
             text = f"{named}, {circle.words} by {', '.join(circle.tests)}; they disagree. The direct measurement is corrected."
-            self.find("CW-K004", "warning", text)
+            self.find("CW-P104", "warning", text)
         else:
-            self.find("CW-K005", "info", f"{named}, which {', '.join(circle.tests)} confirms ({circle.words}).")
+            self.find("CW-P105", "info", f"{named}, which {', '.join(circle.tests)} confirms ({circle.words}).")
 
     # --- squareness from circles -----------------------------------------------------------------------------------------------
 
@@ -147,16 +147,16 @@ class _Planner:
                 continue
             angle = self.angles.get(pair)
             if angle is None:
-                self.find("CW-K006", "warning", f"apply.squareness.{plane}: no circle of this plane gives its squareness.")
+                self.find("CW-P106", "warning", f"apply.squareness.{plane}: no circle of this plane gives its squareness.")
             elif abs(angle.value) < SIGNIFICANT * angle.std_error:
-                self.find("CW-K007", "info", f"{plane}: squareness {angle.words} is not significant and is not corrected.")
+                self.find("CW-P107", "info", f"{plane}: squareness {angle.words} is not significant and is not corrected.")
             else:
                 yield self._ramp(other, bent, angle)
         for pair, angle in self.angles.items():
             if pair not in asked and pair not in self.measured_pairs and abs(angle.value) >= SIGNIFICANT * angle.std_error:
                 plane = "".join(sorted(pair))
                 message = f"{plane}: squareness {angle.words} by {', '.join(angle.tests)}; nothing asks for its correction (apply)."
-                self.find("CW-K008", "info", message)
+                self.find("CW-P108", "info", message)
 
     def _ramp(self, given: str, bent: str, angle: Squareness) -> PlannedCross:
         axis = self.axes[given]
@@ -165,7 +165,7 @@ class _Planner:
         plane = f"{given} on {bent}"
         self._reach(plane, axis, angle.diameter, "diameter of the circle")
         self._gantry(bent)
-        self.find("CW-K009", "info", f"{plane}: squareness {angle.words} by {', '.join(angle.tests)}; {bent} is to follow {given}.")
+        self.find("CW-P109", "info", f"{plane}: squareness {angle.words} by {', '.join(angle.tests)}; {bent} is to follow {given}.")
         return PlannedCross(
             input=given,
             output=bent,
@@ -195,7 +195,7 @@ class _Planner:
         if free and scatter > free + SIGNIFICANT * np.sqrt(2.0 * free):  # 95 % of the chi-square law, roughly
             error *= float(np.sqrt(scatter / free))
             each = ", ".join(f"{work.name} {value * _PPM:+.1f}" for work, value in zip(works, values, strict=True))
-            self.find("CW-K010", "warning", f"{plane}: its circles disagree about the squareness (µm/m: {each}).")
+            self.find("CW-P110", "warning", f"{plane}: its circles disagree about the squareness (µm/m: {each}).")
         diameter = max(2.0 * work.planned.test.nominal_radius for work in works)
         return Squareness(mean, error, tuple(work.name for work in works), diameter)
 
@@ -213,7 +213,7 @@ class _Planner:
         travel = axis.travel[1] - axis.travel[0]
         if travel > FAR * length:
             message = f"{label}: corrected over {travel:g} mm of {axis.name}, the {of} is {length:g} mm: an extrapolation."
-            self.find("CW-K011", "warning", message)
+            self.find("CW-P111", "warning", message)
 
     def _gantry(self, bent: str) -> None:
         if self.axes[bent].gantry is not None:
@@ -221,7 +221,7 @@ class _Planner:
                 f"{bent} is a gantry axis: moving it by micrometres while another axis travels risks stick-slip; "
                 "its squareness belongs into the reference offset of the synchronised axis first."
             )
-            self.find("CW-K012", "warning", message)
+            self.find("CW-P112", "warning", message)
 
 
 def angle_of(work: CircleWork, state: Acting) -> float:

@@ -13,13 +13,15 @@ from compwright.foundations.errors import CapacityError, CompwrightError, Fault,
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Axis, Direction
-from compwright.records.correction import ControlFile, CrossCompensation
+from compwright.records.correction import ControlFile, ControlState, CrossCompensation
 from compwright.records.plan import PlannedCross
 from compwright.workflow.circle_work import judged_cross
 from compwright.workflow.control import Control, DecodedState, decode
 
 #: Reading back may differ from what was planned by half a step of the value at either node, mm or deg.
 READ_BACK = 2e-6
+#: Stands before the names of the control's own files while tables are written, to tell them from new ones.
+_OWN = "own files/"
 #: What a control without tables between axes needs instead, by the beginning of its format's id.
 _INSTEAD = {
     "siemens": "set the option cec: available, if the control has sag compensation, and name free indices in cec_tables",
@@ -36,14 +38,16 @@ _INSTEAD = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossOutcome:
-    """What was written: ``written`` of the plan, ``files`` that the control loads in all, what is in it then (None: no files).
+    """What was written: ``written`` of the plan, ``files`` that the control loads in all, what is in it then.
+
+    ``after``: None where nothing was written: between the axes acts what acted before.
 
     ``totals``: what then acts between the axes of ``written``, read back by the judge, by the names of the job.
     """
 
     written: tuple[PlannedCross, ...]
     files: tuple[ControlFile, ...]
-    after: DecodedState | None
+    after: DecodedState | None = None
     totals: tuple[CrossCompensation, ...] = ()
     findings: tuple[Finding, ...] = ()
     steps: tuple[Mapping[str, str], ...] = ()
@@ -61,18 +65,18 @@ def write_planned(
     What the control cannot hold is not written: a finding and a step of the card say so, and what would help. Raises
     CompwrightError (a fault of our own) when something else comes back than was written.
     """
+    if not planned:
+        return CrossOutcome(written=(), files=tables)
+    if not cec_available(control.definition, control.options):
+        return _not_held(control, planned, tables, _instead(control), axes)
     base = _together(as_found.files, tables)
     known = list(axes.values())
     before = _read(control, base, known)
-    if not planned:
-        return CrossOutcome(written=(), files=tables, after=before)
-    if not cec_available(control.definition, control.options):
-        return _not_held(control, planned, tables, before, _instead(control), axes)
     try:
         state = as_found.state if before is None else before.state
-        new = write_cross(control.definition, [entry.added for entry in planned], control.options, state, base)
+        new = _written(control, planned, state, base)
     except CapacityError as error:
-        return _not_held(control, planned, tables, before, "; ".join(str(fault) for fault in error.faults), axes)
+        return _not_held(control, planned, tables, "; ".join(str(fault) for fault in error.faults).replace(_OWN, ""), axes)
     files = _together(tables, new)
     after = _read(control, _together(base, new), known)
     raise_all(CompwrightError, _wrong(planned, before, after))
@@ -83,6 +87,27 @@ def write_planned(
         totals=_totals(planned, after, axes),
         steps=tuple(_written_step(entry) for entry in planned),
     )
+
+
+def _written(
+    control: Control, planned: Sequence[PlannedCross], state: ControlState, base: Sequence[ControlFile]
+) -> tuple[ControlFile, ...]:
+    """Return the files of ``base`` that change, and new ones under names that no file of ``base`` has.
+
+    A new file may be called like one that a former round left in the control: it must not stand in for that one.
+    """
+    marked = [replace(file, name=_OWN + file.name) for file in base]
+    taken = {file.name for file in base}
+    files = []
+    for file in write_cross(control.definition, [entry.added for entry in planned], control.options, state, marked):
+        name = file.name.removeprefix(_OWN)
+        stem, dot, ending = name.rpartition(".")
+        number = 2
+        while file.name == name and name in taken:
+            name, number = f"{stem}_{number}{dot}{ending}", number + 1
+        taken.add(name)
+        files.append(replace(file, name=name))
+    return tuple(files)
 
 
 def _together(first: Sequence[ControlFile], then: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
@@ -130,7 +155,6 @@ def _not_held(
     control: Control,
     planned: Sequence[PlannedCross],
     tables: tuple[ControlFile, ...],
-    before: DecodedState | None,
     why: str,
     axes: Mapping[str, Axis],
 ) -> CrossOutcome:
@@ -138,9 +162,9 @@ def _not_held(
     for entry in planned:
         helps = _matrixkins(entry, axes) if control.id.startswith("linuxcnc") else why
         message = f"{_label(entry)} is not corrected: this control, as the job describes it, cannot hold it; {helps}."
-        findings.append(Finding("CW-K013", "warning", message))
+        findings.append(Finding("CW-P113", "warning", message))
         steps.append({"title": f"Not corrected: {_label(entry)}", "text": f"{helps}.", "evidence": "inferred"})
-    return CrossOutcome(written=(), files=tables, after=before, findings=tuple(findings), steps=tuple(steps))
+    return CrossOutcome(written=(), files=tables, findings=tuple(findings), steps=tuple(steps))
 
 
 def _label(entry: PlannedCross) -> str:

@@ -121,7 +121,7 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
     circles = start_circles(job, tests, axes)
     tables: tuple[ControlFile, ...] = ()
     loaded: DecodedState | None = None
-    cross = CrossOutcome(written=(), files=(), after=None)
+    cross = CrossOutcome(written=(), files=())
     findings = [finding for work in circles for finding in (*work.findings, *checked_axes(work, axes))]
     checks = Checks(job, works, {name: acting(decoded, axes) for name, decoded in inputs.states.items()})
     findings += checks.findings(circles)
