@@ -13,7 +13,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.circle_cyclic import Search, search, shortest_pitch
+from compwright.estimation.circle_cyclic import Search, longest_pitch, search, shortest_pitch
 from compwright.estimation.circle_fit import Fit, Problem, Shapes, default_shapes, first_fit, fit, problem_of, spectra_of
 from compwright.estimation.circle_lag import Lag, common_lag, corrected
 from compwright.estimation.circle_model import AXES, Samples, samples_of
@@ -28,6 +28,9 @@ from compwright.records.circular import CircularTest, Diagnosis
 LEAST_ARC: Final = 90.0
 #: Samples of one run below which the causes cannot be told from the noise.
 LEAST_SAMPLES: Final = 24
+#: The noise is estimated again, so often at most, while its density at order zero still changes by this share.
+_NOISE_ROUNDS: Final = 3
+_NOISE_SETTLED: Final = 0.25
 
 
 def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) -> Diagnosis:
@@ -104,7 +107,7 @@ def _refuse_few(test: CircularTest, samples: Samples) -> None:
 def _given(test: CircularTest, samples: Samples, periods: Mapping[str, float]) -> tuple[dict[str, float], list[Finding]]:
     """Return the frequencies, 1/mm, by ``first`` and ``second``, of those given periods that the test can show."""
     frequencies, findings = {}, []
-    least, most = shortest_pitch(samples), samples.radius
+    least, most = shortest_pitch(samples), longest_pitch(samples)
     for axis, period in periods.items():
         if least <= period <= most:
             frequencies["first" if axis == test.axes[0] else "second"] = 1.0 / period
@@ -137,4 +140,16 @@ def _fitted(problem: Problem, given: dict[str, float]) -> tuple[Fit, Search]:
             break
         fitted = fit(problem, fitted.shapes, spectra_of(fitted), fitted.known, rounds=2)
         found = search(problem, fitted, open_axes)
-    return fit(problem, fitted.shapes, spectra_of(fitted), fitted.known), found
+    return _settled(problem, fitted), found
+
+
+def _settled(problem: Problem, fitted: Fit) -> Fit:
+    """Return the fit once the noise that it leaves is the noise that it was weighted with."""
+    spectra = spectra_of(fitted)
+    for _ in range(_NOISE_ROUNDS):
+        fitted = fit(problem, fitted.shapes, spectra, fitted.known)
+        spectra = spectra_of(fitted)
+        changes = [abs(np.log(new.density[0] / old.density[0])) for new, old in zip(spectra, fitted.spectra, strict=True)]
+        if max(changes) < _NOISE_SETTLED:
+            break
+    return fitted

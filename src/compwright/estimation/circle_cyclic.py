@@ -21,8 +21,8 @@ from compwright.records.axis import FloatArray
 #: One search in a thousand finds a cyclic error where there is none.
 _FALSE_ALARM: Final = 1e-3
 _CANDIDATES: Final = 3
-#: The longest pitch sought: one radius, that is two periods over the circle; longer ones are straightness and scale.
-_LONGEST: Final = 1.0
+#: The longest pitch sought, in radii: four periods over the circle; longer ones are straightness and scale.
+_LONGEST: Final = 0.5
 #: Phase from sample to sample, in half turns, up to which a pitch is sought where the axis is fastest.
 _STEEPEST: Final = 0.7
 _OVERSAMPLING: Final = 8.0  # search steps within one period over the radius
@@ -44,11 +44,13 @@ def search(problem: Problem, fitted: Fit, axes: Sequence[str]) -> Search:
     clearest, found = 1.0, {}
     hidden = {}
     for axis in axes:
-        frequencies, gains, typical = _screen(problem, fitted, axis)
+        frequencies, gains, least = _screen(problem, fitted, axis)
         if not frequencies.size:
             continue
         threshold = 2.0 * np.log(frequencies.size / _OVERSAMPLING * 4.0 / _FALSE_ALARM)
-        hidden[axis] = float(np.sqrt(threshold) * typical / UM)
+        # The longest pitch is the hardest to tell from straightness and from what no cause explains.
+        longest = np.linalg.eigvalsh(_weighed(problem, fitted, axis, float(frequencies[0]))[1])[0]
+        hidden[axis] = float(np.sqrt(threshold / max(min(float(longest), least), 1e-300)))
         exact = [(_gain(problem, fitted, axis, frequencies[index]), float(frequencies[index])) for index in _peaks(gains)]
         best = max(exact, default=(0.0, 0.0))
         if best[0] > clearest * threshold:
@@ -62,8 +64,13 @@ def shortest_pitch(samples: Samples) -> float:
     return float(2.0 * samples.radius * samples.arc[1] / per_run / _STEEPEST)
 
 
+def longest_pitch(samples: Samples) -> float:
+    """Return the longest pitch, mm, that is told from the other causes."""
+    return _LONGEST * samples.radius
+
+
 def _screen(problem: Problem, fitted: Fit, axis: str) -> tuple[FloatArray, FloatArray, float]:
-    """Return frequencies (f,), about how much each would lower the weighted squares, and a typical standard error, mm."""
+    """Return frequencies (f,), about how much each would lower the weighted squares, and the least weight of one, 1/µm²."""
     samples, grid = problem.samples, problem.grid
     shared = fitted.rest[0] / fitted.spectra[0].density
     index = grid.index[0][0]
@@ -80,16 +87,16 @@ def _screen(problem: Problem, fitted: Fit, axis: str) -> tuple[FloatArray, Float
     padded = max(int(np.ceil(_OVERSAMPLING * radius / step)), cells)
     score = np.fft.rfft(binned, padded)
     frequencies = np.arange(score.size) / (padded * step)
-    keep = (frequencies >= 1.0 / (_LONGEST * radius)) & (frequencies * shortest_pitch(samples) <= 1.0)
+    keep = (frequencies * longest_pitch(samples) >= 1.0) & (frequencies * shortest_pitch(samples) <= 1.0)
     frequencies, score = frequencies[keep], score[keep]
     # A chirp is seen against the noise at its own local frequency: here its order in the cosine transform.
     thin = slice(None, None, max(turn.size // 128, 1))
     per_order = 4.0 * radius * samples.arc[1] / (2.0 * np.pi) * speed[thin]
     orders = np.minimum(np.outer(frequencies, np.pi * per_order).astype(np.intp), grid.size - 1)
     weight = 0.5 * turn.size * np.mean(turn[thin] ** 2 / fitted.spectra[0].density[orders], axis=1)
-    halved = np.sqrt(len(grid.index) * grid.index[0].shape[0])
-    typical = float(np.median(1.0 / np.sqrt(weight))) / halved if weight.size else 0.0
-    return frequencies, np.abs(score) ** 2 / np.maximum(weight, 1e-300), typical
+    runs = len(grid.index) * grid.index[0].shape[0]
+    least = float(np.min(weight, initial=np.inf)) * runs * UM**2
+    return frequencies, np.abs(score) ** 2 / np.maximum(weight, 1e-300), least
 
 
 def _peaks(gains: FloatArray) -> FloatArray:
@@ -103,11 +110,16 @@ def _peaks(gains: FloatArray) -> FloatArray:
 
 
 def _gain(problem: Problem, fitted: Fit, axis: str, frequency: float) -> float:
-    """Return how much two more columns lower the weighted sum of squares, all other columns refitted."""
+    """Return how much a cyclic error of this frequency lowers the weighted sum of squares."""
+    right, left = _weighed(problem, fitted, axis, frequency)
+    return float(right @ np.linalg.solve(left, right))
+
+
+def _weighed(problem: Problem, fitted: Fit, axis: str, frequency: float) -> tuple[FloatArray, FloatArray]:
+    """Return right side (2,) and normal matrix (2, 2), 1/µm², of cosine and sine with all other columns refitted."""
     samples = problem.samples
     columns = cyclic_columns(samples, axis, frequency, (0.0, 0.0))[:2]
-    cos, sin = np.cos(samples.theta), np.sin(samples.theta)
-    slopes = np.column_stack([column.x * cos + column.y * sin for column in columns])
+    slopes = np.column_stack([column.x * problem.towards_x + column.y * problem.towards_y for column in columns])
     right = np.zeros(2)
     inner = np.zeros((2, 2))
     shared = np.zeros((2, fitted.values.size))
@@ -116,7 +128,5 @@ def _gain(problem: Problem, fitted: Fit, axis: str, frequency: float) -> float:
         right += weighted.T @ rest
         inner += weighted.T @ half
         shared += weighted.T @ rows
-    left = inner - shared @ fitted.covariance @ shared.T
     # A column that the others can imitate gains nothing and must not gain by rounding.
-    left += 1e-6 * np.diag(np.diag(inner))
-    return float(right @ np.linalg.solve(left, right))
+    return right, inner - shared @ fitted.covariance @ shared.T + 1e-6 * np.diag(np.diag(inner))

@@ -45,7 +45,7 @@ def common_lag(samples: Samples) -> Lag | None:
     windows = _windows(samples, _BESIDE + count)
     if not len(windows):
         return None
-    angles = np.arange(-count, count + 1) * spacing
+    angles = np.arange(-count, count + 1, dtype=np.float64) * spacing
     squares, freedom = _squares(windows, angles)
     none, best = float(squares[count]), float(angles[np.argmin(squares)])
     near: FloatArray = best + np.linspace(-spacing, spacing, 2 * _STEPS_PER_SAMPLE + 1)

@@ -26,8 +26,8 @@ _LENGTHS: Final = 10
 _RATIOS: Final = np.concatenate([[0.0], np.logspace(-1.0, 5.0, 19)])
 #: The longest correlation tried is so small a part of a run: the orders that would show a longer one are used up by the causes.
 _SHORTEST_WAVE: Final = 16.0
-#: White noise alone weighs beforehand so many times one ratio: about half as much as all correlated noise together.
-_WHITE: Final = 8.0
+#: White noise alone weighs beforehand so many times one ratio: as much as all correlated noise together.
+_WHITE: Final = 19.0
 #: Ordinates of a spectrum are pooled above the first so many, in steps of a constant ratio.
 _SINGLE: Final = 32
 _POOLED: Final = 36
