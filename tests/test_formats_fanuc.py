@@ -243,6 +243,8 @@ def points_changed(own: Sequence[ControlFile], new: Sequence[ControlFile]) -> li
         ("a parameter lost", "N03620Q1A1P40A2P0A3P0\n", ""),
         ("two references", "N03621", "N03620Q1A1P41\nN03621"),
         ("a bare carriage return", "N01851", "\rN01851"),
+        ("a bare carriage return behind %", "%\nN01001", "%\rN01851Q1A1P9\nN01001"),
+        ("a bare carriage return among the points", "N10041", "(x)\rN10041"),
         ("backlash", "1851Q1A1P4", "1851Q1A1P10000"),
         ("two sets without their numbers", "3605Q1A1P00000000", "3605Q1A1P00000001"),
     ],

@@ -150,6 +150,9 @@ class _KindReader:
         return True
 
     def _statement(self, line: Line, code: str) -> Iterator[Occurrence]:
+        if self.numbered and "\r" in code and any(self._ours(piece) for piece in code.split("\r")[1:]):
+            self._fault(line, "cannot be read" + _hint(code), expected="a line end of the control", found=_shown(code))
+            return
         probe = code.upper() if self.ignores_case else code
         number = line_number(code) if self.numbered else None
         for matcher in self.matchers:
@@ -173,6 +176,11 @@ class _KindReader:
             )
         elif self.kind.other_lines_refused:
             self._refuse(line, "cannot be read as a row" + _hint(code))
+
+    def _ours(self, piece: str) -> bool:
+        """Whether a piece of a line would be a statement if it stood alone."""
+        known = line_number(piece) in self.kind.claims_at_start
+        return known or any(form.fullmatch(piece) for matcher in self.matchers for form in matcher.forms)
 
     def _occurrences(self, line: Line, matcher: Matcher, place: int, match: re.Match[str]) -> Iterator[Occurrence]:
         repeating = matcher.forms[place].group
