@@ -133,9 +133,11 @@ def test_deviations_are_drawn_magnified_outward_about_the_nominal_circle() -> No
     assert nominal == pytest.approx(np.full(nominal.size, RADIUS), abs=1e-9)
 
 
-@pytest.mark.parametrize("arc", [(0.0, 360.0), (250.0, 220.0)])
+@pytest.mark.parametrize("arc", [(0.0, 360.0), (250.0, 220.0), (20.0, 130.0)])
 def test_the_path_lies_between_the_circles_of_its_zone_and_touches_both(arc: tuple[float, float]) -> None:
     result = circle(start=arc[0], extent=arc[1])
+    both, common = result["minimum_zone"]["both"]["centre"], result["centre"]["common"]
+    assert arc[1] > 200.0 or min(abs(both[i] - common[i]) for i in (0, 1)) > 0.05  # µm: a wrong sign would show
     panel = drawn_path(result)
     (inner, outer) = [entry for entry in panel.lines if entry.get_color() == polar._ZONE]
     scale = _scale(panel)
@@ -220,10 +222,20 @@ def test_one_direction_and_further_runs() -> None:
     both = circle()
     again = copy.deepcopy(both["runs"][0])
     again["number"] = 2
+    again["deviations"] = [deviation + 1.0 for deviation in again["deviations"]]
     both["runs"].insert(0, again)  # not first by its place in the document
-    marks = [path.evaluated for path in paths_of(both, (0.0, 0.0))]
-    assert marks == [True, False, True]
+    paths = paths_of(both, (0.0, 0.0))
+    assert [path.evaluated for path in paths] == [True, False, True]
+    assert paths[0].radial == pytest.approx(both["runs"][1]["deviations"], abs=EXACT)
+    assert paths[1].radial == pytest.approx(again["deviations"], abs=EXACT)
     assert sum(str(label).startswith("ccw: ") for label in labels(drawn_path(both))) == 1
+
+
+def test_an_arc_has_its_stars_at_either_end() -> None:
+    panel = drawn_path(circle(start=250.0, extent=220.0))
+    for way, start in (("ccw", 250.0), ("cw", 110.0)):
+        where = polar_of(line(panel, f"start of {way}"))[0][0]
+        assert where == pytest.approx(start, abs=0.2)  # deg; the first sample stands half a step, 0.15 deg, inside
 
 
 def test_axes_are_named_at_their_positive_ends() -> None:
