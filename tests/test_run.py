@@ -399,10 +399,14 @@ def test_a_rough_old_table_does_not_blur_the_error(tmp_path: Path) -> None:
     old = tmp_path / "joint_0.comp"
     old.write_text("".join(f"{x:.6f} {x - c:.6f} {x - c:.6f}\n" for x, c in zip(nodes, zigzag, strict=True)))
     (tmp_path / "joint_0.ini").write_text("[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 0\n")
+
+    def rough(x: Floats, _: int) -> Floats:
+        return np.asarray(np.interp(x, nodes, zigzag))
+
     corrections = {}
     for name, states, active in (
         ("empty", ["none"], None),
-        ("rough", [str(old), str(tmp_path / "joint_0.ini")], lambda x, _: np.interp(x, nodes, zigzag)),
+        ("rough", [str(old), str(tmp_path / "joint_0.ini")], rough),
     ):
         (tmp_path / f"{name}.csv").write_text(csv_of(targets, machine.measure(targets, 7, active)))
         words = ["run", str(tmp_path / f"{name}.csv"), "--format", "linuxcnc", "--axis", "X", "--travel", "0:800"]
