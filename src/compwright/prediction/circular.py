@@ -153,10 +153,13 @@ def _shapes(test: CircularTest, diagnosis: Diagnosis | None, rng: np.random.Gene
     covariance = _BOTH_TESTS * diagnosis.correlation[np.ix_(order, order)] * np.outer(errors, errors)
     values, vectors = np.linalg.eigh(covariance)
     drawn = rng.standard_normal((draws, len(names))) * np.sqrt(np.maximum(values, 0.0)) @ vectors.T
+    samples = sum(run.angles.size for run in test.runs)
+    independent = samples / max(diagnosis.correlation_length, 1.0)
+    mean = diagnosis.residual * np.sqrt(_BOTH_TESTS / independent) * rng.standard_normal((draws, 1))  # of the radius, mm
     shapes = []
     for run in test.runs:
         columns = _columns(test, run)
-        shapes.append(drawn @ np.array([columns[name] for name in names]).reshape(len(names), run.angles.size))
+        shapes.append(mean + drawn @ np.array([columns[name] for name in names]).reshape(len(names), run.angles.size))
     return shapes
 
 

@@ -15,6 +15,7 @@ from typing import Any, Final
 
 from compwright.reporting import sections
 from compwright.reporting.card import changes_content
+from compwright.reporting.circles import circle_blocks
 from compwright.reporting.numbers import decimals_of, number, plain, position_unit, standard_text, symbol, unit_text
 from compwright.reporting.page import inline_figure, render_page
 from compwright.reporting.plots import before_after_plot, estimate_plot, positioning_plot, table_plot
@@ -40,6 +41,7 @@ def run_report(view: Document) -> bytes:
             "verdict": _run_verdict(view, axes, predicted),
             "axes": blocks,
             "findings": _remaining(view, blocks, view.get("evaluation")),
+            "circles": circle_blocks(prediction.get("circles") or {}, view.get("evaluation")),
             "cross": [_cross(entry) for entry in prediction.get("cross") or []],
             "changes": changes_content(view.get("changes")),
             "assumed": sections.assumed(view.get("assumed")),
@@ -73,6 +75,7 @@ def verify_report(view: Document) -> bytes:
             **_common(view, list(zip(("before", "after"), evaluations, strict=True))),
             "verdict": {"tone": tone, "text": text, "rows": rows},
             "axes": blocks,
+            "circles": circle_blocks(verification.get("circles") or {}, *evaluations),
             "findings": _remaining(view, blocks, *evaluations),
         },
     )
