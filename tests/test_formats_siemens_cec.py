@@ -182,6 +182,20 @@ def test_a_product_on_another_axis_is_left_out_where_nobody_asks_for_it() -> Non
     assert "CW-S011" in codes(state)
     with pytest.raises(InputError, match="multiplied"):
         siemens(text)
+    with pytest.raises(CapacityError, match="0 among 0"):  # it is not free all the same
+        capacity_for(SIEMENS, axis_of("AX1"), {"cec": "available", "cec_tables": [0]}, state)
+
+
+def test_a_product_counts_only_where_it_acts_and_for_whom_it_acts() -> None:
+    text = RAMP.replace("MULT_BY_TABLE[0]=0", "MULT_BY_TABLE[0]=5") + PAIR + MD + "$MA_BACKLASH[0,AX2]=0\n"
+    with pytest.raises(InputError, match="multiplied"):
+        siemens(text, axis_of("AX2"))
+    assert siemens(text + "$SN_CEC_TABLE_ENABLE[0]=0\n").cross == ()
+
+
+def test_backlash_acts_beside_a_pair() -> None:
+    state = agreed(files(A__INI=PAIR + "$MA_BACKLASH[0,AX1]=0.010\n"))
+    assert correction(state, "AX1", 400, NEGATIVE) == pytest.approx(-0.001 - 0.010, abs=EXACT)
 
 
 def test_memory_that_nobody_wrote_is_no_table() -> None:
@@ -350,6 +364,16 @@ def test_reserved_memory_is_filled_in_place() -> None:
     assert "$AN_CEC_DIRECTION[7]=-1" in written["AX1_CEC.INI"]
 
 
+def test_the_points_of_a_pair_are_reserved_where_the_files_reserve_none_or_the_option_promises_them() -> None:
+    reserved = "$MN_MM_CEC_MAX_POINTS[4]=0\n$MN_MM_CEC_MAX_POINTS[7]=9\n$MN_MM_CEC_MAX_POINTS[8]=0\n"
+    written = patch(reserved + MD + "M17\n", TWO, CEC)["A.INI"]
+    assert written.startswith(reserved.replace("[4]=0", "[4]=3"))
+    few = "$MN_MM_CEC_MAX_POINTS[4]=2\n$MN_MM_CEC_MAX_POINTS[7]=2\n"
+    with pytest.raises(CapacityError, match="at most 2"):
+        patch(few + MD + "M17\n", TWO, CEC)
+    assert patch(few + MD + "M17\n", TWO, {**CEC, "points": 40})["A.INI"].startswith(few.replace("=2", "=40"))
+
+
 def test_the_leadscrew_table_is_switched_off_where_a_pair_is_written() -> None:
     text = EEC + "$MA_BACKLASH[0,AX1]=0.012\n$MA_ENC_COMP_ENABLE[0,AX1]=1\nM17\n"
     written = patch(text, TWO, CEC)
@@ -373,6 +397,20 @@ def test_an_old_pair_is_emptied_where_one_curve_is_written() -> None:
     with pytest.raises(CapacityError, match="would act beside the new table") as caught:
         patch(PAIR + MD + "M17\n", ONE, {"cec": "available", "cec_tables": [4, 1]})
     assert "7" in str(caught.value)
+
+
+def test_an_own_table_that_is_switched_off_stays_as_it_is() -> None:
+    written = patch(PAIR + "$SN_CEC_TABLE_ENABLE[7]=0\n" + MD + "M17\n", ONE, {"cec": "available", "cec_tables": [4]})
+    assert "$AN_CEC[7,0]=-0.0040000" in written["A.INI"]
+    assert "$AN_CEC[4,1]=0.0000000" in written["A.INI"]
+
+
+def test_a_table_for_both_directions_makes_room_for_one_that_has_its_direction() -> None:
+    text = PAIR.replace("DIRECTION[4]=1", "DIRECTION[4]=0").replace("DIRECTION[7]=-1", "DIRECTION[7]=1") + MD + "M17\n"
+    lines = patch(text, TWO, CEC)["A.INI"].splitlines()
+    assert "$AN_CEC_DIRECTION[4]=-1" in lines
+    assert "$AN_CEC_DIRECTION[7]=1" in lines
+    assert "$AN_CEC[7,1]=0.0020000" in lines
 
 
 def test_a_third_own_table_is_emptied_too() -> None:

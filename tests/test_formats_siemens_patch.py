@@ -193,6 +193,13 @@ def test_a_load_sequence_that_ends_switched_on_keeps_both_values() -> None:
     assert "N32700 $MA_ENC_COMP_ENABLE[0,AX1]=1 '5555" in lines(file)
 
 
+def test_of_a_value_that_is_given_twice_the_last_one_changes() -> None:
+    twice = ARCHIVE.replace("N32450 $MA_BACKLASH[0,AX1]", "$MA_BACKLASH[0,AX1]=0.9\r\nN32450 $MA_BACKLASH[0,AX1]")
+    (file,) = written(table("AX1", NODES, OLD, backlash=0.002), archive(twice))
+    assert "$MA_BACKLASH[0,AX1]=0.9" in lines(file)
+    assert "N32450 $MA_BACKLASH[0,AX1]=0.0020" in lines(file)
+
+
 def test_the_points_that_are_promised_are_written_where_the_files_reserve_fewer() -> None:
     small = ARCHIVE.replace("=26 '3333", "=3 '3333")
     new = table("AX1", [-100.0, -50.0, 0.0, 50.0], [*OLD, 0.0], backlash=0.0005)

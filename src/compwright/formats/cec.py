@@ -60,9 +60,13 @@ class CecTable:
 
 @dataclass(frozen=True, slots=True)
 class Cec:
-    """Everything that the files say about such tables. ``reserved``: points by index; ``max_sum``: by output axis, mm or deg."""
+    """Everything that the files say about such tables. ``reserved``: points by index; ``max_sum``: by output axis, mm or deg.
+
+    ``occupied``: input and output axis by index, of tables that are left out of ``tables`` too.
+    """
 
     tables: tuple[CecTable, ...] = ()
+    occupied: Mapping[int, Pair] = field(default_factory=dict)
     reserved: Mapping[int, int] = field(default_factory=dict)
     max_sum: Mapping[str, float] = field(default_factory=dict)
 
@@ -77,8 +81,8 @@ class Cec:
     def facts(self, address: str) -> dict[str, str | float]:
         """Return what writing has to know, for the facts of a state."""
         facts: dict[str, str | float] = {}
-        if self.tables:
-            facts[CEC_TABLES] = ", ".join(f"{table.index} {table.input} {table.output}" for table in self.tables)
+        if self.occupied:
+            facts[CEC_TABLES] = ", ".join(f"{index} {base} {corrected}" for index, (base, corrected) in self.occupied.items())
         if self.reserved:
             facts[CEC_RESERVED] = ", ".join(f"{index} {points}" for index, points in self.reserved.items())
         if address in self.max_sum:
@@ -126,6 +130,7 @@ def read_cec(gathered: Gathered, options: Mapping[str, object], notes: Notes, wa
     tables = [reader.table(index, places[index]) for index in sorted(places)]
     return Cec(
         tables=tuple(table for table in tables if table is not None),
+        occupied=reader.occupied,
         reserved={
             index: int(found.text)
             for index in sorted(places)
@@ -142,6 +147,7 @@ class _CecReader:
         self.notes = notes
         self.wanted = wanted
         self.scale = Scale(as_table(self.definition), AxisKind.LINEAR, options, {})
+        self.occupied: dict[int, Pair] = {}
 
     def one(self, quantity: str, places: Mapping[str, Sequence[Found]], label: str) -> Found | None:
         """Return the value that counts."""
@@ -177,6 +183,7 @@ class _CecReader:
         if table is None or directions is None:
             return None
         given = normal_text(self.definition, said["cross_input"].text), normal_text(self.definition, said["cross_output"].text)
+        self.occupied[index] = given
         active = self._active(label, places, given[1])
         if active and not self._simple(label, said.get("cross_multiplier"), given):
             return None

@@ -22,11 +22,13 @@ from compwright.formats.cec import (
     free_tables,
     is_unused,
     places_of,
+    read_cec,
     reserved_in,
     tables_in,
 )
 from compwright.formats.cec_capacity import cec_available, too_few
 from compwright.formats.gathering import Found, same_value
+from compwright.formats.notes import Notes
 from compwright.formats.options import resolve_options
 from compwright.formats.own_files import OwnFiles, TablePlaces, rows_by_index
 from compwright.formats.scale import Scale
@@ -66,6 +68,7 @@ class CecWriter:
         self.places = places_of(own.gathered) if own is not None else {}
         self.in_use: dict[int, Pair] = self._used() if own is not None else tables_in(self.facts)
         self.kept: set[int] = set()
+        self.asleep = set() if own is None else _asleep(own, options)
 
     def allow(self, options: Mapping[str, object]) -> None:
         """Take the indices that may be written from the options, which an axis may have of its own."""
@@ -112,9 +115,9 @@ class CecWriter:
         return [first, *(index for index in indices if index != first)]
 
     def empty_own(self, address: str, name: str, faults: list[Fault]) -> None:
-        """Set the values of an axis' old tables over itself to zero, as far as they are not used again."""
+        """Set the values of an axis' old tables over itself to zero, as far as they act and are not used again."""
         for index, pair in self.in_use.items():
-            if pair != (address, address) or index in self.kept:
+            if pair != (address, address) or index in self.kept or index in self.asleep:
                 continue
             if self.own is None or index not in self.allowed:
                 faults.append(
@@ -172,16 +175,21 @@ class CecWriter:
             "cross_multiplier": "0",
             "cross_repeats": word_text(self.definition, "cross_repeats", "no" if curve.period is None else "yes"),
         }
-        reserved = reserved_in(self.facts).get(index, 0)
-        if 0 < reserved < len(table.rows):
-            faults.append(
-                Fault(
-                    message=f"CEC table {index} needs more points than MD18342 reserves",
-                    expected=f"at most {reserved}",
-                    found=str(len(table.rows)),
-                )
-            )
+        self._reserve(index, len(table.rows), faults)
         return Entry(index, tuple(row[field] for row in table.rows), singles)
+
+    def _reserve(self, index: int, count: int, faults: list[Fault]) -> None:
+        """Reserve the points of a table where the files say fewer than it has: what the option promises, or as many as it has
+        where none were reserved; files that say less would take the room away again when they are loaded."""
+        promised = self.options.get("points")
+        reserved = reserved_in(self.facts).get(index, 0)
+        if 0 < reserved < count and not (isinstance(promised, int) and promised >= count):
+            message = f"CEC table {index} needs more points than MD18342 reserves"
+            faults.append(Fault(message=message, expected=f"at most {reserved}", found=str(count)))
+            return
+        places = self.places.get(index, {}).get("cross_max_points", ())
+        if self.own is not None and any(int(place.text) < count for place in places):
+            self.own.put("cross_max_points", places, str(promised if isinstance(promised, int) else count))
 
     def _put(self, entries: Iterable[Entry], pair: Pair, faults: list[Fault]) -> list[Entry]:
         left = []
@@ -224,12 +232,12 @@ class CecWriter:
         places = self.own.gathered.singles.get((output, None), {}).get("cross_axis_enabled", ()) if self.own is not None else ()
         if self.own is None or not places or not same_value(places[-1].text, "0"):
             return
-        asleep = [index for index, pair in self.in_use.items() if pair[1] == output and index not in self.kept]
-        if asleep:
+        others = [index for index, pair in self.in_use.items() if pair[1] == output and index not in self.kept]
+        if others:
             faults.append(
                 Fault(
                     message=f"axis {output}: its CEC tables are switched off together (MD32710 $MA_CEC_ENABLE); switching them on "
-                    f"would wake others too: {', '.join(map(str, asleep))}",
+                    f"would wake others too: {', '.join(map(str, others))}",
                     file=places[-1].occurrence.file,
                     place=places[-1].occurrence.place,
                     expected="1, or no other table on this axis",
@@ -271,6 +279,11 @@ class CecWriter:
             expected=f"at most {limit:g}",
             found=f"up to {reach:g}",
         )
+
+
+def _asleep(own: OwnFiles, options: Mapping[str, object]) -> set[int]:
+    """Return the indices of tables that the files switch off."""
+    return {table.index for table in read_cec(own.gathered, options, Notes()).tables if not table.active}
 
 
 def word_text(definition: Definition, quantity: str, word: str) -> str:

@@ -14,7 +14,7 @@ from compwright.formats.capacity import scale_for_writing, written_text
 from compwright.formats.cec_capacity import cec_available
 from compwright.formats.cec_writing import CecWriter, word_text
 from compwright.formats.consistency import curves, grid, has_cross
-from compwright.formats.gathering import Found, first_set, same_value
+from compwright.formats.gathering import Found, first_set
 from compwright.formats.options import axis_options
 from compwright.formats.own_files import OwnFiles, TablePlaces, rows_by_index
 from compwright.formats.patching import Change, apply_changes, set_field
@@ -135,11 +135,8 @@ class _Writer:
 
     def _switch_on(self, places: Sequence[Found]) -> None:
         """Make the table act where the files end with it switched off; a load sequence counts by its last value."""
-        by_file: dict[int, Found] = {place.number: place for place in places}
-        if self.own is not None:
-            off = word_text(self.definition, "enabled", "no")
-            last = [place for place in by_file.values() if same_value(place.text, off)]
-            self.own.put("enabled", last, word_text(self.definition, "enabled", "yes"))
+        if self.own is not None and places:
+            self.own.put("enabled", places, word_text(self.definition, "enabled", "yes"))
 
     def _reserve(self, places: Sequence[Found], count: int) -> None:
         """Reserve the points where the files say fewer than the table has: what the option promises, or where none were reserved
