@@ -201,6 +201,25 @@ def test_a_table_without_shape_is_not_called_shifted_or_inverted() -> None:
     nothing = correction(np.zeros(9), backlash=0.0)
     assert judge_read_back(planned, loaded, nothing, NODES, 50.0).verdict == "backlash"
 
+    def both_sides(positions: Any, direction: Direction) -> Any:
+        return np.full(np.shape(positions), 0.001 if direction is Direction.POSITIVE else -0.002)
+
+    assert judge_read_back(planned, both_sides, nothing, NODES, 50.0).verdict == "other"
+
+
+@pytest.mark.parametrize("nodes", [1, -1, 3, -5])
+@pytest.mark.parametrize("own_zero", [0.0, 0.0125])
+def test_a_shift_is_told_with_its_direction(nodes: int, own_zero: float) -> None:
+    """A table that was meant at x and sits at x + 50 mm sits one node too far to +."""
+
+    def loaded(positions: Any, direction: Direction) -> Any:
+        return correction()(np.asarray(positions) - 50.0 * nodes, direction) - own_zero
+
+    nothing = correction(np.zeros(9), backlash=0.0)
+    answer = judge_read_back(correction(), loaded, nothing, np.linspace(-400, 600, 201), 50.0)
+    assert answer.verdict == "shifted"
+    assert f"{abs(nodes)} nodes too far to {'+' if nodes > 0 else '-'}" in answer.message
+
 
 # run on a backup ------------------------------------------------------------------------------------------------------------
 

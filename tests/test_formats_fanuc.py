@@ -18,7 +18,9 @@ from compwright.controllers.virtual import virtual_control
 from compwright.formats.capacity import capacity_for
 from compwright.formats.definitions import load_definition
 from compwright.formats.diff import compare_files
+from compwright.formats.numbering import NoRoom, find_place, longest_gap
 from compwright.formats.options import resolve_options
+from compwright.formats.reading import read_state
 from compwright.formats.second_forms import second_forms
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
@@ -257,6 +259,21 @@ def test_contradictions_are_refused_with_the_line(what: str, old: str, new: str)
     assert "line" in str(caught.value)
 
 
+@pytest.mark.parametrize("cut", [b"\n%\n", b"-1\n%\n", b"P-1\n%\n"])
+def test_a_file_that_ends_inside_a_record_is_refused(cut: bytes) -> None:
+    """N10044Q0P-1 without what follows: the value may have had more digits."""
+    whole = PITCH.encode()
+    assert whole.endswith(cut)
+    with pytest.raises(InputError):
+        both([*files(P__TXT=PARAMETERS), ControlFile("Q.TXT", whole.removesuffix(cut))], axis())
+
+
+def test_the_sheet_s_millimetres_stay_millimetres_on_an_inch_machine() -> None:
+    unit = files(UNIT__TXT="%\nN01001Q1L1P00000001\n%\n")
+    state = both([*unit, *files(entry_X__csv=SHEET)], axis()).state.axes["1"]
+    np.testing.assert_allclose(state.positions, list(TOTALS), atol=EXACT)
+
+
 def test_pitch_data_alone_or_parameters_alone_are_contradictory() -> None:
     for own in (files(P__TXT=PARAMETERS), files(Q__TXT=PITCH)):
         with pytest.raises(InputError):
@@ -356,6 +373,14 @@ def test_written_for_any_reference_the_judge_does_what_was_meant(reference: floa
     probe = reference + np.linspace(-120, 80, 1501) + 0.01  # beside the middles of the sections, where the steps lie
     for side in Direction:
         np.testing.assert_allclose(judge.correction("1", probe, side), meant.at(probe, side), atol=EXACT)
+
+
+def test_the_sign_of_pitch_data_is_the_user_s_to_turn() -> None:
+    new = write(table([0, 1, 2], [0, 3, -1]), pitch_sign="-")
+    assert [points(new)[number] for number in range(numbers(new)[1], numbers(new)[2] + 1)] == [0, -3, 4]
+    np.testing.assert_allclose(
+        both(new, axis(), pitch_sign="-").state.axes["1"].positive[1:], np.array([0, 3, -1]) * UM, atol=EXACT
+    )
 
 
 @pytest.mark.parametrize(
@@ -513,6 +538,45 @@ def test_a_neighbour_that_shares_numbers_keeps_them() -> None:
     np.testing.assert_allclose(both(new).state.axes["2"].positive, np.array(list(TOTALS.values())) * UM, atol=EXACT)
 
 
+def test_the_second_set_of_a_neighbour_is_never_touched() -> None:
+    """Y has two sets, 100 .. 104 and 50 .. 54: X, which would grow into the second, moves."""
+    own = backup(
+        numbers=with_numbers(
+            n3605=("00000000", "00000001", "00000000", "00000100"), n3626=("0", "50", "0", "0"), n3627=("0", "-3", "0", "0")
+        )
+    )
+    steps = list(range(-4, 17))
+    new = write(table(steps, steps, spacing=25.0), own=own)
+    _, first, last = numbers(new)
+    assert set(range(50, 55)).isdisjoint(range(first, last + 1))
+    before, after = both(own).state.axes["2"], both(new).state.axes["2"]
+    for side in Direction:
+        np.testing.assert_array_equal(after.curve(side), before.curve(side))
+
+
+def test_places_against_brute_force() -> None:
+    """All numbers tried one by one, for random ranges of other axes, some beyond the array."""
+    rng = np.random.default_rng(4)
+    for _ in range(300):
+        highest, start = int(rng.integers(5, 60)), int(rng.integers(0, 5))
+        used = [range(int(low), int(low + rng.integers(1, 9))) for low in rng.integers(0, 65, rng.integers(0, 5))]
+        free = [start <= number <= highest and not any(number in one for one in used) for number in range(80)]
+        runs = "".join("x" if one else " " for one in free).split()
+        assert longest_gap(highest, used, start) == max(map(len, runs), default=0)
+        low, high, two = -int(rng.integers(0, 8)), int(rng.integers(0, 8)), bool(rng.integers(0, 2))
+        needed = (max(high, 1) - min(low + 1, 0) + 1) * (2 if two else 1)
+        try:
+            place = find_place(low, high, highest=highest, used=used, two=two, reference=None, start=start)
+        except NoRoom:
+            assert max(map(len, runs), default=0) < needed
+            continue
+        taken = [number for one in place.ranges for number in one]
+        assert len(taken) == needed
+        assert all(free[number] for number in taken)
+        assert place.first == min(begin for begin in range(80) if all(free[begin : begin + needed]) and begin + needed <= 80)
+        assert place.first <= place.reference < place.last
+
+
 def test_no_room_is_refused_with_the_longest_gap() -> None:
     own = backup(highest=1535)
     # The longest row between and behind Y (100 .. 104), B (200 .. 208) and Z (300 .. 310): 311 .. 1535.
@@ -638,8 +702,11 @@ def test_an_endless_axis_must_close() -> None:
 def test_a_table_of_an_endless_axis_that_creeps_is_refused_when_read() -> None:
     own = backup()
     text = own[1].content.replace(b"N10208Q0P1", b"N10208Q0P2")
+    crept = [own[0], ControlFile("PITCH.TXT", text)]
     with pytest.raises(InputError, match="creeps"):
-        both([own[0], ControlFile("PITCH.TXT", text)])
+        both(crept)
+    with pytest.raises(InputError, match="creeps"):  # by the reader that writes, too
+        read_state(open_control("fanuc-30i", {}).definition, crept, {"detection_unit": 0.001}, address="4")
 
 
 # Second forms -------------------------------------------------------------------------------------------------------------
