@@ -128,6 +128,21 @@ def test_noise_alone_hides_no_more_than_it_says() -> None:
         assert 0.01 < effect.std_error < 0.1  # µm: 0.3 µm / sqrt(750) = 0.011, the largest of hundreds
 
 
+def test_a_cyclic_error_that_is_not_found_is_within_what_may_be_hidden() -> None:
+    """On a small circle and under slow noise a cyclic error of a few periods looks like noise; what is said must stay true."""
+    unseen = 0
+    for index in range(25):
+        rng = np.random.default_rng([41, index])
+        setup = Setup(radius=50.0, noise=0.1, wander=0.28, length=50.0)
+        machine = random_machine(rng, 50.0)
+        effects = diagnose(measured(machine, setup, rng)).effects
+        for axis in ("first", "second"):
+            effect = effects[f"cyclic_{axis}"]
+            unseen += effect.value == 0.0
+            assert abs(effect.value - getattr(machine, f"cyclic_{axis}")) < 4.5 * effect.std_error, (index, axis)
+    assert unseen > 0  # the case was met
+
+
 # ---------------------------------------------------------------- effects and shares
 
 
