@@ -18,7 +18,7 @@ from compwright.controllers.virtual import virtual_control
 from compwright.formats.capacity import capacity_for
 from compwright.formats.definitions import load_definition
 from compwright.formats.diff import compare_files
-from compwright.formats.numbering import NoRoom, find_place, longest_gap
+from compwright.formats.numbering import NoRoom, Place, find_place, longest_gap
 from compwright.formats.options import resolve_options
 from compwright.formats.reading import read_state
 from compwright.formats.second_forms import second_forms
@@ -264,8 +264,11 @@ def test_a_file_that_ends_inside_a_record_is_refused(cut: bytes) -> None:
     """N10044Q0P-1 without what follows: the value may have had more digits."""
     whole = PITCH.encode()
     assert whole.endswith(cut)
+    own = [*files(P__TXT=PARAMETERS), ControlFile("Q.TXT", whole.removesuffix(cut))]
     with pytest.raises(InputError):
-        both([*files(P__TXT=PARAMETERS), ControlFile("Q.TXT", whole.removesuffix(cut))], axis())
+        both(own, axis())
+    with pytest.raises(InputError):  # the reader that writes sees it without the judge
+        read_state(open_control("fanuc-30i", {}).definition, own, {"detection_unit": 0.001}, [axis()])
 
 
 def test_the_sheet_s_millimetres_stay_millimetres_on_an_inch_machine() -> None:
@@ -575,6 +578,13 @@ def test_places_against_brute_force() -> None:
         assert all(free[number] for number in taken)
         assert place.first == min(begin for begin in range(80) if all(free[begin : begin + needed]) and begin + needed <= 80)
         assert place.first <= place.reference < place.last
+
+
+def test_an_axis_keeps_its_reference_number_where_the_table_still_fits() -> None:
+    """Nodes -1 .. 5 around number 5 need 5 .. 10; nodes -1 .. 6 need 5 .. 11, which an array that ends at 10 does not have."""
+    assert find_place(-1, 5, highest=10, used=[], two=False, reference=5, start=0) == Place(5, 5, 10)
+    assert find_place(-1, 6, highest=10, used=[], two=False, reference=5, start=0) == Place(0, 0, 6)
+    assert find_place(-1, 5, highest=10, used=[range(9, 10)], two=False, reference=5, start=0) == Place(0, 0, 5)
 
 
 def test_no_room_is_refused_with_the_longest_gap() -> None:
