@@ -31,8 +31,8 @@ def one_format(format_id: str, count: int, seed: int) -> None:
         began = time.perf_counter()
         try:
             read(sample, files)
-        except (InputError, UsageError):
-            counts["refused"] += 1
+        except (InputError, UsageError) as error:
+            counts["ambiguous" if "read in two ways" in str(error) else "refused"] += 1
         except Exception as error:  # noqa: BLE001 - what else there is, is what is looked for
             counts["failed"] += 1
             key = f"{type(error).__name__}: {error}"[:100]
@@ -42,7 +42,8 @@ def one_format(format_id: str, count: int, seed: int) -> None:
         longest = max(longest, time.perf_counter() - began)
     seconds = time.perf_counter() - start
     print(
-        f"{format_id}: {counts['refused']} refused, {counts['agreed']} agreed, {counts['failed']} failed; "
+        f"{format_id}: {counts['refused']} refused, {counts['ambiguous']} of two meanings, {counts['agreed']} agreed, "
+        f"{counts['failed']} failed; "
         f"{count / seconds:.0f} trials/s, the longest {longest * 1000:.0f} ms"
     )
     for key, example in examples.items():

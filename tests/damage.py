@@ -109,8 +109,8 @@ def trials(samples: Sequence[Sample], count: int, seed: int) -> Counter[str]:
         files = damaged(sample, seed * 10_000_000 + trial)
         try:
             read(sample, files)
-        except (InputError, UsageError):
-            counts["refused"] += 1
+        except (InputError, UsageError) as error:
+            counts["ambiguous" if "read in two ways" in str(error) else "refused"] += 1
         except Exception as error:
             error.add_note(f"{sample}, seed {seed * 10_000_000 + trial}: {files}")
             raise

@@ -7,8 +7,6 @@ trials are in ``benchmarks/bench_fuzz.py``.
 
 from __future__ import annotations
 
-from collections.abc import Collection
-
 import pytest
 
 from compwright.foundations.errors import InputError, UsageError
@@ -17,35 +15,26 @@ from damage import SAMPLES, Sample, cut_points, damaged, read, said_incomplete, 
 #: Trials by format: those in which one array is shared by all axes have most to go wrong.
 TRIALS = {"fanuc-30i": 7_000, "fanuc-0i-16i": 7_000}
 TRIALS_ELSE = 3_000
-#: Formats in which damage still gives two readings, or in which a cut says nothing; each entry is to go.
-OPEN = {
-    "heidenhain-itnc530": "a changed MP730, or a table's column that moves, is read in two ways",
-    "linuxcnc": "the joint that a damaged file name or section belongs to; corrections of many mm in single precision",
-    "siemens-840d-sl": "an axis name whose small letter is an accident",
-}
-#: A cut at a line end cannot be seen in files without an end mark, and a file of which nothing is left is not missed.
-OPEN_CUTS = {"heidenhain-itnc530", "linuxcnc", "siemens-840d-sl"}
-
-
-def known(format_id: str, reasons: Collection[str]) -> list[pytest.MarkDecorator]:
-    return [pytest.mark.xfail(reason=f"open: {format_id}", strict=False)] if format_id in reasons else []
+#: Files without an end mark: a cut behind a whole line cannot be seen. An archive may hold one program or several, and of an empty
+#: file nothing is missed where another one speaks of the axis.
+NO_END_MARK = ("linuxcnc", "heidenhain-itnc530")
 
 
 FORMATS = sorted({sample.format_id for sample in SAMPLES})
 
 
-@pytest.mark.parametrize("format_id", [pytest.param(name, marks=known(name, OPEN)) for name in FORMATS])
+@pytest.mark.parametrize("format_id", FORMATS)
 def test_damaged_files_are_refused_or_both_readers_agree(format_id: str) -> None:
     count = TRIALS.get(format_id, TRIALS_ELSE)
     counts = trials([sample for sample in SAMPLES if sample.format_id == format_id], count, seed=20)
     assert counts["agreed"] > 0.02 * count, "harmless damage must stay readable, else nothing was compared"
     assert counts["refused"] > 0.2 * count, "the damage must be worth the name"
-    assert counts["agreed"] + counts["refused"] == count
+    assert counts["agreed"] + counts["refused"] + counts["ambiguous"] == count
+    # Refused too, but by the two readers together: a file that one alone would have taken. Few, or a reader is wrong.
+    assert counts["ambiguous"] < 0.02 * count
 
 
-@pytest.mark.parametrize(
-    "sample", [pytest.param(sample, marks=known(sample.format_id, OPEN_CUTS), id=str(sample)) for sample in SAMPLES]
-)
+@pytest.mark.parametrize("sample", SAMPLES, ids=str)
 def test_a_file_cut_short_is_refused_or_warned_about(sample: Sample) -> None:
     """At every byte of every file: what is left is refused, or says the same as the whole, or comes with a warning."""
     whole = read(sample, sample.files)
@@ -56,9 +45,17 @@ def test_a_file_cut_short_is_refused_or_warned_about(sample: Sample) -> None:
             left = read(sample, files)
         except (InputError, UsageError):
             continue
-        if not said_incomplete(left, whole):
+        if not said_incomplete(left, whole) and not looks_whole(sample, name, end):
             silent.append((name, end))
     assert silent == []
+
+
+def looks_whole(sample: Sample, name: str, end: int) -> bool:
+    """Whether a cut leaves what could be a whole file: nothing, whole lines without an end mark, or whole programs."""
+    left = next(file.content for file in sample.files if file.name == name)[:end]
+    if sample.format_id in NO_END_MARK:
+        return left.rstrip(b" ").endswith(b"\n")
+    return sample.format_id == "siemens-840d-sl" and b"$" not in left.rpartition(b"M17")[2]
 
 
 def test_the_damage_is_the_same_for_the_same_seed() -> None:

@@ -199,6 +199,14 @@ def test_two_readers_that_disagree_write_nothing(
     assert compwright(["run", str(job(folder))]) == 70
     assert "the two readers of compwright do not agree" in capsys.readouterr().err
     assert not (folder / "job").exists()
+    # Files of the control's own that are understood in two ways are contradictory input, not a fault of ours.
+    (folder / "own.ini").write_text(
+        "$AA_ENC_COMP[0,0,AX1]=0\n$AA_ENC_COMP[0,1,AX1]=0.004\n$AA_ENC_COMP_STEP[0,AX1]=800\n"
+        "$AA_ENC_COMP_MIN[0,AX1]=0\n$AA_ENC_COMP_MAX[0,AX1]=800\nM17\n"
+    )
+    assert compwright(["run", str(job(folder, states="{as_found: [own.ini]}"))]) == 3
+    assert "can be read in two ways" in capsys.readouterr().err
+    assert not (folder / "job").exists()
 
 
 @pytest.mark.parametrize(

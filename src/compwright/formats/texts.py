@@ -219,11 +219,9 @@ class _KindReader:
 
     def _ending(self, lines: Sequence[Line], last: int, occurrences: Sequence[Occurrence]) -> Iterator[Finding]:
         """A file that stops without its end mark may have been cut short; in the middle of a number it cannot be trusted."""
-        if not occurrences:
-            return
-        final = lines[last - 1]
-        if not self.kind.ends_with:
-            if not final.ended:
+        final = lines[last - 1] if last else None
+        if final is None or not (occurrences and self.kind.ends_with):
+            if final is not None and not final.ended:
                 yield Finding("CW-S001", "warning", f"{self.file}: the last line has no line end; check that the file is complete")
             return
         # Checked first: an archive of several programs holds end marks before its last line.

@@ -61,6 +61,7 @@ class _StateReader:
         self.files = files
         self.sources = find_sources(definition, files, axes, self.notes.faults)
         raise_all(InputError, self.notes.faults)
+        self.notes.findings.extend(self.sources.findings)
         self.values = TableValues(definition, self.sources, self.axes, options, self.notes)
 
     def read(self) -> ControlState:

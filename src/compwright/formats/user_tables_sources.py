@@ -24,6 +24,7 @@ from compwright.formats.user_tables_text import (
     read_table_text,
 )
 from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile
 
@@ -92,6 +93,7 @@ class Sources:
     active: Row | None = None
     missing: dict[str, str] = field(default_factory=dict)
     assumed: dict[str, str] = field(default_factory=dict)
+    findings: list[Finding] = field(default_factory=list)
 
     @property
     def numbered(self) -> bool:
@@ -232,6 +234,7 @@ def _take_parameters(sources: Sources, reader: TextReader, file: ControlFile, nu
     definition = sources.definition
     known = len(faults)
     text = reader.read(file, faults, number)
+    sources.findings.extend(text.findings if text is not None else ())
     lines = {
         statement.name: quantity
         for quantity in PARAMETERS

@@ -201,13 +201,19 @@ def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
 
 
 def decode(
-    control: Control, files: Sequence[ControlFile], axes: Sequence[Axis] = (), *, address: str | None = None
+    control: Control,
+    files: Sequence[ControlFile],
+    axes: Sequence[Axis] = (),
+    *,
+    address: str | None = None,
+    written: bool = False,
 ) -> DecodedState:
     """Read control files with both readers and hold them against each other.
 
     ``axes``: those of a job; ``address``: the one axis that is asked for. Either names the axis of a table that does not.
-    Raises InputError when the files cannot be read or contradict themselves, and CompwrightError (a fault of our own) when
-    the two readers do not agree.
+    ``written``: compwright wrote these files just now. Raises InputError when the files cannot be read, contradict themselves or
+    can be read in two ways: what two readers understand differently is not a state to build on. In files of our own making that
+    is a fault of our own (CompwrightError).
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
@@ -225,7 +231,7 @@ def decode(
         axis_options={address: axis.options for address, axis in named},
         options={**control.options, **({"axis": alone} if alone is not None else {})},
     )
-    raise_all(CompwrightError, _disagreements(state, judge))
+    raise_all(CompwrightError if written else InputError, _disagreements(state, judge))
     return DecodedState(files=tuple(files), state=state, judge=judge)
 
 
@@ -253,7 +259,7 @@ def _disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
     if unseen:
         faults.append(
             Fault(
-                message="the two readers of compwright find different axes in these files; please report this",
+                message="the files can be read in two ways: the two readers of compwright find different axes in them",
                 expected=", ".join(unseen),
                 found=", ".join(sorted(judge.addresses())) or "no axis",
             )
@@ -267,7 +273,7 @@ def _disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
                 worst = int(np.argmax(difference))
                 faults.append(
                     Fault(
-                        message="the two readers of compwright do not agree on these files; please report this",
+                        message="the files can be read in two ways: the two readers of compwright do not agree on them",
                         place=f"axis {address}, position {where[worst]:g}, direction {direction.value}",
                         found=f"a difference of {difference[worst]:.3g} {axis.kind.unit}",
                     )
@@ -284,7 +290,7 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
     seen = {(base.casefold(), corrected.casefold()) for base, corrected in mine}
     faults = [
         Fault(
-            message="the two readers of compwright find different tables between axes in these files; please report this",
+            message="the files can be read in two ways: the two readers of compwright find different tables between axes in them",
             place=" on ".join(pair),
         )
         for pair in sorted(seen - set(theirs))
@@ -302,7 +308,7 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
                 worst = int(np.argmax(difference))
                 faults.append(
                     Fault(
-                        message="the two readers of compwright do not agree on a table between axes; please report this",
+                        message="the files can be read in two ways: the two readers of compwright do not agree on a table between axes",
                         place=f"{base} on {corrected}, position {where[worst]:g}, direction {direction.value}",
                         found=f"a difference of {difference[worst]:.3g} mm or deg",
                     )

@@ -157,7 +157,7 @@ def write_fitted(
     compensations = [table.compensation for _, table in fitted]
     files = write_tables(control.definition, compensations, axes, control.options, as_found.state, as_found.files)
     raise_all(CompwrightError, changed_neighbours(control, as_found.files, files, axes))
-    return files, decode(control, files, axes)
+    return files, decode(control, files, axes, written=True)
 
 
 def export(
