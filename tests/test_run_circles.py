@@ -44,14 +44,15 @@ class Bent:
     lag: float = 1e-4
     noise: float = 0.0003
 
-    def circle(self, seed: int, judge: VirtualControl | None = None, centre: tuple[float, float] = CENTRE) -> CircularTest:
-        """Measure a circle, with a control's tables acting."""
+    def circle(self, seed: int, judge: VirtualControl | None = None, feed: float = FEED, shrink: float = 0.0) -> CircularTest:
+        """Measure a circle, with a control's tables acting; ``shrink``: by what lag makes it smaller at `FEED`, mm."""
+        centre = CENTRE
         rng = np.random.default_rng(seed)
         runs = []
         for sense, d in (("ccw", 1.0), ("cw", -1.0)):
             along = (np.arange(1500) + 0.5) * 2.0 * np.pi / 1500
             theta = along if d > 0 else 2.0 * np.pi - along
-            late = theta - d * FEED / 60.0 / RADIUS * self.lag
+            late = theta - d * feed / 60.0 / RADIUS * self.lag
             x, y = centre[0] + RADIUS * np.cos(late), centre[1] + RADIUS * np.sin(theta)
             moves_x, moves_y = np.where(d * np.sin(late) >= 0, -1, 1), np.where(d * np.cos(theta) >= 0, 1, -1)
             u = x - centre[0] + moved(self.x.error, x, moves_x)
@@ -64,14 +65,16 @@ class Bent:
                     shift = moved(acts(judge, base, corrected), where, moves)
                     u, v = (u + shift, v) if corrected == "AX1" else (u, v + shift)
             u = u - self.squareness * v
-            deviations = np.hypot(u + 0.02, v - 0.01) - RADIUS + self.noise * rng.standard_normal(theta.size)
+            deviations = (
+                np.hypot(u + 0.02, v - 0.01) - RADIUS - shrink * (feed / FEED) ** 2 + self.noise * rng.standard_normal(theta.size)
+            )
             runs.append(CircularRun(sense=sense, angles=np.degrees(theta), deviations=deviations))  # type: ignore[arg-type]
         return CircularTest(
             name="xy",
             plane="XY",
             axes=("X", "Y"),
             nominal_radius=RADIUS,
-            feed=FEED,
+            feed=feed,
             arc=(0.0, 360.0),
             calibrated=True,
             runs=tuple(runs),
@@ -117,13 +120,14 @@ def job(
     control: str = SIEMENS,
     states: str = "none",
     circle: str = "centre: [400, -250]",
+    y_before: str = "[y.csv]",
 ) -> Path:
     first, second = ("AX1", "AX2") if control == SIEMENS else ("0", "1")
     path = folder / "job.yaml"
     path.write_text(
         f"compwright: 1\ncontroller: {{format: {control}, options: {options}}}\nstates: {{as_found: {states}}}\naxes:\n"
         f'  X: {{travel: [0, 800], address: "{first}", before: [x.csv]{x}}}\n'
-        f'  Y: {{travel: [-500, 0], address: "{second}", before: [y.csv]{y}}}\n'
+        f'  Y: {{travel: [-500, 0], address: "{second}", before: {y_before}{y}}}\n'
         f"circles: [{{file: xy.csv, name: xy-150, {circle}}}]\napply: {apply}\n{extra}"
     )
     return path
@@ -431,3 +435,162 @@ def test_disagreement_about_the_mismatch_of_scale(folder: Path, capsys: pytest.C
     write_circle(folder / "xy.csv", machine.circle(3))
     assert compwright(["run", str(job(folder))]) == 0
     assert "CW-P116" in codes(capsys)
+
+
+# --- direct measurements between axes ---
+
+
+def cross_of(folder: Path, **words: str) -> Any:
+    assert compwright(["run", str(job(folder, **words))]) == 0
+    return document(folder / "job" / "prediction.json")["cross"]
+
+
+def test_a_square_gives_a_ramp_and_a_straightedge_a_curve(folder: Path) -> None:
+    """Deviation of Y over X: the correction is its opposite, zero at the reference of X; equal steps hold every measured point."""
+    measured = "cross: [{input: X, output: Y, positions: [100, 700], deviations: [-4, -28], unit: um}]\n"
+    (ramp,) = cross_of(folder, extra=measured, apply="{}")
+    assert (ramp["input"], ramp["output"], ramp["positions"]) == ("X", "Y", [0.0, 800.0])
+    assert ramp["correction"] == pytest.approx([0.0, 32.0], abs=1e-3)  # µm: 40 µm/m over 0.8 m, beyond the ends too
+
+
+def test_a_straightedge_gives_its_curve_and_the_mean_slope_beyond_it(folder: Path) -> None:
+    measured = "cross: [{input: X, output: Y, positions: [600, 200, 400], deviations: [0, 0, 0.003], unit: mm}]\n"
+    (curve,) = cross_of(folder, extra=measured, apply="{}")
+    assert curve["positions"] == [0.0, 200.0, 400.0, 600.0, 800.0]
+    assert curve["correction"] == pytest.approx([0.0, 0.0, -3.0, 0.0, 0.0], abs=1e-3)  # µm
+    (shifted,) = cross_of_again(folder, extra=measured, apply="{}", x=", reference: 400")
+    assert shifted["correction"] == pytest.approx([3.0, 3.0, 0.0, 3.0, 3.0], abs=1e-3)
+
+
+def cross_of_again(folder: Path, **words: str) -> Any:
+    assert compwright(["run", str(job(folder, **words)), "--force"]) == 0
+    return document(folder / "job" / "prediction.json")["cross"]
+
+
+def test_the_direct_measurement_wins_and_the_circle_checks_it(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """More than 90°: trued on Y, X runs off towards - Y by 40 µm/m (32 µm over 0.8 m)."""
+    for deviation, code in ((-32, "CW-P105"), (-16, "CW-P104")):
+        measured = f"cross: [{{input: X, output: Y, positions: [0, 800], deviations: [0, {deviation}], unit: um}}]\n"
+        for bent in ("Y", "X"):  # never both: the plane would be corrected twice
+            (cross,) = cross_of_again(folder, extra=measured, apply=f"{{squareness: {{XY: {bent}}}}}")
+            assert (cross["input"], cross["output"]) == ("X", "Y")
+            assert cross["correction"] == pytest.approx([0.0, -deviation], abs=1e-3)
+            assert code in codes(capsys)
+
+
+def test_uneven_points_and_an_extrapolation_are_said(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    measured = "cross: [{input: X, output: Y, positions: [0, 70, 190, 310], deviations: [0, 2, 0, 0], unit: um}]\n"
+    (cross,) = cross_of(folder, extra=measured, apply="{}")
+    assert len(set(np.round(np.diff(cross["positions"]), 6))) == 1
+    said = codes(capsys)
+    assert "CW-P103" in said  # steps of 800/12 mm, rounded up to a micrometre, miss 70 mm
+    assert "CW-P111" in said  # 310 mm measured, 800 mm corrected
+
+
+def test_bending_a_gantry_axis_is_warned_of(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert (
+        compwright(
+            ["run", str(job(folder, y=", gantry: AX5", options="{cec: available, cec_tables: [0, 1, 2, 3, 4, 5, 6, 7, 8]}"))]
+        )
+        == 0
+    )
+    assert "CW-P112" in codes(capsys)
+
+
+def test_a_squareness_within_its_uncertainty_is_left_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    measure(tmp_path, replace(Bent(), squareness=0.0))
+    assert cross_of(tmp_path) == []
+    assert "CW-P107" in codes(capsys)
+
+
+def test_circles_of_one_plane_that_disagree(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    write_circle(folder / "other.csv", replace(Bent(), squareness=60e-6).circle(8))
+    path = job(folder)
+    path.write_text(path.read_text().replace("circles: [", "circles: [{file: other.csv, centre: [400, -250]}, "))
+    assert compwright(["run", str(path)]) == 0
+    assert "CW-P110" in codes(capsys)
+    (cross,) = read_plan((folder / "job" / "plan.json").read_bytes(), "").cross
+    assert cross.squareness == pytest.approx(50e-6, abs=3e-6)  # rad: the weighted mean of two alike
+    assert cross.std_error == pytest.approx(10e-6, rel=0.2)  # rad: half the difference, for 1/sqrt(2) of sqrt(2) of it
+
+
+# --- scale from circles ---
+
+
+def scale_of(folder: Path, circles: str = "", **words: str) -> Any:
+    """The table that Y gets without a positioning test, as a function of position, µm; None without one."""
+    path = job(folder, y_before="[]", apply="{scale: [Y]}", **words)
+    path.write_text(path.read_text().replace("circles: [", f"circles: [{circles}"))
+    assert compwright(["run", str(path), "--force"]) == 0
+    planned = read_plan((folder / "job" / "plan.json").read_bytes(), "").axes
+    if "Y" not in planned:
+        return None
+    fitted = planned["Y"].fitted
+    assert fitted is not None
+    judge = judge_of(folder / "job" / "tables" / SIEMENS)
+    where = np.array([-500.0, 0.0])
+    np.testing.assert_allclose(
+        judge.correction("AX2", where, Direction.POSITIVE), fitted.compensation.at(where, Direction.POSITIVE)
+    )
+    return judge.correction("AX2", where, Direction.POSITIVE) * 1e3
+
+
+def test_the_scale_of_an_axis_comes_from_the_mismatch_and_the_laser_on_the_other(folder: Path, capsys: Any) -> None:
+    """Y travels 20 µm/m too short: at - 500 mm it stands 10 µm too far to +, so the correction is - 10 µm."""
+    table = scale_of(folder)
+    assert "CW-P120" in codes(capsys)
+    assert table == pytest.approx([-10.0, 0.0], abs=0.5)  # µm: 1 µm/m over 0.5 m
+
+
+def test_a_scale_needs_more_than_one_fast_circle(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = job(folder, y_before="[]", apply="{scale: [Y]}")
+    path.write_text(path.read_text().replace("[x.csv]", "[]").replace("{scale: [Y]}", "{scale: [X, Y]}"))
+    assert compwright(["run", str(path)]) == 0
+    assert codes(capsys).count("CW-P119") == 2
+    assert read_plan((folder / "job" / "plan.json").read_bytes(), "").axes == {}
+
+
+def test_a_low_feed_and_two_feeds_tell_the_scale_apart_from_the_lag(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Lag shrinks the circle by 3 µm at 1000 mm/min: 20 µm/m of scale that are none."""
+    machine = Bent()
+    measure(tmp_path, machine)
+    write_circle(tmp_path / "xy.csv", machine.circle(3, shrink=3e-3))
+    write_circle(tmp_path / "slow.csv", machine.circle(4, feed=250.0, shrink=3e-3))
+    write_circle(tmp_path / "half.csv", machine.circle(5, feed=500.0, shrink=3e-3))
+    for other, source in (("slow", "at a low feed"), ("half", "extrapolated to no feed")):
+        table = scale_of(tmp_path, f"{{file: {other}.csv, centre: [400, -250]}}, ")
+        assert source in codes(capsys)
+        assert table == pytest.approx([-10.0, 0.0], abs=1.0)  # µm: 2 µm/m, of which the slow circle's lag is 1.3
+
+
+def test_an_axis_with_a_laser_keeps_its_scale(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert compwright(["run", str(job(folder, apply="{scale: [X, Y]}"))]) == 0
+    assert codes(capsys).count("CW-P118") == 2
+
+
+# --- the command simulate ---
+
+
+def test_simulate_bends_the_axis_that_the_loaded_tables_bend(tmp_path: Path) -> None:
+    machine = tmp_path / "machine.yaml"
+    machine.write_text(
+        "virtual_machine: 1\n"
+        f"controller: {{format: {SIEMENS}, options: {CEC}}}\n"
+        "axes:\n"
+        "  X: {travel: [0, 800], address: AX1, error: {slope_um_per_m: 20, noise_um: 0.2}}\n"
+        "  Y: {travel: [-500, 0], address: AX2, error: {slope_um_per_m: -10, noise_um: 0.2}}\n"
+        "circles:\n"
+        "  xy: {plane: XY, centre: [400, -250], radius_mm: 150, feed_mm_min: 1000, format: b5r,\n"
+        "    error: {squareness_um_per_m: 40, noise_um: 0.2}}\n"
+    )
+    assert compwright(["simulate", str(machine), "--out", str(tmp_path)]) == 0
+    path = job(tmp_path)
+    path.write_text(path.read_text().replace("xy.csv", "xy.b5r"))
+    assert compwright(["run", str(path)]) == 0
+    tables = tmp_path / "job" / "tables" / SIEMENS
+    assert (
+        compwright(["simulate", str(machine), "--out", str(tmp_path / "after"), "--seed", "2", "--with-tables", str(tables)]) == 0
+    )
+    found = diagnosed(tmp_path / "after" / "xy.b5r", tmp_path / "after.json")["diagnosis"]
+    assert abs(found["squareness"]["value"]) < 2.0  # µm/m
+    assert abs(found["scale_mismatch"]["value"]) < 0.3  # µm

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,18 +19,20 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularTest
 from compwright.records.correction import Assumption, ControlFile
+from compwright.records.fitted import FittedTable
 from compwright.records.job import Job
-from compwright.records.plan import Plan
+from compwright.records.plan import Plan, PlannedAxis
 from compwright.records.prediction import AxisPrediction, CirclePrediction
 from compwright.workflow.card import card_document, changes_csv
 from compwright.workflow.circle_checks import Checks
+from compwright.workflow.circle_scale import scale_steps, scaled_axes
 from compwright.workflow.circle_work import Acting, CircleWork, acting, checked_axes, predict, read_circles, start_circles
 from compwright.workflow.control import Control, DecodedState, decode, named_axes, open_control, origin_of
 from compwright.workflow.cross import plan_cross
 from compwright.workflow.cross_tables import CrossOutcome, write_planned
 from compwright.workflow.inputs import JobInputs, read_job_inputs
 from compwright.workflow.view import evaluations, run_view
-from compwright.workflow.work import AS_FOUND, AxisWork, correction_of, export, fit_all, predict_axis, start_axis
+from compwright.workflow.work import AS_FOUND, AxisWork, correction_of, export, fit_all, predict_axis, start_axis, write_fitted
 
 NO_STATE = (
     "no table is written: the job does not say what is active in the control; "
@@ -71,6 +73,7 @@ class _Finished:
     circles: tuple[CircleWork, ...]
     circle_predictions: Mapping[str, CirclePrediction]
     cross: CrossOutcome
+    scales: Mapping[str, PlannedAxis]
     findings: tuple[Finding, ...]
 
     @property
@@ -121,6 +124,7 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
     circles = start_circles(job, tests, axes)
     tables: tuple[ControlFile, ...] = ()
     loaded: DecodedState | None = None
+    by_scale: dict[str, PlannedAxis] = {}
     cross = CrossOutcome(written=(), files=())
     findings = [finding for work in circles for finding in (*work.findings, *checked_axes(work, axes))]
     checks = Checks(job, works, {name: acting(decoded, axes) for name, decoded in inputs.states.items()})
@@ -132,12 +136,18 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
         control = control.in_state(as_found.state)
         works = fit_all(works, control, as_found.state, job.file)
         works, tables, loaded = export(works, control, as_found, accept_worse=accept_worse)
+        scaled = scaled_axes(job, circles, checks, control, as_found.state)
+        findings += [entry.finding for entry in scaled]
+        by_scale = {entry.name: entry.planned for entry in scaled if entry.planned is not None}
+        if by_scale:
+            tables, loaded = write_fitted(control, _fitted(works, by_scale), as_found)
         plan = plan_cross(job, circles, inputs.states, as_found)
         cross = write_planned(control, plan.planned, tables, as_found, axes)
         findings += [*plan.findings, *cross.findings]
+        cross = replace(cross, steps=(*scale_steps(scaled), *cross.steps))
         if cross.written:
             tables = cross.files
-            loaded = decode(control, tables, [work.planned.axis for work in works.values() if work.planned.fitted is not None])
+            loaded = decode(control, tables, [axis for axis, _ in _fitted(works, by_scale)])
     states = [decoded.state for decoded in inputs.states.values()]
     capacities = [work.capacity for work in works.values() if work.capacity is not None]
     assumed = (
@@ -156,10 +166,17 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
         loaded=loaded,
         assumed=assumed,
         circles=circles,
-        circle_predictions=_predicted_circles(axes, inputs, works, circles, loaded, cross),
+        circle_predictions=_predicted_circles(axes, inputs, _fitted(works, by_scale), circles, loaded, cross),
+        scales=by_scale,
         cross=cross,
         findings=tuple(findings),
     )
+
+
+def _fitted(works: Mapping[str, AxisWork], scales: Mapping[str, PlannedAxis]) -> list[tuple[Axis, FittedTable]]:
+    """Return every axis that gets a table, those of tests before those of circles."""
+    planned = (*(work.planned for work in works.values()), *scales.values())
+    return [(entry.axis, entry.fitted) for entry in planned if entry.fitted is not None]
 
 
 def _inputs(job: Job, control: Control, folder: Path) -> tuple[JobInputs, tuple[CircularTest, ...]]:
@@ -181,7 +198,7 @@ def _inputs(job: Job, control: Control, folder: Path) -> tuple[JobInputs, tuple[
 def _predicted_circles(
     axes: Mapping[str, Axis],
     inputs: JobInputs,
-    works: Mapping[str, AxisWork],
+    fitted: Sequence[tuple[Axis, FittedTable]],
     circles: Sequence[CircleWork],
     loaded: DecodedState | None,
     cross: CrossOutcome,
@@ -190,7 +207,7 @@ def _predicted_circles(
     if not circles:
         return {}
     now = acting(inputs.states.get(AS_FOUND), axes)
-    along = {name: correction_of(loaded, work.planned.axis) for name, work in works.items() if work.planned.fitted is not None}
+    along = {axis.name: correction_of(loaded, axis) for axis, _ in fitted}
     then = Acting({**now.along, **along}, now.across if cross.after is None else acting(cross.after, axes).across)
     return {work.name: predict(work, acting(inputs.states.get(work.planned.measured_in), axes), then) for work in circles}
 
@@ -265,7 +282,7 @@ def _plan(finished: _Finished) -> Plan:
         format=job.format,
         options=finished.control.options,
         standard=job.standard,
-        axes={name: work.planned for name, work in finished.works.items()},
+        axes={**{name: work.planned for name, work in finished.works.items()}, **finished.scales},
         states={name: decoded.files for name, decoded in finished.inputs.states.items()},
         machine=job.machine,
         sources=(
