@@ -323,7 +323,11 @@ def test_fault_of_an_axis_names_its_place(keys: str, place: str, words: str) -> 
         ("cross: [{input: X, output: Y, positions: [0, 0], deviations: [0, 1], unit: um}]", "cross[0].positions", "twice"),
         ("cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1], unit: inch}]", "cross[0].unit", "'um'"),
         ("cross: [{input: Y, output: X, positions: [0, 1], deviations: [0, 1], unit: deg}]", "cross[0].unit", "um or mm"),
-        ("cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1], unit: um, measured_in: a}]", "cross[0].measured_in", "no state"),
+        (
+            "cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1], unit: um, measured_in: a}]",
+            "cross[0].measured_in",
+            "no state",
+        ),
         ("apply: {squareness: {XY: XY}}", "apply.squareness.XY", "of this plane"),
         ("apply: {squareness: {XY: Z}}", "apply.squareness.XY", "of this plane"),
         ("apply: {backlash_from: laser}", "apply.backlash_from", "positioning"),

@@ -220,6 +220,7 @@ class _KindReader:
     def _ending(self, lines: Sequence[Line], last: int, occurrences: Sequence[Occurrence]) -> Iterator[Finding]:
         """A file that stops without its end mark may have been cut short; in the middle of a number it cannot be trusted."""
         final = lines[last - 1] if last else None
+        marked = final is not None and self._code(final).strip(" \t").upper() in self.kind.ends_with
         if final is None or not (occurrences and self.kind.ends_with):
             if final is not None and not final.ended:
                 yield Finding("CW-S001", "warning", f"{self.file}: the last line has no line end; check that the file is complete")
@@ -231,6 +232,9 @@ class _KindReader:
                 "the file ends inside this line, it may have been cut short",
                 expected=f"a line end, then {self.kind.ends_with[0]}",
             )
+            return
+        if not final.ended and not marked:
+            yield Finding("CW-S001", "warning", f"{self.file}: the last line has no line end; check that the file is complete")
             return
         # Where one mark both opens and closes a file, the first line is no end.
         if any(self._code(line).strip(" \t").upper() in self.kind.ends_with for line in lines[1:][-20:]):

@@ -39,8 +39,8 @@ class Capacity:
     ``min_spacing_reason``. ``period``: an endless axis; the table spans exactly one period from the reference, its last value
     equals its first. ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table at all but one
     slope (mm/mm, deg/deg), a multiple of this number, within ``value_range`` taken as slopes. ``nodes``: the only nodes there are,
-    because the table's grid serves other axes too. ``cover``: whole spacings by which a table should reach beyond the travel on each
-    side, where nobody knows what the control does behind its ends.
+    because the table's grid serves other axes too. ``cover``: whole spacings by which a table should reach beyond the travel on
+    each side, where nobody knows what the control does behind its ends.
     """
 
     format: str

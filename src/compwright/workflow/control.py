@@ -290,7 +290,7 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
     seen = {(base.casefold(), corrected.casefold()) for base, corrected in mine}
     faults = [
         Fault(
-            message="the files can be read in two ways: the two readers of compwright find different tables between axes in them",
+            message="the files can be read in two ways: the readers of compwright find different tables between axes",
             place=" on ".join(pair),
         )
         for pair in sorted(seen - set(theirs))
@@ -308,7 +308,7 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
                 worst = int(np.argmax(difference))
                 faults.append(
                     Fault(
-                        message="the files can be read in two ways: the two readers of compwright do not agree on a table between axes",
+                        message="the files can be read in two ways: the readers of compwright do not agree on a table between axes",
                         place=f"{base} on {corrected}, position {where[worst]:g}, direction {direction.value}",
                         found=f"a difference of {difference[worst]:.3g} mm or deg",
                     )
