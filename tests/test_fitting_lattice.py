@@ -716,14 +716,16 @@ def lines(rng: np.random.Generator) -> Iterator[tuple[WantedCorrection, Capacity
 
 
 def straight_means(wanted: WantedCorrection, slopes: Array, backlash: float) -> Array:
-    """The mean squares (n,) that slopes and a backlash leave, integrated here."""
+    """The mean squares (n,) that slopes and a backlash leave, integrated here; a constant is no error: it moves the zero."""
     points, weights = integral(wanted.positions, wanted.positions)
-    total = np.zeros(slopes.size)
+    total, mean = np.zeros(slopes.size), np.zeros(slopes.size)
     for direction in (POSITIVE, NEGATIVE):
         reversal = 0.0 if direction is wanted.reference_return else direction.sign * backlash
         held = np.outer(slopes, points - wanted.reference) + reversal
-        total += 0.5 * (held - np.interp(points, wanted.positions, wanted.total(direction))) ** 2 @ weights
-    return total
+        left = held - np.interp(points, wanted.positions, wanted.total(direction))
+        total += 0.5 * left**2 @ weights
+        mean += 0.5 * left @ weights
+    return np.asarray(total - mean**2)
 
 
 def test_a_slope_equals_brute_force() -> None:
@@ -741,6 +743,15 @@ def test_a_slope_equals_brute_force() -> None:
         assert result.certificate["objective"] == pytest.approx(np.sqrt(best), rel=1e-7)
 
 
+def test_the_backlash_beside_a_slope_is_the_mean_lost_motion() -> None:
+    """Whatever curve a straight line leaves: 5 µm of lost motion are 5 µm, and the slope is that of the regression line."""
+    curve = 15 * UM * np.cos(X / 200.0) - 3e-5 * X
+    capacity = replace(PLAIN, line=1e-6, value_range=(-1e-3, 1e-3), backlash_quantum=0.1 * UM, backlash_range=(-1.0, 1.0))
+    table = fit(wish(X, curve, curve - 5 * UM), capacity).compensation
+    assert table.backlash == pytest.approx(5 * UM, abs=0.05 * UM)  # half a quantum
+    assert table.slope == pytest.approx(np.polyfit(X, curve, 1)[0], abs=0.6e-6)  # half a quantum, and 401 points for the travel
+
+
 def test_what_a_slope_leaves_and_refuses() -> None:
     capacity = replace(PLAIN, line=1e-6, value_range=(-1e-3, 1e-3), backlash_quantum=None, backlash_range=(0.0, 0.0))
     bent = wish(X, 1e-5 * X + 4 * UM * np.sin(X / 50.0), 1e-5 * X + 4 * UM * np.sin(X / 50.0) + 6 * UM)
@@ -750,7 +761,7 @@ def test_what_a_slope_leaves_and_refuses() -> None:
     assert {"CW-F005", "CW-F010"} <= set(codes(result))
     steep = fit(wish(X, 2e-3 * X, 2e-3 * X), capacity)
     assert steep.compensation.slope == pytest.approx(1e-3, abs=1e-15)
-    assert causes(steep)["value range"] == pytest.approx(800 * 1e-3 / np.sqrt(3), rel=1e-3)
+    assert causes(steep)["value range"] == pytest.approx(800 * 1e-3 / np.sqrt(12), rel=1e-3)
     with pytest.raises(CapacityError) as caught:
         fit(bent, capacity, start=0.0, spacing=50.0)
     assert [fault.place for fault in caught.value.faults] == ["table.start", "table.spacing"]

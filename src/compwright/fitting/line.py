@@ -15,8 +15,6 @@ from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, Limit, TableRequest
 
 _HAIR: Final = 1e-6
-#: Optimising slope and reversal in turn at least halves the distance each time.
-_ROUNDS: Final = 200
 
 
 def fit_line(wanted: WantedCorrection, capacity: Capacity, request: TableRequest, quantum: float, *, address: str) -> FittedTable:
@@ -73,68 +71,42 @@ def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
 
 
 class _Line:
-    """The mean square of slope * (x - reference) + reversal - wanted, a quadratic of both."""
+    """The mean square of datum + slope * x + reversal - wanted; the datum is free: it moves the axis' zero, not its errors."""
 
     def __init__(self, wanted: WantedCorrection) -> None:
         self.wanted = wanted
         points, self.weights = quadrature(wanted.positions, wanted.positions)
-        self.x = points - wanted.reference
+        self.x = points - float(self.weights @ points)
         home = wanted.reference_return
         self.own, self.other = (np.interp(points, wanted.positions, wanted.total(direction)) for direction in (home, home.opposite))
 
     def mean_square(self, slope: float, reversal: float) -> float:
         """Return the mean over the travel and both directions; ``reversal`` acts against the return direction."""
         straight = slope * self.x
-        return 0.5 * float(self.weights @ ((straight - self.own) ** 2 + (straight + reversal - self.other) ** 2))
-
-    def curve(self) -> float:
-        """Return how fast the mean square grows with the slope while the reversal follows."""
-        return 2.0 * float(self.weights @ self.x**2) - float(self.weights @ self.x) ** 2
-
-    def reversal(self, slope: float) -> float:
-        """Return the best reversal for a slope."""
-        return float(self.weights @ (self.other - slope * self.x))
-
-    def slope(self, reversal: float) -> float:
-        """Return the best slope for a reversal."""
-        return 0.5 * float(self.weights @ (self.x * (self.own + self.other - reversal))) / float(self.weights @ self.x**2)
+        left = straight - self.own, straight + reversal - self.other
+        datum = 0.5 * float(sum(self.weights @ one for one in left))
+        return 0.5 * float(sum(self.weights @ (one - datum) ** 2 for one in left))
 
     def relaxed(self, slopes: tuple[float, float], reversals: tuple[float, float]) -> tuple[float, float]:
-        """Return the best slope and reversal between their ends, without whole numbers, by optimising each in turn."""
-        slope = reversal = 0.0
-        for _ in range(_ROUNDS):
-            before = slope
-            slope = float(np.clip(self.slope(reversal), *slopes))
-            reversal = float(np.clip(self.reversal(slope), *reversals))
-            if slope == before:
-                break
-        return slope, reversal
+        """Return the best slope and reversal between their ends, not whole: with a free datum neither needs the other."""
+        slope = 0.5 * float(self.weights @ (self.x * (self.own + self.other))) / float(self.weights @ self.x**2)
+        reversal = float(self.weights @ (self.other - self.own))
+        return float(np.clip(slope, *slopes)), float(np.clip(reversal, *reversals))
 
     def best(self, quantum: float, capacity: Capacity) -> tuple[float, float]:
-        """Return the best whole slope and backlash (as the record counts it).
+        """Return the best whole slope and backlash (as the record counts it): each the nearest to its best within its range.
 
-        For each slope the best whole reversal is the best reversal, rounded and kept in its range. With the reversal following, the
-        mean square grows from its least value within the limits at least as ``curve`` (slope - best slope)^2 / 2 (partial
-        minimisation keeps a quadratic's strong convexity), so that no slope outside the window can be better than the first one.
+        With a free datum the mean square is the sum of a parabola of the slope and one of the reversal, so that this is exact.
         """
         low, high = np.ceil(capacity.value_range[0] / quantum - _HAIR), np.floor(capacity.value_range[1] / quantum + _HAIR)
         sign = self.wanted.reference_return.opposite.sign
-
-        def whole(slope: float) -> float:
-            if capacity.backlash_quantum is None:
-                return 0.0
-            step = capacity.backlash_quantum
-            ends = np.ceil(capacity.backlash_range[0] / step - _HAIR), np.floor(capacity.backlash_range[1] / step + _HAIR)
-            return float(np.clip(np.round(sign * self.reversal(slope) / step), *ends)) * step
-
-        middle, reversal = self.relaxed((low * quantum, high * quantum), reversal_range(capacity, sign))
-        first = float(np.clip(np.round(middle / quantum), low, high)) * quantum
-        spare = self.mean_square(first, sign * whole(first)) - self.mean_square(middle, reversal)
-        reach = np.sqrt(2.0 * max(0.0, spare) / self.curve()) / quantum + 1.0
-        ends = np.clip(np.array([np.floor(middle / quantum - reach), np.ceil(middle / quantum + reach)]), low, high)
-        slopes = (np.arange(ends[0], ends[1] + 1.0) * quantum).tolist()
-        chosen = min(slopes, key=lambda one: (self.mean_square(one, sign * whole(one)), abs(one)))
-        return chosen + 0.0, whole(chosen) + 0.0
+        slope, reversal = self.relaxed((low * quantum, high * quantum), reversal_range(capacity, sign))
+        whole = float(np.clip(np.round(slope / quantum), low, high)) * quantum
+        if capacity.backlash_quantum is None:
+            return whole + 0.0, 0.0
+        step = capacity.backlash_quantum
+        ends = np.ceil(capacity.backlash_range[0] / step - _HAIR), np.floor(capacity.backlash_range[1] / step + _HAIR)
+        return whole + 0.0, float(np.clip(np.round(sign * reversal / step), *ends)) * step + 0.0
 
 
 def reversal_range(capacity: Capacity, sign: int) -> tuple[float, float]:

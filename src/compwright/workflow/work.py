@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.evaluation.standards import evaluate
+from compwright.fitting.beyond import beyond_limits
 from compwright.fitting.fit import fit_table
 from compwright.formats.capacity import capacity_for
 from compwright.formats.writing import write_tables
@@ -16,7 +17,8 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState, no_compensation
-from compwright.records.fitted import FittedTable
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedAxis
 from compwright.records.prediction import AxisPrediction
@@ -134,13 +136,20 @@ def fit_all(works: Mapping[str, AxisWork], control: Control, state: ControlState
         )
         try:
             capacity = capacity_for(control.definition, planned.axis, control.options, state)
-            table = fit_table(wanted, capacity, planned.request, address=planned.axis.address)
+            table = fit_within(wanted, capacity, planned.request, address=planned.axis.address)
         except CapacityError as error:
             errors.append(CapacityError(*(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)))
             continue
         fitted[name] = replace(work, capacity=capacity, planned=replace(planned, wanted=wanted, fitted=table))
     raise_all(CapacityError, collect(errors))
     return fitted
+
+
+def fit_within(wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str) -> FittedTable:
+    """Return the fitted table. Raises CapacityError where the control cannot hold it by more than the noise of a reading."""
+    table = fit_table(wanted, capacity, request, address=address)
+    raise_all(CapacityError, list(beyond_limits(table, wanted, capacity)))
+    return table
 
 
 def write_fitted(

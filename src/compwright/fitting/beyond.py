@@ -1,0 +1,54 @@
+"""What a control cannot hold by far: more than the noise of a reading is cut off by its value range or its increments."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from compwright.foundations.errors import Fault
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.records.axis import Direction
+from compwright.records.capacity import Capacity
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable
+
+_HELP = {
+    "value range": "correct the axis mechanically, or in its gear and scale parameters, first",
+    "largest increment": "a smaller spacing would help",
+}
+
+
+def beyond_limits(fitted: FittedTable, wanted: WantedCorrection, capacity: Capacity) -> Iterator[Fault]:
+    """Yield a fault for each limit that cuts off more than a quantum and than the noise of one reading (rms over the travel).
+
+    A smaller loss is a limit that costs accuracy, and the table is the best under it.
+    """
+    factor, unit = outside_factor(wanted.kind.unit), shown_unit(wanted.kind.unit)
+    least = max(capacity.quantum if capacity.line is None else 0.0, wanted.noise)
+    for limit in fitted.limits:
+        if limit.cause in _HELP and limit.value > least:
+            yield Fault(
+                message=f"the correction is beyond what the control holds ({limit.cause}): the best table leaves "
+                f"{limit.value * factor:.3g} {unit} rms of it; {_HELP[limit.cause]}",
+                place="table",
+                expected=_held(limit.cause, capacity, factor, unit),
+                found=f"a correction that spans {_span(wanted) * factor:.4g} {unit}",
+            )
+
+
+def _held(cause: str, capacity: Capacity, factor: float, unit: str) -> str:
+    if cause == "largest increment":
+        if capacity.lattice is not None:
+            largest = capacity.lattice.increments[1] * capacity.lattice.magnifications[-1]
+            return f"steps of at most {largest * capacity.quantum * factor:.4g} {unit} from point to point"
+        return f"steps of at most {(capacity.max_increment or 0.0) * factor:.4g} {unit} from point to point"
+    low, high = capacity.value_range
+    if capacity.line is not None:
+        return f"a slope from {low * 1000:g} to {high * 1000:g} {'mm/m' if unit == 'µm' else 'deg per 1000 deg'}"
+    return f"values from {low * factor:g} to {high * factor:g} {unit}"
+
+
+def _span(wanted: WantedCorrection) -> float:
+    totals = np.concatenate([wanted.total(direction) for direction in Direction])
+    return float(np.max(totals) - np.min(totals))
