@@ -609,3 +609,13 @@ def test_a_table_reaches_beyond_the_travel_where_nobody_knows_what_acts_there() 
     assert (fixed.positions[0], fixed.positions[-1]) == (-800.0, 0.0)
     full = replace(FINE, cover=1, max_points=plain.positions.size)
     assert fit(SMOOTH, full).compensation.positions.size <= plain.positions.size
+
+
+def test_a_spacing_that_ends_a_hair_before_the_table_gives_no_node_twice() -> None:
+    """In inches the step is no whole number of what the file can say: the last node and the end may be one."""
+    inch = replace(TWO_CURVES, spacing="free", position_quantum=25.4e-4)
+    where = np.linspace(0.0, 646.0, 401)
+    wanted = wish(wavy(where), wavy(where) + 4 * UM, positions=where, reference=323.0)
+    for pieces in range(2, 60):
+        nodes = fit(wanted, inch, spacing=646.0 / pieces).compensation.positions
+        assert np.all(np.diff(nodes) > 0)

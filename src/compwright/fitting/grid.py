@@ -190,20 +190,22 @@ def _freely_spaced(span: _Span, spacing: float, capacity: Capacity, unit: str) -
     _check_count(sections + 1, span, capacity, unit)
     counts = span.low + np.round(np.arange(sections + 1) * (spacing / quantum)).astype(np.int64)
     counts[-1] = span.high
+    counts = np.unique(counts)  # a last section shorter than the control can say is none
     nodes: FloatArray = np.round(counts * quantum, 10)
     return nodes
 
 
 def _check_count(count: int, span: _Span, capacity: Capacity, unit: str) -> None:
     length = (span.high - span.low) * capacity.position_quantum
-    if capacity.max_points is not None and count > capacity.max_points:
+    most = min((limit for limit in (capacity.max_points, capacity.most_points) if limit is not None), default=None)
+    if most is not None and count > most:
         least = _nearest_steps(span, 0.0, capacity)[1]
         fits = f"; from {least:.10g} {unit} on a spacing fits" if least else ""
         raise CapacityError(
             Fault(
                 message=f"too many points for the table of {length:.10g} {unit}{fits}",
                 place="table.spacing",
-                expected=f"at most {capacity.max_points} points",
+                expected=f"at most {most} points",
                 found=f"{count} points",
             )
         )
@@ -234,7 +236,7 @@ def _refused(span: _Span, spacing: float, capacity: Capacity, why: str, unit: st
 def _nearest_steps(span: _Span, spacing: float, capacity: Capacity) -> tuple[float | None, float | None]:
     """Return the largest step below and the smallest above ``spacing`` that divides the table and keeps the number of points."""
     length = span.high - span.low
-    most = capacity.max_points or 100_000
+    most = min(limit for limit in (capacity.max_points, capacity.most_points, 100_000) if limit is not None)
     fitting = [length // pieces for pieces in range(max(1, capacity.min_points - 1), min(most, length + 1)) if length % pieces == 0]
     steps = [step * capacity.position_quantum for step in taken_steps(fitting, capacity)]
     below = [step for step in steps if step < spacing]

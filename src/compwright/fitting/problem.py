@@ -8,6 +8,7 @@ from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import csr_array
 
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
@@ -202,13 +203,13 @@ def _objective(data: Sampled, layout: Layout) -> tuple[FloatArray, FloatArray, f
     k = layout.nodes.size
     P, q, constant = np.zeros((layout.size, layout.size)), np.zeros(layout.size), 0.0
     for direction in BOTH:
-        columns = layout.columns(data.matrix, direction)
-        weighted = columns * data.weights[:, np.newaxis]
-        P += columns.T @ weighted
+        columns = csr_array(layout.columns(data.matrix, direction))  # two numbers in a row of thousands
+        weighted = columns.multiply(data.weights[:, np.newaxis]).tocsr()
+        P += (columns.T @ weighted).toarray()
         q -= weighted.T @ data.wanted[direction]
         constant += 0.5 * float(data.weights @ data.wanted[direction] ** 2)
-    steps = np.diff(np.eye(k), axis=0)
-    tie = _TIE / k * steps.T @ steps
+    steps = csr_array(np.diff(np.eye(k), axis=0))
+    tie = _TIE / k * (steps.T @ steps).toarray()
     P[:k, :k] += tie
     if layout.shape == "bidirectional":
         P[k:, k:] += tie

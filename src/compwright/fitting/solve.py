@@ -10,6 +10,7 @@ from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import lu_factor, lu_solve
 
 from compwright.fitting.certify import certificate, range_gap
 from compwright.fitting.problem import QuadraticProblem
@@ -149,10 +150,10 @@ def _with_equations(problem: QuadraticProblem, active: BoolArray, bound: FloatAr
     matrix[:n, n:] = scale * rows.T
     matrix[n:, :n] = scale * rows
     right = np.concatenate([-problem.q, scale * bound[active]])
-    inverse = np.linalg.inv(matrix - np.diag(np.concatenate([np.zeros(n), np.full(c, scale * _DUAL_SHIFT)])))
-    both = inverse @ right
+    factors = lu_factor(matrix - np.diag(np.concatenate([np.zeros(n), np.full(c, scale * _DUAL_SHIFT)])), check_finite=False)
+    both = lu_solve(factors, right, check_finite=False)
     for _ in range(_REFINEMENTS):  # against the exact matrix: the shift only decides between limits that say the same
-        both = both + inverse @ (right - matrix @ both)
+        both = both + lu_solve(factors, right - matrix @ both, check_finite=False)
     y = np.zeros(problem.lower.size)
     y[active] = scale * both[n:]
     return both[:n], y

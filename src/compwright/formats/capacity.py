@@ -36,11 +36,14 @@ def written_text(binding: Choice, options: Mapping[str, object]) -> str:
     return str(options[binding.writes.option]) if isinstance(binding.writes, OptionValue) else binding.writes
 
 
-def capacity_for(definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None) -> Capacity:
+def capacity_for(
+    definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None, *, one_curve: bool = False
+) -> Capacity:
     """Return the limits of one axis' table in mm or deg.
 
-    Where the control's own files (``state``) answer an option, their answer counts. Raises UsageError for a wrong option, a value
-    that contradicts the files, or an address that the control cannot have.
+    ``one_curve``: the job asks for one table and a backlash value, even where the control could hold a pair. Where the control's
+    own files (``state``) answer an option, their answer counts. Raises UsageError for a wrong option, a value that contradicts the
+    files, or an address that the control cannot have.
     """
     resolved = resolve_options(definition, options, state)
     if definition.layout.shape == "section_increments":
@@ -67,10 +70,13 @@ def capacity_for(definition: Definition, axis: Axis, options: Mapping[str, objec
         max_points=_max_points(definition, axis, resolved, facts.get("max_points"), assumed),
         below=definition.layout.below,
         above=definition.layout.above,
+        most_points=definition.limit_number("max_points"),
         period=_period(definition, axis),
         assumed=tuple(assumed),
     )
-    return with_cec(definition, axis, resolved, state, capacity) if cec_available(definition, resolved) else capacity
+    if one_curve or not cec_available(definition, resolved):
+        return capacity
+    return with_cec(definition, axis, resolved, state, capacity)
 
 
 def _period(definition: Definition, axis: Axis) -> float | None:

@@ -147,9 +147,13 @@ class IncrementReader:
         """Return linear or rotary: from the job, else the files, else linear, which is noted unless ``quiet``."""
         word = self.word("rotary")
         if self.axis is None:
+            turn = self.found("turn")
+            turns = turn is not None and Decimal(turn.text) != 0
+            guess = "rotary" if turns else "linear"
             if word is None and not quiet:
-                self.notes.assume(f"{self.label}: kind", "linear", "unconfirmed: neither a job nor the files say so")
-            return AxisKind(word or "linear")
+                why = "inferred: 3625 holds a travel per turn" if turns else "unconfirmed: neither a job nor the files say so"
+                self.notes.assume(f"{self.label}: kind", guess, why)
+            return AxisKind(word or guess)
         if word is not None and word != self.axis.kind and not quiet:
             self.notes.faults.append(
                 Fault(

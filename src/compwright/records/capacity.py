@@ -31,8 +31,8 @@ class Capacity:
     ``curves`` 1: one table for both directions; 2: one per direction. ``quantum``: resolution of a table value.
     ``backlash_quantum`` None: the control has no backlash value beside the table (or ignores it). ``position_quantum``: nodes,
     and with ``spacing`` "equidistant" the step too, must be multiples of it so that the file says them exactly.
-    ``max_points`` None: not known; the plan then says how many the control must be set to hold. ``max_increment`` is the largest
-    difference of neighbouring values; None: unlimited.
+    ``max_points`` None: not known; the plan then says how many the control must be set to hold, at most ``most_points``.
+    ``max_increment`` is the largest difference of neighbouring values; None: unlimited.
 
     ``lattice``: values are whole increments (``quantum`` is then that of magnification 1). ``anchored``: the nodes lie at the
     reference plus whole spacings. ``spacings``: the only ones there are; ``min_spacing``: none below it, for the reason
@@ -63,6 +63,7 @@ class Capacity:
     period: float | None = None
     second_curve: Literal["chosen", "asked"] = "chosen"
     line: float | None = None
+    most_points: int | None = None
     nodes: tuple[float, ...] | None = None
     cover: int = 0
     below: Beyond = "hold"

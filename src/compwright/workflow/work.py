@@ -135,7 +135,8 @@ def fit_all(works: Mapping[str, AxisWork], control: Control, state: ControlState
             planned.estimate, planned.active, planned.axis, reversal_log_odds=work.posterior.reversal_log_odds
         )
         try:
-            capacity = capacity_for(control.definition, planned.axis, control.options, state)
+            one_curve = planned.request.mode == "single"
+            capacity = capacity_for(control.definition, planned.axis, control.options, state, one_curve=one_curve)
             table = fit_within(wanted, capacity, planned.request, address=planned.axis.address)
         except CapacityError as error:
             errors.append(CapacityError(*(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)))
