@@ -19,11 +19,14 @@ from compwright.cli import run as compwright
 from compwright.controllers.virtual import VirtualControl, virtual_control
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document, read_plan
-from compwright.records.axis import Direction
+from compwright.foundations.errors import InputError
+from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.circular import CircularRun, CircularTest
 from compwright.records.correction import ControlFile
+from compwright.records.job import CircleRequest
 from compwright.simulation.circular import CircleAxis, CircleErrors, CirclePlan, simulate_circle
 from compwright.simulation.circular_files import to_circular_csv
+from compwright.workflow.circle_work import start_circle
 from loop import Floats, Machine, csv_of
 
 SIEMENS = "siemens-840d-sl"
@@ -285,6 +288,22 @@ def test_plan_and_evaluation_carry_the_circle(folder: Path) -> None:
     assert kinds == [("positioning", "x"), ("positioning", "y"), ("circular", "xy-150")]
 
 
+def test_export_carries_the_correction_between_axes(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A control that could not hold it when the plan was made may have learnt to; another one says that it cannot."""
+    assert compwright(["run", str(job(folder, options="{}"))]) == 0
+    (cross,) = read_plan((folder / "job" / "plan.json").read_bytes(), "").cross
+    assert not cross.written
+    words = ["export", str(folder / "job" / "plan.json"), "--out", str(folder / "again"), "--format", SIEMENS]
+    assert compwright([*words, "--option", "cec=available", "--option", "cec_tables=0,1,2,3,4,5"]) == 0
+    judge = judge_of(folder / "again")
+    assert judge.cross() == (("AX1", "AX2"),)
+    assert judge.cross_correction("AX1", "AX2", np.array([800.0]), Direction.POSITIVE) == pytest.approx([0.032], abs=3e-4)  # mm
+    capsys.readouterr()
+    words = ["export", str(folder / "job" / "plan.json"), "--out", str(folder / "other"), "--format", "linuxcnc", "--state", "none"]
+    assert compwright(words) == 0
+    assert "matrixkins.C_yx" in capsys.readouterr().err
+
+
 def test_decode_shows_what_one_axis_does_to_the_other(folder: Path) -> None:
     assert compwright(["run", str(job(folder))]) == 0
     tables = sorted((folder / "job" / "tables" / SIEMENS).iterdir())
@@ -404,6 +423,16 @@ def test_a_missing_centre_is_said_and_the_middle_taken(folder: Path, capsys: pyt
     assert compwright(["run", str(job(folder, circle="measured_in: as_found"))]) == 0
     assert "CW-P101" in codes(capsys)
     assert read_plan((folder / "job" / "plan.json").read_bytes(), "").circles["xy-150"].centre == (400.0, -250.0)
+
+
+def test_three_numbers_of_a_centre_are_x_y_and_z() -> None:
+    request = CircleRequest(files=("a",), name="zx", centre=(400.0, -250.0, -300.0))
+    test = replace(Bent().circle(1), plane="ZX", axes=("z", "x"))
+    axes = {name: Axis(name=name, kind=AxisKind.LINEAR, travel=(-500.0, 800.0), address=name) for name in ("X", "Z")}
+    work = start_circle(request, test, axes)
+    assert (work.planned.test.axes, work.planned.centre) == (("Z", "X"), (-300.0, 400.0))
+    with pytest.raises(InputError, match="two numbers, of X1 and Y1"):
+        start_circle(request, replace(test, axes=("X1", "Y1")), axes)
 
 
 def test_lost_motion_of_the_circle_when_asked_and_the_disagreement(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

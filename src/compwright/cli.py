@@ -264,6 +264,8 @@ def export(
         _tell(f"assumed: {entry.fact} = {entry.value} ({entry.evidence})")
     for name in outcome.missing:
         _tell(f"note: axis {name} has no table in this plan")
+    for finding in outcome.findings:
+        _tell(f"{finding.severity}: {finding.message}")
     _print_lines(map(str, outcome.files))
     return 0
 

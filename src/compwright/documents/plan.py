@@ -111,6 +111,7 @@ def _cross_in(data: Mapping[str, Any]) -> PlannedCross:
         tests=tuple(str(name) for name in data["tests"]),
         squareness=float(data["squareness"]),
         std_error=_optional(data["std_error"], float),
+        written=bool(data["written"]),
     )
 
 

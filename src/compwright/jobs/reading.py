@@ -226,11 +226,6 @@ def _budget(section: JobSection) -> UncertaintyBudget | None:
 def _pending_findings(section: JobSection) -> list[Finding]:
     """Say of every key on which nothing acts yet that it was read and does nothing."""
     keys = []
-    for name, axis in section.axes.items():
-        if axis.programmed == "diameter":
-            keys.append(f"axes.{name}.programmed: diameter")
-        if axis.encoder.type != "incremental":
-            keys.append(f"axes.{name}.encoder.type: {axis.encoder.type}")
     if section.report.language != "en":
         keys.append(f"report.language: {section.report.language}")
     return [Finding("CW-J001", "warning", f"read, but not used yet: {key}") for key in keys]

@@ -121,7 +121,7 @@ class AxisSection(Section):
     kind: Literal["linear", "rotary"] = "linear"
     modulo: Positive | None = None
     address: Text | None = None
-    axis_number: Annotated[int, Field(ge=0)] | None = None
+    axis_number: Annotated[int, Field(ge=1, le=99)] | None = None
     gantry: Text | None = None
     position_map: PositionMapSection = PositionMapSection()
     reference: float = 0.0

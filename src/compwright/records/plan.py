@@ -57,7 +57,7 @@ class PlannedCross:
 
     ``added``: the table before the control rounds it, by the control's addresses, zero at the reference of the input axis.
     ``source``: from circular tests (``tests`` names them) or from a cross measurement. ``squareness``: the angle that it removes,
-    rad, > 0 for more than 90°; ``std_error`` of it, rad, None where nobody said it.
+    rad, > 0 for more than 90°; ``std_error`` of it, rad, None where nobody said it. ``written``: the plan's own control holds it.
     """
 
     input: str
@@ -67,6 +67,7 @@ class PlannedCross:
     tests: tuple[str, ...] = ()
     squareness: float = 0.0
     std_error: float | None = None
+    written: bool = True
 
     @property
     def pair(self) -> frozenset[str]:
@@ -78,7 +79,7 @@ class PlannedCross:
 class Plan:
     """The plan. ``states`` holds the control's own files byte by byte: None where the job did not say, empty for ``none``.
 
-    ``cross``: the tables between axes that were written; ``circles``: the circular tests by name.
+    ``cross``: what is wanted between axes, written or not; ``circles``: the circular tests by name.
     """
 
     version: str

@@ -38,15 +38,15 @@ _INSTEAD = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossOutcome:
-    """What was written: ``written`` of the plan, ``files`` that the control loads in all, what is in it then.
+    """What was ``planned`` and whether the control holds it, all ``files`` that it loads, and what is in it then.
 
-    ``after``: None where nothing was written: between the axes acts what acted before.
-
-    ``totals``: what then acts between the axes of ``written``, read back by the judge, by the names of the job.
+    ``after``: None where nothing was written: between the axes acts what acted before. ``totals``: what then acts between the axes
+    of ``planned``, read back by the judge, by the names of the job.
     """
 
-    written: tuple[PlannedCross, ...]
     files: tuple[ControlFile, ...]
+    planned: tuple[PlannedCross, ...] = ()
+    written: bool = False
     after: DecodedState | None = None
     totals: tuple[CrossCompensation, ...] = ()
     findings: tuple[Finding, ...] = ()
@@ -66,9 +66,9 @@ def write_planned(
     CompwrightError (a fault of our own) when something else comes back than was written.
     """
     if not planned:
-        return CrossOutcome(written=(), files=tables)
+        return CrossOutcome(files=tables)
     if not cec_available(control.definition, control.options):
-        return _not_held(control, planned, tables, _instead(control), axes)
+        return _not_held(control, planned, tables, _instead(control))
     base = _together(as_found.files, tables)
     known = list(axes.values())
     before = _read(control, base, known)
@@ -76,12 +76,13 @@ def write_planned(
         state = as_found.state if before is None else before.state
         new = _written(control, planned, state, base)
     except CapacityError as error:
-        return _not_held(control, planned, tables, "; ".join(str(fault) for fault in error.faults).replace(_OWN, ""), axes)
+        return _not_held(control, planned, tables, "; ".join(str(fault) for fault in error.faults).replace(_OWN, ""))
     files = _together(tables, new)
-    after = _read(control, _together(base, new), known)
+    after = decode(control, _together(base, new), known, written=True)
     raise_all(CompwrightError, _wrong(planned, before, after))
     return CrossOutcome(
-        written=tuple(planned),
+        planned=tuple(planned),
+        written=True,
         files=files,
         after=after,
         totals=_totals(planned, after, axes),
@@ -145,7 +146,7 @@ def _totals(planned: Sequence[PlannedCross], after: DecodedState | None, axes: M
     names = {axis.address: name for name, axis in axes.items()}
     mine = {(entry.added.input, entry.added.output) for entry in planned}
     return tuple(
-        replace(entry, input=names[entry.input], output=names[entry.output])
+        replace(entry, input=names.get(entry.input, entry.input), output=names.get(entry.output, entry.output))
         for entry in (() if after is None else judged_cross(after))
         if (entry.input, entry.output) in mine
     )
@@ -156,15 +157,19 @@ def _not_held(
     planned: Sequence[PlannedCross],
     tables: tuple[ControlFile, ...],
     why: str,
-    axes: Mapping[str, Axis],
 ) -> CrossOutcome:
     findings, steps = [], []
     for entry in planned:
-        helps = _matrixkins(entry, axes) if control.id.startswith("linuxcnc") else why
+        helps = _matrixkins(entry) if control.id.startswith("linuxcnc") else why
         message = f"{_label(entry)} is not corrected: this control, as the job describes it, cannot hold it; {helps}."
         findings.append(Finding("CW-P113", "warning", message))
         steps.append({"title": f"Not corrected: {_label(entry)}", "text": f"{helps}.", "evidence": "inferred"})
-    return CrossOutcome(written=(), files=tables, findings=tuple(findings), steps=tuple(steps))
+    return CrossOutcome(
+        planned=tuple(replace(entry, written=False) for entry in planned),
+        files=tables,
+        findings=tuple(findings),
+        steps=tuple(steps),
+    )
 
 
 def _label(entry: PlannedCross) -> str:
@@ -176,14 +181,15 @@ def _instead(control: Control) -> str:
     return next((text for start, text in _INSTEAD.items() if control.id.startswith(start)), "it has no tables between axes")
 
 
-def _matrixkins(entry: PlannedCross, axes: Mapping[str, Axis]) -> str:
+def _matrixkins(entry: PlannedCross) -> str:
     """Return the values of LinuxCNC's matrixkins: joint of the bent axis = ... + C * position of the other one.
 
     Its leaning angle is minus squareness, and C is minus that angle.
     """
     pin = f"matrixkins.C_{entry.output.lower()}{entry.input.lower()}"
-    zero = axes[entry.input].reference
-    away = f", which also moves {entry.output} by {entry.squareness * zero * 1e3:+.2f} µm at its zero" if zero else ""
+    added = entry.added
+    constant = entry.squareness * float(added.positions[0]) - float(added.positive[0])  # the line runs through machine zero
+    away = f", which also moves {entry.output} as a whole by {constant * 1e3:+.2f} µm" if abs(constant) > READ_BACK else ""
     return (
         f"with the kinematics matrixkins (LinuxCNC 2.10) add {entry.squareness:+.9f} to the value of {pin} that is in force{away}; "
         "without it this control has no place for it"

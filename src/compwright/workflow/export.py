@@ -7,15 +7,17 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.documents.plan import read_plan
-from compwright.fitting.fit import fit_table
 from compwright.formats.addresses import normal_address
 from compwright.formats.capacity import capacity_for
 from compwright.foundations import storage
 from compwright.foundations.errors import CapacityError, CompwrightError, Fault, UsageError, collect, raise_all
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlFile
-from compwright.records.plan import Plan
+from compwright.records.plan import Plan, PlannedCross
 from compwright.workflow.control import Control, DecodedState, decode, open_control, read_files
-from compwright.workflow.work import AS_FOUND, write_fitted
+from compwright.workflow.cross_tables import write_planned
+from compwright.workflow.work import AS_FOUND, fit_within, write_fitted
 
 #: ``--option address.X=0``: how the control names axis X of the plan.
 ADDRESS = "address."
@@ -23,11 +25,12 @@ ADDRESS = "address."
 
 @dataclass(frozen=True, slots=True)
 class ExportOutcome:
-    """The files written, what had to be assumed, and the axes for which the plan holds no table (with the reason)."""
+    """The files written, what had to be assumed, the axes without a table in the plan, and what the control cannot hold."""
 
     files: tuple[Path, ...]
     assumed: tuple[Assumption, ...]
     missing: tuple[str, ...]
+    findings: tuple[Finding, ...] = ()
 
 
 def export_plan(
@@ -57,8 +60,9 @@ def export_plan(
         axis = replace(entry.axis, address=address)
         assumed.extend([assumption] if assumption else [])
         try:
-            capacity = capacity_for(control.definition, axis, control.options, state.state)
-            fitted.append((axis, fit_table(entry.wanted, capacity, entry.request, address=address)))
+            one_curve = entry.request.mode == "single"
+            capacity = capacity_for(control.definition, axis, control.options, state.state, one_curve=one_curve)
+            fitted.append((axis, fit_within(entry.wanted, capacity, entry.request, address=address)))
         except CapacityError as error:
             errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))
     raise_all(CapacityError, collect(errors))
@@ -72,8 +76,17 @@ def export_plan(
             )
         )
     files, _ = write_fitted(control, fitted, state)
-    written = storage.write_files(out, {file.name: file.content for file in files}, force=force)
-    return ExportOutcome(files=tuple(written), assumed=tuple(dict.fromkeys(assumed)), missing=missing)
+    axes = {axis.name: axis for axis, _ in fitted}
+    cross = write_planned(control, [_addressed(entry, axes) for entry in plan.cross], files, state, axes)
+    written = storage.write_files(out, {file.name: file.content for file in cross.files}, force=force)
+    return ExportOutcome(files=tuple(written), assumed=tuple(dict.fromkeys(assumed)), missing=missing, findings=cross.findings)
+
+
+def _addressed(entry: PlannedCross, axes: Mapping[str, Axis]) -> PlannedCross:
+    """Return a correction between axes with the addresses of this control, where the plan knows the axes."""
+    given, bent = axes.get(entry.input), axes.get(entry.output)
+    added = entry.added if given is None else replace(entry.added, input=given.address)
+    return replace(entry, added=added if bent is None else replace(added, output=bent.address))
 
 
 def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]:

@@ -125,7 +125,7 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
     tables: tuple[ControlFile, ...] = ()
     loaded: DecodedState | None = None
     by_scale: dict[str, PlannedAxis] = {}
-    cross = CrossOutcome(written=(), files=())
+    cross = CrossOutcome(files=())
     findings = [finding for work in circles for finding in (*work.findings, *checked_axes(work, axes))]
     checks = Checks(job, works, {name: acting(decoded, axes) for name, decoded in inputs.states.items()})
     findings += checks.findings(circles)
@@ -290,7 +290,7 @@ def _plan(finished: _Finished) -> Plan:
             *(source for work in finished.circles for source in work.planned.test.sources),
         ),
         assumed=finished.assumed,
-        cross=finished.cross.written,
+        cross=finished.cross.planned,
         circles={work.name: work.planned for work in finished.circles},
     )
 

@@ -104,7 +104,8 @@ def _verified(plan: Plan, circle: PlannedCircle, after: CircularTest, during: Ac
     before = evaluated_circle(circle.test, CIRCULAR_STANDARD)
     prediction = predicted_circle(before, circle, during, then)
     result = evaluated_circle(replace(after, name=circle.test.name), CIRCULAR_STANDARD)
-    bent = next((entry for entry in plan.cross if entry.pair == frozenset(circle.test.axes) and entry.source == "circle"), None)
+    corrected = (entry for entry in plan.cross if entry.written and entry.source == "circle")
+    bent = next((entry for entry in corrected if entry.pair == frozenset(circle.test.axes)), None)
     check = None
     if bent is not None:
         was, now = effect_of(prediction.expected, "squareness"), effect_of(result, "squareness")
@@ -124,7 +125,7 @@ def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> Ac
     now = acting(as_found, axes)
     along = {name: entry.fitted.compensation.at for name, entry in plan.axes.items() if entry.fitted is not None}
     across = dict(now.across)
-    for entry in plan.cross:
+    for entry in (entry for entry in plan.cross if entry.written):
         pair = (entry.input, entry.output)
         across[pair] = _more(across.get(pair), entry)
     return Acting({**now.along, **along}, across)
