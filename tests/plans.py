@@ -23,7 +23,14 @@ from compwright.records.fitted import TableRequest
 from compwright.workflow.control import open_control
 
 #: Formats that can write a table without files of the control: what to call the axis, and what to choose at random.
-ADDRESSES = {"fanuc-30i": "123", "fanuc-0i-16i": "123", "siemens-840d-sl": ("AX1", "Q_2"), "linuxcnc": ("0", "3")}
+ADDRESSES = {
+    "fanuc-30i": "123",
+    "fanuc-0i-16i": "123",
+    "siemens-840d-sl": ("AX1", "Q_2"),
+    "linuxcnc": ("0", "3"),
+    "heidenhain-itnc530": "XYZ",
+    "heidenhain-nck": "XYZ",
+}
 #: Doubles carry 1 m to 1e-13 mm, far below every quantum; LinuxCNC keeps its table in single precision: 1 mm to 6e-8 mm. mm or deg.
 SAME = {"linuxcnc": 2e-7}
 SAME_ELSE = 1e-9
@@ -69,11 +76,17 @@ def random_options(format_id: str, rng: np.random.Generator) -> dict[str, object
         return chosen
     if format_id == "linuxcnc":
         return {"units": str(rng.choice(["mm", "inch"])), "comp_file_type": str(rng.choice(["0", "1"]))}
+    if format_id.startswith("heidenhain"):
+        return {"table_values": str(rng.choice(["error", "correction"]))}
+    if rng.random() < 0.4:
+        return {"cec": "available", "cec_tables": [3, 8], "cec_sign": str(rng.choice(["error", "correction"]))}
     return {}
 
 
 def random_axis(format_id: str, rng: np.random.Generator) -> Axis:
     kind = AxisKind.ROTARY if rng.random() < 0.25 else AxisKind.LINEAR
+    if format_id.startswith("heidenhain"):  # of a rotary axis it uses 0 to 360 degrees only, which has tests of its own
+        kind = AxisKind.LINEAR
     length = float(rng.integers(30, 360 if kind is AxisKind.ROTARY else 1200))
     low = float(rng.choice([0.0, -length, -float(rng.integers(0, int(length))), float(rng.integers(-500, 500))]))
     if kind is AxisKind.ROTARY and format_id.startswith("fanuc") and rng.random() < 0.4:

@@ -250,3 +250,31 @@ def test_looking_never_fails(tmp_path: Path) -> None:
     there = {name: storage.is_there(tmp_path / name) for name in (".", "x", "link", "y", "n" * 300, "a\0b", "x/y")}
     assert there == {".": True, "x": True, "link": True, "y": False, "n" * 300: False, "a\0b": False, "x/y": False}
     assert [name for name in there if storage.is_folder(tmp_path / name)] == ["."]
+
+
+def test_a_whole_folder_holds_what_was_written_and_nothing_else(tmp_path: Path) -> None:
+    storage.write_files(tmp_path, {"set/a": b"old", "set/b": b"of an earlier run", "set/deep/c": b"kept", "other/d": b"kept"})
+    before = tree(tmp_path)
+    (fault,) = faults_of(lambda: storage.write_files(tmp_path, {"set/e": b"new"}, whole=["set"]) and None)[:1]
+    assert "is no part of what is written" in fault
+    assert tree(tmp_path) == before
+    storage.write_files(tmp_path, {"set/a": b"new"}, force=True, whole=["set", "none"])
+    after = tree(tmp_path)
+    assert after == {name: content for name, content in {**before, "set/a": b"new"}.items() if name != "set/b"}
+
+
+def test_what_was_removed_comes_back_when_the_rest_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    storage.write_files(tmp_path, {"set/a": b"old", "set/b": b"earlier", "set/c": b"earlier too"})
+    before = tree(tmp_path)
+    replace, calls = Path.replace, []
+
+    def fails_late(self: Path, target: Path) -> Path:
+        calls.append(target)
+        if len(calls) == 3:  # the new file is in its place and the first stranger is gone
+            raise OSError(28, "No space left on device")
+        return replace(self, target)
+
+    monkeypatch.setattr(Path, "replace", fails_late)
+    assert faults_of(lambda: storage.write_files(tmp_path, {"set/a": b"new"}, force=True, whole=["set"]))
+    monkeypatch.undo()
+    assert tree(tmp_path) == before

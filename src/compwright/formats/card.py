@@ -101,6 +101,7 @@ def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
         "reference_return": axis.reference_return.value,
         "unit": axis.kind.unit,
         "gantry": _gantry(axis),
+        "referencing": _REFERENCING[axis.encoder.type],
         **files,
     }
 
@@ -138,7 +139,7 @@ def _increment_values(
     values["unit"] = unit
     values["detection_unit"] = f"{scale.quantum('value'):g} {unit}"
     values["backlash"] = scale.write("backlash", compensation.backlash)
-    values["referencing"] = _REFERENCING[axis.encoder.type]
+    values["other_sign"] = "'+'" if options.get("pitch_sign") == "-" else "'-'"
     positions = compensation.positions
     if positions.size > 1:
         values["spacing"] = f"{(positions[-1] - positions[0]) / (positions.size - 1):.10g}"
@@ -150,7 +151,7 @@ def _increment_values(
 #: What has to be done so that the control knows where the axis is, by the kind of encoder.
 _REFERENCING = {
     "incremental": "Incremental encoder: reference the axis after the power cycle; nothing acts before that.",
-    "absolute": "Absolute encoder: no reference return. Leave parameter 1815 alone: touching its bit 4 (APZ) loses machine zero.",
+    "absolute": "Absolute encoder: no reference return. Leave its adjustment alone (FANUC 1815): machine zero would be lost.",
     "distance_coded": "Distance-coded scale: move the axis over two marks after the power cycle; nothing acts before that.",
 }
 

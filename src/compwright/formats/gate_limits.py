@@ -40,6 +40,16 @@ def _broken(
 ) -> Iterator[tuple[str, AxisCompensation, Axis]]:
     for name, broken in _beyond(axis, table, capacity):
         yield name, broken, axis
+    step = float(np.min(np.diff(table.positions)))
+    feed, per_spacing = definition.limit_number("feed_per_spacing"), definition.limit_number("spacing_per_step")
+    if feed is not None and "max_feed" in definition.options:
+        yield "feed_per_spacing", table, replace(axis, options={**axis.options, "max_feed": 2.0 * feed * step})
+    if per_spacing is not None:
+        yield (
+            "spacing_per_step",
+            _with_value(table, 0, float(np.round(2.0 * step / per_spacing, 3)) + float(table.positive[1])),
+            axis,
+        )
     if definition.limit("no_endless_axis") is not None:
         yield "no_endless_axis", table, replace(axis, modulo=360.0)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -44,8 +44,7 @@ def write_tables(
     pairs = _pairs(definition, compensations, axes)
     if definition.layout.shape == "user_tables" and files:  # what they hold is the limit, whatever was known before
         state = read_user_tables(definition, files, options, [axis for _, axis, _ in pairs])
-    if definition.layout.shape in ("values_by_index", "rows_by_position"):
-        pairs = _with_partners(definition, pairs)
+    pairs = _with_partners(definition, pairs)
     faults = [fault for _, axis, compensation in pairs for fault in check_limits(definition, axis, compensation, resolved, state)]
     sound = [pair for pair in pairs if pair[2].positions.size >= 2 and not _unsound(pair[2])]
     if definition.layout.shape == "section_increments":
@@ -88,6 +87,17 @@ def _pairs(
     return list(pairs.values())
 
 
+def _spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> Iterator[Fault]:
+    if compensation.positions.size > 1:
+        least = float(np.min(np.diff(compensation.positions)))
+        if least < capacity.min_spacing * (1 - 1e-9):
+            yield Fault(
+                message=f"{label}: the points are too close; {capacity.min_spacing_reason}",
+                expected=f"{capacity.min_spacing:g} {compensation.kind.unit} or more",
+                found=f"{least:g}",
+            )
+
+
 def _unsound(compensation: AxisCompensation) -> str:
     positions = compensation.positions
     if not positions.shape == compensation.positive.shape == compensation.negative.shape or positions.ndim != 1:
@@ -126,13 +136,14 @@ def check_limits(
     if axis.modulo is not None and definition.limit("no_endless_axis") is not None:
         faults.append(
             Fault(
-                message=f"{label}: tables that repeat (endless rotary axis) are not built yet",
+                message=f"{label}: the control's table does not repeat, so an endless axis cannot have one",
                 expected="an axis with ends",
                 found=f"modulo {axis.modulo:g}",
             )
         )
     elif definition.layout.shape == "values_by_index":
         faults.extend(_turn(capacity, compensation, label))
+    faults.extend(_spacing(capacity, compensation, label))
     if compensation.kind is not axis.kind:
         faults.append(Fault(message=f"{label}: the table and the axis differ in kind", expected=axis.kind, found=compensation.kind))
     if definition.layout.shape == "user_tables":

@@ -119,15 +119,23 @@ class _Changes:
 
 
 def write_files(
-    folder: Path, files: Mapping[str, bytes], *, force: bool = False, elsewhere: Mapping[Path, bytes] | None = None
+    folder: Path,
+    files: Mapping[str, bytes],
+    *,
+    force: bool = False,
+    elsewhere: Mapping[Path, bytes] | None = None,
+    whole: Sequence[str] = (),
 ) -> list[Path]:
     """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, and those of ``elsewhere``, all of them or none.
 
-    Returns the paths in the order given. Raises StorageError when one exists (unless ``force``), for missing permission, for a
-    full disk and for a name that leads out of ``folder``; then everything is as it was before, files replaced included.
+    ``whole``: folders below ``folder`` that hold exactly these files afterwards: what else lies in them directly is refused, or
+    with ``force`` removed. Returns the paths in the order given. Raises StorageError when one exists (unless ``force``), for
+    missing permission, for a full disk and for a name that leads out of ``folder``; then everything is as it was before, files
+    replaced included.
     """
     targets = {_below(folder, name): content for name, content in files.items()} | dict(elsewhere or {})
     refuse_overwriting(list(targets), force=force)
+    strangers = _strangers([_below(folder, name) for name in whole], targets, force=force)
     changes = _Changes()
     current = folder
     try:
@@ -137,6 +145,10 @@ def write_files(
         for temporary, current in zip(changes.staged, targets, strict=True):
             temporary.replace(current)
             changes.placed.append(current)
+        for current in strangers:
+            changes.kept[current] = _beside(current)
+            current.replace(changes.kept[current])
+            changes.placed.append(current)
     except (OSError, ValueError) as error:
         changes.undo()
         raise StorageError(Fault(message="cannot be written", file=str(current), found=_reason(error))) from error
@@ -145,6 +157,21 @@ def write_files(
         raise
     changes.clear()
     return list(targets)
+
+
+def _strangers(folders: Sequence[Path], targets: Mapping[Path, bytes], *, force: bool) -> list[Path]:
+    """Return the files in ``folders`` that are not among ``targets``. Raises StorageError where there are any, unless ``force``."""
+    found = [
+        path
+        for folder in folders
+        if folder.is_dir()
+        for path in sorted(folder.iterdir())
+        if path not in targets and (path.is_file() or path.is_symlink())
+    ]
+    if found and not force:
+        expected = "a folder that holds nothing else, or --force to remove it"
+        raise StorageError(*(Fault(message="is no part of what is written", file=str(path), expected=expected) for path in found))
+    return found
 
 
 def write_file(path: Path, content: bytes, *, force: bool = False) -> Path:

@@ -24,6 +24,10 @@ from compwright.workflow.work import AS_FOUND, AxisWork, correction_of
 SCHEMA = "compwright/card/1"
 #: A reading further off than this many times the scatter of one reading is no accident (with a normal scatter, one in 10^6).
 STOP_SCATTER = 5.0
+_DIAMETER = (
+    "Axis {} is programmed in diameter: the laser and this table count in radius. Programs and displays show twice as much; if the "
+    "quick check is off by a factor of two, the control counts its table in diameter"
+)
 
 
 def card_document(
@@ -42,10 +46,13 @@ def card_document(
         "title": f"Commissioning card: {', '.join(written)}",
         "machine": dict(job.machine),
         "format": {"id": control.id, "title": control.definition.title},
-        "axes": [_axis(job, work, loaded) for work in written.values()],
+        "axes": [_axis(job, control, work, loaded) for work in written.values()],
         "steps": _steps(control, written, loaded),
         "changes": changes_document(control, inputs, loaded),
-        "unconfirmed": [f"{entry['fact']}: {entry['value']}" for entry in facts if "unconfirmed" in entry["evidence"]],
+        "unconfirmed": [
+            *(f"{entry['fact']}: {entry['value']}" for entry in facts if "unconfirmed" in entry["evidence"]),
+            *(_DIAMETER.format(work.planned.axis.name) for work in written.values() if work.planned.axis.programmed == "diameter"),
+        ],
         "assumed": facts,
         "restore": _restore(control, inputs),
         "files": [f"tables/{control.id}/{file.name}" for file in (loaded.files if loaded else ())],
@@ -54,7 +61,7 @@ def card_document(
     }
 
 
-def _axis(job: Job, work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
+def _axis(job: Job, control: Control, work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
     axis = work.planned.axis
     factor = outside_factor(axis.kind.unit)
     new = correction_of(loaded, axis)
@@ -76,13 +83,19 @@ def _axis(job: Job, work: AxisWork, loaded: DecodedState | None) -> dict[str, An
             for position in where
         ],
         "quick_check": _quick_check(work, loaded, factor),
-        "points_needed": int(table.positions.size) if table is not None else None,
+        "points_needed": _points_needed(control, table),
         "fixed_positions": [
             {"name": name, "position": places[axis.name], "moves": _moves(work, loaded, places[axis.name]) * factor}
             for name, places in job.fixed_positions.items()
             if axis.name in places
         ],
     }
+
+
+def _points_needed(control: Control, table: AxisCompensation | None) -> int | None:
+    """Return how many points the control must have room for; None where it reserves none."""
+    reserves = control.definition.limit("points_reserved") is not None or control.definition.limit("max_points") is not None
+    return int(table.positions.size) if table is not None and reserves else None
 
 
 def _rows(old: AxisCompensation | None, new: AxisCompensation | None, factor: float, unit: str) -> list[dict[str, str]]:

@@ -101,7 +101,8 @@ def run_job(
     prediction = prediction_document(job.format, finished.predictions, finished.cross.totals, finished.circle_predictions)
     files, notes = _files(finished, evaluation, prediction)
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
-    written = storage.write_files(out, files, force=force, elsewhere=elsewhere)
+    sets = [f"{name}/{job.format}" for name in ("tables", "rollback")]
+    written = storage.write_files(out, files, force=force, elsewhere=elsewhere, whole=[*sets, "card"])
     return RunOutcome(
         exit_code=_exit_code(finished),
         evaluation=evaluation,
