@@ -456,3 +456,30 @@ def test_decode_reads_the_measuring_system_that_is_asked_for(tmp_path: Path, cap
         words = ["decode", str(tmp_path / "a.ini"), "--format", "siemens-840d-sl", "--option", f"encoder_system={system}"]
         assert compwright([*words, "--json", "-"]) == 0
         assert json.loads(capsys.readouterr().out)["axes"]["AX1"]["correction_positive"] == pytest.approx(expected, abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("format_id", "addresses", "options"),
+    [
+        ("fanuc-30i", ("1", "4"), ", options: {detection_unit: 0.001}"),
+        ("heidenhain-itnc530", ("X", "V"), ""),
+        ("siemens-840d-sl", ("AX1", "AX5"), ""),
+        ("linuxcnc", ("0", "3"), ""),
+    ],
+)
+def test_both_axes_of_a_gantry_get_the_table(format_id: str, addresses: tuple[str, str], options: str, tmp_path: Path) -> None:
+    """A table on the leading axis alone racks the bridge."""
+    write_test(tmp_path / "x.csv")
+    (tmp_path / "job.yaml").write_text(
+        f"compwright: 1\ncontroller: {{format: {format_id}{options}}}\nstates: {{as_found: none}}\n"
+        f"axes:\n  X: {{travel: [0, 800], address: '{addresses[0]}', gantry: '{addresses[1]}', before: [x.csv]}}\n"
+    )
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
+    folder = tmp_path / "job" / "tables" / format_id
+    files = [ControlFile(path.name, path.read_bytes()) for path in sorted(folder.iterdir())]
+    judge = virtual_control(format_id, files, options={"detection_unit": 0.001} if "fanuc" in format_id else None)
+    x = np.linspace(-20.0, 820.0, 301)
+    for side in Direction:
+        leading, other = (judge.correction(address, x, side) for address in addresses)
+        assert np.ptp(leading) > 10 * UM
+        np.testing.assert_array_equal(leading, other)
