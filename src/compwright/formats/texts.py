@@ -234,7 +234,9 @@ class _KindReader:
             )
             return
         # Where one mark both opens and closes a file, the first line is no end; behind an end that was cut away nothing is sure.
-        if (final.ended or marked) and any(self._code(line).strip(" \t").upper() in self.kind.ends_with for line in lines[1:][-20:]):
+        if (final.ended or marked) and any(
+            self._code(line).strip(" \t").upper() in self.kind.ends_with for line in lines[1:][-20:]
+        ):
             return
         yield Finding("CW-S002", "warning", f"{self.file}: no {self.kind.ends_with[0]} at the end; check that the file is complete")
 
