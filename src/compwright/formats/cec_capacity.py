@@ -47,7 +47,7 @@ def with_cec(
     if points is None:
         assumed.append(
             Assumption(
-                fact=f"axis {axis.name}: number of points of the CEC tables {', '.join(map(str, tables))} (MD18342)",
+                fact=f"axis {axis.name}: number of points of its CEC tables (MD18342)",
                 value="as many as are needed; the card says how many to set",
                 evidence="unconfirmed: the control's files do not say it",
             )

@@ -51,7 +51,7 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
             if entry["value"] >= _LEAST_SHOWN
         ]
         shown += [*finding_lines(axis["findings"]), Text()]
-    return shown
+    return [*shown, *circle_tables(prediction["circles"])]
 
 
 def _prediction_table(test: Mapping[str, Any], accept: Mapping[str, Any], unit: str) -> Table:
@@ -90,6 +90,40 @@ def _table_line(axis: Mapping[str, Any], unit: str) -> str:
         f"Table: {len(positions)} points from {plain(positions[0])} to {plain(positions[-1])}, "
         f"corrections {number(min(values))} to {number(max(values))} {unit}, as read back from the files."
     )
+
+
+#: What the terminal shows of a circle, with its unit; the rest stands in the report and the JSON.
+_OF_CIRCLES = {
+    "G_ccw": "µm",
+    "G_cw": "µm",
+    "G_bidirectional": "µm",
+    "D": "µm",
+    "squareness": "µm/m",
+    "scale_mismatch": "µm",
+    "backlash_first": "µm",
+    "backlash_second": "µm",
+    "servo_mismatch": "ms",
+}
+
+
+def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
+    """Return for each circle what was measured, what is predicted and, after loading, what came out."""
+    shown: list[RenderableType] = []
+    for name, circle in circles.items():
+        after = circle.get("after")
+        table = _plain_table()
+        table.add_column("", no_wrap=True)
+        for heading in ("before", "predicted", "5 to 95 %", *(["after"] if after else []), ""):
+            table.add_column(heading, justify="right", no_wrap=True)
+        for key, unit in _OF_CIRCLES.items():
+            value, band = circle["before"].get(key), (circle.get("predicted") or {}).get(key)
+            if value is None:
+                continue
+            cells = [number(band["median"]), f"{number(band['p05'])} to {number(band['p95'])}"] if band else [MISSING, ""]
+            measured = [MISSING if after.get(key) is None else number(after[key])] if after else []
+            table.add_row(key.replace("_", " "), number(value), *cells, *measured, unit)
+        shown += [Rule(Text(f"circle {name}", style="bold"), align="left", characters="─"), table, Text()]
+    return shown
 
 
 def assumed_table(assumed: Sequence[Mapping[str, str]]) -> list[RenderableType]:
@@ -207,7 +241,7 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
             *finding_lines(axis["findings"]),
             Text(),
         ]
-    return [*shown, Text.assemble("Verdict: ", _word(document["verdict"]))]
+    return [*shown, *circle_tables(document["circles"]), Text.assemble("Verdict: ", _word(document["verdict"]))]
 
 
 def _plain_table() -> Table:
