@@ -125,7 +125,7 @@ def job(
     circle: str = "centre: [400, -250]",
     y_before: str = "[y.csv]",
 ) -> Path:
-    first, second = ("AX1", "AX2") if control == SIEMENS else ("0", "1")
+    first, second = {SIEMENS: ("AX1", "AX2"), "linuxcnc": ("0", "1")}.get(control, ("X", "Y"))
     path = folder / "job.yaml"
     path.write_text(
         f"compwright: 1\ncontroller: {{format: {control}, options: {options}}}\nstates: {{as_found: {states}}}\naxes:\n"
@@ -271,6 +271,20 @@ def test_linuxcnc_gets_the_values_of_matrixkins(folder: Path, bent: str, pin: st
     assert found is not None
     assert float(found[1]) == pytest.approx(40e-6, abs=1e-6)
     assert found[2] == pin
+
+
+@pytest.mark.parametrize(("values", "sign"), [("error", -1.0), ("correction", 1.0)])
+def test_heidenhain_gets_a_column_to_type_in(folder: Path, values: str, sign: float, capsys: pytest.CaptureFixture[str]) -> None:
+    path = job(folder, options=f"{{table_values: {values}}}", control="heidenhain-nck")
+    assert compwright(["run", str(path)]) == 0
+    assert "CW-P113" in codes(capsys)
+    lines = (folder / "job" / "card" / "cross_X_Y.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[1] == f"# value: {values}"
+    ends = [[float(cell) for cell in line.split(",")[:2]] for line in lines[3:]]
+    # Bend Y: + beta (x - reference), beta = 40 µm/m over 800 mm, as correction; within 1 µm/m of squareness and half of 0.0001 mm.
+    assert ends[0] == [0.0, 0.0]
+    assert ends[-1] == [800.0, pytest.approx(sign * 0.032, abs=0.0009)]
+    assert "unconfirmed" in (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
 
 
 def test_plan_and_evaluation_carry_the_circle(folder: Path) -> None:

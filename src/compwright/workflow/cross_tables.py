@@ -29,11 +29,11 @@ _INSTEAD = {
         "straightness compensation is an option of the control, and its parameter numbers are not confirmed here: "
         "enter the two-point line by the machine's own manual"
     ),
-    "heidenhain": (
-        "a column of the bent axis in the table of the other one, or KinematicsComp where the control has it, holds it: "
-        "compwright does not write them yet"
-    ),
 }
+
+
+#: More points than these are typed from the sheet.
+_MOST_SHOWN = 8
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,7 +41,7 @@ class CrossOutcome:
     """What was ``planned`` and whether the control holds it, all ``files`` that it loads, and what is in it then.
 
     ``after``: None where nothing was written: between the axes acts what acted before. ``totals``: what then acts between the axes
-    of ``planned``, read back by the judge, by the names of the job.
+    of ``planned``, read back by the judge, by the names of the job. ``sheets``: columns to type in, beside the card.
     """
 
     files: tuple[ControlFile, ...]
@@ -51,6 +51,7 @@ class CrossOutcome:
     totals: tuple[CrossCompensation, ...] = ()
     findings: tuple[Finding, ...] = ()
     steps: tuple[Mapping[str, str], ...] = ()
+    sheets: tuple[ControlFile, ...] = ()
 
 
 def write_planned(
@@ -67,6 +68,8 @@ def write_planned(
     """
     if not planned:
         return CrossOutcome(files=tables)
+    if control.definition.layout.shape == "user_tables":
+        return _typed(control, planned, tables)
     if not cec_available(control.definition, control.options):
         return _not_held(control, planned, tables, _instead(control))
     base = _together(as_found.files, tables)
@@ -149,6 +152,48 @@ def _totals(planned: Sequence[PlannedCross], after: DecodedState | None, axes: M
         replace(entry, input=names.get(entry.input, entry.input), output=names.get(entry.output, entry.output))
         for entry in (() if after is None else judged_cross(after))
         if (entry.input, entry.output) in mine
+    )
+
+
+def _typed(control: Control, planned: Sequence[PlannedCross], tables: tuple[ControlFile, ...]) -> CrossOutcome:
+    """Return the columns that the engineer types into the table of the moving axis: its text form and sign are unconfirmed."""
+    form = str(control.options.get("table_values", "error"))
+    sign = -1.0 if form == "error" else 1.0
+    findings, steps, sheets = [], [], []
+    for entry in planned:
+        added = entry.added
+        rows = [(float(x), sign * float(c)) for x, c in zip(added.positions, added.positive, strict=True)]
+        unit = added.output_kind.unit
+        shown = rows if len(rows) <= _MOST_SHOWN else [rows[0], rows[-1]]
+        values = ", ".join(f"{value + 0.0:+.4f} {unit} at {position:g}" for position, value in shown)
+        where = f"the table (.COM) of {entry.input}, column of {entry.output}"
+        findings.append(
+            Finding(
+                "CW-P113",
+                "warning",
+                f"{_label(entry)} is in no file: type it into {where}, as the card and its sheet say; the sign is unconfirmed.",
+            )
+        )
+        steps.append(
+            {
+                "title": f"{entry.output} over {entry.input}: type in",
+                "text": (
+                    f"{_label(entry)}. Add to what stands in {where}, on a straight line between: {values} (values are {form}s). "
+                    "The sign is unconfirmed: check it with a square or a dial gauge, on and off, before production."
+                ),
+                "evidence": "unconfirmed",
+            }
+        )
+        head = f"# column of {entry.output} in the table of {entry.input}\n# value: {form}\n"
+        head += f"position_{entry.input},{entry.output},unit\n"
+        body = "".join(f"{position:.4f},{value + 0.0:.4f},{unit}\n" for position, value in rows)
+        sheets.append(ControlFile(f"cross_{entry.input}_{entry.output}.csv", (head + body).encode()))
+    return CrossOutcome(
+        planned=tuple(replace(entry, written=False) for entry in planned),
+        files=tables,
+        findings=tuple(findings),
+        steps=tuple(steps),
+        sheets=tuple(sheets),
     )
 
 

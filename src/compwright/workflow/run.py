@@ -237,7 +237,7 @@ def _files(
         files["card/card.md"] = card_markdown(dict(card)).encode()
         if card["changes"] is not None:
             files["card/changes.csv"] = changes_csv(card["changes"])
-        files |= {f"card/{file.name}": file.content for file in _second_forms(finished)}
+        files |= {f"card/{file.name}": file.content for file in (*_second_forms(finished), *finished.cross.sheets)}
     try:
         from compwright.reporting.card import card_html
         from compwright.reporting.report import run_report
