@@ -9,6 +9,7 @@ import numpy as np
 
 from compwright.formats.cec_capacity import cec_available
 from compwright.formats.cec_writing import write_cross
+from compwright.formats.options import axis_options
 from compwright.foundations.errors import CapacityError, CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
@@ -70,6 +71,8 @@ def write_planned(
         return CrossOutcome(files=tables)
     if control.definition.layout.shape == "user_tables":
         return _typed(control, planned, tables)
+    if control.options.get("straightness") == "available":
+        return _straightness(control, planned, tables, axes)
     if not cec_available(control.definition, control.options):
         return _not_held(control, planned, tables, _instead(control))
     base = _together(as_found.files, tables)
@@ -188,6 +191,54 @@ def _typed(control: Control, planned: Sequence[PlannedCross], tables: tuple[Cont
         head += f"position_{entry.input},{entry.output},unit\n"
         body = "".join(f"{position:.4f},{value + 0.0:.4f},{unit}\n" for position, value in rows)
         sheets.append(ControlFile(f"cross_{entry.input}_{entry.output}.csv", (head + body).encode()))
+    return CrossOutcome(
+        planned=tuple(replace(entry, written=False) for entry in planned),
+        files=tables,
+        findings=tuple(findings),
+        steps=tuple(steps),
+        sheets=tuple(sheets),
+    )
+
+
+def _straightness(
+    control: Control, planned: Sequence[PlannedCross], tables: tuple[ControlFile, ...], axes: Mapping[str, Axis]
+) -> CrossOutcome:
+    """Return the parameters of FANUC's straightness compensation as sheets: all from memory, none confirmed by a page.
+
+    Two points of the moving axis' pitch numbers, the amounts absolute in detection units of the compensated axis: a straight line.
+    A curve, an axis without a table and a second pair are said instead.
+    """
+    read = decode(control, tables, list(axes.values())) if tables else None
+    findings, steps, sheets = [], [], []
+    for entry in planned:
+        added, facts = entry.added, {} if read is None else read.state.facts.get(entry.added.input, {})
+        unit = axis_options(control.definition, control.options, axes[entry.output]).get("detection_unit")
+        first, last = (facts.get(name) for name in ("first_number", "last_number"))
+        nodes = read.state.axes[added.input].positions if read is not None and added.input in read.state.axes else np.empty(0)
+        if added.positions.size > 2 or nodes.size < 2 or sheets or not isinstance(unit, float):
+            return _not_held(
+                control, planned, tables, "of straightness compensation one straight line over an axis with a table is known"
+            )
+        low, high = (float(added.at(nodes[[place]], Direction.POSITIVE)[0]) / unit for place in (1, -1))
+        rows = [
+            ("5711", added.input, "moving axis"),
+            ("5721", added.output, "compensated axis"),
+            *((number, str(first), "point number at the - end") for number in ("5731", "5732")),
+            *((number, str(last), "point number at the + end") for number in ("5733", "5734")),
+            *((number, f"{low:.0f}", "amount, detection units") for number in ("5761", "5762")),
+            *((number, f"{high:.0f}", "amount, detection units") for number in ("5763", "5764")),
+        ]
+        body = "".join(f"{number},{value},{what}\n" for number, value, what in rows)
+        head = "# straightness compensation: numbers and signs UNCONFIRMED, from memory; check each in the manual of the control\n"
+        sheets.append(
+            ControlFile(f"straightness_{entry.input}_{entry.output}.csv", f"{head}parameter,value,meaning\n{body}".encode())
+        )
+        message = (
+            f"{_label(entry)} is in no file: its parameters stand in a sheet beside the card; numbers and signs are unconfirmed."
+        )
+        findings.append(Finding("CW-P113", "warning", message))
+        text = f"{message} Prove the sign with a square or a dial gauge, on and off, before production."
+        steps.append({"title": f"{entry.output} over {entry.input}: type in", "text": text, "evidence": "unconfirmed"})
     return CrossOutcome(
         planned=tuple(replace(entry, written=False) for entry in planned),
         files=tables,
