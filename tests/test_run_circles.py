@@ -287,6 +287,21 @@ def test_heidenhain_gets_a_column_to_type_in(folder: Path, values: str, sign: fl
     assert "unconfirmed" in (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
 
 
+def test_fanuc_gets_a_sheet_of_straightness_compensation_only_when_the_job_names_the_option(folder: Path) -> None:
+    card = folder / "job" / "card"
+    for options, there in (("", False), (", straightness: available", True)):
+        path = job(folder, options=f"{{detection_unit: 0.001{options}}}", control="fanuc-30i")
+        path.write_text(path.read_text().replace('address: "X"', 'address: "1"').replace('address: "Y"', 'address: "2"'))
+        assert compwright(["run", str(path), "--force"]) == 0
+        assert (card / "straightness_X_Y.csv").exists() is there
+    rows = dict(line.split(",")[:2] for line in (card / "straightness_X_Y.csv").read_text().splitlines()[2:])
+    assert (rows["5711"], rows["5721"]) == ("1", "2")
+    # facts A5: the amount rises by -gamma L / u = + beta L / u; 40 µm/m over 800 mm are 32 pulses of 1 µm, within 1 µm/m.
+    assert int(rows["5763"]) - int(rows["5761"]) == pytest.approx(32, abs=1)
+    assert int(rows["5761"]) == 0  # zero at the reference
+    assert "unconfirmed" in (card / "card.md").read_text(encoding="utf-8")
+
+
 def test_plan_and_evaluation_carry_the_circle(folder: Path) -> None:
     assert compwright(["run", str(job(folder))]) == 0
     out = folder / "job"

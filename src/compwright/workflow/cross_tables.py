@@ -209,16 +209,16 @@ def _straightness(
     A curve, an axis without a table and a second pair are said instead.
     """
     read = decode(control, tables, list(axes.values())) if tables else None
-    findings, steps, sheets = [], [], []
+    findings: list[Finding] = []
+    steps: list[dict[str, str]] = []
+    sheets: list[ControlFile] = []
     for entry in planned:
         added, facts = entry.added, {} if read is None else read.state.facts.get(entry.added.input, {})
         unit = axis_options(control.definition, control.options, axes[entry.output]).get("detection_unit")
         first, last = (facts.get(name) for name in ("first_number", "last_number"))
         nodes = read.state.axes[added.input].positions if read is not None and added.input in read.state.axes else np.empty(0)
         if added.positions.size > 2 or nodes.size < 2 or sheets or not isinstance(unit, float):
-            return _not_held(
-                control, planned, tables, "of straightness compensation one straight line over an axis with a table is known"
-            )
+            return _not_held(control, planned, tables, "straightness compensation is known for one straight line over a table only")
         low, high = (float(added.at(nodes[[place]], Direction.POSITIVE)[0]) / unit for place in (1, -1))
         rows = [
             ("5711", added.input, "moving axis"),
@@ -230,12 +230,9 @@ def _straightness(
         ]
         body = "".join(f"{number},{value},{what}\n" for number, value, what in rows)
         head = "# straightness compensation: numbers and signs UNCONFIRMED, from memory; check each in the manual of the control\n"
-        sheets.append(
-            ControlFile(f"straightness_{entry.input}_{entry.output}.csv", f"{head}parameter,value,meaning\n{body}".encode())
-        )
-        message = (
-            f"{_label(entry)} is in no file: its parameters stand in a sheet beside the card; numbers and signs are unconfirmed."
-        )
+        name = f"straightness_{entry.input}_{entry.output}.csv"
+        sheets.append(ControlFile(name, f"{head}parameter,value,meaning\n{body}".encode()))
+        message = f"{_label(entry)} is in no file: its parameters stand in {name} beside the card, all unconfirmed."
         findings.append(Finding("CW-P113", "warning", message))
         text = f"{message} Prove the sign with a square or a dial gauge, on and off, before production."
         steps.append({"title": f"{entry.output} over {entry.input}: type in", "text": text, "evidence": "unconfirmed"})
