@@ -226,7 +226,7 @@ def test_the_capacity_of_a_pair() -> None:
     capacity = capacity_for(SIEMENS, axis_of("AX1"), CEC, None)
     assert (capacity.curves, capacity.backlash_quantum, capacity.quantum) == (2, None, 1e-6)
     assert (capacity.max_points, capacity.value_range) == (None, (-10.0, 10.0))
-    assert any("4, 7" in note.fact for note in capacity.assumed)
+    assert any("its CEC tables (MD18342)" in note.fact for note in capacity.assumed)
     reserved = "$MN_MM_CEC_MAX_POINTS[4]=40\n$MN_MM_CEC_MAX_POINTS[7]=30\n$MN_MM_CEC_MAX_POINTS[2]=5\n"
     state = siemens(f"{MD}{reserved}$MA_CEC_MAX_SUM[AX1]=0.05\n" + cec(2, [0.0, -0.02], (0, 10, 10), ("AX3", "AX1")))
     capacity = capacity_for(SIEMENS, axis_of("AX1"), CEC, state)
