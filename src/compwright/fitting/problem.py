@@ -20,6 +20,8 @@ IntArray = NDArray[np.int64]
 BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 #: Weight of the differences of neighbouring values against the fit: decides only nodes that no part of the travel sees.
 _TIE: Final = 1e-10
+#: From so many unknowns on the matrices are multiplied sparse; below, the dense product is quick and symmetric to the last bit.
+_MANY: Final = 800
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,17 +201,25 @@ def state_problem(
     )
 
 
+def _product(one: FloatArray, other: FloatArray) -> FloatArray:
+    """Return one' other; of thousands of nodes only the two or three numbers in a row that are not zero are multiplied."""
+    if one.shape[1] < _MANY:
+        dense: FloatArray = one.T @ other
+        return dense
+    return np.asarray((csr_array(one).T @ csr_array(other)).toarray())
+
+
 def _objective(data: Sampled, layout: Layout) -> tuple[FloatArray, FloatArray, float]:
     k = layout.nodes.size
     P, q, constant = np.zeros((layout.size, layout.size)), np.zeros(layout.size), 0.0
     for direction in BOTH:
-        columns = csr_array(layout.columns(data.matrix, direction))  # two numbers in a row of thousands
-        weighted = columns.multiply(data.weights[:, np.newaxis]).tocsr()
-        P += (columns.T @ weighted).toarray()
+        columns = layout.columns(data.matrix, direction)
+        weighted = columns * data.weights[:, np.newaxis]
+        P += _product(columns, weighted)
         q -= weighted.T @ data.wanted[direction]
         constant += 0.5 * float(data.weights @ data.wanted[direction] ** 2)
-    steps = csr_array(np.diff(np.eye(k), axis=0))
-    tie = _TIE / k * (steps.T @ steps).toarray()
+    steps = np.diff(np.eye(k), axis=0)
+    tie = _TIE / k * _product(steps, steps)
     P[:k, :k] += tie
     if layout.shape == "bidirectional":
         P[k:, k:] += tie
