@@ -13,7 +13,8 @@ import pytest
 from rich.console import Console
 
 from compwright.foundations.errors import StorageError, UsageError
-from compwright.workflow.evaluate import evaluate_files, evaluation_json, evaluation_renderables, write_evaluation
+from compwright.workflow.answers import document_text
+from compwright.workflow.evaluate import evaluate_files, evaluation_renderables, write_evaluation
 from places import PROJECT
 
 GOOD = "# axis: X\n# machine: VMC 850\ntarget_mm,direction,run,deviation_um\n"
@@ -58,7 +59,7 @@ def test_a_folder_is_read_whole_and_what_is_unreadable_is_listed(tmp_path: Path)
     files = [Path(error["file"]).name for error in run.document["errors"]]
     assert sorted(set(files)) == ["a.txt", "c.csv", "nowhere.csv"]
     assert all(error["message"] for error in run.document["errors"])
-    json.loads(evaluation_json(run.document))
+    json.loads(document_text(run.document))
 
 
 def test_an_empty_folder_is_an_error(tmp_path: Path) -> None:
@@ -151,8 +152,9 @@ def test_hostile_text_is_shown_as_it_is(tmp_path: Path) -> None:
 def test_the_evaluate_path_loads_nothing_heavy(tmp_path: Path) -> None:
     path = csv_file(tmp_path, "a.csv")
     code = (
-        "import sys; from pathlib import Path; from compwright.workflow.evaluate import evaluate_files, evaluation_json;"
-        f"evaluation_json(evaluate_files([Path({str(path)!r})]).document);"
+        "import sys; from pathlib import Path; from compwright.workflow.answers import document_text;"
+        "from compwright.workflow.evaluate import evaluate_files;"
+        f"document_text(evaluate_files([Path({str(path)!r})]).document);"
         "print([m for m in ('scipy', 'cvxpy', 'osqp', 'matplotlib', 'pydantic', 'rich') if m in sys.modules])"
     )
     environment = {**os.environ, "PYTHONPATH": str(PROJECT / "src")}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from compwright.records.axis import Direction, FloatArray
 from compwright.records.verification import ReadBack
 
 Correction = Callable[[FloatArray, Direction], FloatArray]
+_Curves = dict[Direction, FloatArray]
 #: Two corrections are the same below this many mm or deg: far under every quantum of a control, far over rounding.
 SAME = 1e-6
 #: Most nodes by which a loaded table may be shifted and still be recognised.
@@ -45,68 +47,73 @@ def judge_read_back(planned: Correction, loaded: Correction, old: Correction, no
     return ReadBack(worst, float(where[index]), side, "other", "the values differ; no single mistake explains all of them")
 
 
-def _explanations(
-    wish: dict[Direction, FloatArray],
-    found: dict[Direction, FloatArray],
-    where: FloatArray,
-    planned: Correction,
-    old: Correction,
-    spacing: float,
-) -> Iterator[tuple[str, str]]:
-    def equal(other: dict[Direction, FloatArray]) -> bool:
-        return all(float(np.max(np.abs(found[side] - other[side]))) <= SAME for side in Direction)
+@dataclass(frozen=True, slots=True)
+class _Cause:
+    """What the control would do after one mistake, and how to say it: exactly so, or so apart from the backlash."""
 
-    if equal({side: old(where, side) for side in Direction}):
-        yield "not_active", "what was in the control before is still there"
-    if equal({side: np.zeros(where.shape) for side in Direction}):
-        yield "not_active", "nothing acts: the table is off or empty"
-    if equal({side: -wish[side] for side in Direction}):
-        yield "inverted", "every value has the opposite sign"
+    verdict: str
+    curves: _Curves
+    exact: str
+    apart: str
+
+
+def _causes(wish: _Curves, where: FloatArray, planned: Correction, old: Correction, spacing: float) -> Iterator[_Cause]:
+    yield _Cause(
+        "not_active",
+        {side: old(where, side) for side in Direction},
+        "what was in the control before is still there",
+        "the table that was in the control before is still there; only the backlash differs from before",
+    )
+    yield _Cause(
+        "not_active",
+        {side: np.zeros(where.shape) for side in Direction},
+        "nothing acts: the table is off or empty",
+        "no table acts: it is off or empty; only backlash does",
+    )
+    yield _Cause(
+        "inverted",
+        {side: -wish[side] for side in Direction},
+        "every value has the opposite sign",
+        "every value of the table has the opposite sign, apart from the backlash",
+    )
     for factor, says in _FACTORS.items():
-        if equal({side: factor * wish[side] for side in Direction}):
-            yield "scaled", f"every value is {says}"
+        yield _Cause(
+            "scaled",
+            {side: factor * wish[side] for side in Direction},
+            f"every value is {says}",
+            f"every value of the table, apart from the backlash, is {says}",
+        )
     for nodes in (shift * sign for shift in range(1, _MOST_SHIFT + 1) for sign in (1, -1)):
-        if equal({side: _shifted(planned, where, side, nodes * spacing) for side in Direction}):
-            yield "shifted", f"the table sits {abs(nodes)} nodes too far to {'+' if nodes > 0 else '-'}"
-    yield from _one_side(wish, found)
-    yield from _apart_from_backlash(wish, found, where, planned, old, spacing)
+        sits = f"the table sits {abs(nodes)} nodes too far to {'+' if nodes > 0 else '-'}"
+        yield _Cause(
+            "shifted",
+            {side: _shifted(planned, where, side, nodes * spacing) for side in Direction},
+            sits,
+            f"{sits} and counts from its own zero: another number or position of the reference",
+        )
 
 
-def _apart_from_backlash(
-    wish: dict[Direction, FloatArray],
-    found: dict[Direction, FloatArray],
-    where: FloatArray,
-    planned: Correction,
-    old: Correction,
-    spacing: float,
+def _explanations(
+    wish: _Curves, found: _Curves, where: FloatArray, planned: Correction, old: Correction, spacing: float
 ) -> Iterator[tuple[str, str]]:
-    """Compare shapes only: backlash adds a constant per direction, and a control may count the table from a zero of its own."""
+    causes = list(_causes(wish, where, planned, old, spacing))
+    for cause in causes:
+        if all(float(np.max(np.abs(found[side] - cause.curves[side]))) <= SAME for side in Direction):
+            yield cause.verdict, cause.exact
+    yield from _one_side(wish, found)
     if all(_constant(wish[side]) for side in Direction):
         return
-
-    def alike(other: dict[Direction, FloatArray]) -> bool:
-        return all(_constant(found[side] - other[side]) for side in Direction)
-
-    if all(_constant(found[side]) for side in Direction):
-        yield "not_active", "no table acts: it is off or empty; only backlash does"
-    if alike({side: old(where, side) for side in Direction}):
-        yield "not_active", "the table that was in the control before is still there; only the backlash differs from before"
-    if alike({side: -wish[side] for side in Direction}):
-        yield "inverted", "every value of the table has the opposite sign, apart from the backlash"
-    for factor, says in _FACTORS.items():
-        if alike({side: factor * wish[side] for side in Direction}):
-            yield "scaled", f"every value of the table, apart from the backlash, is {says}"
-    for nodes in (shift * sign for shift in range(1, _MOST_SHIFT + 1) for sign in (1, -1)):
-        if alike({side: _shifted(planned, where, side, nodes * spacing) for side in Direction}):
-            where_to = f"{abs(nodes)} nodes too far to {'+' if nodes > 0 else '-'}"
-            yield "shifted", f"the table sits {where_to} and counts from its own zero: another number or position of the reference"
+    # Shapes only: backlash adds a constant per direction, and a control may count the table from a zero of its own.
+    for cause in causes:
+        if all(_constant(found[side] - cause.curves[side]) for side in Direction):
+            yield cause.verdict, cause.apart
 
 
 def _constant(values: FloatArray) -> bool:
     return float(np.ptp(values)) <= SAME
 
 
-def _one_side(wish: dict[Direction, FloatArray], found: dict[Direction, FloatArray]) -> Iterator[tuple[str, str]]:
+def _one_side(wish: _Curves, found: _Curves) -> Iterator[tuple[str, str]]:
     same = [side for side in Direction if float(np.max(np.abs(found[side] - wish[side]))) <= SAME]
     if len(same) != 1:
         return

@@ -11,11 +11,11 @@ import numpy as np
 
 from compwright.documents.decode import assumed_documents
 from compwright.formats.card import card_steps, card_values
+from compwright.formats.diff import compare_files
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Direction
 from compwright.records.correction import Assumption, AxisCompensation
 from compwright.records.job import Job
-from compwright.workflow.changes import changes_of
 from compwright.workflow.control import Control, DecodedState
 from compwright.workflow.inputs import JobInputs
 from compwright.workflow.outlook import Change
@@ -161,7 +161,7 @@ def changes_document(control: Control, inputs: JobInputs, loaded: DecodedState |
     old = inputs.states[AS_FOUND].files
     if not old or loaded is None:
         return None
-    diff = changes_of(control, old, loaded.files)
+    diff = compare_files(control.definition, old, loaded.files)
     entries = [{"entry": change.entry, "old": change.old, "new": change.new} for change in diff.changes]
     return {"entries": entries, "untouched": diff.untouched}
 

@@ -1,19 +1,14 @@
-"""What the new files change in the control: for the card and the report, and to make sure that nothing else changes."""
+"""That new files change nothing in the control but what was asked for."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-from compwright.formats.diff import FileDiff, compare_files
+from compwright.formats.diff import compare_files
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile
 from compwright.workflow.control import Control
-
-
-def changes_of(control: Control, old: Sequence[ControlFile], new: Sequence[ControlFile]) -> FileDiff:
-    """Return what the files ``new`` change against ``old``, entry by entry."""
-    return compare_files(control.definition, old, new)
 
 
 def changed_neighbours(
@@ -28,6 +23,6 @@ def changed_neighbours(
             expected=change.old or "",
             found=change.new or "nothing",
         )
-        for change in changes_of(control, old, new).changes
+        for change in compare_files(control.definition, old, new).changes
         if change.old is not None and change.address is not None and change.address not in mine
     ]

@@ -58,11 +58,6 @@ def evaluate_files(paths: Sequence[Path], standards: Sequence[str] = (), spread:
     return EvaluationRun(document=document, results=tuple(results), exit_code=InputError.exit_code if faults else 0)
 
 
-def evaluation_json(document: Mapping[str, Any]) -> str:
-    """Return the text that ``--json`` gives."""
-    return to_json(document)
-
-
 def evaluation_renderables(document: Mapping[str, Any], *, targets: bool = False) -> list[Any]:
     """Return what a terminal shows of an evaluation document, as rich renderables."""
     from compwright.reporting.terminal import evaluation_tables

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -137,8 +137,3 @@ def _correction(loaded: tuple[Control, DecodedState], axis: Axis) -> Correction:
         return judged(decoded, address, positions, direction)
 
     return correction
-
-
-def simulated_names(machine: VirtualMachine) -> Sequence[str]:
-    """Return the names of the files that `simulate_files` writes."""
-    return [*(f"{name.lower()}.csv" for name in machine.axes), *(_circle_file(machine, name) for name in machine.circles)]
