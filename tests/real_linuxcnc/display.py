@@ -2,13 +2,15 @@
 """The display program of a LinuxCNC without a screen: drives to stops and writes down what the control applies.
 
 Started by LinuxCNC itself as ``display.py -ini INI STOPS RESULT``, with the system's Python (the only one that has the modules
-``linuxcnc`` and ``hal``). STOPS is JSON: ``{"letters": "XA", "stops": [[x, a], ...]}``, one position per joint, in machine units.
-RESULT is JSON: ``{"trouble": text, "messages": [text, ...], "stops": [[joint values], ...]}``, each joint value a list of
-commanded position, motor position less motor offset, and applied correction; a stop that was not reached is missing.
+``linuxcnc`` and ``hal``). STOPS is JSON: ``{"letters": "XA", "stops": [[x, a], ...], "patience": 1.0}``, one position per joint, in
+machine units; every time limit is multiplied by the patience. RESULT is JSON: ``{"came_up": bool, "trouble": text, "messages":
+[text, ...], "stops": [[joint values], ...]}``, each joint value a list of commanded position, motor position less motor offset, and
+applied correction; a stop that was not reached is missing. ``came_up``: homed and ready to be driven.
 """
 
 from __future__ import annotations
 
+import contextlib
 import json
 import sys
 import time
@@ -40,8 +42,9 @@ def wait(condition: Callable[[], bool], seconds: float, what: str, pause: float 
 class Machine:
     """The running control, seen through its channels and pins."""
 
-    def __init__(self, letters: str) -> None:
+    def __init__(self, letters: str, patience: float) -> None:
         self.letters = letters
+        self.patience = patience
         self.joints = range(len(letters))
         self.command = linuxcnc.command()
         self.status = linuxcnc.stat()
@@ -70,12 +73,12 @@ class Machine:
         return all(self.status.homed[joint] for joint in self.joints)
 
     def start(self) -> None:
-        wait(self.is_up, 12, "the control did not come up", pause=0.02)
+        wait(self.is_up, 12 * self.patience, "the control did not come up", pause=0.02)
         for state in (linuxcnc.STATE_ESTOP_RESET, linuxcnc.STATE_ON):
             self.command.state(state)
             self.command.wait_complete()
         self.command.home(-1)
-        wait(self.is_homed, 10, "homing did not end")
+        wait(self.is_homed, 10 * self.patience, "homing did not end")
         self.command.mode(linuxcnc.MODE_MDI)
         self.command.wait_complete()
         metric = self.status.linear_units > 0.5
@@ -95,9 +98,9 @@ class Machine:
         """Go to a stop and return what each joint shows there."""
         words = " ".join(f"{letter}{target:.9f}" for letter, target in zip(self.letters, targets, strict=True))
         self.command.mdi("G53 G0 " + words)
-        self.command.wait_complete(60)
+        self.command.wait_complete(60 * self.patience)
         quiet = 0
-        end = time.monotonic() + 10
+        end = time.monotonic() + 10 * self.patience
         while quiet < QUIET_READINGS:
             quiet = quiet + 1 if self.is_quiet(targets) else 0
             if time.monotonic() > end:
@@ -113,17 +116,20 @@ class Machine:
 
 def main(stops_file: str, result_file: str) -> None:
     wanted = json.loads(Path(stops_file).read_text())
-    machine = Machine(wanted["letters"])
+    machine = Machine(wanted["letters"], wanted["patience"])  # without channels there is no result: started again
+    came_up = False
     trouble = ""
     stops = []
     try:
         machine.start()
+        came_up = True
         for targets in wanted["stops"]:
             stops.append(machine.drive(targets))  # noqa: PERF401  # what was reached before trouble stays
-    except TroubleError as error:
+    except (TroubleError, linuxcnc.error) as error:
         trouble = str(error)
-    machine.collect_messages()
-    Path(result_file).write_text(json.dumps({"trouble": trouble, "messages": machine.messages, "stops": stops}))
+    with contextlib.suppress(linuxcnc.error):
+        machine.collect_messages()
+    Path(result_file).write_text(json.dumps({"came_up": came_up, "trouble": trouble, "messages": machine.messages, "stops": stops}))
 
 
 main(*sys.argv[3:5])

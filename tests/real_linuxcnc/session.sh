@@ -3,7 +3,7 @@
 #
 # LinuxCNC's start script stops other LinuxCNC programs on the same computer by their names and shares lock files, memory keys
 # and a network port with them. So each session gets its own processes, memory keys, network and /tmp: nothing else is
-# touched, nothing stays behind, and several sessions can run at the same time.
+# touched and nothing stays behind.
 set -eu
 folder=$(cd "$1" && pwd)
 ini=$2
