@@ -13,6 +13,7 @@ from typing import Any, NoReturn, ParamSpec
 import click
 
 from compwright import __version__
+from compwright.foundations.command_inputs import start_command
 from compwright.foundations.errors import CompwrightError, Fault, StorageError, UsageError
 from compwright.foundations.processors import use_one_thread
 
@@ -61,6 +62,7 @@ def main() -> NoReturn:
 
 def run(arguments: list[str]) -> int:
     """Run a command and return its exit code. Every error becomes lines on standard error, never a traceback."""
+    start_command()
     try:
         code = compwright.main(args=arguments, prog_name="compwright", standalone_mode=False)
     except click.exceptions.Exit as leaving:

@@ -45,7 +45,17 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         "assumed": [asdict(entry) for entry in plan.assumed],
         "cross": [_cross_out(entry) for entry in plan.cross],
         "circles": {name: _circle_out(circle) for name, circle in plan.circles.items()},
+        "results": dict(plan.results),
     }
+
+
+def listed_files(content: bytes) -> Mapping[str, str]:
+    """Return the results (relative name -> SHA-256) that an earlier plan lists, empty where there is no such list."""
+    try:
+        listed = json.loads(content)["results"]
+        return {str(name): str(digest) for name, digest in listed.items()}
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        return {}
 
 
 def read_plan(content: bytes, file: str) -> Plan:
@@ -83,6 +93,7 @@ def _plan_in(data: Mapping[str, Any]) -> Plan:
         assumed=tuple(Assumption(**entry) for entry in data["assumed"]),
         cross=tuple(_cross_in(entry) for entry in data.get("cross", ())),
         circles={str(name): _circle_in(circle) for name, circle in data.get("circles", {}).items()},
+        results={str(name): str(digest) for name, digest in data.get("results", {}).items()},
     )
 
 

@@ -14,6 +14,11 @@ class Source:
     sha256: str
 
 
+def fingerprint(content: bytes) -> str:
+    """Return the SHA-256 of ``content`` as hexadecimal text."""
+    return hashlib.sha256(content).hexdigest()
+
+
 def source_of(file: str, content: bytes) -> Source:
     """Return the provenance record of ``content``."""
-    return Source(file=file, sha256=hashlib.sha256(content).hexdigest())
+    return Source(file=file, sha256=fingerprint(content))

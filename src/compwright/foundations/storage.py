@@ -2,20 +2,32 @@
 
 Files are staged beside their target and then put in place by ``os.replace``; a failure on the way removes what was staged
 and puts back what was there before. Folders made on the way are removed too.
+
+What a command has read is never overwritten or deleted by it, whatever name leads there (a link, another case of the letters, a way
+around through ``..``): see `command_inputs`.
 """
 
 from __future__ import annotations
 
+import errno
 import os
 import shutil
-from collections.abc import Iterator, Mapping, Sequence
+import stat
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
-from compwright.foundations.errors import Fault, InputError, StorageError
+from compwright.foundations.command_inputs import Identity, is_input, remember
+from compwright.foundations.errors import Fault, InputError, StorageError, raise_all
 
-_MOST_BYTES = 256 * 1024 * 1024  # no measurement or control file comes near it; a device file would never end
+_MOST_BYTES = 256 * 1024 * 1024  # no measurement or control file comes near it
+_MOST_NAMED = 4  # files named in a line about several
+#: Opening what became a pipe since it was looked at must not wait for the other end (POSIX; elsewhere there is no such flag).
+_NO_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
+
+#: Whether the file of this relative name and content, which stands in the way, was written by an earlier run of the same command.
+Known = Callable[[str, bytes], bool]
 
 
 def _reason(error: OSError | ValueError) -> str:
@@ -24,26 +36,62 @@ def _reason(error: OSError | ValueError) -> str:
 
 
 def read_bytes(path: Path) -> bytes:
-    """Return the bytes of a file. Raises InputError when it is missing, cannot be read or is larger than 256 MiB."""
+    """Return the bytes of a file, and remember that it was read.
+
+    Raises InputError when it is missing, cannot be read, is no ordinary file (a pipe or device could be waited for without end)
+    or is larger than 256 MiB.
+    """
     try:
-        with path.open("rb") as stream:
-            content = stream.read(_MOST_BYTES + 1)
+        refused = _not_to_be_read(path.stat())
+        if refused is None:
+            with open(path, "rb", opener=_opened) as stream:
+                seen = os.fstat(stream.fileno())
+                refused = _not_to_be_read(seen)
+                content = stream.read(_MOST_BYTES + 1) if refused is None else b""
+            remember((seen.st_dev, seen.st_ino))
     except (OSError, ValueError) as error:  # ValueError: a name that no file can have (a null byte)
         raise InputError(Fault(message="cannot be read", file=str(path), found=_reason(error))) from error
+    if refused is not None:
+        raise InputError(Fault(message="cannot be read", file=str(path), expected="an ordinary file", found=refused))
     if len(content) > _MOST_BYTES:
         raise InputError(Fault(message="is too large", file=str(path), expected=f"at most {_MOST_BYTES} bytes"))
     return content
 
 
-def list_files(path: Path) -> list[Path]:
-    """Return ``[path]`` for a file or for nothing, and for a folder its files by name, hidden ones left out.
+def earlier_bytes(path: Path) -> bytes:
+    """Return the bytes of a result of an earlier run, empty where there is none; it counts as a result, not as an input."""
+    try:
+        return path.read_bytes() if path.is_file() and path.stat().st_size <= _MOST_BYTES else b""
+    except (OSError, ValueError):
+        return b""
 
-    Raises InputError when the folder cannot be listed.
+
+def _opened(path: str, flags: int) -> int:
+    return os.open(path, flags | _NO_WAITING)
+
+
+def _not_to_be_read(seen: os.stat_result) -> str | None:
+    """Return what it is that cannot be read as a file, None for an ordinary file."""
+    kinds = (
+        (stat.S_ISDIR, os.strerror(errno.EISDIR)),
+        (stat.S_ISFIFO, "a pipe"),
+        (stat.S_ISSOCK, "a socket"),
+        (stat.S_ISCHR, "a device"),
+        (stat.S_ISBLK, "a device"),
+    )
+    return next((name for is_kind, name in kinds if is_kind(seen.st_mode)), None)
+
+
+def list_files(path: Path) -> list[Path]:
+    """Return ``[path]`` for a file or for nothing, and for a folder all in it but folders by name, hidden ones left out.
+
+    What is no ordinary file (a pipe, a link to nowhere) is listed too: `read_bytes` says so. Raises InputError when the folder
+    cannot be listed.
     """
     try:
         if not path.is_dir():
             return [path]
-        return sorted(entry for entry in path.iterdir() if entry.is_file() and not entry.name.startswith("."))
+        return sorted(entry for entry in path.iterdir() if not (entry.name.startswith(".") or entry.is_dir()))
     except (OSError, ValueError) as error:
         raise InputError(Fault(message="folder cannot be read", file=str(path), found=_reason(error))) from error
 
@@ -61,22 +109,28 @@ def is_folder(path: Path) -> bool:
         return False
 
 
-def refuse_overwriting(paths: Sequence[Path], *, force: bool) -> None:
-    """Raise StorageError, naming every file that exists already, unless ``force``.
+def refuse_overwriting(targets: Mapping[Path, bytes], *, force: bool) -> None:
+    """Raise StorageError, naming every file that may not be written.
 
-    Folders in the place of a file, and what is no file at all (a device, a pipe), are refused with ``force`` too.
+    Those that exist already, unless ``force``. With ``force`` too: what this command has read (unless the same bytes go there),
+    folders in the place of a file, what is no file at all (a device, a pipe), and a file that would be written twice.
     """
-    faults = dict.fromkeys(fault for path in paths for fault in _hindrances(path, force=force))
+    faults = dict.fromkeys(fault for path, content in targets.items() for fault in _hindrances(path, content))
+    existing = [path for path in targets if not force and _is_existing_file(path)]
+    faults |= dict.fromkeys(_twice(targets))
+    if existing:
+        faults[_exist_already(existing)] = None
     if faults:
         raise StorageError(*faults)
 
 
-def _hindrances(path: Path, *, force: bool) -> Iterator[Fault]:
+def _hindrances(path: Path, content: bytes) -> Iterator[Fault]:
     try:
         exists, is_file, is_folder = os.path.lexists(path), path.is_file(), path.is_dir()
         is_link = path.is_symlink()
         above = next((folder for folder in path.parents if os.path.lexists(folder)), None)
         blocked = above is not None and not above.is_dir()
+        input_lost = is_file and was_read(path) and path.read_bytes() != content
     except (OSError, ValueError) as error:
         yield Fault(message="cannot be written", file=str(path), found=_reason(error))
         return
@@ -86,8 +140,63 @@ def _hindrances(path: Path, *, force: bool) -> Iterator[Fault]:
         yield Fault(message="is a folder", file=str(path), expected="the name of a file")
     elif exists and not (is_file or is_link):
         yield Fault(message="is no ordinary file", file=str(path), expected="the name of a file")
-    elif exists and not force:
-        yield Fault(message="exists already", file=str(path), expected="a new file, or --force to replace it")
+    elif input_lost:
+        yield Fault(
+            message="was read by this command and is not overwritten, with --force neither",
+            file=str(path),
+            expected="another name",
+        )
+
+
+def _is_existing_file(path: Path) -> bool:
+    try:
+        return os.path.lexists(path) and (path.is_file() or path.is_symlink()) and not path.is_dir()
+    except (OSError, ValueError):
+        return False
+
+
+def _exist_already(paths: Sequence[Path]) -> Fault:
+    """Return one line about all files that are there already, the first of them named."""
+    if len(paths) == 1:
+        return Fault(message="exists already", file=str(paths[0]), expected="a new file, or --force to replace it")
+    folder = Path(os.path.commonpath([path.parent for path in paths]))
+    names = [relative(path, folder) for path in paths[:_MOST_NAMED]]
+    more = len(paths) - len(names)
+    return Fault(
+        message=f"{len(paths)} files exist already",
+        file=str(folder),
+        expected="new files, another folder, or --force to replace them",
+        found=", ".join(names) + (f" and {more} more" if more else ""),
+    )
+
+
+def _twice(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
+    """Yield a fault for each file that two different contents would go to, under whatever names."""
+    seen: dict[object, bytes] = {}
+    for path, content in targets.items():
+        where = _identity(path) or _place(path)
+        if seen.setdefault(where, content) != content:
+            yield Fault(message="is also the name of another file that is written", file=str(path), expected="another name")
+
+
+def _place(path: Path) -> str:
+    with suppress(OSError, ValueError, RuntimeError):
+        return os.path.normcase(path.resolve())
+    return str(path)
+
+
+def _identity(path: Path) -> Identity | None:
+    """Return what the file at ``path`` is, None where there is none."""
+    try:
+        seen = path.stat()
+    except (OSError, ValueError):
+        return None
+    return (seen.st_dev, seen.st_ino)
+
+
+def was_read(path: Path) -> bool:
+    """Whether this command has read the file at ``path``, by this or another name."""
+    return is_input(_identity(path))
 
 
 @dataclass(slots=True)
@@ -125,17 +234,25 @@ def write_files(
     force: bool = False,
     elsewhere: Mapping[Path, bytes] | None = None,
     whole: Sequence[str] = (),
+    renewed: Sequence[str] = (),
+    known: Known = lambda _name, _content: True,
 ) -> list[Path]:
     """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, and those of ``elsewhere``, all of them or none.
 
-    ``whole``: folders below ``folder`` that hold exactly these files afterwards: what else lies in them directly is refused, or
-    with ``force`` removed. Returns the paths in the order given. Raises StorageError when one exists (unless ``force``), for
-    missing permission, for a full disk and for a name that leads out of ``folder``; then everything is as it was before, files
-    replaced included.
+    ``known`` tells of a file that stands below ``folder`` in the place of one of ``files`` whether an earlier run wrote it; one
+    that it does not know is the user's and is not replaced. ``whole``: folders below ``folder`` that hold exactly these files
+    afterwards; ``renewed``: folders in which the user may keep files of his own. What else lies directly in either is removed with
+    ``force`` where it is known; else it stays, and in a ``whole`` folder nothing is written. Returns the paths in the order given.
+    Raises StorageError when a file exists (unless ``force``), was read by this command or is not known, for missing permission,
+    for a full disk and for a name that leads out of ``folder``; then everything is as it was before, files replaced included.
     """
-    targets = {_below(folder, name): content for name, content in files.items()} | dict(elsewhere or {})
-    refuse_overwriting(list(targets), force=force)
-    strangers = _strangers([_below(folder, name) for name in whole], targets, force=force)
+    below = {_below(folder, name): name for name in files}
+    targets = _merged({path: files[name] for path, name in below.items()}, dict(elsewhere or {}))
+    refuse_overwriting(targets, force=force)
+    gone = _strangers(folder, [*whole, *renewed], targets)
+    lost = {path: known(name, earlier_bytes(path)) for path, name in (below | gone).items() if _is_existing_file(path)}
+    raise_all(StorageError, [*_users_files(below, lost, targets), *_in_the_way(folder, whole, gone, lost, force=force)])
+    removed = [path for path in gone if force and lost[path] and not was_read(path)]
     changes = _Changes()
     current = folder
     try:
@@ -145,7 +262,7 @@ def write_files(
         for temporary, current in zip(changes.staged, targets, strict=True):
             temporary.replace(current)
             changes.placed.append(current)
-        for current in strangers:
+        for current in removed:
             changes.kept[current] = _beside(current)
             current.replace(changes.kept[current])
             changes.placed.append(current)
@@ -159,23 +276,56 @@ def write_files(
     return list(targets)
 
 
-def _strangers(folders: Sequence[Path], targets: Mapping[Path, bytes], *, force: bool) -> list[Path]:
-    """Return the files in ``folders`` that are not among ``targets``. Raises StorageError where there are any, unless ``force``."""
-    found = [
-        path
-        for folder in folders
-        if folder.is_dir()
-        for path in sorted(folder.iterdir())
-        if path not in targets and (path.is_file() or path.is_symlink())
-    ]
-    if found and not force:
-        expected = "a folder that holds nothing else, or --force to remove it"
-        raise StorageError(*(Fault(message="is no part of what is written", file=str(path), expected=expected) for path in found))
+def _merged(files: dict[Path, bytes], others: dict[Path, bytes]) -> dict[Path, bytes]:
+    """Return both; a path in both with different contents is refused, for one of them would be lost."""
+    raise_all(StorageError, list(_twice_named(files, others)))
+    return files | others
+
+
+def _twice_named(files: Mapping[Path, bytes], others: Mapping[Path, bytes]) -> Iterator[Fault]:
+    for path, content in others.items():
+        if files.get(path, content) != content:
+            yield Fault(message="is also the name of another file that is written", file=str(path), expected="another name")
+
+
+def _strangers(folder: Path, names: Sequence[str], targets: Mapping[Path, bytes]) -> dict[Path, str]:
+    """Return the files in the folders ``names`` that are none of ``targets`` by any name, each with its own relative name."""
+    written = {_identity(path) for path in targets} - {None}
+    found: dict[Path, str] = {}
+    for name in names:
+        inner = _below(folder, name)
+        for path in sorted(inner.iterdir()) if is_folder(inner) else ():
+            is_target = path in targets or _identity(path) in written
+            if not is_target and (path.is_file() or path.is_symlink()):
+                found[path] = f"{name}/{path.name}"
     return found
 
 
+def _users_files(below: Mapping[Path, str], known: Mapping[Path, bool], targets: Mapping[Path, bytes]) -> Iterator[Fault]:
+    """Yield a fault for each file that would be replaced although no earlier run wrote it so."""
+    for path in below:
+        if not known.get(path, True) and earlier_bytes(path) != targets[path]:
+            yield Fault(
+                message="was not written by an earlier run, or was changed since, and is not overwritten",
+                file=str(path),
+                expected="a place of your own for it, or another folder for the results",
+            )
+
+
+def _in_the_way(
+    folder: Path, whole: Sequence[str], gone: Mapping[Path, str], known: Mapping[Path, bool], *, force: bool
+) -> Iterator[Fault]:
+    """Yield a fault for each file that may not stay in a folder that is handed on as a whole."""
+    inside = {_below(folder, name) for name in whole}
+    for path in gone:
+        removable = known[path] and not was_read(path)
+        if path.parent in inside and not (force and removable):
+            hint = "a folder that holds nothing else, or --force to remove it" if removable else "another place for it"
+            yield Fault(message="is no part of what is written, and all that lies here is handed on", file=str(path), expected=hint)
+
+
 def write_file(path: Path, content: bytes, *, force: bool = False) -> Path:
-    """Write one file whole. Errors as in `write_files`."""
+    """Write one file whole. Errors as in `write_files`; with ``force`` any file is replaced that this command has not read."""
     if not path.name:
         raise StorageError(Fault(message="is a folder", file=str(path), expected="the name of a file"))
     return write_files(path.parent, {path.name: content}, force=force)[0]

@@ -79,7 +79,9 @@ class PlannedCross:
 class Plan:
     """The plan. ``states`` holds the control's own files byte by byte: None where the job did not say, empty for ``none``.
 
-    ``cross``: what is wanted between axes, written or not; ``circles``: the circular tests by name.
+    ``cross``: what is wanted between axes, written or not; ``circles``: the circular tests by name. ``results``: the other
+    files of the run by their relative names, with the SHA-256 of each: by it the next run tells them from what the user has put or
+    changed there.
     """
 
     version: str
@@ -93,3 +95,4 @@ class Plan:
     assumed: tuple[Assumption, ...] = ()
     cross: tuple[PlannedCross, ...] = ()
     circles: Mapping[str, PlannedCircle] = field(default_factory=dict)
+    results: Mapping[str, str] = field(default_factory=dict)

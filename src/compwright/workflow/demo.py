@@ -106,7 +106,8 @@ def run_demo(out: Path, *, force: bool = False) -> DemoOutcome:
 
     Raises StorageError when a file exists (unless ``force``) or cannot be written.
     """
-    machine_file, job_file = storage.write_files(out, {"machine.yaml": MACHINE.encode(), "job.yaml": JOB.encode()}, force=force)
+    files = {"machine.yaml": MACHINE.encode(), "job.yaml": JOB.encode()}
+    machine_file, job_file = storage.write_files(out, files, force=force, known=lambda name, content: content == files[name])
     machine = load_machine(machine_file)
     simulate_files(machine, out / "before", seed=1, force=force)
     job = read_job(storage.read_bytes(job_file), str(job_file))

@@ -78,7 +78,12 @@ def export_plan(
     files, _ = write_fitted(control, fitted, state)
     axes = {axis.name: axis for axis, _ in fitted}
     cross = write_planned(control, [_addressed(entry, axes) for entry in plan.cross], files, state, axes)
-    written = storage.write_files(out, {file.name: file.content for file in cross.files}, force=force)
+    written = storage.write_files(
+        out,
+        {file.name: file.content for file in cross.files},
+        force=force,
+        known=lambda _name, content: not any(file.content == content for files in plan.states.values() for file in files),
+    )
     return ExportOutcome(files=tuple(written), assumed=tuple(dict.fromkeys(assumed)), missing=missing, findings=cross.findings)
 
 

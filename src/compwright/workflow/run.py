@@ -10,12 +10,13 @@ from typing import Any
 from compwright import __version__
 from compwright.documents.decode import assumed_documents, finding_documents
 from compwright.documents.json_text import to_json
-from compwright.documents.plan import plan_document
+from compwright.documents.plan import listed_files, plan_document
 from compwright.documents.prediction import prediction_document
 from compwright.formats.second_forms import second_forms
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.provenance import fingerprint
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularTest
 from compwright.records.correction import Assumption, ControlFile
@@ -102,7 +103,8 @@ def run_job(
     files, notes = _files(finished, evaluation, prediction)
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
     sets = [f"{name}/{job.format}" for name in ("tables", "rollback")]
-    written = storage.write_files(out, files, force=force, elsewhere=elsewhere, whole=[*sets, "card"])
+    known = _known_results(out)
+    written = storage.write_files(out, files, force=force, elsewhere=elsewhere, whole=sets, renewed=["card"], known=known)
     return RunOutcome(
         exit_code=_exit_code(finished),
         evaluation=evaluation,
@@ -225,7 +227,7 @@ def _files(
     notes: list[str] = []
     card: Mapping[str, Any] | None = None
     if finished.stated:
-        files["plan.json"] = to_json(plan_document(_plan(finished))).encode()
+        files["plan.json"] = b""  # its place in the order; it is made last, because it lists the others
         files |= {f"tables/{format_id}/{file.name}": file.content for file in finished.tables}
         as_found = finished.inputs.states[AS_FOUND].files
         files |= {f"rollback/{format_id}/{file.name}": file.content for file in as_found}
@@ -262,7 +264,16 @@ def _files(
         files["report.html"] = run_report(view)
     except UsageError as error:
         notes.append(f"report.html is not written: {error}")
+    if finished.stated:
+        results = {name: fingerprint(content) for name, content in files.items() if name != "plan.json"}
+        files["plan.json"] = to_json(plan_document(replace(_plan(finished), results=results))).encode()
     return files, tuple(notes)
+
+
+def _known_results(out: Path) -> storage.Known:
+    """Return what tells the results of an earlier run in ``out`` from what the user has put or changed below it."""
+    listed = listed_files(storage.earlier_bytes(out / "plan.json"))
+    return lambda name, content: "/" not in name or listed.get(name) == fingerprint(content)
 
 
 def _second_forms(finished: _Finished) -> tuple[ControlFile, ...]:

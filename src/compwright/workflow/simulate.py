@@ -22,6 +22,9 @@ from compwright.simulation.reading import read_machine
 from compwright.workflow.circle_work import Acting, acting
 from compwright.workflow.control import Control, DecodedState, Origin, decode, judged, open_control, read_files
 
+#: What every simulated ballbar file names as its instrument.
+_BALLBAR = b'MODEL="virtual ballbar"'
+
 
 def load_machine(path: Path) -> VirtualMachine:
     """Read a machine file. Raises UsageError with every fault of it, InputError when it cannot be read."""
@@ -49,7 +52,19 @@ def simulate_files(
         files[_circle_file(machine, name)] = _measured_circle(
             machine, name, seed=_seed_of(seed, number), corrections=corrections, between=between
         )
-    return storage.write_files(out, files, force=force)
+    return storage.write_files(out, files, force=force, known=lambda name, content: _is_simulated(content, files[name]))
+
+
+def _is_simulated(content: bytes, new: bytes) -> bool:
+    """Whether a file that stands where ``new`` goes is an earlier simulation of this machine, and no measurement of a real one."""
+    if _BALLBAR in new:
+        return _BALLBAR in content
+    of_real_tests = any(line.startswith((b"# date", b"# instrument", b"# operator")) for line in content.splitlines())
+    return not of_real_tests and _about_machine(content) == _about_machine(new)
+
+
+def _about_machine(content: bytes) -> list[bytes]:
+    return [line for line in content.splitlines() if line.startswith((b"# machine:", b"# serial:"))]
 
 
 def _seed_of(seed: int, number: int) -> int:
