@@ -239,6 +239,7 @@ def run_command(inputs: tuple[Path, ...], out: Path | None, json_path: Path | No
     _errors(f"axis {name}: no table is written: {why}" for name, why in outcome.refused.items())
     for note in outcome.notes:
         _tell(f"note: {note}")
+    _errors(entry["message"] for entry in outcome.findings if entry["severity"] == "error" and entry["code"] != "CW-P001")
     return outcome.exit_code
 
 
@@ -269,7 +270,7 @@ def export(
     for finding in outcome.findings:
         _tell(f"{finding.severity}: {finding.message}")
     _print_lines(map(str, outcome.files))
-    return 0
+    return 1 if any(finding.severity == "error" for finding in outcome.findings) else 0
 
 
 @compwright.command()

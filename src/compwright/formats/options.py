@@ -16,6 +16,8 @@ REFERENCE = "reference"
 REFERENCE_RETURN = "reference_return"
 #: The option that says how long a pulse is: asked for, never assumed.
 DETECTION_UNIT = "detection_unit"
+#: Options that hold for the control as a whole: an axis cannot have one of its own.
+WHOLE_CONTROL = frozenset({"units", "cec_sign", "straightness", "program"})
 #: The option that names the measuring system to read where no job does.
 ENCODER_SYSTEM = "encoder_system"
 
@@ -65,6 +67,9 @@ def axis_options(definition: Definition, resolved: Mapping[str, object], axis: A
         if rule is None:
             known = ", ".join(definition.options)
             faults.append(Fault(message=f"{definition.id} has no such option", place=name, expected=f"one of {known}"))
+        elif name in WHOLE_CONTROL:
+            message = f"this option of {definition.id} holds for the whole control, not for one axis"
+            faults.append(Fault(message=message, place=name, expected=f"controller.options.{name}", found="an axis' own"))
         else:
             values[name] = _value(rule, given, definition, faults)
     if DETECTION_UNIT in definition.options and not faults and not _positive(values[DETECTION_UNIT]):

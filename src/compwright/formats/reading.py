@@ -89,9 +89,12 @@ class _StateReader:
                     expected=f"the axis named, the file called {template.replace('{axis}', '<number>')}, or the file that names it",
                 )
             )
+        between = {name for table in cec.tables if table.input != table.output for name in table.pair}
         compensations: dict[str, AxisCompensation] = {}
         facts: dict[str, Mapping[str, Fact]] = {}
         for address, axis in (self.wanted or dict.fromkeys(named)).items():
+            if address not in named and address in between:
+                continue  # the files tell what it does to another axis; whether they must tell more is for who asks
             if address not in named and not self._only_table(texts):
                 self.notes.faults.append(
                     Fault(

@@ -244,7 +244,7 @@ def _absent_axes(section: JobSection) -> list[Finding]:
     return [
         Finding(
             "CW-J004",
-            "warning",
+            "error",
             f"{place} does nothing: axis {name} is not among the axes of the job, which give its travel and address "
             "(before: [] where it has no positioning test)",
         )

@@ -43,7 +43,7 @@ def card_document(
     facts = assumed_documents(assumed)
     return {
         "schema": SCHEMA,
-        "title": f"Commissioning card: {', '.join(written)}",
+        "title": f"Commissioning card: {', '.join(written or job.axes)}",
         "machine": dict(job.machine),
         "format": {"id": control.id, "title": control.definition.title},
         "axes": [_axis(job, control, work, loaded) for work in written.values()],

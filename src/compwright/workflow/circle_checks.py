@@ -155,17 +155,42 @@ class Checks:
 
     def with_circle_backlash(self, circles: Sequence[CircleWork]) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
         """Return the axes with the lost motion of their circles in place of the laser's, where the job asks for that."""
-        works, findings = dict(self.works), []
+        works = dict(self.works)
+        findings: list[Finding] = []
         if self.job.apply.backlash_from != "circle":
             return works, ()
+        findings += [self._no_test(name) for name, entry in self.job.axes.items() if not entry.before and _on(circles, name)]
         for name, axis in self.works.items():
             shift = self._shift(name, circles)
             if shift is None:
+                findings.append(self._not_taken(name, circles))
                 continue
             works[name] = _shifted(axis, shift.value)
             message = f"{name}: its lost motion is taken from the circles: {shift.words(_UM, 'µm')} against the laser's."
             findings.append(Finding("CW-P117", "info", message))
+        if not any(finding.code == "CW-P117" for finding in findings):
+            message = "apply.backlash_from: the lost motion of no axis is taken from circles: no circle of the job tells it."
+            findings.append(Finding("CW-P130", "error", message))
         return works, tuple(findings)
+
+    def _no_test(self, name: str) -> Finding:
+        message = (
+            f"{name}: its lost motion by the circles is not corrected: it has no positioning test, and so no table to put it into."
+        )
+        return Finding("CW-P130", "error", message)
+
+    def _not_taken(self, name: str, circles: Sequence[CircleWork]) -> Finding:
+        """Return why the lost motion of an axis stays that of the laser: no failure where no circle lies on the axis."""
+        if not _on(circles, name):
+            message = (
+                f"{name}: no circle lies on it; its lost motion stays that of the laser, although the job asks for the circles'."
+            )
+            return Finding("CW-P130", "warning", message)
+        message = (
+            f"{name}: its lost motion is not taken from the circles, as the job asks: they do not tell it, or its positioning test "
+            "has one direction only."
+        )
+        return Finding("CW-P130", "error", message)
 
     def _shift(self, name: str, circles: Sequence[CircleWork]) -> Stated | None:
         """Return how much more lost motion (mm) than the laser the circles of an axis show, their weighted mean."""
@@ -181,6 +206,11 @@ class Checks:
         if not values:
             return None
         return Stated(float(np.average(values, weights=weights)), float(np.sum(weights) ** -0.5))
+
+
+def _on(circles: Sequence[CircleWork], name: str) -> bool:
+    """Whether a circle lies on an axis."""
+    return any(name in work.planned.test.axes for work in circles)
 
 
 def _shifted(work: AxisWork, more: float) -> AxisWork:

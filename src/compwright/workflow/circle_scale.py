@@ -67,7 +67,7 @@ def _scaled(entry: AxisJob, circles: Sequence[CircleWork], checks: Checks, contr
     reasons = [entry for entry in found if isinstance(entry, str)]
     if not values:
         reason = "; ".join(reasons) or "no circle lies on it"
-        return Scaled(name, None, Finding("CW-P119", "warning", f"{name}: its scale is not taken from a circle: {reason}."))
+        return Scaled(name, None, Finding("CW-P119", "error", f"{name}: its scale is not taken from a circle: {reason}."))
     weights = [stated.std_error**-2 for stated, _ in values]
     scale = Stated(float(np.average([stated.value for stated, _ in values], weights=weights)), float(np.sum(weights) ** -0.5))
     source = "; ".join(how for _, how in values)
@@ -78,7 +78,7 @@ def _scaled(entry: AxisJob, circles: Sequence[CircleWork], checks: Checks, contr
         planned = _planned(entry, scale, control, state)
     except CapacityError as error:
         message = f"{words}; not corrected: {'; '.join(str(fault) for fault in error.faults)}."
-        return Scaled(name, None, Finding("CW-P119", "warning", message))
+        return Scaled(name, None, Finding("CW-P119", "error", message))
     message = f"{words}; its table corrects it. The temperature of bar and scale at the test is in it: 1 K is 11 µm/m of steel."
     return Scaled(name, planned, Finding("CW-P120", "warning", message))
 

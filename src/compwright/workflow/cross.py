@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from compwright.foundations.findings import Finding
+from compwright.foundations.findings import Finding, Severity
 from compwright.prediction.circular import path_of
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularRun
@@ -74,9 +74,9 @@ class _Planner:
         self.angles = dict(self._angles(circles))
         self.measured_pairs: dict[frozenset[str], PlannedCross] = {}
 
-    def find(self, code: str, severity: str, message: str) -> None:
+    def find(self, code: str, severity: Severity, message: str) -> None:
         """Note a finding."""
-        self.findings.append(Finding(code, "warning" if severity == "warning" else "info", message))
+        self.findings.append(Finding(code, severity, message))
 
     # --- direct measurements ---------------------------------------------------------------------------------------------------
 
@@ -147,7 +147,8 @@ class _Planner:
                 continue
             angle = self.angles.get(pair)
             if angle is None:
-                self.find("CW-P106", "warning", f"apply.squareness.{plane}: no circle of this plane gives its squareness.")
+                message = f"apply.squareness.{plane} is not corrected: no circle of this plane gives its squareness."
+                self.find("CW-P106", "error", message)
             elif abs(angle.value) < SIGNIFICANT * angle.std_error:
                 self.find("CW-P107", "info", f"{plane}: squareness {angle.words} is not significant and is not corrected.")
             else:

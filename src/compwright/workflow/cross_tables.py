@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from compwright.formats.cec_capacity import cec_available
 from compwright.formats.cec_writing import write_cross
 from compwright.formats.options import axis_options
+from compwright.formats.user_tables_sources import parameter_name
 from compwright.foundations.errors import CapacityError, CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
@@ -61,16 +62,18 @@ def write_planned(
     tables: tuple[ControlFile, ...],
     as_found: DecodedState,
     axes: Mapping[str, Axis],
+    tabled: Collection[str] = (),
 ) -> CrossOutcome:
     """Write the tables between axes beside ``tables`` (those of the single axes) and read everything back.
 
-    What the control cannot hold is not written: a finding and a step of the card say so, and what would help. Raises
-    CompwrightError (a fault of our own) when something else comes back than was written.
+    ``tabled``: the axes (names of ``axes``) that get a table of their own in ``tables``. What the control cannot hold is not
+    written: a finding and a step of the card say so, and what would help. Raises CompwrightError (a fault of our own) when
+    something else comes back than was written.
     """
     if not planned:
         return CrossOutcome(files=tables)
     if control.definition.layout.shape == "user_tables":
-        return _typed(control, planned, tables)
+        return _typed(control, planned, tables, as_found, axes, tabled)
     if control.options.get("straightness") == "available":
         return _straightness(control, planned, tables, axes)
     if not cec_available(control.definition, control.options):
@@ -158,39 +161,49 @@ def _totals(planned: Sequence[PlannedCross], after: DecodedState | None, axes: M
     )
 
 
-def _typed(control: Control, planned: Sequence[PlannedCross], tables: tuple[ControlFile, ...]) -> CrossOutcome:
-    """Return the columns that the engineer types into the table of the moving axis: its text form and sign are unconfirmed."""
-    form = str(control.options.get("table_values", "error"))
-    sign = -1.0 if form == "error" else 1.0
-    findings, steps, sheets = [], [], []
+def _typed(
+    control: Control,
+    planned: Sequence[PlannedCross],
+    tables: tuple[ControlFile, ...],
+    as_found: DecodedState,
+    axes: Mapping[str, Axis],
+    tabled: Collection[str],
+) -> CrossOutcome:
+    """Return the columns that the engineer types into the table of the moving axis: its text form and sign are unconfirmed.
+
+    A column acts on an axis only while tables are selected for that axis, and then its linear error is dead: an axis that the
+    linear error corrects gets no column, and that is said.
+    """
+    findings: list[Finding] = []
+    steps: list[Mapping[str, str]] = []
+    sheets = []
     for entry in planned:
-        added = entry.added
-        rows = [(float(x), sign * float(c)) for x, c in zip(added.positions, added.positive, strict=True)]
-        unit = added.output_kind.unit
-        shown = rows if len(rows) <= _MOST_SHOWN else [rows[0], rows[-1]]
-        values = ", ".join(f"{value + 0.0:+.4f} {unit} at {position:g}" for position, value in shown)
-        where = f"the table (.COM) of {entry.input}, column of {entry.output}"
-        findings.append(
-            Finding(
-                "CW-P113",
-                "warning",
-                f"{_label(entry)} is in no file: type it into {where}, as the card and its sheet say; the sign is unconfirmed.",
-            )
+        why = _by_line(control, entry, as_found, axes, tabled)
+        if why:
+            refused = _not_held(control, [entry], (), why)
+            findings.extend(refused.findings)
+            steps.extend(refused.steps)
+            continue
+        form = _table_values(control, axes.get(entry.input))
+        sheets.append(_column_sheet(entry, form))
+        message = (
+            f"{_label(entry)} is in no file: type it into {_column(entry)}, {_shown_rows(entry, form)} (values are {form}s), "
+            "as the card and its sheet say; the sign is unconfirmed."
         )
+        findings.append(Finding("CW-P113", "warning", message))
+        select = _parameter(control, "enabled")
         steps.append(
             {
                 "title": f"{entry.output} over {entry.input}: type in",
                 "text": (
-                    f"{_label(entry)}. Add to what stands in {where}, on a straight line between: {values} (values are {form}s). "
-                    "The sign is unconfirmed: check it with a square or a dial gauge, on and off, before production."
+                    f"{_label(entry)}. Add to what stands in {_column(entry)}, on a straight line between: "
+                    f"{_shown_rows(entry, form)} (values are {form}s). "
+                    + (f"It acts on {entry.output} only while the bit of {entry.output} in {select} is 1. " if select else "")
+                    + "The sign is unconfirmed: check it with a square or a dial gauge, on and off, before production."
                 ),
                 "evidence": "unconfirmed",
             }
         )
-        head = f"# column of {entry.output} in the table of {entry.input}\n# value: {form}\n"
-        head += f"position_{entry.input},{entry.output},unit\n"
-        body = "".join(f"{position:.4f},{value + 0.0:.4f},{unit}\n" for position, value in rows)
-        sheets.append(ControlFile(f"cross_{entry.input}_{entry.output}.csv", (head + body).encode()))
     return CrossOutcome(
         planned=tuple(replace(entry, written=False) for entry in planned),
         files=tables,
@@ -198,6 +211,57 @@ def _typed(control: Control, planned: Sequence[PlannedCross], tables: tuple[Cont
         steps=tuple(steps),
         sheets=tuple(sheets),
     )
+
+
+def _by_line(
+    control: Control, entry: PlannedCross, as_found: DecodedState, axes: Mapping[str, Axis], tabled: Collection[str]
+) -> str:
+    """Return why a column cannot act on its axis: the linear error of that axis acts, now or by this job; empty where it can."""
+    axis, linear = axes.get(entry.output), _parameter(control, "slope")
+    if axis is None:
+        return ""
+    own = axis_options(control.definition, control.options, axis)
+    old = as_found.state.axes.get(axis.address)
+    if own.get("method") == "line":
+        why = f"the job corrects {axis.name} by {linear} (method: line)"
+    elif entry.output not in tabled and old is not None and old.slope != 0.0:
+        why = f"{linear} acts on {axis.name} now ({-old.slope * 1e3:+.3f} mm/m)"
+    else:
+        return ""
+    return f"{why}, and a column acts only where tables do, never beside {linear}; give {axis.name} a test and a table of its own"
+
+
+def _parameter(control: Control, quantity: str) -> str:
+    """Return the control's name of a parameter; empty where it has none."""
+    return parameter_name(control.definition, quantity) if quantity in control.definition.bindings else ""
+
+
+def _table_values(control: Control, moving: Axis | None) -> str:
+    """Return what the values of a table are: the table is the moving axis' own, and so is the option."""
+    return str(axis_options(control.definition, control.options, moving)["table_values"])
+
+
+def _column(entry: PlannedCross) -> str:
+    return f"the table (.COM) of {entry.input}, column of {entry.output}"
+
+
+def _column_rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
+    sign = -1.0 if form == "error" else 1.0
+    return [(float(x), sign * float(c)) for x, c in zip(entry.added.positions, entry.added.positive, strict=True)]
+
+
+def _shown_rows(entry: PlannedCross, form: str) -> str:
+    rows = _column_rows(entry, form)
+    shown = rows if len(rows) <= _MOST_SHOWN else [rows[0], rows[-1]]
+    return ", ".join(f"{value + 0.0:+.4f} {entry.added.output_kind.unit} at {position:g}" for position, value in shown)
+
+
+def _column_sheet(entry: PlannedCross, form: str) -> ControlFile:
+    head = f"# column of {entry.output} in the table of {entry.input}\n# value: {form}\n"
+    head += f"position_{entry.input},{entry.output},unit\n"
+    unit = entry.added.output_kind.unit
+    body = "".join(f"{position:.4f},{value + 0.0:.4f},{unit}\n" for position, value in _column_rows(entry, form))
+    return ControlFile(f"cross_{entry.input}_{entry.output}.csv", (head + body).encode())
 
 
 def _straightness(
@@ -214,7 +278,8 @@ def _straightness(
     sheets: list[ControlFile] = []
     for entry in planned:
         added, facts = entry.added, {} if read is None else read.state.facts.get(entry.added.input, {})
-        unit = axis_options(control.definition, control.options, axes[entry.output]).get("detection_unit")
+        bent = axes.get(entry.output)
+        unit = None if bent is None else axis_options(control.definition, control.options, bent).get("detection_unit")
         first, last = (facts.get(name) for name in ("first_number", "last_number"))
         nodes = read.state.axes[added.input].positions if read is not None and added.input in read.state.axes else np.empty(0)
         if added.positions.size > 2 or nodes.size < 2 or sheets or not isinstance(unit, float):
@@ -255,7 +320,7 @@ def _not_held(
     for entry in planned:
         helps = _matrixkins(entry) if control.id.startswith("linuxcnc") else why
         message = f"{_label(entry)} is not corrected: this control, as the job describes it, cannot hold it; {helps}."
-        findings.append(Finding("CW-P113", "warning", message))
+        findings.append(Finding("CW-P113", "error", message))
         steps.append({"title": f"Not corrected: {_label(entry)}", "text": f"{helps}.", "evidence": "inferred"})
     return CrossOutcome(
         planned=tuple(replace(entry, written=False) for entry in planned),

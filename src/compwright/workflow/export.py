@@ -67,7 +67,7 @@ def export_plan(
             errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))
     raise_all(CapacityError, collect(errors))
     missing = tuple(name for name, entry in plan.axes.items() if entry.fitted is None)
-    if not fitted:
+    if not fitted and not plan.cross:
         raise UsageError(
             Fault(
                 message="the plan holds no table",
@@ -77,7 +77,8 @@ def export_plan(
         )
     files, _ = write_fitted(control, fitted, state)
     axes = {axis.name: axis for axis, _ in fitted}
-    cross = write_planned(control, [_addressed(entry, axes) for entry in plan.cross], files, state, axes)
+    tabled = [axis.name for axis, table in fitted if table.compensation.positions.size]
+    cross = write_planned(control, [_addressed(entry, axes) for entry in plan.cross], files, state, axes, tabled)
     written = storage.write_files(
         out,
         {file.name: file.content for file in cross.files},

@@ -91,7 +91,7 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
 
 
 def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
-    """Missing is not zero: files of a state must speak of every axis under work."""
+    """Missing is not zero: files of a state must speak of every axis that is to get a table of its own."""
     faults: list[Fault] = []
     for name, decoded in states.items():
         if not decoded.files:
@@ -105,6 +105,6 @@ def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
                 found=f"only {', '.join(sorted(decoded.state.axes)) or 'no axis at all'}",
             )
             for entry in job.axes.values()
-            if entry.axis.address not in decoded.state.axes
+            if entry.axis.address not in decoded.state.axes and (entry.before or entry.axis.name in job.apply.scale)
         )
     return faults

@@ -145,7 +145,8 @@ def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
         if by_scale:
             tables, loaded = write_fitted(control, _fitted(works, by_scale), as_found)
         plan = plan_cross(job, circles, inputs.states, as_found)
-        cross = write_planned(control, plan.planned, tables, as_found, axes)
+        tabled = [axis.name for axis, fitted in _fitted(works, by_scale) if fitted.compensation.positions.size]
+        cross = write_planned(control, plan.planned, tables, as_found, axes, tabled)
         findings += [*plan.findings, *cross.findings]
         cross = replace(cross, steps=(*scale_steps(scaled), *cross.steps))
         if cross.written:
@@ -231,7 +232,7 @@ def _files(
         files |= {f"tables/{format_id}/{file.name}": file.content for file in finished.tables}
         as_found = finished.inputs.states[AS_FOUND].files
         files |= {f"rollback/{format_id}/{file.name}": file.content for file in as_found}
-    if finished.tables:
+    if finished.tables or finished.cross.steps:
         card = card_document(finished.job, finished.control, finished.works, finished.loaded, finished.inputs, finished.assumed)
         card = {**card, "steps": [*card["steps"], *finished.cross.steps]}
         from compwright.reporting.card import card_markdown
@@ -316,6 +317,6 @@ def _findings(finished: _Finished) -> tuple[Finding, ...]:
 def _exit_code(finished: _Finished) -> int:
     if not finished.stated:
         return UsageError.exit_code
-    refused = any(work.refused for work in finished.works.values())
+    failed = any(finding.severity == "error" for finding in _findings(finished))  # a table refused, a correction not made
     decisions = [entry.decision for axis in finished.predictions.values() for entry in axis.accept.values()]
-    return 1 if refused or any(decision != "accept" for decision in decisions) else 0
+    return 1 if failed or any(decision != "accept" for decision in decisions) else 0

@@ -1,0 +1,196 @@
+"""What a job asks to be corrected between axes or from circles: done, not needed, or an error that leaves exit 1; never silence.
+
+Squareness is 40 µm/m, more than 90° (`test_run_circles.Bent`): Y is bent by + 40 µm/m times the distance of X from its reference.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.records.axis import Direction
+from test_run_circles import CEC, SIEMENS, Bent, codes, judge_of, measure, write_circle
+
+#: What the option cec of the SINUMERIK needs to be written at all; whole jobs differ in the rest.
+ADDRESSES = {SIEMENS: ("AX1", "AX2"), "linuxcnc": ("0", "1"), "fanuc-30i": ("1", "2")}
+
+
+@pytest.fixture(scope="module")
+def measured(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("measured")
+    measure(folder, Bent())
+    return folder
+
+
+@pytest.fixture
+def folder(tmp_path: Path, measured: Path) -> Path:
+    for file in measured.iterdir():
+        shutil.copy(file, tmp_path)
+    return tmp_path
+
+
+def run(
+    folder: Path,
+    control: str,
+    *,
+    options: str = "{}",
+    apply: str = "{squareness: {XY: Y}}",
+    x: str = "before: []",
+    y: str = "before: []",
+    states: str = "none",
+    circles: str = "[{file: xy.csv, name: xy-150, centre: [400, -250]}]",
+) -> int:
+    first, second = ADDRESSES.get(control, ("X", "Y"))
+    (folder / "job.yaml").write_text(
+        f"compwright: 1\ncontroller: {{format: {control}, options: {options}}}\nstates: {{as_found: {states}}}\naxes:\n"
+        f'  X: {{travel: [0, 800], address: "{first}", {x}}}\n  Y: {{travel: [-500, 0], address: "{second}", {y}}}\n'
+        f"circles: {circles}\napply: {apply}\n"
+    )
+    return compwright(["run", str(folder / "job.yaml"), "--force"])
+
+
+def card(folder: Path) -> str:
+    return (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
+
+
+def typed(folder: Path) -> tuple[str, list[float]]:
+    """The meaning that the sheet of the column states, and its values, mm."""
+    lines = (folder / "job" / "card" / "cross_X_Y.csv").read_text(encoding="utf-8").splitlines()
+    return lines[1].removeprefix("# value: "), [float(row[1]) for row in csv.reader(lines[3:])]
+
+
+def prediction(folder: Path) -> Any:
+    return json.loads((folder / "job" / "prediction.json").read_text(encoding="utf-8"))
+
+
+# --- squareness alone
+
+
+def test_squareness_alone_goes_into_a_table_between_the_axes_and_can_be_the_state_of_the_next_job(folder: Path) -> None:
+    options = CEC.replace("}", ", cec_sign: correction}")
+    assert run(folder, SIEMENS, options=options) == 0
+    judge = judge_of(folder / "job" / "tables" / SIEMENS)
+    assert judge.addresses() == () or not np.any(judge.correction("AX2", np.array([-500.0, 0.0]), Direction.POSITIVE))
+    # 40 µm/m over 0.8 m, known to 1 µm/m
+    assert judge.cross_correction("AX1", "AX2", np.array([0.0, 800.0]), Direction.POSITIVE) == pytest.approx([0, 0.032], abs=8e-4)
+    assert "X" in card(folder).splitlines()[0]
+    assert prediction(folder)["circles"]["xy-150"]["predicted"]["squareness"]["median"] == pytest.approx(0, abs=1)  # µm/m
+    shutil.copytree(folder / "job" / "tables", folder / "loaded")
+    write_circle(folder / "xy.csv", Bent().circle(8, judge_of(folder / "loaded" / SIEMENS)))
+    assert run(folder, SIEMENS, options=options, states=f"[loaded/{SIEMENS}]") == 0  # CW-P107: nothing is left
+
+
+def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    options = CEC.replace("}", ", cec_sign: correction}")
+    assert run(folder, SIEMENS, options=options) == 0
+    shutil.copytree(folder / "job" / "tables", folder / "loaded")
+    capsys.readouterr()
+    assert run(folder, SIEMENS, options=options, states=f"[loaded/{SIEMENS}]", apply="{scale: [Y]}") == 3
+    assert "say nothing of axis Y" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("control", ["heidenhain-nck", "heidenhain-itnc530"])
+def test_squareness_alone_comes_with_a_card_where_it_is_typed_in(folder: Path, control: str) -> None:
+    assert run(folder, control) == 0
+    assert "type in" in card(folder)
+    assert typed(folder) == ("error", [0.0, pytest.approx(-0.032, abs=8e-4)])
+
+
+# --- the values of one table, stated once
+
+
+@pytest.mark.parametrize(
+    ("control", "whole", "own", "expected"),
+    [
+        ("heidenhain-nck", "error", "correction", "correction"),
+        ("heidenhain-nck", "correction", "error", "error"),
+        ("heidenhain-itnc530", "error", "correction", "correction"),
+    ],
+)
+def test_the_column_of_another_axis_has_the_sign_of_the_table_in_which_it_stands(
+    folder: Path, control: str, whole: str, own: str, expected: str
+) -> None:
+    """X.COM holds X = F(X) and Y = F(X): one table, one meaning, whichever way it was stated."""
+    x = "before: [x.csv]" + f", options: {{table_values: {own}}}"
+    assert run(folder, control, options=f"{{table_values: {whole}}}", x=x) == 0
+    sheet = (folder / "job" / "tables" / control / "entry_X.csv").read_text(encoding="utf-8")
+    assert f"# value: {expected}\n" in sheet
+    sign = 1 if expected == "correction" else -1
+    assert typed(folder) == (expected, [0.0, pytest.approx(sign * 0.032, abs=8e-4)])
+    assert f"values are {expected}s" in card(folder)
+
+
+def test_an_option_of_the_whole_control_is_none_of_one_axis(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for control, option in (
+        ("linuxcnc", "units: inch"),
+        (SIEMENS, "cec_sign: error"),
+        ("fanuc-30i", "straightness: available, detection_unit: 0.001"),
+    ):
+        assert run(folder, control, x=f"before: [x.csv], options: {{{option}}}") == 2
+        assert "holds for the whole control" in capsys.readouterr().err
+
+
+# --- HEIDENHAIN: a column acts where tables are selected, and the linear error only where they are not
+
+
+@pytest.mark.parametrize(
+    ("y", "state", "why"),
+    [
+        ("before: [y.csv], options: {method: line}", "none", "method: line"),
+        ("before: []", "[MP.TXT]", "MP720 acts on Y"),
+    ],
+)
+def test_a_column_beside_the_linear_error_of_its_axis_is_refused(
+    folder: Path, y: str, state: str, why: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "MP.TXT").write_text("MP710.0 : 0.0000\nMP710.1 : 0.0000\nMP720.1 : 0.0200\nMP730 : %00000\n")
+    assert run(folder, "heidenhain-itnc530", y=y, states=state) == 1
+    said = codes(capsys)
+    assert "error CW-P113" in said
+    assert why in said
+    assert not (folder / "job" / "card" / "cross_X_Y.csv").exists()
+
+
+# --- what apply asks for and cannot be had
+
+
+@pytest.mark.parametrize(
+    ("control", "options", "apply", "code"),
+    [
+        ("linuxcnc", "{}", "{squareness: {XY: Y}}", "CW-P113"),
+        (SIEMENS, "{}", "{squareness: {XY: Y}}", "CW-P113"),
+        ("fanuc-30i", "{detection_unit: 0.001}", "{squareness: {XY: X}}", "CW-P113"),
+        ("linuxcnc", "{}", "{squareness: {ZX: X}}", "CW-J004"),
+        ("linuxcnc", "{}", "{scale: [Z]}", "CW-J004"),
+        ("linuxcnc", "{}", "{scale: [Y]}", "CW-P119"),
+        ("linuxcnc", "{}", "{backlash_from: circle}", "CW-P130"),
+    ],
+)
+def test_a_correction_that_cannot_be_made_is_an_error(
+    folder: Path, control: str, options: str, apply: str, code: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Neither axis has a positioning test here: one fast circle tells no scale, and there is no table for a lost motion."""
+    assert run(folder, control, options=options, apply=apply) == 1
+    assert f"error {code}" in codes(capsys)
+
+
+def test_the_rest_of_the_job_is_done_all_the_same(folder: Path) -> None:
+    (folder / "zx.csv").write_text((folder / "xy.csv").read_text().replace("plane: XY", "plane: ZX"))
+    circles = "[{file: zx.csv, name: zx-150, centre: [0, 400]}]"
+    assert run(folder, "linuxcnc", x="before: [x.csv]", circles=circles, apply="{squareness: {XY: Y}}") == 1
+    assert prediction(folder)["axes"]["X"]["table"] is not None
+
+
+def test_what_is_not_needed_is_no_failure(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    measure(tmp_path, Bent(squareness=0.0))
+    assert run(tmp_path, "linuxcnc", x="before: [x.csv]", apply="{squareness: {XY: Y}, scale: [X]}") == 0
+    said = codes(capsys)
+    assert "info CW-P107" in said
+    assert "info CW-P118" in said
