@@ -15,6 +15,8 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 
 #: Cells of the two reading tables together beyond which a file is refused: a test has some hundred readings.
 _MOST_CELLS = 4_000_000
+#: Share of the targets that may have been approached in one direction only.
+_MOST_ONE_SIDED = 0.25
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,11 +32,15 @@ class Reading:
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """The readings as arrays: ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN for none, and ``runs`` (n,)."""
+    """The readings as arrays: ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN for none, and ``runs`` (n,).
+
+    ``one_sided``: targets that were left out, because a test in two directions approached them in one only, in words.
+    """
 
     targets: FloatArray
     deviations: Mapping[Direction, FloatArray]
     runs: Mapping[Direction, tuple[int, ...]]
+    one_sided: tuple[str, ...] = ()
 
 
 def as_text(position: float) -> str:
@@ -46,16 +52,19 @@ def grid_of(readings: Sequence[Reading], kind: AxisKind, faults: FaultList) -> G
     """Return the readings as arrays, in any order given.
 
     Raises InputError (with the faults noted before) when there are no readings, a reading is given twice, or a test in two
-    directions does not have the same targets in both (ISO 230-2, clause 4: each target is approached from both sides). Targets
-    are the same when their numbers are exactly equal: nothing is rounded to make them so.
+    directions does not have the same targets in both (ISO 230-2, clause 4: each target is approached from both sides); up to one
+    target in four that was approached in one direction only is left out. Targets are the same when their numbers are
+    exactly equal: nothing is rounded to make them so.
     """
+    one_sided: dict[float, str] = {}
     if not faults:
         if not readings:
             faults.add("holds no readings", expected="at least one reading below the header")
         _check_unique(readings, kind, faults)
-        _check_both_directions(readings, kind, faults)
+        one_sided = _check_both_directions(readings, kind, faults)
         _check_size(readings, faults)
     faults.raise_if_any()
+    readings = [reading for reading in readings if reading.target not in one_sided]
     targets = sorted({reading.target for reading in readings})
     row = {target: index for index, target in enumerate(targets)}
     deviations, runs = {}, {}
@@ -67,7 +76,7 @@ def grid_of(readings: Sequence[Reading], kind: AxisKind, faults: FaultList) -> G
         for reading in ours:
             block[row[reading.target], column[reading.run]] = reading.deviation
         deviations[direction], runs[direction] = block, tuple(numbers)
-    return Grid(np.array(targets, dtype=np.float64), deviations, runs)
+    return Grid(np.array(targets, dtype=np.float64), deviations, runs, tuple(one_sided.values()))
 
 
 def _check_unique(readings: Sequence[Reading], kind: AxisKind, faults: FaultList) -> None:
@@ -85,16 +94,21 @@ def _check_unique(readings: Sequence[Reading], kind: AxisKind, faults: FaultList
             )
 
 
-def _check_both_directions(readings: Sequence[Reading], kind: AxisKind, faults: FaultList) -> None:
-    """Note each target that only one direction of a test in two directions has; say so when a near one stands opposite."""
+def _check_both_directions(readings: Sequence[Reading], kind: AxisKind, faults: FaultList) -> dict[float, str]:
+    """Return the targets that only one direction of a test in two directions has, in words, where they are few.
+
+    Else each is a fault; so is one near which another stands in the opposite direction.
+    """
     places: dict[Direction, dict[float, str]] = {direction: {} for direction in Direction}
     for reading in readings:
         places[reading.direction].setdefault(reading.target, reading.place)
     positive, negative = places[Direction.POSITIVE], places[Direction.NEGATIVE]
     if not positive or not negative:
-        return
+        return {}
+    few = _MOST_ONE_SIDED * len(set(positive) | set(negative))
     only_positive = sorted(set(positive) - set(negative))
     only_negative = sorted(set(negative) - set(positive))
+    found: dict[float, tuple[str, str]] = {}
     reach = min((b - a for a, b in pairwise(sorted(positive))), default=np.inf) / 2
     for target in only_positive:
         at = bisect_left(only_negative, target)
@@ -108,9 +122,16 @@ def _check_both_directions(readings: Sequence[Reading], kind: AxisKind, faults: 
                 found=f"{as_text(near)} {kind.unit} in direction -",
             )
         else:
-            _note_one_sided(target, positive[target], "+", kind, faults)
-    for target in only_negative:
-        _note_one_sided(target, negative[target], "-", kind, faults)
+            found[target] = (positive[target], "+")
+    found |= {target: (negative[target], "-") for target in only_negative}
+    if len(found) <= few:
+        return {
+            target: f"{as_text(target)} {kind.unit} in direction {direction} only ({place})"
+            for target, (place, direction) in sorted(found.items())
+        }
+    for target, (place, direction) in found.items():
+        _note_one_sided(target, place, direction, kind, faults)
+    return {}
 
 
 def _distance(one: float, other: float) -> float:

@@ -22,10 +22,10 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, MILLIMETRES_PER_INCH
 from compwright.instruments.circular_arcs import LARGEST_ANGLE, Sweep, common_arc, run_of, sweep_of
 from compwright.instruments.comments import Comments, read_comments
-from compwright.instruments.csv_table import Table, read_table, split_lines
+from compwright.instruments.csv_table import INCHES, Table, in_inches, read_table, split_lines
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, parse_count, parse_number
-from compwright.instruments.reading import assumed_finding, doubtful_finding, left_out_finding
+from compwright.instruments.reading import assumed_finding, doubtful_finding, left_out_finding, unfinished_finding
 from compwright.instruments.text_input import read_lines
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest, Sense
@@ -64,7 +64,8 @@ class _Keys:
 def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
     """Return the circular test in a plain CSV file, without its source; raises InputError with every fault at once."""
     faults = FaultList(file)
-    comment_lines, lines = split_lines(read_lines(content, file))
+    text = read_lines(content, file)
+    comment_lines, lines = split_lines(text)
     comments = read_comments(comment_lines, faults, decisive=KEYS)
     _check_form(comments, lines, file)
     keys = _keys(comments, faults)
@@ -81,6 +82,7 @@ def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
         left_out_finding(left_out),
         doubtful_finding(marks.doubtful_point()),
         *map(_gap_finding, sweeps),
+        unfinished_finding(text),
     ]
     return CircularTest(
         name=name,
@@ -195,7 +197,10 @@ def _value_column(table: Table, faults: FaultList) -> str:
         if column not in table.columns:
             faults.add(f"column '{column}' is missing", place=place, expected="direction, angle_deg and a value", found=found)
     values = [column for column in table.columns if column in _VALUES]
-    if not values:
+    inches = in_inches(table.columns)
+    if inches:
+        faults.add("is in inches, which are not read", place=place, expected=INCHES, found=shown(inches))
+    elif not values:
         faults.add("the value column is missing", place=place, expected=" or ".join(_VALUES), found=found)
     if len(values) > 1:
         faults.add("there is more than one value column", place=place, expected=" or ".join(_VALUES), found=", ".join(values))

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from compwright.foundations.errors import Fault, InputError
 from compwright.instruments.comments import comment_text
 from compwright.instruments.fault_list import FaultList, shown
-from compwright.instruments.numbers import TYPOGRAPHIC_MINUS, parse_number
+from compwright.instruments.numbers import parse_number
 
 DELIMITERS = {",": "comma", ";": "semicolon", "\t": "tab"}
 COLUMNS = frozenset(
@@ -28,7 +28,21 @@ COLUMNS = frozenset(
         "measured_deg",
     }
 )
-_TRAVERSE = re.compile(r"([+-])([0-9]{1,9})")
+#: A sign and a whole number, either first, as spreadsheets and people write them: ``+1``, ``+ 1``, ``1 -``, ``-2.0``.
+_TRAVERSE = re.compile(r"(?:run )?(?P<before>[+-])?(?: |run )*(?P<number>[0-9]{1,9})(?:[.,]0+)? ?(?P<after>[+-])?")
+#: What a column is about that may be meant as a traverse: a sign, or a word for a direction or a run, beside a number.
+_LIKE_TRAVERSE = re.compile(
+    r"(?<![a-z0-9])[+±-] ?[0-9]|[0-9] ?[+±-](?![a-z0-9])|[↑↓→←]"
+    r"|\b(?:up|down|fwd|bwd|rev|pos|neg|plus|minus|forward|backward|reverse|run|traverse)\b"
+)
+#: Dashes and plus signs that word processors put in the place of the plain ones.
+_DASHES = "\u2010\u2011\u2012\u2013\u2014\u2212\uff0d\ufe63"
+_SIGNS = str.maketrans(dict.fromkeys(_DASHES, "-") | {"\uff0b": "+", "\ufe62": "+"})
+_INCH = re.compile(
+    r"(?:target|deviation|measured|radius|unit)[ _]?\(?(?:in|inch|inches|\"|mil|mils|thou|uin|u?inch|microinch(?:es)?)\)?"
+)
+#: What to do with inches, which no form of measurement files takes.
+INCHES = "target_mm and deviation_um: multiply targets in inches by 25.4 to get mm, deviations in 0.001 inch by 25.4 to get um"
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,13 +65,33 @@ class Table:
 
 def column_name(text: str) -> str:
     """Return a header cell in the one spelling used here: stripped, small letters, ``u`` for the micro sign, ``-`` for minus."""
-    return text.strip().lower().replace("µ", "u").replace("μ", "u").replace(TYPOGRAPHIC_MINUS, "-")
+    return " ".join(plain_signs(text).lower().replace("µ", "u").replace("μ", "u").split())
+
+
+def plain_signs(text: str) -> str:
+    """Return ``text`` with every typographic minus and dash as ``-`` and the wide plus as ``+``."""
+    return text.translate(_SIGNS)
 
 
 def traverse_of(column: str) -> tuple[str, int] | None:
-    """Return direction and run of a wide column such as ``+1`` or ``-2``, None for any other column."""
+    """Return direction and run of a wide column such as ``+1``, ``- 2``, ``3+`` or ``run 3 +``, None for any other column.
+
+    The sign must be a sign and stand there once: words for a direction (``up 3``) are not taken for one.
+    """
     match = _TRAVERSE.fullmatch(column)
-    return (match[1], int(match[2])) if match and int(match[2]) >= 1 else None
+    if not match or bool(match["before"]) == bool(match["after"]) or int(match["number"]) < 1:
+        return None
+    return match["before"] or match["after"], int(match["number"])
+
+
+def like_traverse(column: str) -> bool:
+    """Whether a column that is no traverse by `traverse_of` may be meant as one: a number with a sign or a word for a direction."""
+    return any(character.isdigit() for character in column) and _LIKE_TRAVERSE.search(column) is not None
+
+
+def in_inches(names: Iterable[str]) -> str:
+    """Return the first column (or unit) that is in inches or parts of an inch, empty when there is none."""
+    return next((name for name in names if _INCH.fullmatch(name)), "")
 
 
 def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple[int, str]]]:

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from compwright.foundations.units import TO_INSIDE
 from compwright.instruments.assembling import Reading
 from compwright.instruments.comments import Comments, sign_of
-from compwright.instruments.csv_table import COLUMNS, Table, traverse_of
+from compwright.instruments.csv_table import COLUMNS, INCHES, Table, in_inches, like_traverse, plain_signs, traverse_of
 from compwright.instruments.fault_list import FaultList, shown
-from compwright.instruments.numbers import TYPOGRAPHIC_MINUS, DecimalMarks, parse_count
+from compwright.instruments.numbers import DecimalMarks, parse_count
 from compwright.records.axis import AxisKind, Direction
 
 _KIND_OF_TARGET = {"target_mm": AxisKind.LINEAR, "target_deg": AxisKind.ROTARY}
@@ -43,7 +43,8 @@ def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings
     """
     traverses = {column: traverse for column in table.columns if (traverse := traverse_of(column)) is not None}
     long = [column for column in table.columns if column in COLUMNS and column not in _KIND_OF_TARGET]
-    _refuse_unsigned(table, faults)
+    _refuse_unsigned(table, bool(traverses), faults)
+    _refuse_twice(table, traverses, faults)
     target = _target_column(table, faults)
     sign = sign_of(comments, faults)
     if traverses and long:
@@ -76,17 +77,31 @@ def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings
     )
 
 
-def _refuse_unsigned(table: Table, faults: FaultList) -> None:
-    """Raise for columns named 1, 2, ... or +0: spreadsheets take the plus off, and then the direction is lost."""
-    bare = [column for column in table.columns if column.lstrip("+-").isdigit() and traverse_of(column) is None]
+def _refuse_unsigned(table: Table, wide: bool, faults: FaultList) -> None:  # noqa: FBT001 - one caller
+    """Raise for columns named 1, 2, ... or +0: spreadsheets take the plus off, and then the direction is lost.
+
+    In a ``wide`` file also for ``up 3`` or ``+3 up``: a traverse that is left out would be missed by nobody.
+    """
+    unknown = [column for column in table.columns if traverse_of(column) is None and column not in COLUMNS]
+    bare = [column for column in unknown if column.lstrip("+-").isdigit() or (wide and like_traverse(column))]
     if bare:
         faults.add(
             "traverse columns are not named by direction and run",
             place=f"line {table.line}",
-            expected="+1, -1, +2, -2, ...",
+            expected="+1, -1, +2, -2, ... (another name, without a number, for a column that is no traverse)",
             found=_listed(bare),
         )
         faults.raise_if_any()
+
+
+def _refuse_twice(table: Table, traverses: Mapping[str, tuple[str, int]], faults: FaultList) -> None:
+    """Note a traverse that two columns name, ``+3`` and ``3 +``."""
+    first: dict[tuple[str, int], str] = {}
+    for column, traverse in traverses.items():
+        other = first.setdefault(traverse, column)
+        if other != column:
+            found = f"'{other}' and '{column}'"
+            faults.add("a traverse is given twice", place=f"line {table.line}", expected="one column per traverse", found=found)
 
 
 def _listed(columns: Sequence[str]) -> str:
@@ -106,6 +121,10 @@ def _note_missing(table: Table, faults: FaultList) -> None:
 
 def _target_column(table: Table, faults: FaultList) -> str:
     targets = [column for column in _KIND_OF_TARGET if column in table.columns]
+    inches = in_inches(table.columns)
+    if inches:
+        faults.add("is in inches, which are not read", place=f"line {table.line}", expected=INCHES, found=shown(inches))
+        faults.raise_if_any()
     if not targets:
         faults.add(
             "the target column is missing",
@@ -152,7 +171,9 @@ def _wide_factor(target: str, comments: Comments, faults: FaultList) -> float:
     known = TO_INSIDE.get(unit) or TO_INSIDE.get(unit.lower())
     place = comments.places["unit"]
     if known is None:
-        faults.add("key 'unit' names an unknown unit", place=place, expected="um, mm, arcsec or deg", found=shown(unit))
+        hint = f" (inches are not read; {INCHES})" if in_inches([f"unit {unit.lower()}"]) else ""
+        found = f"{shown(unit)}{hint}"
+        faults.add("key 'unit' names an unknown unit", place=place, expected="um, mm, arcsec or deg", found=found)
         return 1.0
     if target and known[0] != _KIND_OF_TARGET[target].unit:
         faults.add(
@@ -220,7 +241,7 @@ def _place(line: int, column: str) -> str:
 
 
 def _direction(text: str, line: int, faults: FaultList) -> Direction | None:
-    sign = text.replace(TYPOGRAPHIC_MINUS, "-")
+    sign = plain_signs(text)
     if sign in {"+", "-"}:
         return Direction(sign)
     faults.add("direction is neither + nor -", place=_place(line, "direction"), expected="+ or -", found=shown(text))

@@ -6,7 +6,7 @@ Codes of this room:
 - ``CW-R002`` info: the file does not name its axis
 - ``CW-R003`` info: measured values were turned into deviations
 - ``CW-R004`` info: the instrument already compensated for something
-- ``CW-R005`` info: columns that are not part of the form were left out
+- ``CW-R005`` warning: columns that are not part of the form were left out
 - ``CW-R006`` warning: readings are missing
 - ``CW-R007`` info: the directions have different numbers of traverses
 - ``CW-R008`` warning: a deviation larger than 1 mm or 1 deg
@@ -17,6 +17,8 @@ Codes of this room:
 - ``CW-R013`` warning: the key ``deviation`` has no effect on measured values
 - ``CW-R014`` warning: forward targets listed from high to low
 - ``CW-R015`` warning: a point that may mark thousands was read as a decimal point
+- ``CW-R050`` warning: targets approached in one direction only were left out
+- ``CW-R051`` warning: the file may have been cut off inside its last number
 """
 
 from __future__ import annotations
@@ -43,6 +45,7 @@ def findings_of(grid: Grid, kind: AxisKind) -> tuple[Finding, ...]:
         finding
         for finding in (
             _missing(grid, kind),
+            _one_sided(grid),
             _unequal_traverses(grid),
             _as_measured(grid, kind) or _too_large(grid, kind),
             _too_small(grid, kind),
@@ -67,6 +70,16 @@ def _missing(grid: Grid, kind: AxisKind) -> Finding | None:
         return None
     total = _all_deviations(grid).size
     return Finding("CW-R006", "warning", f"{len(gaps)} of {total} readings are missing: {_list(gaps)}.")
+
+
+def _one_sided(grid: Grid) -> Finding | None:
+    if not grid.one_sided:
+        return None
+    return Finding(
+        "CW-R050",
+        "warning",
+        f"Left out, because a test in two directions approached them in one only: target {_list(list(grid.one_sided))}.",
+    )
 
 
 def _list(items: list[str]) -> str:

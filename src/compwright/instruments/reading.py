@@ -11,12 +11,12 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import source_of
 from compwright.instruments.assembling import Reading, grid_of
 from compwright.instruments.comments import Comments, cycle_of, read_comments
-from compwright.instruments.csv_table import DELIMITERS, header_names, is_number, read_table, split_lines
+from compwright.instruments.csv_table import DELIMITERS, INCHES, header_names, in_inches, is_number, read_table, split_lines
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.plain_csv import CsvReadings, read_csv
 from compwright.instruments.plausibility import findings_of
 from compwright.instruments.target_data import TargetData, is_target_data, read_target_data
-from compwright.instruments.text_input import read_lines
+from compwright.instruments.text_input import read_lines, unfinished_number
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.positioning import PositioningTest
 
@@ -51,7 +51,8 @@ def read_positioning(content: bytes, file: str) -> PositioningTest:
     name is an empty text with a finding. Raises InputError with every fault that could be found at once.
     """
     faults = FaultList(file)
-    comment_lines, lines = split_lines(read_lines(content, file))
+    text = read_lines(content, file)
+    comment_lines, lines = split_lines(text)
     if is_target_data(lines):
         comments = read_comments(comment_lines, faults, any_key=False)
         parsed = _from_target_data(read_target_data(lines, faults), comments)
@@ -75,7 +76,12 @@ def read_positioning(content: bytes, file: str) -> PositioningTest:
         frame="instrument",
         sources=(source_of(file, content),),
         header=parsed.header,
-        findings=(*_about_header(comments, assumed), *parsed.findings, *findings_of(grid, parsed.kind)),
+        findings=(
+            *_about_header(comments, assumed),
+            *parsed.findings,
+            *findings_of(grid, parsed.kind),
+            *_finding_list(unfinished_finding(text)),
+        ),
     )
 
 
@@ -92,7 +98,24 @@ def assumed_finding(assumed: Sequence[str]) -> Finding | None:
 
 def left_out_finding(columns: Sequence[str]) -> Finding | None:
     """Return the finding that names columns without a part in the form, None when there are none."""
-    return Finding("CW-R005", "info", f"Columns that were left out: {', '.join(columns)}.") if columns else None
+    return Finding("CW-R005", "warning", f"Columns that were left out: {', '.join(columns)}.") if columns else None
+
+
+def unfinished_finding(lines: Sequence[str]) -> Finding | None:
+    """Return the finding about a file that may have been cut off inside its last number, None where it was not."""
+    number = unfinished_number(lines)
+    if not number:
+        return None
+    return Finding(
+        "CW-R051",
+        "warning",
+        f"The file ends without a line end after {shown(number)} (line {len(lines)}): if it was cut off while it was"
+        " copied, digits are missing there, or readings after it.",
+    )
+
+
+def _finding_list(finding: Finding | None) -> list[Finding]:
+    return [] if finding is None else [finding]
 
 
 def doubtful_finding(number: str) -> Finding | None:
@@ -210,6 +233,16 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
         what = "a laser file of the Renishaw form (HEADER::), which is not read yet: export its readings as plain CSV"
     elif names == ["point", "position", "value", "unit"]:
         what = "a typed-entry sheet of a compensation table"
+    elif in_inches(names):
+        return InputError(
+            Fault(
+                message="is in inches, which are not read",
+                file=file,
+                place=f"line {number}",
+                expected=INCHES,
+                found=shown(in_inches(names)),
+            )
+        )
     elif start.startswith(("{", "[")):
         what = "JSON, or sections in brackets"
     elif all(name in {"", "+", "-"} or is_number(name) for name in names):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import codecs
 import re
+from collections.abc import Sequence
 
 from compwright.foundations.errors import Fault, InputError
 
@@ -18,7 +19,13 @@ _SIGNATURES = (
 _LINE_END = re.compile(r"\r\n|\r|\n")
 #: Control characters that no text export holds; tab, line feed and carriage return are text.
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
+#: A number with its decimals, if it has a decimal mark.
+_LAST_NUMBER = re.compile(r"[+-]?[0-9]*(?:[.,](?P<decimals>[0-9]*))?(?:[eE][+-]?[0-9]*)?")
 _WANTED = "a text file in UTF-8, or in UTF-16 with byte order mark"
+_SAVE_AGAIN = (
+    "UTF-8: save the file again with that encoding (editor: save as, encoding UTF-8; spreadsheet: CSV UTF-8), or write u for µ and"
+    " deg for °"
+)
 
 
 def read_lines(content: bytes, file: str) -> list[str]:
@@ -47,6 +54,32 @@ def read_lines(content: bytes, file: str) -> list[str]:
     return _LINE_END.split(text.lstrip("\ufeff"))
 
 
+def unfinished_number(lines: Sequence[str]) -> str:
+    """Return the number at the end of a file that has no last line end and may lack digits, empty where nothing is in doubt.
+
+    A number is whole where all others at the end of a line like it carry the same count of decimals, one at least.
+    """
+    last = _LAST_NUMBER.fullmatch(_last_cell(lines[-1]))
+    if last is None or not last.group():
+        return ""
+    kind = _kind(lines[-1])
+    rows = [line for line in lines[:-1] if line.strip() and not line.lstrip(' "').startswith("#")][0 if kind else 1 :]
+    others = [_LAST_NUMBER.fullmatch(_last_cell(line)) for line in rows if _kind(line) == kind]
+    decimals = {None if other is None else len(other["decimals"] or "") for other in others}
+    whole = decimals == {len(last["decimals"] or "")} and decimals != {0}
+    return "" if whole else last.group()
+
+
+def _last_cell(line: str) -> str:
+    delimiter = next((mark for mark in "=;\t" if mark in line), ",")
+    return line.rpartition(delimiter)[2].strip('" ')
+
+
+def _kind(line: str) -> str:
+    """Return what a line of ``KEY[index]=value`` is about, empty for a row of a table."""
+    return line.partition("[")[0].strip() if "=" in line else ""
+
+
 def _decode(content: bytes, file: str) -> str:
     utf16 = content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
     try:
@@ -57,15 +90,25 @@ def _decode(content: bytes, file: str) -> str:
         else:
             readable = content[: error.start].decode("utf-8-sig", errors="replace")
             place, found = f"line {_line_number(readable)}", f"byte 0x{content[error.start]:02X}"
+        binary = b"\x00" in content and not utf16
         raise InputError(
             Fault(
-                message="is a binary file" if b"\x00" in content and not utf16 else "is not text in a known encoding",
+                message="is a binary file" if binary else "is not text in a known encoding",
                 file=file,
                 place=place,
-                expected=_WANTED,
-                found=found,
+                expected=_WANTED if binary or utf16 else _SAVE_AGAIN,
+                found=found if binary or utf16 else f"{found}{_as_windows(content[error.start : error.start + 1])}",
             )
         ) from error
+
+
+def _as_windows(byte: bytes) -> str:
+    """Return what a byte is in the code page of western Windows, for it is mostly that."""
+    try:
+        character = byte.decode("cp1252")
+    except UnicodeDecodeError:
+        return ""
+    return f", which is '{character}' in Windows-1252" if character.isprintable() else ""
 
 
 def _line_number(before: str) -> int:

@@ -1,0 +1,145 @@
+"""No reading is lost in silence: header cells as spreadsheets write them, one-sided targets, files cut off inside a number."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from compwright.foundations.errors import InputError
+from compwright.instruments.reading import read_positioning
+from compwright.records.positioning import PositioningTest
+
+#: Three traverses each way at two targets; a reading says which traverse it is: 1.3 is run 3 in +, -2.3 run 3 in -.
+ROWS = "0.5,1.1,-1.1,1.2,-1.2,1.3,-1.3\n100.5,2.1,-2.1,2.2,-2.2,2.3,-2.3\n"
+
+
+def read(text: str) -> PositioningTest:
+    return read_positioning(text.encode(), "x.csv")
+
+
+def wide(column: str, place: int = 5) -> PositioningTest:
+    """Read the wide file in which one column (counted from 1; 5 is +3, 6 is -3) has another name."""
+    names = ["+1", "-1", "+2", "-2", "+3", "-3"]
+    names[place - 1] = column
+    return read(f"# unit: um\ntarget_mm,{','.join(names)}\n{ROWS}")
+
+
+def refusal(text: str) -> str:
+    with pytest.raises(InputError) as caught:
+        read(text)
+    return str(caught.value)
+
+
+def messages(test: PositioningTest) -> dict[str, tuple[str, str]]:
+    return {finding.code: (finding.severity, finding.message) for finding in test.findings}
+
+
+@pytest.mark.parametrize("column", ["+ 3", "3+", "3 +", "+3.0", '"+3,0"', "run 3 +", "+ run 3", "run +3", "+03", "\uff0b3"])
+def test_a_traverse_in_positive_direction_is_known_however_it_is_written(column: str) -> None:
+    test = wide(column)
+    assert test.runs_positive == test.runs_negative == (1, 2, 3)
+    assert test.positive[:, 2].tolist() == pytest.approx([0.0013, 0.0023])
+    assert "CW-R005" not in messages(test)
+
+
+@pytest.mark.parametrize("column", ["- 3", "3-", "-3.0", "run 3 -", "\u22123", "\u2013 3", "\u20103", "3\u2013", "\uff0d3"])
+def test_a_traverse_in_negative_direction_is_known_however_it_is_written(column: str) -> None:
+    test = wide(column, 6)
+    assert test.runs_positive == test.runs_negative == (1, 2, 3)
+    assert test.negative[:, 2].tolist() == pytest.approx([-0.0013, -0.0023])
+
+
+@pytest.mark.parametrize("column", ["+3 up", "up 3", "3 forward", "+3.5", "±3", "+3-", "+-3", "3↑", "run 3", "+0"])
+def test_what_may_be_a_traverse_is_refused_with_its_line(column: str) -> None:
+    text = f"# unit: um\ntarget_mm,+1,-1,+2,-2,{column},-3\n{ROWS}"
+    assert "x.csv: line 2: traverse columns are not named by direction and run; expected +1, -1" in refusal(text)
+    assert f"found {column}" in refusal(text)
+
+
+def test_one_traverse_in_two_columns() -> None:
+    text = f"# unit: um\ntarget_mm,+1,-1,+2,-2,+ 2,-3\n{ROWS}"
+    assert "x.csv: line 2: a traverse is given twice; expected one column per traverse, found '+2' and '+ 2'" in refusal(text)
+
+
+def test_columns_that_are_no_traverse_are_a_warning() -> None:
+    text = "# unit: um\ntarget_mm,+1,-1,temperature,mean +,sensor-2\n0.5,1,2,20.1,1,7\n"
+    assert messages(read(text))["CW-R005"] == ("warning", "Columns that were left out: temperature, mean +, sensor-2.")
+
+
+def test_direction_with_the_dash_of_a_word_processor() -> None:
+    test = read("target_mm,direction,run,deviation_um\n0.5,+,1,1\n0.5,\u2013,1,2\n0.5,\u2212,2,3\n")
+    assert test.negative.tolist() == [[0.002, 0.003]]
+
+
+LONG = "target_mm,direction,run,deviation_um\n"
+
+
+def long(targets: int, *left_out: str) -> str:
+    rows = [f"{100 * i},{sign},1,{i}.5" for i in range(targets) for sign in "+-"]
+    return LONG + "".join(f"{row}\n" for row in rows if not row.startswith(left_out or "no"))
+
+
+def test_a_target_that_lacks_one_direction_is_left_out_with_a_warning() -> None:
+    test = read(long(5, "300,-"))
+    assert test.targets.tolist() == [0, 100, 200, 400]
+    assert np.isfinite(test.positive).all()
+    severity, message = messages(test)["CW-R050"]
+    assert severity == "warning"
+    assert message.endswith("approached them in one only: target 300 mm in direction + only (line 8).")
+
+
+def test_many_targets_that_lack_one_direction_are_refused() -> None:
+    assert refusal(long(5, "300,-", "400,+")).count("was approached in one direction only") == 2
+
+
+def test_a_typing_error_in_a_target_is_refused() -> None:
+    text = long(6).replace("300,-", "301,-")
+    assert "the targets of the two directions differ; expected 300 mm as in direction +" in refusal(text)
+
+
+@pytest.mark.parametrize(
+    ("rows", "number"),
+    [
+        ("0,+,1,1\n0,-,1,12", "12"),
+        ("0,+,1,1.25\n0,-,1,-12.2", "-12.2"),
+        ("0,+,1,1.25\n0,-,1,-12.", "-12."),
+        ("0,+,1,1.25\r\n0,-,1,-12.255", "-12.255"),
+    ],
+)
+def test_a_file_that_may_be_cut_off_inside_a_number(rows: str, number: str) -> None:
+    severity, message = messages(read(LONG + rows))["CW-R051"]
+    assert severity == "warning"
+    assert message.startswith(f"The file ends without a line end after '{number}' (line 3)")
+    assert "CW-R051" not in messages(read(f"{LONG}{rows}\n"))
+
+
+def test_a_last_number_as_long_as_the_others_is_whole() -> None:
+    assert "CW-R051" not in messages(read(LONG + "0,+,1,1.25\n0,-,1,-12.20"))
+    data = "TGT_DATA[1]=0.0\nREF_DATA_FWD[1,1]=0.01\nREF_DATA_BWD[1,1]=0.02"
+    assert "CW-R051" in messages(read(data))  # nothing else is printed like the last one
+    assert "CW-R051" not in messages(read(data + "\n"))
+
+
+@pytest.mark.parametrize(
+    ("text", "column"),
+    [
+        ("target_in,direction,run,deviation_um\n1,+,1,1\n", "target_in"),
+        ("target_inch,direction,run,deviation_thou\n1,+,1,1\n", "target_inch"),
+        ("target_mm,direction,run,deviation_mil\n1,+,1,1\n", "deviation_mil"),
+        ("target (in),+1,-1\n1,1,1\n", "target (in)"),
+    ],
+)
+def test_inches_are_answered_with_what_to_do(text: str, column: str) -> None:
+    said = refusal(text)
+    assert "is in inches, which are not read; expected target_mm and deviation_um: multiply targets in inches by 25.4" in said
+    assert f"found '{column}'" in said
+
+
+def test_the_code_page_of_windows_is_answered_with_what_to_do() -> None:
+    text = "# operator: Müller\n" + long(5)
+    with pytest.raises(InputError) as caught:
+        read_positioning(text.encode("cp1252"), "x.csv")
+    assert str(caught.value) == (
+        "x.csv: line 1: is not text in a known encoding; expected UTF-8: save the file again with that encoding (editor: save as,"
+        " encoding UTF-8; spreadsheet: CSV UTF-8), or write u for µ and deg for °, found byte 0xFC, which is 'ü' in Windows-1252"
+    )
