@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from compwright.documents.prediction import cross_outside, table_outside
+from compwright.documents.prediction import cross_outside, findings_outside, table_outside
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import AxisKind, FloatArray
@@ -49,8 +49,7 @@ def assumed_documents(assumed: Iterable[Assumption]) -> list[dict[str, str]]:
 
 def finding_documents(findings: Iterable[Finding]) -> list[dict[str, str]]:
     """Return findings, each once, in their order."""
-    unique = dict.fromkeys(findings)
-    return [{"code": entry.code, "severity": entry.severity, "message": entry.message} for entry in unique]
+    return findings_outside(dict.fromkeys(findings))
 
 
 def _axis(axis: DecodedAxis) -> dict[str, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, outside_factor, outside_unit
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.circular import CircularResult
@@ -20,15 +21,25 @@ def prediction_document(
     axes: Mapping[str, AxisPrediction],
     cross: Iterable[CrossCompensation] = (),
     circles: Mapping[str, CirclePrediction] | None = None,
+    doubts: Iterable[Finding] = (),
 ) -> dict[str, Any]:
-    """Return the prediction of a run; ``cross`` holds what one axis' position adds to another, by the names of the job."""
+    """Return the prediction of a run; ``cross`` holds what one axis' position adds to another, by the names of the job.
+
+    ``doubts``: what has to be settled before the tables are loaded.
+    """
     return {
         "schema": SCHEMA,
         "format": format_id,
+        "doubts": findings_outside(doubts),
         "axes": {name: _axis(axis) for name, axis in axes.items()},
         "cross": [cross_outside(entry) for entry in cross],
         "circles": {name: circle_outside(circle) for name, circle in (circles or {}).items()},
     }
+
+
+def findings_outside(findings: Iterable[Finding]) -> list[dict[str, str]]:
+    """Return findings as every document holds them."""
+    return [{"code": finding.code, "severity": finding.severity, "message": finding.message} for finding in findings]
 
 
 def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
@@ -131,5 +142,5 @@ def _axis(axis: AxisPrediction) -> dict[str, Any]:
             name: {"limit": entry.limit, "decision": entry.decision, **({"test": entry.test} if entry.test is not None else {})}
             for name, entry in axis.accept.items()
         },
-        "findings": [{"code": finding.code, "severity": finding.severity, "message": finding.message} for finding in axis.findings],
+        "findings": findings_outside(axis.findings),
     }

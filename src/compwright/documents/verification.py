@@ -8,7 +8,7 @@ from typing import Any, Literal
 
 from compwright.documents.decode import finding_documents
 from compwright.documents.prediction import circle_quantiles, circle_values, parameters_outside, quantiles_outside
-from compwright.foundations.findings import Finding
+from compwright.foundations.findings import Finding, doubts_of
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularResult
@@ -74,6 +74,7 @@ def verification_document(
     return {
         "schema": SCHEMA,
         "format": format_id,
+        "doubts": finding_documents(doubts_of(finding for axis in axes.values() for finding in axis.after.findings)),
         "axes": {name: _axis(axis) for name, axis in axes.items()},
         "circles": {name: _circle(circle) for name, circle in (circles or {}).items()},
         "verdict": verdict,

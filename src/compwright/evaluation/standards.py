@@ -15,6 +15,7 @@ from typing import Final, Literal
 import numpy as np
 
 from compwright.evaluation.checks import plan_findings
+from compwright.evaluation.plausibility import plausibility_findings
 from compwright.evaluation.readings import position_text, reading_findings, sign_text, text_of
 from compwright.evaluation.statistics import (
     ISO_NAMES,
@@ -143,7 +144,7 @@ def evaluate(
     }
     given = {name: None if name in reasons else float(value) for name, value in values.items()}
     findings = [*test.findings, *_target_findings(test, columns, chosen, measured)]
-    findings += plan_findings(test, chosen.id, travel, periods)
+    findings += [*plausibility_findings(test), *plan_findings(test, chosen.id, travel, periods)]
 
     def compare(other: PositioningTest) -> str:
         return _comparison(test, given, other, chosen, spread)

@@ -7,10 +7,22 @@ each is ``docs/findings.md``; a test compares it with the codes in the source.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Literal
+from typing import Final, Literal
 
 Severity = Literal["info", "warning", "error"]
+
+#: Findings that put the whole result in doubt. Terminal, report and card show them before everything else (`doubts_of`), because
+#: whoever loads the table or signs the verdict has to settle them first.
+DOUBTS: Final = frozenset(
+    {
+        *("CW-R008", "CW-R009", "CW-R010", "CW-R011", "CW-T011"),
+        *("CW-T030", "CW-T031", "CW-T032", "CW-T033", "CW-T034"),
+    }
+)
+#: How the doubts are headed, the same at the terminal, in reports and on the card.
+DOUBTS_FIRST: Final = "Settle first: the result rests on it"
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,3 +32,9 @@ class Finding:
     code: str
     severity: Severity
     message: str
+
+
+def doubts_of(findings: Iterable[Finding]) -> tuple[Finding, ...]:
+    """Return those of ``findings`` that have to be settled before the result is used, each once, the errors first."""
+    told = dict.fromkeys(finding for finding in findings if finding.code in DOUBTS)
+    return tuple(sorted(told, key=lambda finding: finding.severity != "error"))

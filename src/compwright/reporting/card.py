@@ -16,7 +16,7 @@ from typing import Any
 
 from compwright.reporting.numbers import MISSING, decimals_of, number, plain, position_unit, unit_text
 from compwright.reporting.page import render_page
-from compwright.reporting.sections import Document, assumed, evidence_mark, pairs
+from compwright.reporting.sections import Document, assumed, doubts, evidence_mark, pairs
 
 _BOX = "[ ]"
 #: More changes than these are read in changes.csv, not on the card.
@@ -32,6 +32,8 @@ def card_markdown(card: Document) -> str:
     """Return the card as Markdown with boxes to tick; it reads well as plain text too. Needs no extra."""
     content = _content(card)
     lines = [f"# {_escape(content['title'])}", "", *_machine(content), ""]
+    doubts = content["doubts"]
+    lines += _bullets(f"## {doubts['heading']}", [item["message"] for item in doubts["items"]]) if doubts else []
     lines += _bullets("## Not confirmed: look before the axis moves fast", content["unconfirmed"])
     lines += _steps(content["steps"])
     for axis in content["axes"]:
@@ -70,6 +72,7 @@ def _content(card: Document) -> dict[str, Any]:
             "id": plain((card.get("format") or {}).get("id", "")),
             "title": plain((card.get("format") or {}).get("title", "")),
         },
+        "doubts": doubts(card.get("doubts")),
         "unconfirmed": [plain(text) for text in card.get("unconfirmed") or []],
         "steps": [_step(step) for step in card.get("steps") or []],
         "axes": [_axis_content(axis) for axis in card.get("axes") or []],

@@ -37,6 +37,7 @@ def run_report(view: Document) -> bytes:
         "run.html",
         {
             **_common(view, [("", view.get("evaluation"))]),
+            "doubts": sections.doubts(prediction.get("doubts")),
             "done": _what_was_done(view, axes),
             "verdict": _run_verdict(view, axes, predicted),
             "axes": blocks,
@@ -73,6 +74,7 @@ def verify_report(view: Document) -> bytes:
         "verify.html",
         {
             **_common(view, list(zip(("before", "after"), evaluations, strict=True))),
+            "doubts": sections.doubts(verification.get("doubts")),
             "verdict": {"tone": tone, "text": text, "rows": rows},
             "axes": blocks,
             "circles": circle_blocks(verification.get("circles") or {}, *evaluations),
@@ -147,6 +149,8 @@ def _run_verdict(view: Document, axes: Document, predicted: Document) -> dict[st
         tone, text = "bad", "At least one limit is predicted to be missed"
     elif "undecided" in decisions:
         tone, text = "open", "At least one limit may or may not be met"
+    elif decisions and (view.get("prediction") or {}).get("doubts"):
+        tone, text = "open", "All limits are predicted to be met, if what is to be settled first turns out well"
     elif decisions:
         tone, text = "good", "All limits are predicted to be met"
     else:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Final
 
+from compwright.foundations.findings import DOUBTS_FIRST
 from compwright.reporting.numbers import (
     MISSING,
     PARAMETERS,
@@ -77,6 +78,12 @@ def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
         code, message = plain(item.get("code")), plain(item.get("message"))
         seen.setdefault((code, message), {"code": code, "message": message, "mark": mark, "rank": rank})
     return sorted(seen.values(), key=lambda entry: int(entry["rank"]))
+
+
+def doubts(items: Iterable[Document] | None) -> dict[str, Any] | None:
+    """Return what has to be settled before anything else with its heading; None where there is nothing."""
+    told = findings(items)
+    return {"heading": DOUBTS_FIRST, "items": told} if told else None
 
 
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:

@@ -13,6 +13,7 @@ from rich.rule import Rule
 from rich.table import Table
 from rich.text import Text
 
+from compwright.foundations.findings import DOUBTS_FIRST
 from compwright.reporting.numbers import MISSING, number, plain, symbol, unit_text
 
 _STYLES: Final = {
@@ -30,6 +31,13 @@ _STYLES: Final = {
 _MOST_ROWS: Final = 60
 #: A limit that costs less (µm, arcsec) than the last digit shown is not worth a line; the JSON has it.
 _LEAST_SHOWN: Final = 0.005
+
+
+def doubt_lines(doubts: Sequence[Mapping[str, str]]) -> list[RenderableType]:
+    """Return what has to be settled before anything else, under a heading of its own; nothing where there is none."""
+    if not doubts:
+        return []
+    return [Rule(Text(DOUBTS_FIRST, style="bold yellow"), align="left", characters="━"), *finding_lines(doubts), Text()]
 
 
 def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:

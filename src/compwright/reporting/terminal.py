@@ -15,6 +15,8 @@ from rich.rule import Rule
 from rich.table import Table
 from rich.text import Text
 
+from compwright.foundations.findings import DOUBTS
+
 _UNITS: Final = {"um": "µm", "arcsec": "arcsec"}
 _MISSING: Final = "–"
 _STANDARDS: Final = {
@@ -80,11 +82,12 @@ def number(value: float | None, digits: int = 2, *, signed: bool = False) -> str
 
 
 def _result(result: Mapping[str, Any], findings: Sequence[Mapping[str, str]], *, targets: bool) -> RenderableType:
-    parts: list[RenderableType] = [Rule(Text(_title(result), style="bold"), align="left", characters="─"), *_facts(result)]
-    parts += [Text(), _parameters(result), *_not_applicable(result)]
+    doubts = [finding for finding in findings if finding["code"] in DOUBTS]
+    parts: list[RenderableType] = [Rule(Text(_title(result), style="bold"), align="left", characters="─"), *_findings(doubts)]
+    parts += [*([Text()] if doubts else []), *_facts(result), Text(), _parameters(result), *_not_applicable(result)]
     if targets:
         parts += [Text(), _target_table(result)]
-    parts += _findings(findings)
+    parts += _findings([finding for finding in findings if finding not in doubts])
     parts.append(Text())
     return Group(*parts)
 

@@ -31,19 +31,27 @@ def run_summary(outcome: Any) -> list[Any]:
     """Return what ``run`` says: assumptions first, then each axis, then the files."""
     from compwright.reporting import summaries
 
-    told = {(finding["code"], finding["message"]) for axis in outcome.prediction["axes"].values() for finding in axis["findings"]}
+    doubts = outcome.prediction["doubts"]
+    listed = [*doubts, *(finding for axis in outcome.prediction["axes"].values() for finding in axis["findings"])]
+    told = {(finding["code"], finding["message"]) for finding in listed}
     tests = [
-        {**finding, "message": f"test {result['name']}: {finding['message']}"}
+        {**finding, "message": f"{_words(result)}: {finding['message']}"}
         for result in outcome.evaluation["results"]
         for finding in result["findings"]
     ]
     rest = [finding for finding in (*outcome.findings, *tests) if (finding["code"], finding["message"]) not in told]
     return [
+        *summaries.doubt_lines(doubts),
         *summaries.assumed_table(outcome.assumed),
         *summaries.prediction_tables(outcome.prediction),
         *summaries.finding_lines(rest),
         *summaries.file_lines("Written", [str(path) for path in outcome.files]),
     ]
+
+
+def _words(result: Mapping[str, Any]) -> str:
+    """Return how a result of an evaluation is called."""
+    return f"Axis {result['axis']}, test {result['name']}" if result["kind"] == "positioning" else f"Circle {result['name']}"
 
 
 def decode_summary(document: Mapping[str, Any]) -> list[Any]:
@@ -65,6 +73,7 @@ def verify_summary(outcome: Any) -> list[Any]:
     from compwright.reporting import summaries
 
     return [
+        *summaries.doubt_lines(outcome.document["doubts"]),
         *summaries.verification_tables(outcome.document),
         *summaries.file_lines("Written", [str(path) for path in outcome.files]),
     ]

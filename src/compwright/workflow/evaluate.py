@@ -54,6 +54,7 @@ def evaluate_files(paths: Sequence[Path], standards: Sequence[str] = (), spread:
                 results.append(_evaluated_circle(test, circular))
         except InputError as error:
             faults.extend(fault.in_file(test.sources[0].file) for fault in error.faults)
+    results = _with_repeats(results)
     document = {**evaluation_document((), faults), "results": [_entry(result) for result in results]}
     return EvaluationRun(document=document, results=tuple(results), exit_code=InputError.exit_code if faults else 0)
 
@@ -170,6 +171,17 @@ def _read(content: bytes, file: str) -> PositioningTest | CircularTest:
         if test is None:
             raise
         return test
+
+
+def _with_repeats(results: list[PositioningResult | CircularResult]) -> list[PositioningResult | CircularResult]:
+    """Return the results, positioning tests that repeat another one's measurement with a finding."""
+    places = [index for index, result in enumerate(results) if isinstance(result, PositioningResult)]
+    if len(places) < 2:
+        return results
+    from compwright.evaluation.repeats import with_repeats
+
+    found = dict(zip(places, with_repeats([cast("PositioningResult", results[index]) for index in places]), strict=True))
+    return [found.get(index, result) for index, result in enumerate(results)]
 
 
 def _evaluated_circle(test: CircularTest, standard: str) -> CircularResult:

@@ -12,10 +12,11 @@ from compwright.documents.decode import assumed_documents, finding_documents
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import listed_files, plan_document
 from compwright.documents.prediction import prediction_document
+from compwright.evaluation.repeats import Named
 from compwright.formats.second_forms import second_forms
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.foundations.findings import Finding
+from compwright.foundations.findings import Finding, doubts_of
 from compwright.foundations.provenance import fingerprint
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularTest
@@ -32,6 +33,7 @@ from compwright.workflow.control import Control, DecodedState, decode, named_axe
 from compwright.workflow.cross import plan_cross
 from compwright.workflow.cross_tables import CrossOutcome, write_planned
 from compwright.workflow.inputs import JobInputs, read_job_inputs
+from compwright.workflow.plausible import given_twice, impossible_tests, named_tests
 from compwright.workflow.view import evaluations, run_view
 from compwright.workflow.work import AS_FOUND, AxisWork, correction_of, export, fit_all, predict_axis, start_axis, write_fitted
 
@@ -99,7 +101,9 @@ def run_job(
     finished = _work_through(job, folder, accept_worse=accept_worse)
     tests = [result for work in finished.works.values() for result in work.results]
     evaluation = evaluations(tests, [work.result for work in finished.circles])
-    prediction = prediction_document(job.format, finished.predictions, finished.cross.totals, finished.circle_predictions)
+    prediction = prediction_document(
+        job.format, finished.predictions, finished.cross.totals, finished.circle_predictions, _doubts(finished)
+    )
     files, notes = _files(finished, evaluation, prediction)
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
     sets = [f"{name}/{job.format}" for name in ("tables", "rollback")]
@@ -196,6 +200,8 @@ def _inputs(job: Job, control: Control, folder: Path) -> tuple[JobInputs, tuple[
     except InputError as error:
         raise InputError(*error.faults, *faults) from error
     raise_all(InputError, list(faults))
+    circles = [Named(f"circle {test.name}", test.sources) for test in tests]
+    raise_all(InputError, [*impossible_tests(job, inputs.tests), *given_twice([*named_tests(inputs.tests), *circles])])
     return inputs, tests
 
 
@@ -234,7 +240,7 @@ def _files(
         files |= {f"rollback/{format_id}/{file.name}": file.content for file in as_found}
     if finished.tables or finished.cross.steps:
         card = card_document(finished.job, finished.control, finished.works, finished.loaded, finished.inputs, finished.assumed)
-        card = {**card, "steps": [*card["steps"], *finished.cross.steps]}
+        card = {**card, "steps": [*card["steps"], *finished.cross.steps], "doubts": prediction["doubts"]}
         from compwright.reporting.card import card_markdown
 
         files["card/card.md"] = card_markdown(dict(card)).encode()
@@ -312,6 +318,17 @@ def _findings(finished: _Finished) -> tuple[Finding, ...]:
     state = [finding for decoded in finished.inputs.states.values() for finding in decoded.state.findings]
     works = (finding for work in finished.works.values() for finding in work.findings)
     return (*finished.job.findings, *state, *works, *finished.findings)
+
+
+def _doubts(finished: _Finished) -> tuple[Finding, ...]:
+    """Return what has to be settled before the table is loaded; findings of tests say which test they are of."""
+    tests = [
+        replace(finding, message=f"Axis {name}, test {result.test.name}: {finding.message}")
+        for name, work in finished.works.items()
+        for result in work.results
+        for finding in result.findings
+    ]
+    return doubts_of([*_findings(finished), *tests])
 
 
 def _exit_code(finished: _Finished) -> int:

@@ -1,0 +1,225 @@
+"""Can these readings be what they say they are? Units, copies and directions that a single test gives away by itself.
+
+What is certain is said by `certain_fault` (a caller refuses the test), what is possible by `plausibility_findings` (doubts, shown
+first). Reasons for each number stand at its constant; lengths in mm, angles in deg.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from compwright.evaluation.readings import position_text, sign_text, text_of
+from compwright.evaluation.statistics import count_readings, mean_deviation, standard_deviation
+from compwright.foundations.findings import Finding
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.positioning import PositioningTest
+
+#: Readings that all lie within this per metre (and within a tenth of it on short axes) are no machine in air: 0.01 K changes
+#: a metre of steel by 0.115 µm and of light path by 0.01 µm, and no control positions to better than its own increment. mm per mm.
+_NO_MACHINE: Final = 1e-7
+_SHORTEST: Final = 100.0
+#: The same for rotary axes, deg: 0.01 arcsec, the resolution of the best autocollimators.
+_NO_TABLE: Final = 0.01 / 3600.0
+#: Repeated readings that scatter by less than this (and do scatter) lie below the resolution of any instrument for machine tools
+#: (1 nm) and far below the turbulence of the air in any beam: 2 nm, 0.0005 arcsec. Taken as certain only where the readings
+#: altogether lie within `_NARROW`: a scale error of 20 µm with hardly any noise is a simulation, not a slip of the unit.
+_NO_SCATTER: Final = {AxisKind.LINEAR: 2e-6, AxisKind.ROTARY: 0.0005 / 3600.0}
+_NARROW: Final = {AxisKind.LINEAR: 2e-3, AxisKind.ROTARY: 0.2 / 3600.0}
+#: Readings within this are better than practically every machine tool: possible, to be asked about. 0.5 µm, 0.1 arcsec.
+_RARE: Final = {AxisKind.LINEAR: 5e-4, AxisKind.ROTARY: 0.1 / 3600.0}
+#: Scatter below this is rounding of binary numbers, not a measurement: 1 pm, 1e-9 deg.
+_ROUNDING: Final = 1e-9
+#: Lost motion gives a negative mean reversal. A positive one needs a backlash value that is too large (a few µm are common), or the
+#: directions or the sign are turned: 3 µm, 3 arcsec, and four standard errors.
+_TURNED: Final = {AxisKind.LINEAR: 3e-3, AxisKind.ROTARY: 3.0 / 3600.0}
+_SURE: Final = 4.0
+_INCH: Final = 25.4
+#: Targets in inches with four decimals are whole millimetres to within this, mm.
+_WHOLE: Final = 2e-3
+_DIRECTIONS: Final = (Direction.POSITIVE, Direction.NEGATIVE)
+
+
+def pooled_scatter(test: PositioningTest) -> tuple[float, float]:
+    """Return the pooled standard deviation of a reading about its target's mean (mm or deg) and its degrees of freedom."""
+    squares, dof = 0.0, 0.0
+    for direction in _DIRECTIONS:
+        block = test.deviations(direction)
+        s = standard_deviation(block)
+        known = np.isfinite(s)
+        degrees = np.where(known, count_readings(block) - 1.0, 0.0)
+        squares += float(np.sum(degrees * np.where(known, s, 0.0) ** 2))
+        dof += float(degrees.sum())
+    return (float(np.sqrt(squares / dof)) if dof else 0.0), dof
+
+
+def spread_of(test: PositioningTest) -> float:
+    """Return the largest less the smallest reading of a test, mm or deg."""
+    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
+    made = values[np.isfinite(values)]
+    return float(np.ptp(made)) if made.size else 0.0
+
+
+def certain_fault(test: PositioningTest) -> str:
+    """Return why these readings cannot be deviations of a machine in the unit stated; empty where they can.
+
+    Certain are: every reading the same (nothing was measured); all readings within 0.1 µm per metre (0.01 arcsec); repeated
+    readings that scatter by less than 2 nm (0.0005 arcsec) while all lie within 2 µm (0.2 arcsec), the mark of mm read as µm or
+    deg read as arcsec; and deviations that grow one to one with the targets, which are measured positions. An excellent machine
+    shows none of them: its repeated readings scatter at least by the air in the beam.
+    """
+    noticed = {finding.code for finding in test.findings}
+    if "CW-R011" in noticed:
+        unit = test.kind.unit
+        return f"the deviations grow by 1 {unit} per {unit} of target: these are measured positions, not deviations"
+    if "CW-R009" in noticed:
+        return f"all deviations are smaller than 0.000001 {test.kind.unit}: nothing was measured, or the unit is another one"
+    spread = spread_of(test)
+    count = int(np.isfinite(test.positive).sum() + np.isfinite(test.negative).sum())
+    if count < 3:
+        return ""
+    if spread <= _ROUNDING:
+        return f"all {count} readings are the same: nothing was measured"
+    length = float(test.targets[-1] - test.targets[0])
+    least = _NO_TABLE if test.kind is AxisKind.ROTARY else _NO_MACHINE * max(length, _SHORTEST)
+    if spread < least:
+        return f"all readings lie within {text_of(spread, test)}, which no machine can do: {_smaller(test)}"
+    s, dof = pooled_scatter(test)
+    if dof >= 8.0 and _ROUNDING < s < _NO_SCATTER[test.kind] and spread < _NARROW[test.kind]:
+        nano = f"{s * 1e6:.2g} nm" if test.kind is AxisKind.LINEAR else text_of(s, test)
+        return (
+            f"repeated readings scatter by {nano} and all lie within {text_of(spread, test)}, below what any instrument can "
+            f"resolve: {_smaller(test)}"
+        )
+    return ""
+
+
+def _smaller(test: PositioningTest) -> str:
+    return (
+        "the values look 1000 times too small (mm read as µm)"
+        if test.kind is AxisKind.LINEAR
+        else "the values look too small (deg read as arcsec)"
+    )
+
+
+def plausibility_findings(test: PositioningTest) -> list[Finding]:
+    """Return what may be wrong with the unit, the origin or the directions of a test: CW-T030 to CW-T033."""
+    return [*_small(test), *_copied_runs(test), *_turned(test), *_inches(test)]
+
+
+def _small(test: PositioningTest) -> list[Finding]:
+    if any(finding.code in {"CW-R009", "CW-R011"} for finding in test.findings):
+        return []
+    certain = certain_fault(test)
+    if certain:
+        return [Finding("CW-T030", "warning", f"This cannot be right: {certain}.")]
+    spread = spread_of(test)
+    if not 0.0 < spread < _RARE[test.kind]:
+        return []
+    message = f"All readings lie within {text_of(spread, test)}: few machines are that good. Is the unit right?"
+    return [Finding("CW-T030", "warning", message)]
+
+
+def same_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
+    """Return for each direction the groups of columns (two or more) that hold the same readings at three targets or more."""
+    found: dict[Direction, list[list[int]]] = {}
+    for direction in _DIRECTIONS:
+        block = test.deviations(direction)
+        groups: list[list[int]] = []
+        for column in range(block.shape[1]):
+            group = next((group for group in groups if _same(block[:, group[0]], block[:, column])), None)
+            if group is None:
+                groups.append([column])
+            else:
+                group.append(column)
+        found[direction] = [group for group in groups if len(group) > 1]
+    return found
+
+
+def _same(one: FloatArray, other: FloatArray) -> bool:
+    both = np.isfinite(one) & np.isfinite(other)
+    return bool(np.count_nonzero(both) >= 3 and np.any(one[both]) and np.max(np.abs(one[both] - other[both])) <= _ROUNDING)
+
+
+def _copied_runs(test: PositioningTest) -> list[Finding]:
+    """CW-T031: runs that agree to the last digit, in one direction or between the two."""
+    parts = []
+    for direction, groups in same_runs(test).items():
+        runs = test.runs_positive if direction is Direction.POSITIVE else test.runs_negative
+        for group in groups:
+            names = [str(runs[column]) if column < len(runs) else str(column + 1) for column in group]
+            parts.append(f"runs {', '.join(names[:-1])} and {names[-1]} in {sign_text(direction)}")
+    if test.positive.shape == test.negative.shape and all(map(_same, test.positive.T, test.negative.T)) and test.positive.size:
+        parts.append("the runs in + and those in −")
+    if not parts:
+        return []
+    message = (
+        f"The same readings to the last digit: {'; '.join(parts)}. Was one run copied, or are the readings rounded too coarsely?"
+    )
+    return [Finding("CW-T031", "warning", f"{message} Repeatability and noise cannot be told from them.")]
+
+
+def _turned(test: PositioningTest) -> list[Finding]:
+    """CW-T032: a mean reversal value above zero."""
+    reversal = mean_deviation(test.positive) - mean_deviation(test.negative)
+    known = reversal[np.isfinite(reversal)]
+    if known.size < 2:
+        return []
+    mean, error = float(np.mean(known)), float(np.std(known, ddof=1) / np.sqrt(known.size))
+    if mean <= max(_TURNED[test.kind], _SURE * error):
+        return []
+    return [
+        Finding(
+            "CW-T032",
+            "warning",
+            f"The mean reversal value is +{text_of(mean, test)}, while lost motion gives a negative one: are the directions + and "
+            "− swapped, is the sign of the deviations turned, or is the backlash compensation too large? A table made from swapped "
+            "directions doubles the lost motion. Check at one target: with lost motion the deviation of an approach in + is the "
+            "smaller one.",
+        )
+    ]
+
+
+def _inches(test: PositioningTest) -> list[Finding]:
+    """CW-T033: targets that are whole millimetres only when they are taken for inches."""
+    if test.kind is not AxisKind.LINEAR or test.targets.size < 5:
+        return []
+    as_inches = test.targets * _INCH
+    whole = np.max(np.abs(as_inches - np.round(as_inches))) < _WHOLE
+    round_already = np.max(np.abs(test.targets * 100.0 - np.round(test.targets * 100.0))) < 1e-6
+    if not whole or round_already:
+        return []
+    first, last = position_text(float(test.targets[0]), test), position_text(float(test.targets[-1]), test)
+    return [
+        Finding(
+            "CW-T033",
+            "warning",
+            f"The targets, {first} to {last}, are whole millimetres when they are taken for inches: are they in inches?",
+        )
+    ]
+
+
+#: Factors between the unit of the targets and mm, by name of the unit that was taken for mm.
+_TARGET_UNITS: Final = ((_INCH, "inches"), (1000.0, "metres"))
+#: Targets in another unit cover the travel when multiplied: at least half of it, and not more than all of it but
+#: for a few hundredths.
+_COVERS: Final = (0.5, 1.05)
+
+
+def wrong_target_unit(test: PositioningTest, travel: tuple[float, float]) -> str:
+    """Return in which unit the targets seem to be, so that they fit ``travel`` (mm); empty where they fit as they are.
+
+    Certain, because nothing else brings it about: the targets span less than a tenth of the travel (or more than ten times
+    of it), and times 25.4 or 1000 (or divided by it) they span at least half of it and not more than all of it. Only spans are
+    compared: an offset may have been added in mm.
+    """
+    if test.kind is not AxisKind.LINEAR or test.targets.size < 3:
+        return ""
+    span, length = float(test.targets[-1] - test.targets[0]), travel[1] - travel[0]
+    for factor, unit in _TARGET_UNITS:
+        if _COVERS[0] <= span * factor / length <= _COVERS[1]:
+            return unit
+    if _COVERS[0] <= span / 1000.0 / length <= _COVERS[1]:
+        return "micrometres"
+    return ""

@@ -1,0 +1,72 @@
+"""Measurements that cannot be what a job takes them for: refused before a table is made of them.
+
+What a single test gives away is judged by ``evaluation.plausibility``; here stands what takes the job: the travel of the axis, and
+other tests beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import combinations
+
+from compwright.evaluation.plausibility import certain_fault, wrong_target_unit
+from compwright.evaluation.repeats import Named, same_measurement
+from compwright.foundations.errors import Fault
+from compwright.records.job import Job
+from compwright.records.plan import PlannedTest
+
+
+def impossible_tests(job: Job, tests: Mapping[str, Sequence[PlannedTest]]) -> list[Fault]:
+    """Return the faults of tests that certainly are not what they say: unit of the readings, and of the targets by the travel."""
+    return [
+        fault
+        for axis, planned in tests.items()
+        for index, entry in enumerate(planned)
+        for fault in _faults(job, axis, index, entry)
+    ]
+
+
+def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[Fault]:
+    test = planned.test
+    file = test.sources[0].file if test.sources else test.name
+    why = certain_fault(test)
+    if why:
+        expected = "deviations, measured minus target, in the unit that the file states"
+        yield Fault(message=f"is no measurement of a machine: {why}", file=file, expected=expected)
+    travel = job.axes[axis].axis.travel
+    unit = wrong_target_unit(test, travel) if index == 0 else ""
+    if unit:
+        span = f"{test.targets[-1] - test.targets[0]:.6g} mm of {travel[1] - travel[0]:.6g} mm of travel"
+        message = f"the targets are in {unit}: taken for mm they span {span}, taken for {unit} they fit it"
+        yield Fault(message=message, file=file, place="targets", expected="target positions in mm")
+
+
+def given_twice(named: Iterable[Named]) -> list[Fault]:
+    """Return a fault for every pair of tests that come from one measurement, and for a test that holds one file twice.
+
+    One measurement: files that are the same byte for byte, or readings that scatter and are the same to the last digit.
+    """
+    every = tuple(named)
+    faults = []
+    for entry in every:
+        seen: dict[str, str] = {}
+        for source in entry.sources:
+            if source.sha256 in seen:
+                message = f"is the same measurement as {seen[source.sha256]}: {entry.words} holds it twice"
+                faults.append(Fault(message=message, file=source.file, expected="a file for each measurement"))
+            seen.setdefault(source.sha256, source.file)
+    for one, other in combinations(every, 2):
+        if same_measurement(one, other):
+            file = other.sources[0].file if other.sources else other.words
+            message = f"is the measurement of {one.words} and of {other.words}"
+            faults.append(Fault(message=message, file=file, expected="a measurement for each", found="the same readings twice"))
+    return faults
+
+
+def named_tests(tests: Mapping[str, Sequence[PlannedTest]]) -> list[Named]:
+    """Return every positioning test of a job with its name."""
+    return [
+        Named(f"test {entry.test.name} of axis {axis}", entry.test.sources, entry.test)
+        for axis, planned in tests.items()
+        for entry in planned
+    ]

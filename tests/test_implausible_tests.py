@@ -1,0 +1,205 @@
+"""Measurements that cannot be right: run refuses what is certain, what is possible stands first everywhere, honest ones pass."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from compwright.cli import run as compwright
+from loop import Floats, Machine, csv_of
+
+MACHINE = Machine(high=1200.0)
+
+
+def readings(machine: Machine = MACHINE, seed: int = 1, runs: int = 5) -> tuple[Floats, dict[int, Floats]]:
+    targets = machine.targets(count=25)
+    return targets, machine.measure(targets, seed, runs=runs)
+
+
+def write(path: Path, targets: Floats, values: dict[int, Floats], axis: str = "X") -> Path:
+    path.write_text(csv_of(targets, values, axis))
+    return path
+
+
+def job(folder: Path, before: str = "[x.csv]", axes: str = "", extra: str = "") -> Path:
+    path = folder / "job.yaml"
+    path.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: none}\n"
+        f"axes:\n  X: {{travel: [0, 1200], address: AX1, before: {before}}}\n{axes}{extra}"
+    )
+    return path
+
+
+def run(folder: Path, *words: str, **keys: str) -> int:
+    return compwright(["run", str(job(folder, **keys)), *words])
+
+
+def document(path: Path) -> Any:
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def doubts(folder: Path) -> list[str]:
+    return [finding["code"] for finding in document(folder / "job" / "prediction.json")["doubts"]]
+
+
+# ---------------------------------------------------------------- refused
+
+
+def test_mm_read_as_um_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    targets, values = readings()
+    write(tmp_path / "x.csv", targets, {sign: block / 1000.0 for sign, block in values.items()})
+    assert run(tmp_path) == 3
+    said = capsys.readouterr().err
+    assert "1000 times too small (mm read as µm)" in said
+    assert "x.csv" in said
+    assert not (tmp_path / "job").exists()
+    assert compwright(["evaluate", str(tmp_path / "x.csv"), "--json", str(tmp_path / "x.json")]) == 0
+    assert "CW-T030" in {finding["code"] for finding in document(tmp_path / "x.json")["results"][0]["findings"]}
+
+
+@pytest.mark.parametrize("runs", [1, 5])
+def test_zeros_are_refused(tmp_path: Path, runs: int) -> None:
+    targets, values = readings(runs=runs)
+    write(tmp_path / "x.csv", targets, {sign: 0.0 * block for sign, block in values.items()})
+    assert run(tmp_path) == 3
+
+
+def test_deg_read_as_arcsec_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """10 arcsec of error with 0.5 arcsec of noise, in degrees: 0.0028 and 0.00014."""
+    targets = np.arange(0.0, 360.0, 30.0)
+    rng = np.random.default_rng(1)
+    wave = (10.0 * np.sin(np.radians(targets)))[:, None] / 3600.0
+    values = {sign: (wave + rng.normal(0, 0.5 / 3600.0, (12, 5))) / 3600.0 for sign in (1, -1)}
+    (tmp_path / "c.csv").write_text(csv_of(targets, values, "C", "deg"))
+    path = tmp_path / "job.yaml"
+    path.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: none}\n"
+        "axes:\n  C: {kind: rotary, travel: [0, 360], address: AX4, before: [c.csv]}\n"
+    )
+    assert compwright(["run", str(path)]) == 3
+    assert "the unit is another one" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("factor", "unit"), [(25.4, "inches"), (1000.0, "metres"), (0.001, "micrometres")])
+def test_targets_in_another_unit_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], factor: float, unit: str) -> None:
+    targets, values = readings()
+    write(tmp_path / "x.csv", targets / factor, values)
+    assert run(tmp_path) == 3
+    assert f"the targets are in {unit}" in capsys.readouterr().err
+
+
+def test_measured_positions_named_deviations_are_refused(tmp_path: Path) -> None:
+    targets, values = readings()
+    write(tmp_path / "x.csv", targets, {sign: block + targets[:, None] for sign, block in values.items()})
+    assert run(tmp_path) == 3
+
+
+@pytest.mark.parametrize("how", ["two tests", "two axes", "one test", "renamed"])
+def test_one_measurement_given_twice_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], how: str) -> None:
+    path = write(tmp_path / "x.csv", *readings(), axis="")
+    shutil.copy(path, tmp_path / "copy.csv")
+    if how == "renamed":  # another comment: other bytes, the same readings
+        (tmp_path / "copy.csv").write_text("# operator: other\n" + path.read_text())
+    second = "  Y: {travel: [0, 1200], address: AX2, before: [copy.csv]}\n"
+    keys = {
+        "two tests": {"before": "[x.csv, copy.csv]"},
+        "two axes": {"axes": second},
+        "one test": {"before": "[{files: [x.csv, copy.csv]}]"},
+        "renamed": {"before": "[x.csv, copy.csv]"},
+    }[how]
+    assert run(tmp_path, **keys) == 3
+    assert "is the " in capsys.readouterr().err
+    if how == "two tests":
+        words = [str(path), str(tmp_path / "copy.csv"), "--json", str(tmp_path / "e.json")]
+        assert compwright(["evaluate", *words]) == 0
+        found = [[entry["code"] for entry in result["findings"]] for result in document(tmp_path / "e.json")["results"]]
+        assert all("CW-T034" in codes for codes in found)
+
+
+# ---------------------------------------------------------------- doubts
+
+
+def test_swapped_directions_stand_first_everywhere(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Lost motion of 13 µm with + and - exchanged: a mean reversal of +13 µm."""
+    targets, values = readings(replace(MACHINE, lost=0.013))
+    write(tmp_path / "x.csv", targets, {1: values[-1], -1: values[1]})
+    assert run(tmp_path) == 0
+    assert doubts(tmp_path) == ["CW-T032"]
+    terminal = capsys.readouterr().out
+    assert terminal.index("Settle first") < terminal.index("swapped") < terminal.index("axis X")
+    card = (tmp_path / "job" / "card" / "card.md").read_text()
+    assert "The mean reversal value is +1" in card  # +13 µm with a standard error of 0.1 µm
+    assert card.index("swapped") < card.index("## Steps")
+    page = (tmp_path / "job" / "report.html").read_text()
+    assert page.index("swapped") < page.index('class="verdict')
+    assert compwright(["evaluate", str(tmp_path / "x.csv")]) == 0
+    shown = capsys.readouterr().out
+    assert shown.index("swapped") < shown.index("Accuracy")
+
+
+def test_a_doubt_stands_beside_met_limits(tmp_path: Path) -> None:
+    targets, values = readings()
+    write(tmp_path / "x.csv", targets, {1: values[-1], -1: values[1]})
+    path = job(tmp_path)
+    path.write_text(path.read_text().replace("before: [x.csv]", "before: [x.csv], accept: {A: 20}"))
+    assert compwright(["run", str(path)]) == 0
+    page = (tmp_path / "job" / "report.html").read_text()
+    assert "All limits are predicted to be met, if what is to be settled first turns out well" in page
+
+
+def test_one_run_copied_is_a_doubt(tmp_path: Path) -> None:
+    targets, values = readings(runs=1)
+    write(tmp_path / "x.csv", targets, {sign: np.repeat(block, 5, axis=1) for sign, block in values.items()})
+    assert run(tmp_path) == 0
+    assert doubts(tmp_path) == ["CW-T031"]
+    message = document(tmp_path / "job" / "prediction.json")["doubts"][0]["message"]
+    assert "runs 1, 2, 3, 4 and 5 in +" in message
+
+
+def test_targets_written_in_inches_are_a_doubt_without_a_travel(tmp_path: Path) -> None:
+    """Every 48 mm, in inches with five decimals: whole millimetres only when taken for inches."""
+    targets = np.round(np.arange(1, 25) * 48.0 / 25.4, 4)
+    _, values = readings()
+    write(tmp_path / "x.csv", targets, {sign: block[:24] for sign, block in values.items()})
+    assert compwright(["evaluate", str(tmp_path / "x.csv"), "--json", str(tmp_path / "x.json")]) == 0
+    assert "CW-T033" in {finding["code"] for finding in document(tmp_path / "x.json")["results"][0]["findings"]}
+
+
+# ---------------------------------------------------------------- honest tests
+
+
+@pytest.mark.parametrize(
+    "machine",
+    [
+        MACHINE,
+        replace(MACHINE, slope=0.0, bow=0.0003, lost=0.0002, noise=0.00005),  # among the best: A 0.9 µm, noise 0.05 µm
+        replace(MACHINE, slope=200e-6, bow=0.05, lost=0.04, noise=0.004),  # among the worst
+        replace(MACHINE, lost=-0.002),  # backlash over-compensated by 2 µm
+        replace(MACHINE, lost=0.0),
+    ],
+)
+def test_honest_machines_are_neither_refused_nor_doubted(tmp_path: Path, machine: Machine) -> None:
+    write(tmp_path / "x.csv", *readings(machine))
+    assert run(tmp_path, "--accept-worse") == 0
+    assert doubts(tmp_path) == []
+
+
+def test_readings_rounded_to_a_micrometre_are_not_refused(tmp_path: Path) -> None:
+    """A dial that shows whole micrometres: most repeats are the same, the runs are not."""
+    targets, values = readings()
+    write(tmp_path / "x.csv", targets, {sign: np.round(block, 3) for sign, block in values.items()})
+    assert run(tmp_path) == 0
+    assert doubts(tmp_path) == []
+
+
+def test_two_axes_with_readings_of_their_own_pass(tmp_path: Path) -> None:
+    write(tmp_path / "x.csv", *readings())
+    write(tmp_path / "y.csv", *readings(seed=2), axis="Y")
+    assert run(tmp_path, axes="  Y: {travel: [0, 1200], address: AX2, before: [y.csv]}\n") == 0
+    assert doubts(tmp_path) == []
