@@ -562,16 +562,16 @@ def test_the_card_has_every_number_and_a_box_for_every_step() -> None:
     _, rows = table_with(page, "Old", "New")
     assert rows[2] == ["", "3624 interval, mm", MISSING, "50"]
     assert rows[3][3] == "-2"  # typed into a control: a plain minus sign
-    head, rows = table_with(page, "Approach +", "Approach −")
-    assert head[1:4:2] == ["Approach + µm", "Approach − µm"]
-    assert rows[2] == ["−50.5", "3", "", "−3", ""]
-    _, rows = table_with(page, "Expected deviation")
-    assert rows[1][:4] == ["−425.0", "−", "−0.62", "8 µm either way"]
+    head, rows = table_with(page, "Expected deviation")
+    assert head[:3] == ["Position mm", "Approach", "Control adds µm"]
+    assert rows[1] == ["−50.5", "−", "−3", "", "−0.62", "8 µm either way", ""]
+    head, rows = table_with(page, "reference number")
+    assert (head, rows) == (["", "axis", "reference number", "spacing"], [["", "X", "17", "50"], ["", "Y", "40", "25"]])
     _, rows = table_with(page, "Moves by")
     assert rows == [["", "tool change", "−20.0", "+1.20"]]
     ticks = [element for element in tree(page).iter("span") if element.get("class") == "tick"]
-    # 1 unconfirmed, 3 steps and the 2 lines of one of them, 1 number of points, 4 values, 1 fixed position, 2 to go back
-    assert len(ticks) == 14
+    # 1 unconfirmed, 4 steps and the 2 lines or rows of two of them, 1 number of points, 4 values, 1 fixed position, 2 to go back
+    assert len(ticks) == 17
     words = text(tree(page))
     assert "2. Load the pitch error file ! unconfirmed" in words
     assert "at least 18 points" in words
@@ -582,11 +582,12 @@ def test_the_card_as_text_says_the_same() -> None:
     lines_ = card_markdown(card).splitlines()
     assert lines_[0] == "# Commissioning card: VMC 850"
     assert "- [ ] **Load the pitch error file** **(unconfirmed)**" in lines_
-    assert "| −50.5         | 3               |      | −3              |      |" in lines_
+    assert any(re.fullmatch(r"\| −50\.5 +\| − +\| −3 +\| +\| −0\.62 +\| 8 µm either way +\| +\|", line) for line in lines_)
+    assert any(re.fullmatch(r"  \| \[ \] \| Y +\| 40 +\| 25 +\|", line) for line in lines_)
     assert any(re.fullmatch(r"\| \[ \] \| 1851 backlash, detection units +\| 4 +\| -2 +\|", line) for line in lines_)
     assert (
-        sum("[ ]" in line for line in lines_) == 12
-    )  # 1 + 3 + 1 + 4 + 2 as on the page without the fixed position, and the last line
+        sum("[ ]" in line for line in lines_) == 15
+    )  # 1 + 4 + 2 + 1 + 4 + 2 as on the page without the fixed position, and the last line
     assert any("instrument set to zero" in line for line in lines_) is False
     card["axes"][0]["quick_check"][0]["expected"] = 0.0
     assert "In this order, the instrument set to zero at the first row." in card_markdown(card).splitlines()

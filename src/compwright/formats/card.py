@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,8 +17,8 @@ from compwright.formats.scale import Scale
 from compwright.formats.schema import Definition
 from compwright.formats.statements import field_names, print_form
 from compwright.formats.user_tables_capacity import user_card_values
-from compwright.foundations.units import outside_factor, outside_unit, shown_unit
-from compwright.records.axis import Axis, Direction
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, Evidence
 
 UNKNOWN = "(not known)"
@@ -26,32 +26,58 @@ UNKNOWN = "(not known)"
 CURVES = "curves"
 
 
+#: A field with a longer value is a sentence and keeps its place in the text.
+_LONGEST_CELL = 48
+#: The heading of the column that names the axis of a row.
+AXIS_COLUMN = "axis"
+
+
 @dataclass(frozen=True, slots=True)
 class CardStep:
-    """One step for the engineer at the control."""
+    """One step for the engineer at the control.
+
+    ``rows``: what differs by axis, under ``heads``; the text names a column as ``‹head›``.
+    """
 
     title: str
     text: str
     evidence: Evidence
     source: str = ""
+    heads: tuple[str, ...] = ()
+    rows: tuple[tuple[str, ...], ...] = ()
 
 
 def card_steps(definition: Definition, axis: Axis, values: Mapping[str, str]) -> tuple[CardStep, ...]:
-    """Return the steps for one axis.
+    """Return the steps for one axis, as `card_steps_of_all`."""
+    return card_steps_of_all(definition, [(axis, values)])
 
-    ``values`` fill the fields of the text (see `card_values`); a missing one reads "(not known)".
+
+def card_steps_of_all(definition: Definition, axes: Sequence[tuple[Axis, Mapping[str, str]]]) -> tuple[CardStep, ...]:
+    """Return the steps for these axes, in the order of the definition.
+
+    The values of each axis fill the fields of the text (see `card_values`); a missing one reads "(not known)". What is the same for
+    all axes stands once; where short values differ, they stand in a table with a row per axis.
     """
-    known = {**_axis_values(definition, axis), **values}
+    known = [{**_axis_values(definition, axis), **values} for axis, values in axes]
     return tuple(
-        CardStep(
-            title=rule.title,
-            text=print_form(text, {name: known.get(name, UNKNOWN) for name in field_names(text)}),
-            evidence=rule.evidence.state,
-            source=rule.evidence.source,
-        )
+        CardStep(rule.title, text, rule.evidence.state, rule.evidence.source, heads, rows)
         for rule in definition.card
-        for text in (rule.two_curves if known.get(CURVES) == "2" else rule.text,)
+        for text, heads, rows in (_for_all([rule.two_curves if of.get(CURVES) == "2" else rule.text for of in known], known),)
     )
+
+
+def _for_all(forms: Sequence[str], known: Sequence[Mapping[str, str]]) -> tuple[str, tuple[str, ...], tuple[tuple[str, ...], ...]]:
+    """Return the text of a step for all axes, with the heads and rows of what differs."""
+    filled = [{name: of.get(name, UNKNOWN) for name in field_names(form)} for form, of in zip(forms, known, strict=True)]
+    if len(set(forms)) == 1:
+        differing = [name for name in dict.fromkeys(field_names(forms[0])) if len({of[name] for of in filled}) > 1]
+        if differing and all(len(of[name]) <= _LONGEST_CELL for of in filled for name in differing):
+            heads = [name.rstrip("0123456789").strip("_").replace("_", " ") for name in differing]
+            named = {name: f"‹{head}›" for name, head in zip(differing, heads, strict=True)}
+            rows = tuple((of["name"], *(values[name] for name in differing)) for of, values in zip(known, filled, strict=True))
+            return print_form(forms[0], {**filled[0], **named}), (AXIS_COLUMN, *heads), rows
+    lines = dict.fromkeys(print_form(form, values) for form, values in zip(forms, filled, strict=True))
+    return "\n".join(lines), (), ()
 
 
 def card_values(
@@ -60,15 +86,18 @@ def card_values(
     compensation: AxisCompensation,
     options: Mapping[str, object],
     facts: Mapping[str, Fact] | None = None,
+    check_at: FloatArray | None = None,
 ) -> dict[str, str]:
-    """Return what the card says about a table: points, start, end, spacing, backlash (in the control's unit), three check values.
+    """Return what the card says about a table: points, start, end, spacing, backlash (in the control's unit), check of the sign.
 
-    The check values are corrections at nodes near the quarters of the table, by direction, in µm or arcsec. ``facts``: what the
-    files that hold the table say of the axis (`ControlState.facts`), such as its point numbers.
+    ``facts``: what the files that hold the table say of the axis (`ControlState.facts`), such as its point numbers. ``check_at``:
+    positions at which the axis can be measured, mm or deg, ascending (default: the nodes).
     """
     resolved = resolve_options(definition, options)
     if definition.layout.shape == "section_increments":
-        return _increment_values(axis, compensation, definition, axis_options(definition, resolved, axis), facts or {})
+        own = axis_options(definition, resolved, axis)
+        where = compensation.positions if check_at is None else check_at
+        return _increment_values(axis, compensation, definition, own, facts or {}) | _sign_check(compensation, where)
     scale = scale_for_writing(definition, axis, resolved)
     node = "table_start" if "table_start" in definition.bindings else "node_position"
     factor = float(scale.factor(node))
@@ -80,7 +109,6 @@ def card_values(
     if positions.size:
         values["start"] = f"{positions[0] / factor:.10g}"
         values["end"] = f"{positions[-1] / factor:.10g}"
-        values["check"] = _check(compensation)
     if positions.size > 1:
         values["spacing"] = f"{(positions[-1] - positions[0]) / (positions.size - 1) / factor:.10g}"
     if definition.layout.shape == "user_tables":
@@ -143,8 +171,6 @@ def _increment_values(
     positions = compensation.positions
     if positions.size > 1:
         values["spacing"] = f"{(positions[-1] - positions[0]) / (positions.size - 1):.10g}"
-        values["check"] = _check(compensation)
-        values |= _sign_check(compensation)
     return values
 
 
@@ -156,27 +182,16 @@ _REFERENCING = {
 }
 
 
-def _sign_check(compensation: AxisCompensation) -> dict[str, str]:
-    """Return the two nodes between which the table changes the distance most: there the sign shows best."""
-    curve = compensation.curve(Direction.POSITIVE)
+def _sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, str]:
+    """Return the two of the positions between which the table changes the distance most: there the sign shows best."""
+    if compensation.positions.size < 2:
+        return {}
+    curve = compensation.at(where, Direction.POSITIVE)
     low, high = sorted((int(np.argmin(curve)), int(np.argmax(curve))))
     unit = compensation.kind.unit
     change = float(curve[high] - curve[low]) * outside_factor(unit)
     return {
-        "check_from": f"{compensation.positions[low]:.10g}",
-        "check_to": f"{compensation.positions[high]:.10g}",
+        "check_from": f"{where[low]:.10g}",
+        "check_to": f"{where[high]:.10g}",
         "check_change": f"{change:+.1f} {shown_unit(unit)}",
     }
-
-
-def _check(compensation: AxisCompensation) -> str:
-    last = compensation.positions.size - 1
-    nodes = np.unique(np.round(np.array([0.25, 0.5, 0.75]) * last).astype(int))
-    unit = compensation.kind.unit
-    factor, shown = outside_factor(unit), outside_unit(unit).replace("um", "µm")
-    parts = []
-    for node in nodes:
-        plus = compensation.total(Direction.POSITIVE)[node] * factor
-        minus = compensation.total(Direction.NEGATIVE)[node] * factor
-        parts.append(f"{compensation.positions[node]:.10g} {unit}: {plus:+.1f} {shown} arriving in +, {minus:+.1f} {shown} in -")
-    return "; ".join(parts)

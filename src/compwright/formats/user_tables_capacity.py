@@ -14,8 +14,7 @@ from compwright.formats.user_tables_sources import AxisNumbers, parameter_name
 from compwright.formats.user_tables_text import VALUES
 from compwright.formats.user_tables_values import MOST_DOUBLINGS, SMALLEST_SPACING, TURN
 from compwright.foundations.errors import CapacityError, Fault, raise_all
-from compwright.foundations.units import outside_factor, outside_unit
-from compwright.records.axis import Axis, AxisKind, Direction
+from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption, AxisCompensation, ControlState
 
@@ -195,14 +194,11 @@ def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity)
 def user_card_values(
     definition: Definition, axis: Axis, compensation: AxisCompensation, options: Mapping[str, object]
 ) -> dict[str, str]:
-    """Return what the card says beside the general values: the table in words, the axis' number, its bit, its parameters.
-
-    ``check``: corrections at the ends and the middle of the travel, where there is no table whose nodes could be named.
-    """
+    """Return what the card says beside the general values: the table in words, the axis' number, its bit, its parameters."""
     own = axis_options(definition, options, axis)
     address, _ = normal_address(definition, axis)
     number = AxisNumbers(definition, [axis]).number(address)
-    unit, factor = axis.kind.unit, outside_factor(axis.kind.unit)
+    unit = axis.kind.unit
     nodes = compensation.positions
     values = {
         "number": "(see the axis list of the machine)" if number is None else str(number),
@@ -214,13 +210,4 @@ def user_card_values(
     }
     if nodes.size > 1:
         values["table"] += f", every {(nodes[-1] - nodes[0]) / (nodes.size - 1):.10g} {unit}"
-    if not nodes.size:
-        where = np.array([axis.travel[0], 0.5 * (axis.travel[0] + axis.travel[1]), axis.travel[1]])
-        curves = [compensation.at(where, direction) * factor for direction in Direction]
-        shown = outside_unit(unit).replace("um", "µm")
-        parts = [
-            f"{place:.10g} {unit}: {plus:+.1f} {shown} arriving in +, {minus:+.1f} {shown} in -"
-            for place, plus, minus in zip(where, *curves, strict=True)
-        ]
-        values["check"] = "; ".join(parts)
     return values

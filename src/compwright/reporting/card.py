@@ -1,12 +1,12 @@
 """The commissioning card: what to type, what to look at and how to go back, as Markdown and as a page of one or two A4 sheets.
 
 A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``axes``, ``steps`` (``title``, ``text``,
-``evidence``), ``changes`` (``entries`` of ``entry``, ``old``, ``new``; ``untouched``: lines that stay; None where the control's own
-files were not given), ``unconfirmed`` and ``restore`` (sentences), ``assumed`` (``fact``, ``value``, ``evidence``), ``files``
-(names) and ``proven`` (a sentence). Each axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``,
-``old``, ``new``), ``display`` (``position``, ``positive``, ``negative``: the compensation that the control itself shows),
-``quick_check`` (``position``, ``direction``, ``expected``, ``stop``), ``points_needed`` and ``fixed_positions`` (``name``,
-``position``, ``moves``). Values to be typed carry a plain minus sign, so that they can be copied.
+``evidence``; ``heads`` and ``rows``: what differs by axis, where it does), ``changes`` (``entries`` of ``entry``, ``old``, ``new``;
+``untouched``: lines that stay; None where the control's own files were not given), ``unconfirmed`` and ``restore`` (sentences),
+``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and ``proven`` (a sentence). Each axis holds ``name``,
+``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``, ``new``), ``quick_check`` (``position``, ``direction``,
+``adds``: the compensation that the control itself shows, ``expected``, ``stop``), ``points_needed`` and ``fixed_positions``
+(``name``, ``position``, ``moves``). Values to be typed carry a plain minus sign, so that they can be copied.
 """
 
 from __future__ import annotations
@@ -19,6 +19,11 @@ from compwright.reporting.page import render_page
 from compwright.reporting.sections import Document, assumed, doubts, evidence_mark, pairs
 
 _BOX = "[ ]"
+#: What the one table of check positions is for.
+HOW_TO_CHECK = (
+    "Every check of this card is made here: what the control adds, on its compensation display where it has one, "
+    "and after loading the quick check with the instrument."
+)
 #: More changes than these are read in changes.csv, not on the card.
 _MOST_CHANGES = 60
 
@@ -101,16 +106,21 @@ def changes_content(changes: Document | None) -> dict[str, Any] | None:
 
 
 def _step(step: Document) -> dict[str, Any]:
-    return {"title": plain(step.get("title") or ""), "text": plain(step.get("text") or ""), **evidence_mark(step.get("evidence"))}
+    return {
+        "title": plain(step.get("title") or ""),
+        "text": plain(step.get("text") or ""),
+        "heads": [plain(head) for head in step.get("heads") or []],
+        "rows": [[plain(cell) for cell in row] for row in step.get("rows") or []],
+        **evidence_mark(step.get("evidence")),
+    }
 
 
 def _axis_content(axis: Document) -> dict[str, Any]:
     unit = axis.get("unit", "um")
-    display = axis.get("display") or []
     checks = axis.get("quick_check") or []
     fixed = axis.get("fixed_positions") or []
-    places = decimals_of(row.get("position") for row in (*display, *checks, *fixed))
-    shown = decimals_of((row.get(key) for row in display for key in ("positive", "negative")), 3)
+    places = decimals_of(row.get("position") for row in (*checks, *fixed))
+    shown = decimals_of((row.get("adds") for row in checks), 3)
     return {
         "name": plain(axis.get("name")),
         "address": plain(axis.get("address")),
@@ -118,19 +128,17 @@ def _axis_content(axis: Document) -> dict[str, Any]:
         "where": position_unit(unit),
         "points": axis.get("points_needed"),
         "rows": [[plain(row.get("quantity")), _typed(row.get("old")), _typed(row.get("new"))] for row in axis.get("rows") or []],
-        "display": [
-            [number(row.get("position"), places), *(number(row.get(key), shown) for key in ("positive", "negative"))]
-            for row in display
-        ],
         "checks": [
             [
                 number(row.get("position"), places),
                 _direction(row.get("direction")),
+                number(row.get("adds"), shown),
                 _amount(row.get("expected")),
                 _amount(row.get("stop")),
             ]
             for row in checks
         ],
+        "how_to_check": HOW_TO_CHECK,
         "zeroed": bool(checks) and number(checks[0].get("expected")) == number(0.0),
         "fixed": [[plain(row.get("name")), number(row.get("position"), places), _signed(row.get("moves"))] for row in fixed],
     }
@@ -169,6 +177,9 @@ def _steps(steps: Iterable[Document]) -> list[str]:
         mark = " **(unconfirmed)**" if step["open"] else ""
         lines.append(f"- {_BOX} **{_escape(step['title'])}**{mark}")
         lines += [f"  {_paragraph(line)}" for line in step["text"].splitlines() if line.strip()]
+        if step["rows"]:
+            rows = [[_BOX, *map(_escape, row)] for row in step["rows"]]
+            lines += ["", *(f"  {line}" for line in _table(["", *map(_escape, step["heads"])], rows)), ""]
         if step["evidence"]:
             lines.append(f"  Evidence: {_escape(step['evidence'])}")
     return ["## Steps", "", *lines, ""] if lines else []
@@ -182,15 +193,12 @@ def _axis(axis: Document) -> list[str]:
     if axis["rows"]:
         rows = [[_BOX, *map(_escape, row)] for row in axis["rows"]]
         lines += ["### Values that change", "", *_table(["", "Quantity", "Old", "New"], rows), ""]
-    if axis["display"]:
-        head = [f"Position ({where})", f"approach + ({unit})", "read", f"approach − ({unit})", "read"]
-        rows = [[position, positive, "", negative, ""] for position, positive, negative in axis["display"]]
-        lines += ["### What the control must add (read its compensation display, where it has one)", "", *_table(head, rows), ""]
     if axis["checks"]:
-        head = [f"Position ({where})", "Approach", f"Expected deviation ({unit})", f"Stop if off by ({unit})", "Measured"]
-        rows = [[*map(_escape, row), ""] for row in axis["checks"]]
+        head = [f"Position ({where})", "Approach", f"Control adds ({unit})", "read"]
+        head += [f"Expected deviation ({unit})", f"Stop if off by ({unit})", "measured"]
+        rows = [[*row[:3], "", *row[3:], ""] for row in ([_escape(cell) for cell in check] for check in axis["checks"])]
         zero = ["In this order, the instrument set to zero at the first row.", ""] if axis["zeroed"] else []
-        lines += ["### Quick check after loading", "", *zero, *_table(head, rows), ""]
+        lines += ["### Check positions", "", HOW_TO_CHECK, "", *zero, *_table(head, rows), ""]
     if axis["fixed"]:
         rows = [list(map(_escape, row)) for row in axis["fixed"]]
         lines += ["### Fixed positions that move", "", *_table(["Name", f"Position ({where})", f"Moves by ({unit})"], rows), ""]

@@ -10,15 +10,15 @@ from typing import Any
 import numpy as np
 
 from compwright.documents.decode import assumed_documents
-from compwright.formats.card import card_steps, card_values
+from compwright.formats.card import card_steps_of_all, card_values
 from compwright.formats.diff import compare_files
 from compwright.foundations.units import outside_factor, outside_unit
-from compwright.records.axis import Direction
+from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import Assumption, AxisCompensation
 from compwright.records.job import Job
 from compwright.workflow.control import Control, DecodedState
 from compwright.workflow.inputs import JobInputs
-from compwright.workflow.outlook import Change
+from compwright.workflow.outlook import Change, Correction
 from compwright.workflow.work import AS_FOUND, AxisWork, correction_of
 
 SCHEMA = "compwright/card/1"
@@ -64,24 +64,13 @@ def card_document(
 def _axis(job: Job, control: Control, work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
     axis = work.planned.axis
     factor = outside_factor(axis.kind.unit)
-    new = correction_of(loaded, axis)
     table = loaded.state.axes[axis.address] if loaded else None
-    low, high = axis.travel
-    where = np.array([low, (low + high) / 2, high])
     return {
         "name": axis.name,
         "address": axis.address,
         "unit": outside_unit(axis.kind.unit),
         "position_unit": axis.kind.unit,
         "rows": _rows(work.planned.active, table, factor, axis.kind.unit),
-        "display": [
-            {
-                "position": float(position),
-                "positive": float(new(np.array([position]), Direction.POSITIVE)[0] * factor),
-                "negative": float(new(np.array([position]), Direction.NEGATIVE)[0] * factor),
-            }
-            for position in where
-        ],
         "quick_check": _quick_check(work, loaded, factor),
         "points_needed": _points_needed(control, table),
         "fixed_positions": [
@@ -125,17 +114,35 @@ def _rows(old: AxisCompensation | None, new: AxisCompensation | None, factor: fl
     return [{"quantity": title, "old": before[key], "new": after[key]} for key, title in titles.items()]
 
 
-def _quick_check(work: AxisWork, loaded: DecodedState | None, factor: float) -> list[dict[str, Any]]:
-    """Three targets up and down, the instrument zeroed at the first one going up; stop where a reading is further off."""
-    axis = work.planned.axis
-    change = Change(correction_of(loaded, axis), work.active)
+def check_positions(work: AxisWork, new: Correction) -> FloatArray:
+    """Return the positions at which everything on the card is checked: three targets of the first test, inside the travel.
+
+    The two ends and, between them, where the new correction leaves the straight line through the ends most: there its sign shows.
+    """
+    low, high = work.planned.axis.travel
     targets = work.results[0].test.targets
-    chosen = targets[[0, targets.size // 2, -1]]
+    inside = targets[(targets >= low) & (targets <= high)]
+    if inside.size < 3:
+        return np.array([low, (low + high) / 2, high])
+    ends, middle = inside[[0, -1]], inside[1:-1]
+    line = np.interp(middle, ends, new(ends, Direction.POSITIVE))
+    off = np.round(np.abs(new(middle, Direction.POSITIVE) - line), 9)
+    central = np.argsort(np.abs(middle - ends.mean()), kind="stable")  # of equal ones the one in the middle
+    return np.array([ends[0], middle[central[np.argmax(off[central])]], ends[1]])
+
+
+def _quick_check(work: AxisWork, loaded: DecodedState | None, factor: float) -> list[dict[str, Any]]:
+    """The check positions up and down, the instrument zeroed at the first one going up; stop where a reading is further off."""
+    axis = work.planned.axis
+    new = correction_of(loaded, axis)
+    change = Change(new, work.active)
+    chosen = check_positions(work, new)
     estimate = work.posterior.summary(chosen)
     zero = float(estimate.mean_positive[0] + change.at(chosen[:1], Direction.POSITIVE)[0])
     rows = []
     for direction, order in ((Direction.POSITIVE, (0, 1, 2)), (Direction.NEGATIVE, (2, 1, 0))):
         shift = change.at(chosen, direction)
+        adds = new(chosen, direction)
         for index in order:
             expected = float(estimate.mean(direction)[index] + shift[index]) - zero
             spread = STOP_SCATTER * np.hypot(estimate.noise * np.sqrt(2), estimate.std_positive[index])
@@ -143,6 +150,7 @@ def _quick_check(work: AxisWork, loaded: DecodedState | None, factor: float) -> 
                 {
                     "position": float(chosen[index]),
                     "direction": direction.value,
+                    "adds": float(adds[index]) * factor,
                     "expected": expected * factor,
                     "stop": float(spread) * factor,
                 }
@@ -175,21 +183,18 @@ def changes_csv(changes: Mapping[str, Any]) -> bytes:
     return text.getvalue().encode()
 
 
-def _steps(control: Control, written: Mapping[str, AxisWork], loaded: DecodedState | None) -> list[dict[str, str]]:
-    """Return the steps in the order of the definition, in each a line per axis; what is the same for all axes stands once."""
-    by_axis = []
+def _steps(control: Control, written: Mapping[str, AxisWork], loaded: DecodedState | None) -> list[dict[str, Any]]:
+    """Return the steps in the order of the definition; what is the same for all axes stands once."""
+    axes = []
     for work in written.values():
         axis, fitted = work.planned.axis, work.planned.fitted
         facts = loaded.state.facts.get(axis.address, {}) if loaded else {}
-        values = card_values(control.definition, axis, fitted.compensation, control.options, facts) if fitted else {}
-        by_axis.append(card_steps(control.definition, axis, values))
+        where = check_positions(work, correction_of(loaded, axis))
+        values = card_values(control.definition, axis, fitted.compensation, control.options, facts, where) if fitted else {}
+        axes.append((axis, values))
     return [
-        {
-            "title": same_step[0].title,
-            "text": "\n".join(dict.fromkeys(step.text for step in same_step)),
-            "evidence": same_step[0].evidence,
-        }
-        for same_step in zip(*by_axis, strict=True)
+        {"title": step.title, "text": step.text, "evidence": step.evidence, "heads": step.heads, "rows": step.rows}
+        for step in card_steps_of_all(control.definition, axes)
     ]
 
 

@@ -1,0 +1,127 @@
+"""The commissioning card: one set of check positions for all of it, inside the travel, and a table for what differs by axis."""
+
+from __future__ import annotations
+
+import re
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.formats.card import card_steps, card_steps_of_all, card_values
+from compwright.records.axis import Axis, AxisKind
+from compwright.reporting.card import card_html
+from format_samples import DEFINITIONS, table
+from places import PROJECT
+from reporting_samples import sample_card
+
+TRAVEL = {"X": (0.0, 1200.0), "A": (-120.0, 120.0)}  # of the example
+
+
+@pytest.fixture(scope="module")
+def card(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("card") / "out"
+    assert compwright(["run", str(PROJECT / "examples" / "linuxcnc-two-axes" / "job.yaml"), "--out", str(out)]) == 0
+    return out
+
+
+def checks(text: str) -> dict[str, list[list[str]]]:
+    """The rows of the tables of check positions by axis name."""
+    found = {}
+    for part in text.split("## Axis ")[1:]:
+        rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in part.splitlines() if line.startswith("| ")]
+        start = next(number for number, row in enumerate(rows) if row[0].startswith("Position"))
+        found[part.split(",")[0]] = [row for row in rows[start + 1 :] if row[1] in {"+", "−"}]
+    return found
+
+
+def number(text: str) -> float:
+    return float(text.replace("−", "-"))
+
+
+def test_one_set_of_positions_inside_the_travel(card: Path) -> None:
+    text = (card / "card" / "card.md").read_text(encoding="utf-8")
+    assert text.count("### Check positions") == 2
+    assert "arriving in" not in text  # no second set in the steps
+    for axis, rows in checks(text).items():
+        low, high = TRAVEL[axis]
+        places = [number(row[0]) for row in rows]
+        assert [row[1] for row in rows] == ["+"] * 3 + ["−"] * 3
+        assert places[:3] == sorted(places[:3]) == places[:2:-1]
+        assert low <= places[0] < places[1] < places[2] <= high
+
+
+def test_the_card_shows_what_the_control_would_add_there(card: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Against the rows of the exported table itself: nominal, actual arriving in + and in -; correction = nominal - actual."""
+    rows = np.loadtxt(card / "tables" / "linuxcnc" / "joint_0.comp")
+    for row in checks((card / "card" / "card.md").read_text(encoding="utf-8"))["X"]:
+        column = 1 if row[1] == "+" else 2
+        expected = np.interp(number(row[0]), rows[:, 0], rows[:, 0] - rows[:, column]) * 1000
+        # positions are printed to 0.0005 mm, slopes are below 1e-3, values are printed to 0.0005 µm
+        assert number(row[2]) == pytest.approx(expected, abs=0.0011)
+
+
+def test_the_sign_is_checked_at_two_of_these_positions() -> None:
+    """FANUC: the two between which the table changes the distance most; what lies outside the travel is not asked for."""
+    definition = DEFINITIONS["fanuc-30i"]
+    axis = Axis(name="X", kind=AxisKind.LINEAR, travel=(-100.0, 0.0), address="1")
+    new = table("1", [-150.0, -100.0, -50.0, 0.0, 50.0], [0.020, 0.004, -0.002, 0.0, -0.030])
+    values = card_values(definition, axis, new, {"detection_unit": 0.001}, {}, np.array([-95.0, -50.0, -5.0]))
+    assert (values["check_from"], values["check_to"]) == ("-95", "-50")
+    assert values["check_change"] == "-5.4 µm"  # from 3.4 to -2.0
+
+
+def test_what_differs_by_axis_stands_in_a_table_and_the_rest_once() -> None:
+    definition = DEFINITIONS["siemens-840d-sl"]
+    axes = [Axis(name=name, kind=AxisKind.LINEAR, travel=(0.0, 100.0), address=f"AX{n}") for n, name in enumerate("XY", start=1)]
+    tables = [
+        table(axis.address, [0.0, 50.0, 100.0][:count], [0.0, 0.001, 0.002][:count])
+        for axis, count in zip(axes, (3, 2), strict=True)
+    ]
+    values = [card_values(definition, axis, new, {}) for axis, new in zip(axes, tables, strict=True)]
+    steps = {step.title: step for step in card_steps_of_all(definition, list(zip(axes, values, strict=True)))}
+    reserve = steps["Reserve the points"]
+    assert "$MA_MM_ENC_COMP_MAX_POINTS[0,‹address›] must be at least ‹points›" in reserve.text
+    assert (reserve.heads, reserve.rows) == (("axis", "address", "points"), (("X", "AX1", "3"), ("Y", "AX2", "2")))
+    assert steps["Read back"].rows == ()
+    gantry = steps["Gantry"]  # whole sentences stay sentences
+    assert (len(gantry.text.splitlines()), gantry.rows) == (2, ())
+    (alone,) = [step for step in card_steps(definition, axes[0], values[0]) if step.title == "Reserve the points"]
+    assert "$MA_MM_ENC_COMP_MAX_POINTS[0,AX1] must be at least 3" in alone.text
+    assert alone.rows == ()
+
+
+class Headings(HTMLParser):
+    """Which heading, by the block that is kept together in print, stands before which table."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[str] = []
+        self.loose: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag in {"meta", "rect", "line"}:
+            return
+        self.open.append(dict(attrs).get("class") or "")
+        if tag == "h3" and "keep" not in self.open:
+            self.loose.append(str(self.getpos()))
+
+    def handle_endtag(self, tag: str) -> None:
+        if tag not in {"meta", "rect", "line"}:
+            self.open.pop()
+
+
+def test_in_print_the_tables_of_an_axis_stay_with_their_headings() -> None:
+    """And no table of an axis lies in a box that cuts what does not fit; seen with a browser at 1000 to 1600 px."""
+    page = card_html({**sample_card(), "files": [], "proven": ""}).decode()
+    style = page[page.index("<style>") : page.index("</style>")]
+    assert re.search(r"\.keep \{[^}]*break-inside: avoid", style)
+    assert style.count("{") == style.count("}")
+    body = page[page.index("<section>") : page.index("</section>")]
+    assert "<h3>Check positions</h3>" in body
+    assert 'class="scroll"' not in body
+    parser = Headings()
+    parser.feed(body)
+    assert parser.loose == []
