@@ -33,7 +33,9 @@ NUMBERS = {
 def parameters(
     newline: str = "\n", *, lines: int = 14_000, q: bool = True, numbers: Mapping[int, Sequence[str]] = NUMBERS, digits: int = 5
 ) -> str:
-    """Parameters in ascending order with ``lines`` filler lines that no reader of compensation may touch."""
+    """Parameters in ascending order with ``lines`` filler lines that no reader of compensation may touch.
+
+    None of them is a parameter that acts on an axis or says its unit."""
     mark = "Q1" if q else ""
     rows: dict[int, str] = {}
     for number, values in numbers.items():
@@ -42,7 +44,8 @@ def parameters(
         rows[number] = f"N{number:0{digits}d}{mark}{groups}"
     rows[1001] = f"N{1001:0{digits}d}{mark}P00000000"
     rows[1800] = f"N{1800:0{digits}d}{mark}P00000000"
-    free = (number for number in range(1, 30_000) if number not in rows and not 10_000 <= number < 20_000)
+    meant = {981, 1004, 1013, 1260, 1420, 1820, *range(1846, 1850), 3602, *range(5711, 5800), *range(5861, 5875)}
+    free = (number for number in range(1, 30_000) if number not in {*rows, *meant} and not 10_000 <= number < 20_000)
     for _ in range(lines):
         number = next(free)
         rows[number] = f"N{number:0{digits}d}{mark}" + ("A1P0A2P-1A3P17A4P0" if number % 3 else "P00010010")

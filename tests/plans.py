@@ -71,8 +71,7 @@ def random_options(format_id: str, rng: np.random.Generator) -> dict[str, object
         for name, values in (("output", ("step", "ramp")), ("pitch_sign", "+-"), ("increment_limit", ("7", "127"))):
             if rng.random() < 0.5:
                 chosen[name] = str(rng.choice(np.array(list(values))))
-        if rng.random() < 0.3:
-            chosen["first_point"] = int(rng.integers(0, 900))
+        chosen["first_point"] = int(rng.integers(0, 900)) if rng.random() < 0.3 else 0
         return chosen
     if format_id == "linuxcnc":
         return {"units": str(rng.choice(["mm", "inch"])), "comp_file_type": str(rng.choice(["0", "1"]))}

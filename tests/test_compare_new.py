@@ -265,7 +265,7 @@ def test_a_detection_unit_that_nobody_says_is_asked_for(tmp_path: Path, capsys: 
 def test_two_tables_without_the_control_s_own_bits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     state = backup(tmp_path / "control", lines=20)
     csv = str(measured(tmp_path, state))
-    options = ("address=1", "detection_unit=0.001", "spacing=50", "mode=bidirectional")
+    options = ("address=1", "detection_unit=0.001", "first_point=0", "spacing=50", "mode=bidirectional")
     code = compwright(
         [
             *("run", csv, "--format", "fanuc-30i", "--axis", "X", "--travel", "-200:200", "--state", "none"),

@@ -453,7 +453,6 @@ class TestText:
             in_style(("%\nN01851", "%;\nN01851")),
             in_style(("%\nN01851", "%(CNCID=1A2B3C4D,5E6F7A8B)\nN01851")),
             in_style(("Q0", "")),
-            in_style(("Q0", "Q1")),
             in_style(("Q1", ""), ("Q0", "")),
             in_style(("Q1", ""), ("Q0", ""), ("N0", "N")),
             in_style(("N0", "N000"), ("N10", "N0010")),
@@ -495,12 +494,12 @@ class TestText:
         with pytest.raises(InputError, match="line 4: block cannot be read"):
             control(PROGRAM.replace("G10L52\n", "O9101\n"))
 
-    def test_q1_counts_only_where_nothing_is_marked_q0(self) -> None:
-        # a 30i has parameters above 10000: with pitch data marked Q0 beside them they are parameters
+    def test_q1_is_never_pitch_data(self) -> None:
+        # a 30i has parameters above 10000, marked Q1 as all parameters: they are never pitch data
         box = control(in_style(("N10041Q0P2", "N10041Q0P2\nN10041Q1P9\nN10100Q1P3")))
         assert values(box, [50], UP) == [0.002]
-        assert any("marked Q1" in note for note in control(in_style(("Q0", "Q1"))).notes)
-        assert not any("marked Q1" in note for note in box.notes)
+        with pytest.raises(InputError, match="holds no pitch data"):
+            control(in_style(("Q0", "Q1")))
 
     def test_older_series_counts_thousandths(self) -> None:
         old = in_style(("Q1", ""), ("Q0", ""), ("M50.0A2M0.0A3M0.0", "P50000A2P0A3P0"))
@@ -563,7 +562,6 @@ class TestText:
             ("N10041Q0P2", "N10041Q0P", "block cannot be read"),
             ("N10041Q0P2", "N10041Q0A1P2", "block cannot be read"),
             ("N10041Q0P2", "N11536Q0P2", "no pitch data of point 1536"),
-            ("N10041Q0P2", "N11536P2", "no pitch data of point 1536"),
             ("N10041Q0P2", "%\nN10041Q0P2", "behind the closing %"),
             ("%\nN01851", "N01852Q1A1P4\n%\nN01851", "before the first %"),
             ("%\nN01851", "%N01851Q1A1P4\nN01851", "behind %"),
@@ -628,10 +626,15 @@ class TestText:
     def test_idle_points_and_unjudged_functions_are_named(self) -> None:
         box = control(in_style(("N10037", "N10200Q0P3\nN10201Q0P0\nN10037")))
         assert any("10200 hold values" in note for note in box.notes)
-        bent = control(in_style(("N10037", "N05871Q1A1P5\nN05761Q1P0\nN03602Q1P00000001\nN10037")))
-        assert any("inclination" in note for note in bent.notes)
-        assert any("3602#0" in note for note in bent.notes)
-        assert not any("straightness" in note for note in bent.notes)
+        for line, says in (
+            ("N05871Q1A1P5", "5871: 5"),
+            ("N03602Q1P00000001", "3602: 00000001"),
+            ("N05711Q1L1P1", "straightness compensation names axis 1"),
+            ("N14985Q1A1P60", "14985: 60"),
+            ("N10801Q1L1P1", "10801: 1"),
+        ):
+            with pytest.raises(InputError, match=says):
+                control(in_style(("N10037", f"{line}\nN05761Q1P0\nN10037")))
         assert any("3605#2" in note for note in control(in_style(("A1P00000000", "A1P00000100"))).notes)
         assert any("diameter" in note for note in control(in_style(("N03605", "N01006Q1A1P00001000\nN03605"))).notes)
 

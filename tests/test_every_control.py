@@ -36,7 +36,10 @@ ADDRESS = {
     "heidenhain-nck": "X",
 }
 #: What nobody can know but the user.
-OPTIONS = {"fanuc-30i": {"detection_unit": 0.001}, "fanuc-0i-16i": {"detection_unit": 0.001}}
+OPTIONS: dict[str, dict[str, object]] = {
+    "fanuc-30i": {"detection_unit": 0.001, "first_point": 0},
+    "fanuc-0i-16i": {"detection_unit": 0.001, "first_point": 0},
+}
 #: What a control met otherwise has.
 MORE_OPTIONS = {"siemens-840d-sl+cec": {"cec": "available", "cec_tables": "3,8"}}
 #: Controls that hold whole steps of 1 µm which come out in the middle of a section.

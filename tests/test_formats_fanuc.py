@@ -73,7 +73,7 @@ def write(
     *tables: AxisCompensation, axes: Sequence[Axis] | None = None, own: Sequence[ControlFile] = (), format_id: str = "fanuc-30i",
     **options: object,
 ) -> tuple[ControlFile, ...]:  # fmt: skip
-    control = open_control(format_id, {"detection_unit": 0.001, **options})
+    control = open_control(format_id, {"detection_unit": 0.001, **({} if own else {"first_point": 0}), **options})
     chosen = list(axes or [axis(one.address, kind=one.kind, reference_return=one.reference_return) for one in tables])
     state = decode(control, own, chosen) if own else None
     return tuple(write_tables(control.definition, list(tables), chosen, control.options, state.state if state else None, own))
@@ -151,7 +151,6 @@ STYLES = {
     "two paths": ("fanuc-30i", files(P__TXT=PARAMETERS.replace("L1P00000000", "L1P00000000L2P00000001"), Q__TXT=PITCH)),
     "P for a length": ("fanuc-30i", files(P__TXT=PARAMETERS.replace("M50.0", "P50.0"), Q__TXT=PITCH)),
     "no Q at the points": ("fanuc-30i", files(P__TXT=PARAMETERS, Q__TXT=PITCH.replace("Q0", ""))),
-    "Q1 at the points": ("fanuc-30i", files(P__TXT=PARAMETERS, Q__TXT=PITCH.replace("Q0", "Q1"))),
     "CNCID": ("fanuc-30i", files(P__TXT=PARAMETERS.replace("%", "%(CNCID=01234567,89ABCDEF)", 1), Q__TXT=PITCH)),
     "comments": ("fanuc-30i", files(P__TXT=PARAMETERS.replace("A2P0A3P6", "(X) A2P0A3P6 (mm\xfc)"), Q__TXT=PITCH)),
     "typed-entry sheet": ("fanuc-30i", files(entry_X__csv=SHEET)),
@@ -217,7 +216,7 @@ def test_a_parameter_above_10000_is_no_point() -> None:
     new = points_changed(own, write(table(range(-4, 5), [0] * 9), own=own))
     assert "N10037Q1P5" in new
     assert "N10500Q1P7" in new
-    old = files(P__TXT=without_q(PARAMETERS), Q__TXT=without_q(PITCH).replace("%\nN10037", "%\nN13600P00000000\nN12345P3\nN10037"))
+    old = files(P__TXT=without_q(PARAMETERS).replace("%\nN01001", "%\nN13600P00000000\nN12345P3\nN01001"), Q__TXT=without_q(PITCH))
     np.testing.assert_allclose(
         both(old, axis(), format_id="fanuc-0i-16i").state.axes["1"].positive, np.array(list(TOTALS.values())) * UM, atol=EXACT
     )
@@ -415,7 +414,7 @@ def test_what_the_control_cannot_hold_is_refused() -> None:
     assert "zero at the reference" in refusal(table([-1, 0, 1], [0, 1, 2]))
     assert "9.999" in refusal(table([0, 1, 2], [0, 1, 2], backlash=10.0))
     assert "twice" in refusal(table([0, 1, 2], [0, 1, 2], [0, 2, 2], backlash=UM), own=two_sets_backup())
-    assert "three decimal places" in refusal(table([0, 1, 2], [0, 1, 2], spacing=12.3456))
+    assert "not a multiple of 0.001 mm" in refusal(table([0, 1, 2], [0, 1, 2], spacing=12.3456))
 
 
 @pytest.mark.parametrize(("format_id", "highest"), [("fanuc-30i", 1535), ("fanuc-0i-16i", 1023)])
@@ -723,7 +722,7 @@ def test_a_table_of_an_endless_axis_that_creeps_is_refused_when_read() -> None:
 
 
 def forms(meant: AxisCompensation, where: Axis, own: Sequence[ControlFile] = (), format_id: str = "fanuc-30i", **options: object) -> list[ControlFile]:  # fmt: skip  # noqa: E501
-    control = open_control(format_id, {"detection_unit": 0.001, **options})
+    control = open_control(format_id, {"detection_unit": 0.001, **({} if own else {"first_point": 0}), **options})
     state = decode(control, own, [where]).state if own else None
     return list(second_forms(control.definition, [meant], [where], control.options, state))
 
@@ -783,17 +782,17 @@ def test_the_program_switches_to_two_sets() -> None:
 def test_no_program_for_an_inch_machine() -> None:
     own = files(P__TXT=PARAMETERS.replace("L1P00000000", "L1P00000001"), Q__TXT=PITCH)
     with pytest.raises(UsageError, match="inch"):
-        forms(table([0, 1], [0, 1]), axis(), own, program="g10")
+        forms(table([0, 1], [0, 1], spacing=25.4), axis(), own, program="g10")
 
 
-def test_an_inch_machine_gets_its_interval_in_mm() -> None:
-    """M is converted by the control; a P there would be taken as inches."""
+def test_an_inch_machine_keeps_the_letter_of_its_interval() -> None:
+    """I is inch, P the machine's own unit, which is inch here: 38.1 mm are 1.5 inch."""
     inch = PARAMETERS.replace("L1P00000000", "L1P00000001").replace("M50.0A2M0.0A3M0.0", "I2.0A2I0.0A3P4.0")
     for text in (inch, inch.replace("I2.0", "P2.0")):
         own = files(P__TXT=text, Q__TXT=PITCH)
-        new = write(table([-1, 0, 1], [1, 0, 2], spacing=40.0), own=own)
-        assert b"N03624Q1A1M40.0A2I0.0A3P4.0\n" in new[0].content
-        np.testing.assert_allclose(both(new, axis()).state.axes["1"].positions, [-40, 0, 40], atol=EXACT)
+        new = write(table([-1, 0, 1], [1, 0, 2], spacing=38.1), own=own)
+        assert (b"N03624Q1A1I1.5A2I0.0A3P4.0\n" if b"A1I" in own[0].content else b"N03624Q1A1P1.5A2I0.0A3P4.0\n") in new[0].content
+        np.testing.assert_allclose(both(new, axis()).state.axes["1"].positions, [-38.1, 0, 38.1], atol=EXACT)
 
 
 # Mistakes that a definition or a hand could make ---------------------------------------------------------------------------
@@ -812,7 +811,7 @@ WANTED = table(list(range(-4, 5)), list(TOTALS.values()), backlash=4 * UM)
 def judged_with(text: bytes) -> float:
     """The largest difference, mm, between what was meant and what the judge makes of the files of a definition."""
     definition = load_definition(text, "fanuc-30i.yaml")
-    options = resolve_options(definition, {"detection_unit": 0.001})
+    options = resolve_options(definition, {"detection_unit": 0.001, "first_point": 0})
     new = write_tables(definition, [WANTED], [axis()], options, None, ())
     judge = virtual_control(
         "fanuc-30i", new, kinds={"1": AxisKind.LINEAR}, reference_return={"1": UP}, options={"detection_unit": 0.001}

@@ -461,7 +461,7 @@ def test_decode_reads_the_measuring_system_that_is_asked_for(tmp_path: Path, cap
 @pytest.mark.parametrize(
     ("format_id", "addresses", "options"),
     [
-        ("fanuc-30i", ("1", "4"), ", options: {detection_unit: 0.001}"),
+        ("fanuc-30i", ("1", "4"), ", options: {detection_unit: 0.001, first_point: 0}"),
         ("heidenhain-itnc530", ("X", "V"), ""),
         ("siemens-840d-sl", ("AX1", "AX5"), ""),
         ("linuxcnc", ("0", "3"), ""),

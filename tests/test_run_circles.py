@@ -292,7 +292,7 @@ def test_heidenhain_gets_a_column_to_type_in(folder: Path, values: str, sign: fl
 def test_fanuc_gets_a_sheet_of_straightness_compensation_only_when_the_job_names_the_option(folder: Path) -> None:
     card = folder / "job" / "card"
     for options, there in (("", False), (", straightness: available", True)):
-        path = job(folder, options=f"{{detection_unit: 0.001{options}}}", control="fanuc-30i")
+        path = job(folder, options=f"{{detection_unit: 0.001, first_point: 0{options}}}", control="fanuc-30i")
         path.write_text(path.read_text().replace('address: "X"', 'address: "1"').replace('address: "Y"', 'address: "2"'))
         assert compwright(["run", str(path), "--force"]) == (0 if there else 1)
         assert (card / "straightness_X_Y.csv").exists() is there

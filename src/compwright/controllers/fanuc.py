@@ -16,11 +16,12 @@ Stated from the manuals, apart from the definition that writes the files:
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from compwright.controllers.fanuc_axis import AxisLoader, Grid
+from compwright.controllers.fanuc_machine import read_machine
 from compwright.controllers.fanuc_memory import SERIES_0I_16I, SERIES_30I, Memory, Series, number_list
 from compwright.controllers.fanuc_options import Options, read_options
 from compwright.controllers.fanuc_sheet import is_sheet, read_sheet
@@ -28,8 +29,11 @@ from compwright.controllers.fanuc_table import PitchTable
 from compwright.controllers.fanuc_text import POINT_BASE, read_file
 from compwright.controllers.request import Request, by_address, unknown_axis
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.records.axis import Direction, FloatArray
+from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile
+
+#: Two detection units are the same within this part.
+_SAME_UNIT = 1e-4
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,28 +120,42 @@ def _control(files: Sequence[ControlFile], request: Request, series: Series) -> 
     def pitch_sign(address: str) -> str:
         return str(request.options_of(address).get("pitch_sign", "+"))
 
-    memory = Memory([read_sheet(file, pitch_sign) if is_sheet(file) else read_file(file) for file in files], series)
+    machine = read_machine(file for file in files if not is_sheet(file))
+    memory = Memory([read_sheet(file, pitch_sign) if is_sheet(file) else read_file(file) for file in files], series, machine)
     if not memory.axes() and not memory.faults:
         found = "pitch data only" if memory.points else ""
         names = ", ".join(file.name for file in files)
         memory.faults.append(
             Fault(message="no compensation parameters found", file=names, expected="parameters 3620 to 3624 or 1851", found=found)
         )
-    options = _options(request, memory.axes(), series)
+    options = _options(request, memory, series)
     loader = AxisLoader(memory, request)
-    grids = {axis: loader.grid(axis, options[axis]) for axis in memory.axes()}
+    grids = {axis: loader.grid(axis, options[axis]) for axis in memory.axes() if loader.asked(axis)}
+    grids |= {axis: loader.neighbour(axis, options[axis]) for axis in memory.axes() if axis not in grids}
     _check_shared(loader, {axis: grid for axis, grid in grids.items() if grid is not None})
     axes = {str(axis): _axis(loader, axis, grid, options[axis]) for axis, grid in grids.items()}
     raise_all(InputError, list(dict.fromkeys(memory.faults)))
     return FanucControl(axes=axes, assumed=tuple(dict.fromkeys(memory.assumed)), notes=tuple(dict.fromkeys(memory.notes)))
 
 
-def _options(request: Request, axes: Sequence[int], series: Series) -> dict[int, Options]:
-    """Return the options of each axis; a backup speaks of more axes than the caller knows a detection unit of."""
+def _options(request: Request, memory: Memory, series: Series) -> dict[int, Options]:
+    """Return the options of each axis; its files say the detection unit where the caller does not, and must not contradict him."""
     faults: list[Fault] = []
-    options = {axis: read_options(request.options_of(str(axis)), series, str(axis), faults) for axis in axes}
-    if axes and not faults and all(entry.detection_unit is None for entry in options.values()):
-        faults.append(_no_unit(", ".join(map(str, axes))))
+    options: dict[int, Options] = {}
+    for axis in memory.axes():
+        own = read_options(request.options_of(str(axis)), series, str(axis), faults)
+        rotary = by_address(request.kinds, str(axis)) is AxisKind.ROTARY
+        said = memory.machine.detection_unit(axis, rotary=rotary)
+        if said is not None and own.detection_unit is None:
+            memory.assumed.append(Assumption(f"detection unit of {axis}", f"{said:g}", "1820 with 1013 or 1004"))
+            own = replace(own, detection_unit=said)
+        elif said is not None and request.asks_for(str(axis)) and memory.moves(axis):
+            given, entry = own.detection_unit or said, memory.machine.said(1820, axis)
+            if entry is not None and abs(given - said) > _SAME_UNIT * said:
+                memory.faults.append(entry.fault(f"detection_unit {given:g} of axis {axis}", f"{said:g} by 1820"))
+        options[axis] = own
+    if options and not faults and all(entry.detection_unit is None for entry in options.values()):
+        faults.append(_no_unit(", ".join(map(str, options))))
     raise_all(UsageError, faults)
     return options
 

@@ -61,9 +61,24 @@ class AxisLoader:
         """Add a note about an axis."""
         self.memory.notes.append(f"axis {axis}: {text}")
 
+    def asked(self, axis: int) -> bool:
+        """Whether the caller wants this axis; an odd one that nobody asks for stops nothing."""
+        return self.request.asks_for(str(axis))
+
+    def neighbour(self, axis: int, options: Options) -> Grid | None:
+        """Return the grid of an axis that nobody asks for; one with faults is noted and left out."""
+        before = len(self.memory.faults)
+        grid = self.grid(axis, options)
+        odd = self.memory.faults[before:]
+        del self.memory.faults[before:]
+        if odd:
+            self.note(axis, f"is odd and left alone: {odd[0].message}")
+        return None if odd else grid
+
     def grid(self, axis: int, options: Options) -> Grid | None:
         """Return the grid of an axis, None when the control compensates nothing by points (or a fault says why not)."""
         before = len(self.memory.faults)
+        self.memory.faults += self.memory.machine.also_acts(axis)
         values = {number: self.memory.whole(number, axis) for number in _GRID[:-1]}
         absent = [number for number in _GRID if not self.memory.given(number, axis)]
         if len(absent) == len(_GRID):
@@ -77,14 +92,15 @@ class AxisLoader:
             self._fault(axis, f"pitch parameters of axis {axis} are incomplete", "parameters " + number_list(absent))
             return None
         reference, lowest, highest, magnification = (values[number] or 0 for number in _GRID[:-1])
-        if not lowest <= reference <= highest:
+        rotary = self._rotary(axis)
+        behind = rotary and lowest == reference + 1 and lowest < highest
+        if not lowest <= reference <= highest and not behind:
             found = f"3621 {lowest}, 3620 {reference}, 3622 {highest}"
             self._fault(axis, f"point numbers of axis {axis}", "3621 <= 3620 <= 3622", found)
             return None
         if lowest == highest:
             self.note(axis, f"3621 = 3622 = {lowest}: no grid, so no pitch error compensation")
             return None
-        rotary = self._rotary(axis)
         interval = self.memory.length(3624, axis, rotary=rotary)
         if interval is None:
             return None
@@ -102,7 +118,8 @@ class AxisLoader:
 
         The set of the reference-return direction is 0 at the reference; the other one stands off it by 3627.
         """
-        used = 1 if grid.turn is not None else 0  # the number of the reference itself owns no section of an endless axis
+        # the number of the reference itself owns no section of an endless axis, and need not be among its numbers
+        used = grid.reference + 1 - grid.lowest if grid.turn is not None else 0
         curves = []
         for start in grid.starts():
             numbers = range(start + used, start + grid.highest - grid.lowest + 1)
@@ -126,8 +143,7 @@ class AxisLoader:
     def backlash(self, axis: int) -> int:
         """Return 1851 in detection units, 0 where the files do not hold it."""
         backlash = self.memory.whole(1851, axis)
-        separate = next((bit for owner in (axis, None) if (bit := self.memory.bit(1800, 4, owner)) is not None), False)
-        if separate:
+        if self.memory.machine.bit(1800, 4, axis):
             rapid = self.memory.whole(1852, axis)
             if rapid is not None and rapid != (backlash or 0):
                 self.note(axis, f"1800#4 = 1: at rapid traverse 1852 = {rapid} acts; judged at cutting feed with 1851")
@@ -164,14 +180,15 @@ class AxisLoader:
             if modulo is not None:
                 self._fault(grid.axis, f"axis {grid.axis} is linear but was said to be endless", "1006#0 = 1", f"modulo {modulo:g}")
             return grid
-        turn = self.memory.length(3625, grid.axis, rotary=True) or 360.0
+        turn = self.memory.length(3625, grid.axis, rotary=True) or self.memory.machine.turn(grid.axis) or 360.0
         covered = (grid.highest - grid.reference) * grid.interval
-        fits = grid.lowest == grid.reference and abs(covered - turn) <= _WHOLE_TURN * turn
+        behind = grid.lowest == grid.reference + 1
+        fits = (behind or grid.lowest == grid.reference) and abs(covered - turn) <= _WHOLE_TURN * turn
         if modulo is not None and abs(modulo - turn) > _WHOLE_TURN * turn:
             self._fault(grid.axis, f"turn of axis {grid.axis} (3625, 0 means 360)", f"{modulo:g} deg", f"{turn:g} deg")
         elif fits:
             return replace(grid, turn=turn)
-        elif modulo is not None or (grid.lowest == grid.reference and self._goes_round(grid.axis)):
+        elif behind or modulo is not None or (grid.lowest == grid.reference and self._goes_round(grid.axis)):
             count = turn / grid.interval
             self._fault(
                 grid.axis,
@@ -215,14 +232,14 @@ class AxisLoader:
         """Note what bears on the table and is not judged."""
         if self.memory.bit(1006, 3, axis):
             self.note(axis, "1006#3 = 1, diameter programming: positions and 3624 are taken in radius (unconfirmed)")
-        if self.memory.bit(1001, 0, None):
+        if self.memory.machine.bit(1001, 0, axis):
             self.note(axis, "1001#0 = 1, an inch machine: lengths marked P are inches")
         if self.memory.bit(3605, 2, axis):
             self.note(axis, "3605#2 = 1 may mean interpolated compensation (bit unsure); option output decides")
 
     def _check_points(self, grid: Grid, options: Options) -> None:
         """All points of the grid have to be there and within the series' limit."""
-        needless = {start for start in grid.starts() if grid.turn is not None}
+        needless = {start for start in grid.starts() if grid.turn is not None and grid.lowest == grid.reference}
         absent = [number for number in grid.numbers() if number not in self.memory.increments]
         if set(absent) - needless:
             what = "holds no pitch data" if len(absent) == len(grid.numbers()) else "lacks pitch data"

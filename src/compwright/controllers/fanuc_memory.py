@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import TypeVar
 
+from compwright.controllers.fanuc_machine import Machine
 from compwright.controllers.fanuc_text import POINT_BASE, FileContent, PointRecord, Setting
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.correction import Assumption
@@ -28,8 +29,6 @@ _BY_AXIS = frozenset({1006, 1013, 1851, 1852, 3605, *range(3620, 3628)})
 _LENGTHS = frozenset({3624, 3625})
 #: An increment is a signed byte (fwlib32.h, cnc_rdpitchr), whatever the series.
 BYTE = (-128, 127)
-#: Above this a block without Q is a parameter: no series comes near 2000 points.
-_POINTS_AT_MOST = 2000
 
 _WHOLE = re.compile(r"-?[0-9]{1,12}")
 _EIGHT_BITS = re.compile("[01]{8}")
@@ -52,8 +51,9 @@ SERIES_0I_16I = Series("0i/16i", highest_point=1023, increment_limit=7, whole_le
 class Memory:
     """Settings and pitch data of all files. Faults and notes gather here; a value given twice has to be the same."""
 
-    def __init__(self, contents: Sequence[FileContent], series: Series) -> None:
+    def __init__(self, contents: Sequence[FileContent], series: Series, machine: Machine) -> None:
         self.series = series
+        self.machine = machine
         self.faults = [fault for content in contents for fault in content.faults]
         self.notes = [note for content in contents for note in content.notes]
         self.assumed: list[Assumption] = []
@@ -79,6 +79,11 @@ class Memory:
     def setting(self, number: int, axis: int) -> Setting:
         """Return the setting of an axis for a fault's file and line; it must be `given`."""
         return self._settings[number, axis, None][0]
+
+    def moves(self, axis: int) -> bool:
+        """Whether an axis has a table that is on, or a backlash value: else its detection unit decides nothing."""
+        low, high = self.whole(3621, axis), self.whole(3622, axis)
+        return bool((self.whole(3623, axis) and low != high) or self.whole(1851, axis))
 
     def whole(self, number: int, axis: int) -> int | None:
         """Return a whole number, None when it is not in the files (or wrong: then there is a fault)."""
@@ -123,7 +128,8 @@ class Memory:
         if setting.keyword in ("mm", "deg") and (setting.keyword == "deg") != rotary:
             self.faults.append(setting.fault(f"unit of {setting.label}", expected="deg" if rotary else "mm", found=setting.keyword))
             return None
-        inch = not rotary and (setting.keyword == "I" or (setting.keyword == "P" and bool(self.bit(1001, 0, None))))
+        counts = setting.axis is not None and bool(self.machine.bit(1001, 0, setting.axis))
+        inch = not rotary and (setting.keyword == "I" or (setting.keyword == "P" and counts))
         value = float(setting.text)
         if value < 0.0:
             self.faults.append(setting.fault(f"value of {setting.label}", expected="0 or more"))
@@ -185,21 +191,24 @@ class Memory:
             self.faults.append(setting.fault(f"value of {setting.label}", expected="eight binary digits, or 0 or 1 for one bit"))
 
     def _keep_points(self, records: list[PointRecord]) -> None:
-        """Keep pitch data; records marked Q1 count only where no file marks them otherwise (a 30i has parameters above 10000)."""
-        certain = [
-            record for record in records if record.mark in ("Q0", "sheet") or (record.mark == "none" and _may_be_point(record))
-        ]
-        doubtful = [record for record in records if record.mark == "Q1" and _may_be_point(record)]
-        taken = certain or [record for record in doubtful if record.number <= self.series.highest_point]
-        for record in taken:
-            self._keep_point(record, doubtful=not certain)
-        if self.points and not certain:
-            first = min(self.points.values(), key=lambda record: (record.file, record.line))
-            self.notes.append(
-                f"{first.file}: line {first.line}: pitch data are marked Q1, as parameters are, and were read all the same"
-            )
+        """Keep pitch data. Records without Q beside parameters count where nothing else does and they fill a whole range."""
+        certain = [record for record in records if record.mark != "beside"]
+        held = {record.number for record in records}
+        for record in certain or (records if any(held.issuperset(numbers) for numbers in self._ranges()) else []):
+            self._keep_point(record)
 
-    def _keep_point(self, record: PointRecord, *, doubtful: bool) -> None:
+    def _ranges(self) -> list[range]:
+        """Return the ranges 3621 to 3622 of all axes, as far as they can be read."""
+        texts = {
+            axis: [
+                self._settings[number, axis, None][0].text for number in (3621, 3622) if self._settings.get((number, axis, None))
+            ]
+            for _, axis, _ in list(self._settings)
+        }
+        ends = [tuple(map(int, text)) for text in texts.values() if len(text) == 2 and all(map(_WHOLE.fullmatch, text))]
+        return [range(low, high + 1) for low, high in ends if low < high]
+
+    def _keep_point(self, record: PointRecord) -> None:
         name = f"pitch data of point {record.number} (N{POINT_BASE + record.number})"
         if record.number > self.series.highest_point:
             self.faults.append(
@@ -210,21 +219,13 @@ class Memory:
         elif not _WHOLE.fullmatch(record.text):
             self.faults.append(record.fault(name, expected="a whole number without a point"))
         elif not BYTE[0] <= int(record.text) <= BYTE[1]:
-            if not doubtful:
-                self.faults.append(record.fault(f"increment of {name}", expected=f"{BYTE[0]} to {BYTE[1]}"))
+            self.faults.append(record.fault(f"increment of {name}", expected=f"{BYTE[0]} to {BYTE[1]}"))
         elif self.increments.get(record.number, int(record.text)) != int(record.text):
             other = self.points[record.number]
             self.faults.append(record.fault(f"{name} contradicts {other.file}, line {other.line}", expected=other.text))
         else:
             self.points.setdefault(record.number, record)
             self.increments[record.number] = int(record.text)
-
-
-def _may_be_point(record: PointRecord) -> bool:
-    """Whether a record without Q0 can be pitch data: not eight digits of bits, not a number far above all points."""
-    if _EIGHT_BITS.fullmatch(record.text) or record.number >= _POINTS_AT_MOST:
-        return False
-    return record.mark == "none" or _WHOLE.fullmatch(record.text) is not None
 
 
 def number_list(numbers: Iterable[int]) -> str:

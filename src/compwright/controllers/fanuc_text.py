@@ -15,7 +15,7 @@ Values are kept as text here; what they mean is the work of ``fanuc_memory``.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from compwright.foundations.errors import Fault
@@ -27,21 +27,16 @@ POINT_BASE = 10000
 #: Parameters that decide the correction of an axis.
 WATCHED = frozenset({1001, 1004, 1006, 1013, 1800, 1851, 1852, 3605, *range(3620, 3628)})
 
-#: Functions that would add to the correction and are not judged -> their parameters that are zero while the function does nothing.
-UNJUDGED = {
-    "inclination compensation": frozenset(range(5871, 5875)),
-    "straightness compensation": frozenset({*range(5761, 5765), *range(5771, 5775), *range(5781, 5785)}),
-    "cyclic second pitch error": frozenset({14987}),
-}
-_UNJUDGED_NUMBERS = {number: name for name, numbers in UNJUDGED.items() for number in numbers}
-
-#: How a point was marked: Q0 or a sheet say pitch data; without Q it is most likely; Q1 is the mark of a parameter.
-Mark = Literal["Q0", "none", "Q1", "sheet"]
+#: How a point was marked: Q0 or a sheet say pitch data. Without Q it is one in a file of nothing else ("alone"), or perhaps in a
+#: file that holds parameters too ("beside"). Q1 is the mark of a parameter, which is no point whatever its number.
+Mark = Literal["Q0", "alone", "beside", "sheet"]
 
 _BREAK = re.compile(r"\n\r*|\r\n|\r")
 _COMMENT = re.compile(r"\([^()]*\)")
 _NUMBERED = re.compile(r"N\s*([0-9]{1,12})(?![0-9])")
 _WORD = re.compile(r"\s*([A-Z])\s*(-?(?:[0-9]+\.?[0-9]*|\.[0-9]+))")
+#: A record of pitch data behind its number: one small whole number.
+_RECORD = re.compile(r"\s*(?:Q\s*0)?\s*P\s*-?[0-9]{1,4}\s*")
 _ENTRY = re.compile(r"(?:N\s*[0-9]+\s*)?G\s*10\s*L\s*5[02]\s*")
 _ENTRY_ENDS = re.compile(r"(?:N\s*[0-9]+\s*)?G\s*11\s*")
 _PROGRAM_WORDS = re.compile(r"[O:]\s*[0-9]+|M\s*(?:30|0?2|99)")
@@ -132,6 +127,8 @@ class _Reader:
         self.last_text = 0
         self.lines = 0
         self.strange: list[int] = []
+        self.parameters = False
+        self.above = False
 
     def take(self, raw: str, number: int) -> None:
         """Read one line."""
@@ -147,6 +144,9 @@ class _Reader:
             return
         self.last_text = number
         match = _NUMBERED.match(line)
+        if match is not None:
+            self.parameters |= int(match[1]) < POINT_BASE
+            self.above |= int(match[1]) >= POINT_BASE and not _RECORD.fullmatch(line[match.end() :])
         if _ENTRY.fullmatch(line):
             self.programmed = True
         elif _ENTRY_ENDS.fullmatch(line):
@@ -162,7 +162,10 @@ class _Reader:
                 self._wrong(number, raw, "block cannot be read", str(error))
 
     def finish(self, *, ends_with_break: bool) -> None:
-        """Say what the file as a whole lacks."""
+        """Say what the file as a whole lacks, and what its records without Q are: parameters if others stand among them."""
+        mark: Mark = "beside" if self.parameters else "alone"
+        kept = [record for record in self.found.points if record.mark == "Q0" or not self.above]
+        self.found.points = [record if record.mark == "Q0" else replace(record, mark=mark) for record in kept]
         if self.before and self.marks and (self.marks != 1 or self.last_block > self.before[-1]):
             self._wrong(self.before[0], "", "data before the first %, which the control does not read", "% as the first line")
         elif self.before and self.marks:
@@ -180,7 +183,7 @@ class _Reader:
         self.found.faults.append(Fault(message=message, file=self.file, place=f"line {number}", expected=expected, found=found))
 
     def _matters(self, number: int) -> bool:
-        return number in WATCHED or number in _UNJUDGED_NUMBERS or number == 3602 or number >= POINT_BASE
+        return number in WATCHED or number >= POINT_BASE
 
     def _place(self, number: int) -> None:
         """A block outside ``%`` .. ``%`` is not read by the control (files without any ``%`` are all inside)."""
@@ -198,13 +201,11 @@ class _Reader:
     def _block(self, number: int, rest: str, line: int) -> None:
         words = _words(rest)
         if words is None:
-            if number not in WATCHED and rest.lstrip()[:1] != "Q":
+            if number not in WATCHED and not re.match(r"\s*Q\s*0", rest):
                 return  # some other parameter of the control
             raise _Unreadable("words such as A1P40, without plus sign, comma or semicolon")
         if self.programmed:
             self._program_block(number, words, line)
-        elif number in _UNJUDGED_NUMBERS or number == 3602:
-            self._unjudged(number, words)
         elif number >= POINT_BASE:
             self._point(number, words, line)
         else:
@@ -235,18 +236,19 @@ class _Reader:
             raise _Unreadable("a value P behind every axis number")
 
     def _point(self, number: int, words: list[tuple[str, str]], line: int) -> None:
-        """Read ``N1nnnn [Q0 | Q1] [L1] P<increment>``; a block with axes or spindles is a parameter of that number."""
-        mark: Mark = "none"
-        if words and words[0][0] == "Q":
-            if words[0][1] not in ("0", "1"):
-                raise _Unreadable("Q0 (pitch data) or Q1 (parameter)")
-            mark = "Q0" if words[0][1] == "0" else "Q1"
-            words = words[1:]
-        if words[:1] == [("L", "1")]:
+        """Read ``N1nnnn [Q0] P<increment>``; a block with Q1, axes, paths or spindles is a parameter of that number."""
+        if words[:1] == [("Q", "1")]:
+            return
+        marked = bool(words) and words[0][0] == "Q"
+        if marked and words[0][1] != "0":
+            raise _Unreadable("Q0 (pitch data) or Q1 (parameter)")
+        words = words[1:] if marked else words
+        if marked and words[:1] == [("L", "1")]:
             words = words[1:]
         if len(words) == 1 and words[0][0] == "P":
+            mark: Mark = "Q0" if marked else "alone"
             self.found.points.append(PointRecord(number - POINT_BASE, words[0][1], mark, self.file, line))
-        elif mark == "Q0" or (mark == "none" and not any(letter in "ASTL" for letter, _ in words)):
+        elif marked or not any(letter in "ASTL" for letter, _ in words):
             raise _Unreadable("one value, such as N10040Q0P1")
 
     def _program_block(self, number: int, words: list[tuple[str, str]], line: int) -> None:
@@ -259,24 +261,10 @@ class _Reader:
         if bit is not None and bit not in set("01234567"):
             raise _Unreadable("Q0 to Q7, the number of the bit")
         value = by_letter["R"]
-        if number in _UNJUDGED_NUMBERS:
-            self._unjudged(number, [("P", value)])
-        elif number < POINT_BASE:
+        if number < POINT_BASE:
             self.found.settings.append(Setting(number, axis, None if bit is None else int(bit), "P", value, self.file, line))
         elif axis is None and bit is None:
             self.found.points.append(PointRecord(number - POINT_BASE, value, "Q0", self.file, line))
-
-    def _unjudged(self, number: int, words: list[tuple[str, str]]) -> None:
-        """Note a function that acts on the axis and is not judged, once per file and function."""
-        values = [text for letter, text in words if letter in "PMI"]
-        if number == 3602:
-            acts = any(text.endswith("1") for text in values)
-            remark = "3602#0 = 1 (number unsure) may say that pitch data are totals; they are judged as increments"
-        else:
-            acts = any(text.strip("-0.") for text in values)
-            remark = f"{_UNJUDGED_NUMBERS[number]} (parameter {number}) is not judged"
-        if acts and not any(remark.split(" (")[0] in note for note in self.found.notes):
-            self.found.notes.append(f"{self.file}: {remark}")
 
 
 def _words(rest: str) -> list[tuple[str, str]] | None:

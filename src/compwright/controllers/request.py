@@ -20,7 +20,8 @@ class Request:
 
     ``reference_return``: direction in which the reference is approached; ``encoder``: active measuring system, 1 or 2; ``kinds``:
     linear or rotary; ``modulo``: the turn of an endless axis, deg; ``reference``: machine coordinate of the reference position,
-    mm or deg; ``options``: the controller's options by name, as the job gives them; ``axis_options`` go over them.
+    mm or deg; ``options``: the controller's options by name, as the job gives them; ``axis_options`` go over them. ``asked``: the
+    axes under work, empty for all; what is odd about others stops nothing.
     """
 
     reference_return: Mapping[str, Direction] = field(default_factory=dict)
@@ -30,6 +31,11 @@ class Request:
     reference: Mapping[str, float] = field(default_factory=dict)
     options: Mapping[str, object] = field(default_factory=dict)
     axis_options: Mapping[str, Mapping[str, object]] = field(default_factory=dict)
+    asked: tuple[str, ...] = ()
+
+    def asks_for(self, address: str) -> bool:
+        """Return whether the caller wants this axis; without any named he wants all."""
+        return not self.asked or address.casefold() in {one.casefold() for one in self.asked}
 
     def options_of(self, address: str) -> Mapping[str, object]:
         """Return the options of one axis: its own over the controller's."""

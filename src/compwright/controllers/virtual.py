@@ -83,13 +83,15 @@ def virtual_control(
     modulo: Mapping[str, float] | None = None,
     reference: Mapping[str, float] | None = None,
     axis_options: Mapping[str, Mapping[str, object]] | None = None,
+    asked: Sequence[str] = (),
 ) -> VirtualControl:
     """Return the virtual control of ``format_id`` with ``files`` (bare names, raw bytes) loaded.
 
     By axis address: ``reference_return`` is the direction in which the reference is approached, ``encoder`` the active
     measuring system (1 or 2), ``kinds`` linear or rotary where no file says it, ``modulo`` the turn of an endless axis (deg),
     ``reference`` the machine coordinate of the reference position (mm or deg). ``options`` are the controller's options,
-    ``axis_options`` those of single axes, which go over them. Whatever had to be taken without being told is in ``assumed``.
+    ``axis_options`` those of single axes, which go over them. ``asked``: the axes that matter, empty for all: what is odd about
+    others refuses nothing where the control lives with it. Whatever had to be taken without being told is in ``assumed``.
 
     Raises UsageError for an unknown format, InputError for files that the control would refuse or that contradict themselves.
     """
@@ -106,5 +108,6 @@ def virtual_control(
         reference=dict(reference or {}),
         options=dict(options or {}),
         axis_options=dict(axis_options or {}),
+        asked=tuple(asked),
     )
     return maker(files, request)

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 
 import numpy as np
 
+from compwright.formats import increments_acting as acting
+from compwright.formats import increments_parameters as known
 from compwright.formats.axis_reading import Fact
 from compwright.formats.gathering import Found, Gathered, the_one
+from compwright.formats.increments_parameters import Parameters
 from compwright.formats.increments_points import POINTS_FROM, fault_at, number_list
 from compwright.formats.notes import Notes
-from compwright.formats.options import REFERENCE, REFERENCE_RETURN, axis_options
+from compwright.formats.options import DETECTION_UNIT, REFERENCE, REFERENCE_RETURN, axis_options
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Choice, Definition
 from compwright.foundations.errors import Fault
@@ -21,6 +24,10 @@ from compwright.records.correction import AxisCompensation, Interpolation
 
 #: Quantities that say where an axis' table lies.
 GRID = ("reference_number", "first_number", "last_number", "magnification", "table_spacing")
+#: Quantities of a path or of the machine: parameter, bit, neutral words for 0 and 1.
+_BY_PATH = {"length_unit": (known.INCH, 0, ("mm", "inch")), "separate_rapid": (known.BACKLASH_BITS, 4, ("no", "yes"))}
+#: Detection units are the same within this part: what the job says in few digits.
+_SAME_UNIT = 1e-4
 #: Two positions are the same below this many mm or deg: a control counts in 0.0001 at the finest.
 _SAME_PLACE = 1e-6
 
@@ -48,6 +55,7 @@ class IncrementReader:
         definition: Definition,
         gathered: Gathered,
         points: Mapping[int, Found],
+        parameters: Parameters,
         address: str,
         axis: Axis | None,
         options: Mapping[str, object],
@@ -58,12 +66,13 @@ class IncrementReader:
         self.definition = definition
         self.gathered = gathered
         self.points = points
+        self.parameters = parameters
         self.address = address
         self.axis = axis
-        self.options = axis_options(definition, options, axis) if asked else options
         self.notes = notes
         self.label = f"axis {address}"
         self.said: dict[str, Found] = {}
+        self.options = self._settled(options) if asked else {**options, DETECTION_UNIT: 1.0}  # only what is odd is asked of others
 
     # --- single values
 
@@ -92,6 +101,10 @@ class IncrementReader:
 
     def word(self, quantity: str) -> str | None:
         """Return the neutral word of a choice; None where the files do not hold it."""
+        if quantity in _BY_PATH:  # these may belong to a path: that of the axis counts
+            number, bit, words = _BY_PATH[quantity]
+            value = self.parameters.axis(number, self.address)
+            return None if value is None else words[value.bit(bit)]
         found, binding = self.found(quantity), self.definition.bindings.get(quantity)
         return binding.values.get(found.text) if found is not None and isinstance(binding, Choice) else None
 
@@ -101,11 +114,7 @@ class IncrementReader:
         if found is None:
             return None
         number = Decimal(found.text)
-        if kind is AxisKind.ROTARY:
-            unit = "deg"
-        else:
-            key = found.occurrence.tokens["key"].text.upper()
-            unit = {"M": "mm", "I": "inch"}.get(key) or self.word("length_unit") or "mm"
+        inch = kind is AxisKind.LINEAR and self._in_inches(found.occurrence.tokens["key"].text)
         if "." not in found.text and number != 0:
             if not thousandths(self.definition):
                 self.notes.faults.append(
@@ -117,10 +126,60 @@ class IncrementReader:
                     )
                 )
                 return None
-            number *= Decimal("0.0001") if unit == "inch" else Decimal("0.001")
-        return number * (Decimal("25.4") if unit == "inch" else Decimal(1))
+            number *= Decimal("0.0001") if inch else Decimal("0.001")
+        return number * (Decimal("25.4") if inch else Decimal(1))
 
     # --- the axis
+
+    def _settled(self, options: Mapping[str, object]) -> Mapping[str, object]:
+        """Return the options of the axis; its files say the detection unit where the job does not, and must not contradict it."""
+        said = acting.detection_unit(self.parameters, self.address, self.kind(quiet=True))
+        mine = self.axis.options if self.axis is not None else {}
+        given = mine.get(DETECTION_UNIT, options.get(DETECTION_UNIT))
+        if said is None:
+            silent = self.axis is None and given is None and not self._does_anything()
+            return axis_options(self.definition, {**options, DETECTION_UNIT: 1.0} if silent else options, self.axis)
+        if given is None:
+            self.notes.assume(
+                f"{self.label}: detection unit", f"{said.size:g} {self.kind(quiet=True).unit}", f"read: {said.evidence}"
+            )
+            return axis_options(self.definition, {**options, DETECTION_UNIT: said.size}, self.axis)
+        settled = axis_options(self.definition, options, self.axis)
+        unit = float(str(settled[DETECTION_UNIT]))
+        if abs(unit - said.size) > _SAME_UNIT * said.size and (self.axis is not None or self._does_anything()):
+            value = self.parameters.axis(known.MULTIPLIER, self.address)
+            message = f"{self.label}: the detection unit of the control's files is another than the option detection_unit"
+            fault = Fault(message=message) if value is None else value.fault(message)
+            unit_name = self.kind(quiet=True).unit
+            self.notes.faults.append(
+                replace(fault, expected=f"{said.size:g} {unit_name} by {said.evidence}", found=f"detection_unit: {unit:g}")
+            )
+        return settled
+
+    def _does_anything(self) -> bool:
+        """Whether the axis has a table that is on, or a backlash value."""
+        first, last = self.integer("first_number"), self.integer("last_number")
+        return bool((self.integer("magnification") and first != last) or self.integer("backlash"))
+
+    def _more_facts(self) -> dict[str, Fact]:
+        """Return what other parameters say of the axis: detection unit, feed, whether it is endless and its turn."""
+        kind = self.kind(quiet=True)
+        facts: dict[str, Fact] = {}
+        unit = acting.detection_unit(self.parameters, self.address, kind)
+        if unit is not None:
+            facts |= {"detection_unit": unit.size, "detection_unit_evidence": unit.evidence}
+        rapid = self.parameters.axis(known.RAPID, self.address)
+        if rapid is not None and rapid.acts:
+            inch = kind is AxisKind.LINEAR and self._in_inches(rapid.key)
+            facts["rapid_feed"] = float(Decimal(rapid.text) * (Decimal("25.4") if inch else 1))
+        wraps = acting.wraps(self.parameters, self.address)
+        if wraps is not None:
+            facts |= {"endless": wraps, "turn": self._turn(kind)}
+        return facts
+
+    def _in_inches(self, key: str) -> bool:
+        """Whether a length is in inches: M metric, I inch, P the machine's unit."""
+        return {"M": False, "I": True}.get(key.upper(), self.word("length_unit") == "inch")
 
     def facts(self) -> dict[str, Fact]:
         """Return what the files say of this axis, by neutral name."""
@@ -129,6 +188,11 @@ class IncrementReader:
             value = self.integer(quantity)
             if value is not None:
                 facts[quantity] = value
+        for name, number in (("backlash_rapid", "backlash_rapid"), ("backlash_count", "backlash")):
+            value = self.integer(number)
+            if value is not None:
+                facts[name] = value
+        facts |= self._more_facts()
         facts["enabled"] = bool(facts.get("magnification", 0)) and facts.get("first_number") != facts.get("last_number")
         for quantity in ("rotary", "diameter", "length_unit", "absolute_encoder", "separate_rapid", "bidirectional"):
             word = self.word(quantity)
@@ -169,6 +233,10 @@ class IncrementReader:
     def read(self) -> AxisCompensation | None:
         """Return what acts on the axis; None where something is wrong (then the notes have faults)."""
         kind = self.kind()
+        self.notes.faults.extend(acting.refusals(self.parameters, self.address, self.label))
+        for remark in acting.remarks(self.parameters, self.address, self.label):
+            self.notes.find("CW-S040", "warning", remark)
+        self._check_wrapping(kind)
         backlash = self._backlash(kind)
         numbers = self._numbers(kind)
         self._check_reference(kind, has_table=numbers is not None)
@@ -176,6 +244,7 @@ class IncrementReader:
         if numbers is None:
             none = np.empty(0)
             return self._compensation(kind, none, none, none, backlash)
+        self.notes.faults.extend(acting.meets(self.parameters, self.address, self.label, range(numbers.first, numbers.last + 1)))
         values = self._increments(range(numbers.first, numbers.last + 1))
         other = None
         if numbers.negative is not None:
@@ -237,19 +306,40 @@ class IncrementReader:
             )
 
     def _check_diameter(self, kind: AxisKind) -> None:
-        """An axis in diameter programming: the job must know it, else everything may be wrong by 2."""
-        if kind is AxisKind.ROTARY or self.word("diameter") != "yes":
+        """An axis in diameter programming: the job and 1006#3 must agree, else everything may be wrong by 2."""
+        if kind is AxisKind.ROTARY:
             return
-        if self.axis is not None and self.axis.programmed != "diameter":
+        said, job = self.word("diameter"), None if self.axis is None else self.axis.programmed
+        if said == "yes" and job == "radius":
             self._wrong(
                 "diameter", "1006#3 says diameter programming, the job does not", "programmed: diameter in the job", "radius"
             )
+        if said == "no" and job == "diameter":
+            self._wrong("diameter", "1006#3 says radius programming, the job diameter", "programmed: radius in the job", "diameter")
+        if said != "yes" and job != "diameter":
+            return
         self.notes.find(
             "CW-S019",
             "warning",
             f"{self.label}: diameter programming (1006#3): positions, interval and corrections are taken in radius (unconfirmed); "
             "wrong by 2 is the usual fault, so check one position after loading",
         )
+
+    def _check_wrapping(self, kind: AxisKind) -> None:
+        """Whether the axis is endless, and its turn: the job and the files must say the same."""
+        wraps, bits = acting.wraps(self.parameters, self.address), self.parameters.axis(known.KIND, self.address)
+        if kind is not AxisKind.ROTARY or self.axis is None or wraps is None or bits is None:
+            return
+        modulo = self.axis.modulo
+        if (modulo is not None) != (wraps == "yes"):
+            says = "endless (1006#0 = 1, 1006#1 = 0)" if wraps == "yes" else "one with ends (1006#0 = 1, 1006#1 = 1)"
+            expected = f"modulo: {self._turn(kind):g} in the job" if wraps == "yes" else "no modulo in the job"
+            self.notes.faults.append(
+                bits.fault(f"{self.label}: the control takes the rotary axis for {says}, the job does not", expected)
+            )
+        elif modulo is not None and abs(self._turn(kind) - modulo) > _SAME_PLACE:
+            message = f"{self.label}: the turn of the control's files (3625, else 1260) is not the modulo of the job"
+            self.notes.faults.append(bits.fault(message, f"modulo: {self._turn(kind):g}"))
 
     def _unit(self, kind: AxisKind) -> Decimal:
         return Scale(self.definition, kind, self.options, {}).factor("value")
@@ -261,10 +351,13 @@ class IncrementReader:
         return self.axis.reference if self.axis else float(str(self.options[REFERENCE]))
 
     def _turn(self, kind: AxisKind) -> float:
-        """Return the travel per turn of a rotary axis, deg: 3625, else what the job says, else 360."""
+        """Return the travel per turn of a rotary axis, deg: 3625, else 1260, else what the job says, else 360."""
         turn = self.length("turn", kind)
         if turn:
             return float(turn)
+        shown = self.parameters.axis(known.TURN, self.address)
+        if shown is not None and shown.acts and "." in shown.text:
+            return float(shown.text)
         return 360.0 if self.axis is None or self.axis.modulo is None else float(self.axis.modulo)
 
     def _repeats(self, kind: AxisKind, numbers: Numbers) -> bool:
@@ -273,8 +366,11 @@ class IncrementReader:
             return False
         if self.axis is not None and self.axis.modulo is not None:
             return True
+        return numbers.first - numbers.reference in (0, 1) and self._goes_round(kind, numbers)
+
+    def _goes_round(self, kind: AxisKind, numbers: Numbers) -> bool:
         span = (numbers.last - numbers.reference) * numbers.interval
-        return numbers.first == numbers.reference and abs(span - self._turn(kind)) < 1e-6
+        return abs(span - self._turn(kind)) < _SAME_PLACE
 
     def _backlash(self, kind: AxisKind) -> float:
         found = self.found("backlash")
@@ -292,12 +388,13 @@ class IncrementReader:
                 fault_at(found, f"{self.label}: a backlash that the control cannot hold", f"{low:g} .. {high:g}", found.text)
             )
         rapid = self.integer("backlash_rapid")
-        if self.word("separate_rapid") == "yes" and rapid is not None and rapid != value:
+        if self.word("separate_rapid") != "no" and rapid is not None and rapid != value:
             self.notes.find(
                 "CW-S015",
                 "warning",
-                f"{self.label}: cutting feed and rapid have different backlash values ({value} and {rapid}; 1800#4 = 1): "
-                "only that of cutting feed is counted here",
+                f"{self.label}: cutting feed and rapid have different backlash values ({value} and {rapid}"
+                + ("; 1800#4 = 1" if self.word("separate_rapid") == "yes" else "; 1800#4 is not in the files")
+                + "): what is shown here is cutting feed; a new table changes both values alike, so that their difference stays",
             )
         return float(value * self._unit(kind))
 
@@ -325,23 +422,42 @@ class IncrementReader:
         reference, first, last = (int(self.integer(name) or 0) for name in ("reference_number", "first_number", "last_number"))
         highest = self.definition.limit_number("max_number") or 0
         most = self.definition.limit_number("max_magnification") or 100
-        known = len(self.notes.faults)
-        if not first <= reference <= last:
+        before = len(self.notes.faults)
+        round_from_next = kind is AxisKind.ROTARY and first == reference + 1 and first < last
+        if not first <= reference <= last and not round_from_next:
             self._wrong("first_number", "the numbers are not in order", "3621 <= 3620 <= 3622", f"{first}, {reference}, {last}")
         if last > highest:
             self._wrong("last_number", "a number beyond those of the control", f"at most {highest}", str(last))
         if not 0 <= magnification <= most:
             self._wrong("magnification", "the magnification does not exist", f"0 .. {most}", str(magnification))
-        if first == last and len(self.notes.faults) == known:
+        if first == last and len(self.notes.faults) == before:
             self.notes.switched_off(self.label, f"3621 = 3622 = {first}, the table has no section")
             return None
         interval = self.length("table_spacing", kind)
         if interval is not None and interval <= 0:
             self._wrong("table_spacing", "the interval is not positive", "more than 0", str(interval))
         negative = self._negative_first(first, last, highest)
-        if len(self.notes.faults) > known or interval is None:
+        if len(self.notes.faults) > before or interval is None:
             return None
-        return Numbers(reference, first, last, float(interval), magnification, negative)
+        numbers = Numbers(reference, first, last, float(interval), magnification, negative)
+        if round_from_next:
+            return self._next_to_reference(kind, numbers)
+        return numbers
+
+    def _next_to_reference(self, kind: AxisKind, numbers: Numbers) -> Numbers | None:
+        """A full turn whose first number is that behind the reference's: real controls live with it, the manual has 3621 = 3620."""
+        if not self._goes_round(kind, numbers) or numbers.negative is not None:
+            expected = f"3621 <= 3620 <= 3622, or a full turn of {self._turn(kind):g} deg"
+            found = f"{numbers.first}, {numbers.reference}, {numbers.last}"
+            self._wrong("first_number", "the numbers are not in order", expected, found)
+            return None
+        self.notes.find(
+            "CW-S041",
+            "warning",
+            f"{self.label}: 3621 = {numbers.first} is 3620 + 1 on a full turn, where the manual has 3621 = 3620: numbers "
+            f"{numbers.first} to {numbers.last} are read as its sections, and number {numbers.reference} is kept for the axis too",
+        )
+        return numbers
 
     def _wrong(self, quantity: str, message: str, expected: str, found: str = "") -> None:
         self.notes.faults.append(fault_at(self.said[quantity], f"{self.label}: {message}", expected, found))
@@ -406,7 +522,8 @@ class IncrementReader:
         turn = self._turn(kind)
         sections = numbers.last - numbers.reference
         where = self.said["last_number"]
-        if numbers.first != numbers.reference or abs(sections * numbers.interval - turn) > 1e-6:
+        skipped = 1 - (numbers.first - numbers.reference)  # the number of the reference itself owns no section of its own
+        if skipped not in (0, 1) or not self._goes_round(kind, numbers):
             self.notes.faults.append(
                 fault_at(
                     where,
@@ -416,7 +533,7 @@ class IncrementReader:
                 )
             )
             return None
-        creep = float(np.sum(values[1:]))
+        creep = float(np.sum(values[skipped:]))
         unit = float(self._unit(kind)) * numbers.magnification
         if creep != 0:
             message = (
@@ -424,13 +541,13 @@ class IncrementReader:
             )
             self.notes.faults.append(fault_at(where, message, "sum 0", f"{creep:g}"))
             return None
-        if values[0] != values[-1]:
+        if skipped and values[0] != values[-1]:
             self.notes.find(
                 "CW-S016",
                 "warning",
                 f"{self.label}: point {numbers.reference} should hold the same value as point {numbers.last} ({values[-1]:g})",
             )
-        curve = np.concatenate([[0.0], np.cumsum(values[1:])]) * unit * self._sign("pitch_sign")
+        curve = np.concatenate([[0.0], np.cumsum(values[skipped:])]) * unit * self._sign("pitch_sign")
         positions = np.round(self._reference() + np.arange(sections + 1) * numbers.interval, 9)
         return self._compensation(kind, positions, curve, curve, backlash, turn)
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from compwright.formats.addresses import normal_address
+from compwright.formats.axis_reading import Fact
 from compwright.formats.increments_axis import increment_limit
-from compwright.formats.increments_entries import OFFSETS
+from compwright.formats.increments_entries import OFFSETS, first_point, length_step
 from compwright.formats.numbering import longest_gap
 from compwright.formats.options import axis_options
 from compwright.formats.scale import Scale
@@ -29,9 +30,10 @@ def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str
     limit = increment_limit(own)
     facts = state.facts if state is not None else {}
     highest = definition.limit_number("max_number") or 0
-    gap = longest_gap(highest, used_numbers(facts, [address]), int(str(own.get("first_point", 0))))
+    said = facts.get(address, {})
+    gap = longest_gap(highest, used_numbers(state, [address]), first_point(own))
     assumed = [assumption] if assumption is not None else []
-    least, reason = _least_spacing(definition, axis, own, assumed)
+    least, reason = _least_spacing(definition, axis, own, said, assumed)
     bound = 10.0 if axis.kind.unit == "mm" else 1.0
     return Capacity(
         format=definition.id,
@@ -39,7 +41,7 @@ def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str
         second_curve="asked",
         spacing="equidistant",
         quantum=unit,
-        position_quantum=0.001,
+        position_quantum=float(length_step(axis.kind, said)),
         value_range=(-bound, bound),
         backlash_quantum=scale.quantum("backlash"),
         backlash_range=scale.range("backlash"),
@@ -65,23 +67,27 @@ def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str
 
 
 def _least_spacing(
-    definition: Definition, axis: Axis, options: Mapping[str, object], assumed: list[Assumption]
+    definition: Definition, axis: Axis, options: Mapping[str, object], said: Mapping[str, Fact], assumed: list[Assumption]
 ) -> tuple[float, str]:
+    """Return the smallest interval for the largest feed: that of the option, and the rapid traverse of the control's files."""
     rule = definition.limit("feed_per_spacing")
-    feed = options.get("max_feed")
     if rule is None or rule.number is None:
         return 0.0, ""
-    if not isinstance(feed, (int, float)) or feed <= 0:
+    named = {"option max_feed": options.get("max_feed"), "rapid traverse 1420": said.get("rapid_feed")}
+    feeds = {name: float(feed) for name, feed in named.items() if isinstance(feed, (int, float)) and feed > 0}
+    if not feeds:
         assumed.append(
             Assumption(
                 fact=f"axis {axis.name}: smallest interval for its feed",
-                value="not checked: the option max_feed is not given",
+                value="not checked: the option max_feed is not given, and no file says the rapid traverse (1420)",
                 evidence=str(rule.evidence),
             )
         )
         return 0.0, ""
-    least = float(feed) / rule.number
-    return (
-        least,
-        f"at {feed:g} mm/min (or deg/min) the control needs at least {least:g}: feed / {rule.number} ({rule.evidence.state})",
+    name = max(feeds, key=lambda one: feeds[one])
+    least = feeds[name] / rule.number
+    reason = (
+        f"at {feeds[name]:g} {axis.kind.unit}/min ({name}) the control needs at least {least:g}: feed / {rule.number} "
+        f"({rule.evidence.state})"
     )
+    return least, reason

@@ -15,7 +15,7 @@ from compwright.formats.options import axis_options
 from compwright.formats.scale import NotHeld, Scale
 from compwright.formats.schema import Definition
 from compwright.formats.section_increments import claimed_numbers, used_numbers
-from compwright.foundations.errors import CapacityError, Fault, raise_all
+from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, ControlState
 
@@ -30,7 +30,7 @@ class Entries:
     """What goes into the control for one axis: parameters by quantity, as text, and increments by point number.
 
     ``cleared``: numbers that the axis no longer uses. ``kind`` decides the letter of a length. ``switches``: whether 3605#0 has to
-    change for it, as far as the control's files say.
+    change for it, as far as the control's files say. ``unit_known``, ``inch``: what the control's files say of its unit (1001#0).
     """
 
     address: str
@@ -43,6 +43,8 @@ class Entries:
     reference: float
     place: Place
     switches: bool
+    unit_known: bool = False
+    inch: bool = False
 
 
 def all_entries(
@@ -51,10 +53,14 @@ def all_entries(
     options: Mapping[str, object],
     state: ControlState | None,
 ) -> tuple[Entries, ...]:
-    """Return what has to be entered for each axis; the axes get point numbers apart from each other and from all others'."""
+    """Return what has to be entered for each axis; the axes get point numbers apart from each other and from all others'.
+
+    Raises UsageError where nobody says which numbers are free, CapacityError with everything that the control cannot hold.
+    """
     facts = state.facts if state is not None else {}
-    used = used_numbers(facts, [address for address, _, _ in pairs])
+    used = used_numbers(state, [address for address, _, _ in pairs])
     others = list(used)
+    ask_first_point(definition, [axis for _, axis, _ in pairs], options, state)
     faults: list[Fault] = []
     entries: list[Entries] = []
     for address, axis, compensation in pairs:
@@ -75,6 +81,29 @@ def all_entries(
         cleared.append(replace(entry, cleared=_cleared(facts.get(entry.address, {}), taken, others)))
         taken |= set(cleared[-1].cleared)
     return tuple(cleared)
+
+
+def ask_first_point(
+    definition: Definition, axes: Sequence[Axis], options: Mapping[str, object], state: ControlState | None
+) -> None:
+    """Raise UsageError where neither the control's files nor the job say which point numbers are free.
+
+    One axis' ``first_point`` is enough: the others follow on from it.
+    """
+    if (state is not None and state.facts) or options.get("first_point") is not None or not axes:
+        return
+    if any(axis.options.get("first_point") is not None for axis in axes):
+        return
+    raise UsageError(
+        Fault(
+            message=f"{definition.id}: nobody says which point numbers are free; all axes share one array, and a number that "
+            "another axis uses would change that axis",
+            place="first_point",
+            expected="the first free number (look at 3621 and 3622 of all axes), or the control's own parameter and pitch files as "
+            "the state, which say it",
+            found="nothing",
+        )
+    )
 
 
 def _cleared(said: Mapping[str, Fact], taken: Collection[int], others: Sequence[range]) -> tuple[int, ...]:
@@ -135,6 +164,9 @@ class _Axis:
             "backlash": self.scale.write("backlash", self.compensation.backlash),
             "bidirectional": "1" if two else "0",
         }
+        rapid, backlash = self.facts.get("backlash_rapid"), self.facts.get("backlash_count", 0)
+        if isinstance(rapid, int) and isinstance(backlash, int) and self.facts.get("separate_rapid") != "no":
+            parameters["backlash_rapid"] = self._rapid(rapid + int(parameters["backlash"]) - backlash)
         if self.axis.modulo is not None:
             parameters["turn"] = self._length(float(self.axis.modulo))
         if two:
@@ -151,7 +183,16 @@ class _Axis:
             reference=self.axis.reference,
             place=place,
             switches=two or self.facts.get("bidirectional") == "yes",
+            unit_known="length_unit" in self.facts,
+            inch=self.facts.get("length_unit") == "inch",
         )
+
+    def _rapid(self, count: int) -> str:
+        """Return 1852, which acts at rapid traverse where 1800#4 is 1: it changes as 1851 does, so that their difference stays."""
+        low, high = self.definition.measure("backlash").range
+        if not low <= count <= high:
+            raise NotHeld(f"the backlash at rapid traverse (1852) would be {count}; the control holds {low:g} to {high:g}")
+        return str(count)
 
     def _grid(self) -> tuple[FloatArray, float]:
         """Return the nodes as whole spacings from the reference, and the spacing."""
@@ -214,7 +255,7 @@ class _Axis:
                 used=used,
                 two=two,
                 reference=own if isinstance(own, int) and claimed_numbers(self.facts) else None,
-                start=int(str(self.options.get("first_point", 0))),
+                start=first_point(self.options),
             )
         except NoRoom as error:
             raise NotHeld(str(error)) from error
@@ -245,12 +286,24 @@ class _Axis:
     def _length(self, value: float) -> str:
         """Return a length in mm or deg exactly, as the control's text wants it."""
         count = Decimal(repr(round(value, 9)))
-        digits = Decimal("0.001")
-        if count != count.quantize(digits):
-            raise NotHeld(f"{value:.9g} {self.axis.kind.unit} has more than three decimal places")
-        if thousandths(self.definition):
-            return str(int(count / digits))
+        digits = length_step(self.axis.kind, self.facts)
+        if count % digits:
+            inch = " (0.0001 inch: the control counts in inches, 1001#0)" if digits != Decimal("0.001") else ""
+            raise NotHeld(f"{value:.9g} {self.axis.kind.unit} is not a multiple of {digits} {self.axis.kind.unit}{inch}")
+        if thousandths(self.definition) and not count % Decimal("0.001"):
+            return str(int(count / Decimal("0.001")))
         return real_text(count)
+
+
+def length_step(kind: AxisKind, facts: Mapping[str, Fact]) -> Decimal:
+    """Return the smallest step of a length, mm or deg: 0.001, and 0.0001 inch for the linear axes of a control in inches."""
+    return Decimal("0.00254") if kind is AxisKind.LINEAR and facts.get("length_unit") == "inch" else Decimal("0.001")
+
+
+def first_point(options: Mapping[str, object]) -> int:
+    """Return the lowest point number that may be used; 0 where the control's files say which are free."""
+    given = options.get("first_point")
+    return 0 if given is None else int(str(given))
 
 
 def real_text(value: Decimal) -> str:

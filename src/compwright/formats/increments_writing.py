@@ -59,7 +59,7 @@ class _Patcher:
             texts = read_texts(definition, files, found)
             raise_all(InputError, found)
             self.gathered = gather(definition, texts)
-            for row in point_rows(definition, self.gathered):
+            for row in point_rows(definition, self.gathered, self.own):
                 self.rows.setdefault(point_number(row), []).append(row)
 
     def put(self, entry: Entries, faults: list[Fault]) -> Entries:
@@ -90,27 +90,22 @@ class _Patcher:
             changes = self.changes[place.number]
             value = text
             if quantity in ("table_spacing", "turn"):
-                value, key = self._length_there(place, entry, text)
-                changes.extend(_changed(place, "key", key))
+                value = self._length_there(place, entry, text)
             if isinstance(binding, Choice) and place.text == value:
                 continue
             changes.extend(_changed(place, binding.field, value))
         return bool(places)
 
-    def _length_there(self, place: Found, entry: Entries, text: str) -> tuple[str, str]:
-        """Return text and letter of a length: in thousandths or with a decimal point, as the file has it."""
-        value = Decimal(text) * (Decimal("0.001") if "." not in text else 1)
-        key = place.occurrence.tokens["key"].text
-        if entry.kind is AxisKind.LINEAR:
-            inch = any(found.text == "1" for found in self._machine("length_unit"))
-            if key.upper() == "I" or (key.upper() == "P" and inch):
-                key = "M"  # the control turns metric into its own unit
+    def _length_there(self, place: Found, entry: Entries, text: str) -> str:
+        """Return a length as the letter that stands there counts it: M mm, I inch, P the machine's unit, deg for rotary axes."""
+        value = millimetres(text)
+        key = place.occurrence.tokens["key"].text.upper()
+        inch = entry.kind is AxisKind.LINEAR and (key == "I" or (key == "P" and entry.inch))
+        if inch:
+            value /= Decimal("25.4")
         if thousandths(self.definition) and "." not in place.text:
-            return str(int(value / Decimal("0.001"))), key
-        return real_text(value), key
-
-    def _machine(self, quantity: str) -> list[Found]:
-        return [] if self.gathered is None else self.gathered.singles.get((None, None), {}).get(quantity, [])
+            return str(int(value / (Decimal("0.0001") if inch else Decimal("0.001"))))
+        return real_text(value)
 
     def _point(self, number: int, value: int) -> bool:
         rows = self.rows.get(number, [])
@@ -156,7 +151,7 @@ class _Patcher:
 def _changed(place: Found, field: str, text: str) -> tuple[Change, ...]:
     """Return the change of a field, none where it says the same already: a value that stays keeps its bytes."""
     token = place.occurrence.tokens[field]
-    same = token.text == text or (field != "key" and _equal(token.text, text))
+    same = token.text == text or _equal(token.text, text)
     return () if same else set_field(place.occurrence, field, text)
 
 
@@ -207,8 +202,17 @@ def _parameter_lines(definition: Definition, entry: Entries) -> Iterator[str]:
 
 def _parameter_line(definition: Definition, quantity: str, entry: Entries, text: str) -> str:
     binding = definition.bindings[quantity]
-    key = "P" if thousandths(definition) or entry.kind is AxisKind.ROTARY else "M"
+    # Where the control's own files say its unit, a fresh line has the letter that they have; else M says that it is in mm.
+    key = "P" if thousandths(definition) or entry.kind is AxisKind.ROTARY or entry.unit_known else "M"
+    if quantity in ("table_spacing", "turn") and entry.inch and entry.kind is AxisKind.LINEAR:
+        value = millimetres(text) / Decimal("25.4")
+        text = str(int(value / Decimal("0.0001"))) if thousandths(definition) else real_text(value)
     return print_form(definition.statements[binding.statement].form, {"axis": entry.address, "key": key, binding.field: text})
+
+
+def millimetres(text: str) -> Decimal:
+    """Return a length of the entries in mm or deg: without a point it counts thousandths."""
+    return Decimal(text) * (Decimal("0.001") if "." not in text else 1)
 
 
 def _point_lines(definition: Definition, entry: Entries) -> Iterator[str]:

@@ -55,8 +55,12 @@ def resolve_options(definition: Definition, given: Mapping[str, object], state: 
     return values
 
 
-def axis_options(definition: Definition, resolved: Mapping[str, object], axis: Axis | None) -> Mapping[str, object]:
+def axis_options(
+    definition: Definition, resolved: Mapping[str, object], axis: Axis | None, *, unit_needed: bool = True
+) -> Mapping[str, object]:
     """Return the options of one axis: its own go over the controller's (``resolved``); None: an axis without a job.
+
+    ``unit_needed``: False while files of the control that may say the detection unit are not read yet.
 
     Raises UsageError with every fault: unknown option, wrong value, and the detection unit where nobody says it.
     """
@@ -72,12 +76,13 @@ def axis_options(definition: Definition, resolved: Mapping[str, object], axis: A
             faults.append(Fault(message=message, place=name, expected=f"controller.options.{name}", found="an axis' own"))
         else:
             values[name] = _value(rule, given, definition, faults)
-    if DETECTION_UNIT in definition.options and not faults and not _positive(values[DETECTION_UNIT]):
+    silent = not unit_needed and values.get(DETECTION_UNIT) is None
+    if DETECTION_UNIT in definition.options and not faults and not silent and not _positive(values[DETECTION_UNIT]):
         faults.append(
             Fault(
-                message=f"{definition.id}: the detection unit of the axis must be given; nothing in its files says it",
+                message=f"{definition.id}: the detection unit of the axis must be given; no file that was given says it",
                 place=DETECTION_UNIT,
-                expected="mm or deg, such as 0.001",
+                expected="mm or deg, such as 0.001, or a parameter file with 1820 and 1013 (1004)",
                 found="nothing" if values[DETECTION_UNIT] is None else str(values[DETECTION_UNIT]),
             )
         )

@@ -13,14 +13,17 @@ from collections.abc import Iterable, Mapping, Sequence
 from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.axis_reading import Fact
 from compwright.formats.entry_sheet import is_entry_sheet, parameter_lines
-from compwright.formats.gathering import Gathered, gather
+from compwright.formats.gathering import Found, Gathered, gather
+from compwright.formats.increments_acting import pointed_numbers, refusals
 from compwright.formats.increments_axis import GRID, IncrementReader
+from compwright.formats.increments_parameters import Parameters
 from compwright.formats.increments_points import points_by_number
 from compwright.formats.notes import Notes
-from compwright.formats.options import REFERENCE, REFERENCE_RETURN, resolve_options
+from compwright.formats.options import DETECTION_UNIT, REFERENCE, REFERENCE_RETURN, resolve_options
 from compwright.formats.schema import Definition
 from compwright.formats.texts import ReadText, TextReader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 
@@ -47,7 +50,8 @@ def read_increments(
     gathered = gather(definition, texts)
     for text in texts:
         notes.findings.extend(text.findings)
-    points = points_by_number(definition, gathered, notes)
+    points = points_by_number(definition, gathered, files, notes)
+    parameters = Parameters(files)
     wanted = _wanted(definition, axes, address, notes)
     named = [one for one in gathered.addresses() if one != "0" and _is_compensated(gathered, one)]
     compensations: dict[str, AxisCompensation] = {}
@@ -57,14 +61,16 @@ def read_increments(
         if one not in named:
             notes.faults.append(_unnamed(one, named, files))
             continue
-        reader = IncrementReader(
-            definition, gathered, points, one, wanted.get(one), resolved, notes if asked else Notes(), asked=asked
-        )
+        own = notes if asked else Notes()
+        reader = IncrementReader(definition, gathered, points, parameters, one, wanted.get(one), resolved, own, asked=asked)
         facts[one] = reader.facts()
-        if asked:
-            compensation = reader.read()
-            if compensation is not None:
-                compensations[one] = compensation
+        compensation = reader.read() if asked or points else None
+        if asked and compensation is not None:
+            compensations[one] = compensation
+        if not asked:
+            notes.findings.extend(_left_alone(one, facts[one], own))
+    _check_names(facts, wanted, notes)
+    _check_partners(axes, facts, parameters, notes)
     raise_all(InputError, notes.faults)
     _overlaps(facts, definition.limit_number("max_number") or 0, notes)
     if any(axis is None for axis in wanted.values()) or not wanted:
@@ -76,7 +82,60 @@ def read_increments(
         facts=facts,
         assumed=tuple(notes.assumed),
         findings=tuple(dict.fromkeys(notes.findings)),
+        reserved=_reserved(points, parameters),
     )
+
+
+def _reserved(points: Mapping[int, Found], parameters: Parameters) -> frozenset[int]:
+    """Return the numbers that hold data, or to which another function points: none of them is free for a new table."""
+    filled = {number for number, row in points.items() if row.occurrence.tokens["value"].text.strip("-0")}
+    return pointed_numbers(parameters) | filled
+
+
+def _left_alone(address: str, said: Mapping[str, Fact], notes: Notes) -> list[Finding]:
+    """Return what is odd about an axis that nobody asked for: it stops no work on another one."""
+    odd = [finding for finding in notes.findings if finding.code == "CW-S041"]
+    if notes.faults and said.get("enabled"):
+        what = "; ".join(dict.fromkeys(f"{fault.message} ({fault.place}: {fault.found})" for fault in notes.faults))
+        odd.append(Finding("CW-S042", "warning", f"axis {address} is odd and left alone, with all its point numbers: {what}"))
+    return odd
+
+
+def _check_partners(axes: Sequence[Axis], facts: Mapping[str, Mapping[str, Fact]], parameters: Parameters, notes: Notes) -> None:
+    """What acts on the synchronised axis of a gantry refuses it too; its detection unit has to be that of the leading axis."""
+    for axis in axes:
+        if axis.gantry is None or axis.gantry not in facts:
+            continue
+        notes.faults.extend(refusals(parameters, axis.gantry, f"axis {axis.gantry}"))
+        own, partner = (facts.get(one, {}).get(DETECTION_UNIT) for one in (axis.address, axis.gantry))
+        if own is not None and partner is not None and own != partner:
+            notes.faults.append(
+                Fault(
+                    message=f"axes {axis.address} and {axis.gantry} of a gantry have different detection units (1820, 1013)",
+                    place=f"axes.{axis.name}.gantry",
+                    expected=f"{own:g}",
+                    found=f"{partner:g}",
+                )
+            )
+
+
+def _check_names(facts: Mapping[str, Mapping[str, Fact]], wanted: Mapping[str, Axis | None], notes: Notes) -> None:
+    """An axis of the job whose letter belongs to another axis of the control (1020) is not the one that is meant."""
+    letters: dict[Fact, list[str]] = {}
+    for address, said in facts.items():
+        if "axis_name" in said:
+            letters.setdefault(said["axis_name"], []).append(address)
+    for address, axis in wanted.items():
+        own = facts.get(address, {}).get("axis_name")
+        if axis is not None and own is not None and own != axis.name and axis.name in letters:
+            notes.faults.append(
+                Fault(
+                    message=f"axis {address} of the control is called {own} (1020), not {axis.name}",
+                    place=f"axes.{axis.name}.address",
+                    expected=" or ".join(letters[axis.name]),
+                    found=address,
+                )
+            )
 
 
 def read_texts(definition: Definition, files: Sequence[ControlFile], faults: list[Fault]) -> list[ReadText]:
@@ -154,10 +213,19 @@ def _overlaps(facts: Mapping[str, Mapping[str, Fact]], highest: int, notes: Note
         )
 
 
-def used_numbers(facts: Mapping[str, Mapping[str, Fact]], without: Iterable[str]) -> list[range]:
-    """Return the point numbers that axes other than ``without`` claim; a table that is switched off keeps its numbers."""
+def used_numbers(state: ControlState | None, without: Iterable[str]) -> list[range]:
+    """Return the point numbers that are not free for the axes ``without``.
+
+    Those that other axes claim, a table that is switched off included; those that hold data or to which another function points,
+    whoever they belong to, unless the axes have them now.
+    """
+    if state is None:
+        return []
     left_out = set(without)
-    return [numbers for address, said in facts.items() if address not in left_out for numbers in claimed_numbers(said)]
+    used = [numbers for address, said in state.facts.items() if address not in left_out for numbers in claimed_numbers(said)]
+    own = [numbers for address in left_out for numbers in claimed_numbers(state.facts.get(address, {}))]
+    others = sorted(number for number in state.reserved if not any(number in numbers for numbers in own))
+    return [*used, *(range(number, number + 1) for number in others)]
 
 
 def claimed_numbers(said: Mapping[str, Fact]) -> tuple[range, ...]:
@@ -165,6 +233,9 @@ def claimed_numbers(said: Mapping[str, Fact]) -> tuple[range, ...]:
     first, last = said.get("first_number"), said.get("last_number")
     if not (isinstance(first, int) and isinstance(last, int)) or first >= last:
         return ()
+    reference = said.get("reference_number")
+    if reference == first - 1:  # a full turn that leaves the reference's own number out keeps it
+        return (range(first - 1, last + 1),)
     negative = said.get("negative_first")
     if said.get("bidirectional") != "yes" or not isinstance(negative, int):
         return (range(first, last + 1),)

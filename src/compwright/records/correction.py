@@ -150,12 +150,14 @@ class CrossCompensation:
 class ControlState:
     """What a set of control files says: compensation by address, what one axis does to another, and what else they fix.
 
-    ``facts[address]`` holds further quantities by neutral name: ``max_points`` (int), ``enabled`` (bool), ...
+    ``facts[address]`` holds further quantities by neutral name: ``max_points`` (int), ``enabled`` (bool), ... ``reserved``: numbers
+    of an array that all axes share which hold data, or to which another function points.
     """
 
     format: str
     axes: Mapping[str, AxisCompensation]
     cross: tuple[CrossCompensation, ...] = ()
     facts: Mapping[str, Mapping[str, float | int | str | bool]] = field(default_factory=dict)
+    reserved: frozenset[int] = frozenset()
     assumed: tuple[Assumption, ...] = ()
     findings: tuple[Finding, ...] = ()

@@ -16,7 +16,7 @@ import numpy as np
 from compwright.controllers.virtual import VirtualControl, virtual_control
 from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.definitions import definitions_from
-from compwright.formats.options import ENCODER_SYSTEM, resolve_options
+from compwright.formats.options import DETECTION_UNIT, ENCODER_SYSTEM, resolve_options
 from compwright.formats.reading import read_state
 from compwright.formats.schema import Definition
 from compwright.foundations import storage
@@ -230,6 +230,7 @@ def decode(
         reference={address: axis.reference for address, axis in named},
         axis_options={address: axis.options for address, axis in named},
         options={**control.options, **({"axis": alone} if alone is not None else {})},
+        asked=tuple(state.axes),
     )
     raise_all(CompwrightError if written else InputError, _disagreements(state, judge))
     return DecodedState(files=tuple(files), state=state, judge=judge)
@@ -246,6 +247,20 @@ def judged(state: DecodedState, address: str, positions: FloatArray, direction: 
     if state.judge is None or not _judges(state.judge, address):
         return np.zeros(np.shape(positions))
     return state.judge.correction(address, positions, direction)
+
+
+def with_detection_units(job: Job, states: Mapping[str, DecodedState]) -> Job:
+    """Return the job with the detection unit of every axis for which nobody gave one and the control's own files say it."""
+
+    def settled(entry: AxisJob) -> AxisJob:
+        if DETECTION_UNIT in entry.axis.options or job.options.get(DETECTION_UNIT) is not None:
+            return entry
+        said = [decoded.state.facts.get(entry.axis.address, {}).get(DETECTION_UNIT) for decoded in states.values()]
+        unit = next((one for one in said if one is not None), None)
+        options = entry.axis.options if unit is None else {**entry.axis.options, DETECTION_UNIT: unit}
+        return replace(entry, axis=replace(entry.axis, options=options))
+
+    return replace(job, axes={name: settled(entry) for name, entry in job.axes.items()})
 
 
 def _judges(judge: VirtualControl, address: str) -> bool:

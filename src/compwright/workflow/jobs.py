@@ -38,17 +38,19 @@ def wrong_control(data: Mapping[str, Any]) -> Iterator[Contradiction]:
             path = ("options", fault.place) if fault.place else ("format",)
             yield Contradiction(("controller", *path), fault.message, fault.expected, fault.found)
         return
-    yield from _wrong_axis_options(data.get("axes"), control)
+    states = data.get("states")
+    files = isinstance(states, dict) and any(state and state != "none" for state in states.values())
+    yield from _wrong_axis_options(data.get("axes"), control, unit_needed=not files)
 
 
-def _wrong_axis_options(axes: object, control: Control) -> Iterator[Contradiction]:
+def _wrong_axis_options(axes: object, control: Control, *, unit_needed: bool) -> Iterator[Contradiction]:
     for name, section in axes.items() if isinstance(axes, dict) else ():
         options = section.get("options", {}) if isinstance(section, dict) else {}
         if not isinstance(options, dict):
             continue  # the schema says so
         axis = Axis(name="", kind=AxisKind.LINEAR, travel=(0.0, 1.0), address="", options=options)
         try:
-            axis_options(control.definition, control.options, axis)
+            axis_options(control.definition, control.options, axis, unit_needed=unit_needed)
         except UsageError as error:
             for fault in error.faults:
                 place = fault.place.rpartition(" ")[2]

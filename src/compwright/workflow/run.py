@@ -29,7 +29,15 @@ from compwright.workflow.card import card_document, changes_csv
 from compwright.workflow.circle_checks import Checks
 from compwright.workflow.circle_scale import scale_steps, scaled_axes
 from compwright.workflow.circle_work import Acting, CircleWork, acting, checked_axes, predict, read_circles, start_circles
-from compwright.workflow.control import Control, DecodedState, decode, named_axes, open_control, origin_of
+from compwright.workflow.control import (
+    Control,
+    DecodedState,
+    decode,
+    named_axes,
+    open_control,
+    origin_of,
+    with_detection_units,
+)
 from compwright.workflow.cross import plan_cross
 from compwright.workflow.cross_tables import CrossOutcome, write_planned
 from compwright.workflow.inputs import JobInputs, read_job_inputs
@@ -125,8 +133,9 @@ def run_job(
 def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
     control = open_control(job.format, job.options, origin_of(job))
     job, renamed = named_axes(job, control)
-    axes = {name: entry.axis for name, entry in job.axes.items()}
     inputs, tests = _inputs(job, control, folder)
+    job = with_detection_units(job, inputs.states)
+    axes = {name: entry.axis for name, entry in job.axes.items()}
     works = {name: start_axis(job, entry, inputs) for name, entry in job.axes.items() if entry.before}
     circles = start_circles(job, tests, axes)
     tables: tuple[ControlFile, ...] = ()
