@@ -83,8 +83,12 @@ def test_squareness_alone_goes_into_a_table_between_the_axes_and_can_be_the_stat
     assert "X" in card(folder).splitlines()[0]
     assert prediction(folder)["circles"]["xy-150"]["predicted"]["squareness"]["median"] == pytest.approx(0, abs=1)  # µm/m
     shutil.copytree(folder / "job" / "tables", folder / "loaded")
+    loaded = f"[loaded/{SIEMENS}]"
+    assert run(folder, SIEMENS, options=options, states=loaded) == 2  # the circle was measured before: twice the squareness
+    words = ["export", str(folder / "job" / "plan.json"), "--format", SIEMENS, "--out", str(folder / "again")]
+    assert compwright([*words, "--state", str(folder / "loaded" / SIEMENS)]) == 2
     write_circle(folder / "xy.csv", Bent().circle(8, judge_of(folder / "loaded" / SIEMENS)))
-    assert run(folder, SIEMENS, options=options, states=f"[loaded/{SIEMENS}]") == 0  # CW-P107: nothing is left
+    assert run(folder, SIEMENS, options=options, states=loaded) == 0  # CW-P107: nothing is left
 
 
 def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -96,6 +96,22 @@ def list_files(path: Path) -> list[Path]:
         raise InputError(Fault(message="folder cannot be read", file=str(path), found=_reason(error))) from error
 
 
+def in_folders_of(folder: Path, name: str) -> list[Path]:
+    """Return the files called ``name`` that lie in the folders of ``folder``, one level down; what cannot be listed has none."""
+    try:
+        return sorted(path for path in folder.glob(f"*/{name}") if path.is_file())
+    except OSError:
+        return []
+
+
+def resolved(path: Path) -> Path:
+    """Return ``path`` from the root, without links; as it is where it cannot be followed."""
+    try:
+        return path.resolve()
+    except (OSError, ValueError, RuntimeError):
+        return path
+
+
 def is_there(path: Path) -> bool:
     """Whether there is a file, folder or link at ``path``; False for a name that no file can have."""
     return os.path.lexists(path)

@@ -17,6 +17,7 @@ from compwright.records.correction import Assumption, ControlFile
 from compwright.records.plan import Plan, PlannedCross
 from compwright.workflow.control import Control, DecodedState, decode, open_control, read_files
 from compwright.workflow.cross_tables import write_planned
+from compwright.workflow.own_output import refuse_added_again
 from compwright.workflow.work import AS_FOUND, fit_within, write_fitted
 
 #: ``--option address.X=0``: how the control names axis X of the plan.
@@ -48,6 +49,7 @@ def export_plan(
     given = {**plan.options, **options} if plan.format == format_id else options
     control = open_control(format_id, given)
     state = _state(plan, control, states, str(path))
+    refuse_added_again(plan, path, state)
     control = control.in_state(state.state)
     fitted = []
     errors: list[CompwrightError] = []

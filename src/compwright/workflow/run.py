@@ -41,6 +41,7 @@ from compwright.workflow.control import (
 from compwright.workflow.cross import plan_cross
 from compwright.workflow.cross_tables import CrossOutcome, write_planned
 from compwright.workflow.inputs import JobInputs, read_job_inputs
+from compwright.workflow.own_output import refuse_own_output
 from compwright.workflow.plausible import given_twice, impossible_tests, named_tests
 from compwright.workflow.view import evaluations, run_view
 from compwright.workflow.work import AS_FOUND, AxisWork, correction_of, export, fit_all, predict_axis, start_axis, write_fitted
@@ -106,7 +107,7 @@ def run_job(
     ``folder``: what the job's paths are relative to. Raises UsageError (2), InputError (3), CapacityError (4) and StorageError (5);
     nothing is written then. Without a state of the control, evaluation, prediction and report are written but no table (exit 2).
     """
-    finished = _work_through(job, folder, accept_worse=accept_worse)
+    finished = _work_through(job, folder, out, accept_worse=accept_worse)
     tests = [result for work in finished.works.values() for result in work.results]
     evaluation = evaluations(tests, [work.result for work in finished.circles])
     prediction = prediction_document(
@@ -130,12 +131,14 @@ def run_job(
     )
 
 
-def _work_through(job: Job, folder: Path, *, accept_worse: bool) -> _Finished:
+def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool) -> _Finished:
     control = open_control(job.format, job.options, origin_of(job))
     job, renamed = named_axes(job, control)
     inputs, tests = _inputs(job, control, folder)
     job = with_detection_units(job, inputs.states)
     axes = {name: entry.axis for name, entry in job.axes.items()}
+    measured = [(test, request.measured_in) for test, request in zip(tests, job.circles, strict=True)]
+    refuse_own_output(job, inputs, measured, folder, out)
     works = {name: start_axis(job, entry, inputs) for name, entry in job.axes.items() if entry.before}
     circles = start_circles(job, tests, axes)
     tables: tuple[ControlFile, ...] = ()
