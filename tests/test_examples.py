@@ -14,6 +14,8 @@ from compwright.cli import run as compwright
 from compwright.jobs.reading import read_job
 from places import PROJECT
 
+pytestmark = pytest.mark.painted
+
 EXAMPLES = PROJECT / "examples"
 #: Folder -> exit code of run, format, after files of the loop (empty where the machine is not simulated).
 CASES = {

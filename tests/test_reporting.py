@@ -24,6 +24,8 @@ from compwright.reporting.report import run_report, verify_report
 from places import PROJECT, needs_shared
 from reporting_samples import made_up, positioning, printed_table, quantiles, run_view, sample_card, verify_view
 
+pytestmark = pytest.mark.painted
+
 HOSTILE = "<script>alert('x')</script> & \"$\\frac{1}{0}$\" \x00\x0b\ud800\uffff\nnext"
 EXACT = 1e-9  # µm: a number that only passes through
 

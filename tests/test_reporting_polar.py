@@ -24,6 +24,8 @@ from compwright.reporting.causes import Cause, ranked_causes
 from compwright.reporting.plots import evaluation_plot
 from compwright.reporting.polar import draw_causes, draw_path, draw_test, magnification_of, paths_of, polar_figure
 
+pytestmark = pytest.mark.painted
+
 RADIUS = 100.0
 #: µm. Points are laid by geometry in double precision.
 EXACT = 1e-6

@@ -17,6 +17,8 @@ from compwright.workflow.answers import document_text
 from compwright.workflow.evaluate import evaluate_files, evaluation_renderables, write_evaluation
 from places import PROJECT
 
+pytestmark = pytest.mark.painted
+
 GOOD = "# axis: X\n# machine: VMC 850\ntarget_mm,direction,run,deviation_um\n"
 
 

@@ -30,6 +30,8 @@ from compwright.workflow import circles
 from compwright.workflow.evaluate import evaluate_files, evaluation_renderables
 from places import PROJECT, REAL, needs_shared
 
+pytestmark = pytest.mark.painted
+
 BALLBAR = REAL / "ballbar"
 FILES = ("ballbar_demo_100mm_XY.b5r", "ballbar_qc20w_150mm_XY.b5r", "ballbar_qc20w_150mm_ZX_220deg.b5r")
 #: µm. The reference table holds values rounded to 0.01; what is beyond is the difference between two computations.

@@ -6,6 +6,7 @@ are well-formed XML as well, so that any tool can read them.
 
 from __future__ import annotations
 
+import functools
 import re
 from collections.abc import Mapping
 from typing import Any, Final
@@ -20,6 +21,14 @@ _NOT_TEXT: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U00
 
 def render_page(template: str, content: Mapping[str, Any]) -> bytes:
     """Return the page of a template in ``templates/`` as UTF-8 bytes. Raises UsageError when the report extra is missing."""
+    need("jinja2")
+    text: str = _environment().get_template(template).render(**content)
+    return text.encode("utf-8")
+
+
+@functools.cache
+def _environment() -> Any:
+    """Return the template engine, which keeps the templates that it has compiled."""
     jinja2 = need("jinja2")
     environment = jinja2.Environment(
         loader=jinja2.PackageLoader("compwright.reporting"),
@@ -31,8 +40,7 @@ def render_page(template: str, content: Mapping[str, Any]) -> bytes:
     )
     environment.filters.update(number=number, plain=plain, unit=unit_text, link=_link)
     environment.globals["missing"] = MISSING
-    text: str = environment.get_template(template).render(**content)
-    return text.encode("utf-8")
+    return environment
 
 
 def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
