@@ -8,6 +8,7 @@ from __future__ import annotations
 import csv
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +17,7 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.records.axis import Direction
-from test_run_circles import CEC, SIEMENS, Bent, codes, judge_of, measure, write_circle
+from test_run_circles import AXIS_X, CEC, SIEMENS, Bent, codes, judge_of, measure, write_circle
 
 #: What the option cec of the SINUMERIK needs to be written at all; whole jobs differ in the rest.
 ADDRESSES = {SIEMENS: ("AX1", "AX2"), "linuxcnc": ("0", "1"), "fanuc-30i": ("1", "2")}
@@ -198,3 +199,23 @@ def test_what_is_not_needed_is_no_failure(tmp_path: Path, capsys: pytest.Capture
     said = codes(capsys)
     assert "info CW-P107" in said
     assert "info CW-P118" in said
+
+
+# --- a circle that the tables make worse
+
+
+def test_a_circle_that_gets_worse_leaves_the_result_undecided(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Both axes travel 25 µm/m too far: a round circle. With X corrected alone the scales differ by 25 µm/m, 7.5 µm over 300 mm."""
+    machine = Bent(y=replace(AXIS_X, low=-500.0, high=0.0), squareness=0.0)
+    measure(tmp_path, machine)
+    for x, y, code in (
+        ("before: [x.csv], accept: {A: 20}", "before: []", 1),
+        ("before: [x.csv], accept: {A: 20}", "before: [y.csv]", 0),
+    ):
+        assert run(tmp_path, "linuxcnc", x=x, y=y, apply="{}") == code
+        said = codes(capsys)
+        doubts = [doubt["code"] for doubt in prediction(tmp_path)["doubts"]]
+        page = (tmp_path / "job" / "report.html").read_text(encoding="utf-8")
+        assert ("CW-P131" in said) == ("CW-P131" in doubts) == ("is predicted to get worse" in page) == (code == 1)
+        assert ("All limits are predicted to be met" in page) == (code == 0)
+        assert ("predicted to grow from" in card(tmp_path)) == (code == 1)

@@ -18,6 +18,7 @@ Severity = Literal["info", "warning", "error"]
 DOUBTS: Final = frozenset(
     {
         *("CW-R008", "CW-R009", "CW-R010", "CW-R011", "CW-T011"),
+        "CW-P131",
         *("CW-T030", "CW-T031", "CW-T032", "CW-T033", "CW-T034"),
     }
 )

@@ -149,6 +149,8 @@ def _run_verdict(view: Document, axes: Document, predicted: Document) -> dict[st
         tone, text = "bad", "At least one limit is predicted to be missed"
     elif "undecided" in decisions:
         tone, text = "open", "At least one limit may or may not be met"
+    elif any(doubt["code"] == "CW-P131" for doubt in (view.get("prediction") or {}).get("doubts") or ()):
+        tone, text = "open", "Undecided: a circle is predicted to get worse"
     elif decisions and (view.get("prediction") or {}).get("doubts"):
         tone, text = "open", "All limits are predicted to be met, if what is to be settled first turns out well"
     elif decisions:

@@ -25,6 +25,8 @@ from compwright.workflow.control import DecodedState, judged
 from compwright.workflow.outlook import Correction
 
 CIRCULAR_STANDARD = "iso230-4:2005"
+#: A circular deviation that grows by this factor or less is told by the numbers alone.
+WORSE = 1.1
 
 
 @dataclass(frozen=True, slots=True)
@@ -231,6 +233,35 @@ def checked_axes(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, .
 def predict(work: CircleWork, change_from: Acting, change_to: Acting) -> CirclePrediction:
     """Return what a fresh circular test will show when what acts changes. The same job predicts the same numbers."""
     return predicted_circle(work.result, work.planned, change_from, change_to)
+
+
+def worse_circles(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding, ...]:
+    """Return a finding for every circle whose circular deviation the tables are predicted to make worse.
+
+    Worse is what lies above the measured value in 95 of 100 fresh tests and by more than `WORSE`: the next set-up of the bar alone
+    changes G by some hundredths.
+    """
+    return tuple(_worse(name, circle, found) for name, circle in predictions.items() if (found := _growing(circle)) is not None)
+
+
+def _growing(circle: CirclePrediction) -> str | None:
+    """Return the circular deviation that grows most; None where none does."""
+    grown = {}
+    for name in ("G_ccw", "G_cw", "G_bidirectional"):
+        was, becomes = circle.before.parameters.get(name), circle.predicted.get(name)
+        if was is not None and becomes is not None and becomes.p05 > was and becomes.median > WORSE * was:
+            grown[name] = becomes.median / was
+    return max(grown, key=lambda name: grown[name], default=None)
+
+
+def _worse(name: str, circle: CirclePrediction, parameter: str) -> Finding:
+    was, becomes = (circle.before.parameters[parameter] or 0.0) * 1e3, circle.predicted[parameter]
+    message = (
+        f"Circle {name}: {parameter.replace('_', ' ')} is predicted to grow from {was:.1f} to {becomes.median * 1e3:.1f} µm "
+        f"({becomes.p05 * 1e3:.1f} to {becomes.p95 * 1e3:.1f}) with these tables. Positioning and circle contradict each other, or "
+        "one axis of the plane is corrected and the other not. Undecided: find out why before you load anything."
+    )
+    return Finding("CW-P131", "warning", message)
 
 
 def predicted_circle(result: CircularResult, planned: PlannedCircle, change_from: Acting, change_to: Acting) -> CirclePrediction:

@@ -28,7 +28,16 @@ from compwright.records.prediction import AxisPrediction, CirclePrediction
 from compwright.workflow.card import card_document, changes_csv
 from compwright.workflow.circle_checks import Checks
 from compwright.workflow.circle_scale import scale_steps, scaled_axes
-from compwright.workflow.circle_work import Acting, CircleWork, acting, checked_axes, predict, read_circles, start_circles
+from compwright.workflow.circle_work import (
+    Acting,
+    CircleWork,
+    acting,
+    checked_axes,
+    predict,
+    read_circles,
+    start_circles,
+    worse_circles,
+)
 from compwright.workflow.control import (
     Control,
     DecodedState,
@@ -329,7 +338,8 @@ def _plan(finished: _Finished) -> Plan:
 def _findings(finished: _Finished) -> tuple[Finding, ...]:
     state = [finding for decoded in finished.inputs.states.values() for finding in decoded.state.findings]
     works = (finding for work in finished.works.values() for finding in work.findings)
-    return (*finished.job.findings, *state, *works, *finished.findings)
+    worse = worse_circles(finished.circle_predictions)
+    return (*finished.job.findings, *state, *works, *finished.findings, *worse)
 
 
 def _doubts(finished: _Finished) -> tuple[Finding, ...]:
@@ -346,6 +356,7 @@ def _doubts(finished: _Finished) -> tuple[Finding, ...]:
 def _exit_code(finished: _Finished) -> int:
     if not finished.stated:
         return UsageError.exit_code
-    failed = any(finding.severity == "error" for finding in _findings(finished))  # a table refused, a correction not made
+    # a table refused, a correction not made, a circle that gets worse
+    failed = any(finding.severity == "error" or finding.code == "CW-P131" for finding in _findings(finished))
     decisions = [entry.decision for axis in finished.predictions.values() for entry in axis.accept.values()]
     return 1 if failed or any(decision != "accept" for decision in decisions) else 0
