@@ -28,6 +28,10 @@ _DIAMETER = (
     "Axis {} is programmed in diameter: the laser and this table count in radius. Programs and displays show twice as much; if the "
     "quick check is off by a factor of two, the control counts its table in diameter"
 )
+_JOINT_DIAMETER = (
+    "Axis {} is programmed in diameter: laser, table and every position on this card count in radius, as the joint moves; the "
+    "control looks its table up there, whatever G7 and G8 say. In G7 program twice the position"
+)
 
 
 def card_document(
@@ -41,6 +45,7 @@ def card_document(
     """Return the card of a run as plain data, values in µm or arcsec."""
     written = {name: work for name, work in works.items() if work.planned.fitted is not None}
     facts = assumed_documents(assumed)
+    diameter = _JOINT_DIAMETER if control.id.startswith("linuxcnc") else _DIAMETER
     return {
         "schema": SCHEMA,
         "title": f"Commissioning card: {', '.join(written or job.axes)}",
@@ -51,7 +56,7 @@ def card_document(
         "changes": changes_document(control, inputs, loaded),
         "unconfirmed": [
             *(f"{entry['fact']}: {entry['value']}" for entry in facts if "unconfirmed" in entry["evidence"]),
-            *(_DIAMETER.format(work.planned.axis.name) for work in written.values() if work.planned.axis.programmed == "diameter"),
+            *(diameter.format(work.planned.axis.name) for work in written.values() if work.planned.axis.programmed == "diameter"),
         ],
         "assumed": facts,
         "restore": _restore(control, inputs),

@@ -245,13 +245,16 @@ def worse_circles(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding,
 
 
 def _growing(circle: CirclePrediction) -> str | None:
-    """Return the circular deviation that grows most; None where none does."""
-    grown = {}
-    for name in ("G_ccw", "G_cw", "G_bidirectional"):
-        was, becomes = circle.before.parameters.get(name), circle.predicted.get(name)
+    """Return the circular deviation that grows; None where it does not.
+
+    That of both runs together counts: lag and squareness may cancel in one run, which alone then looks worse when one of them goes.
+    """
+    has = [name for name in ("G_bidirectional", "G_ccw", "G_cw") if circle.before.parameters.get(name) is not None]
+    for name in has[:1]:
+        was, becomes = circle.before.parameters[name], circle.predicted.get(name)
         if was is not None and becomes is not None and becomes.p05 > was and becomes.median > WORSE * was:
-            grown[name] = becomes.median / was
-    return max(grown, key=lambda name: grown[name], default=None)
+            return name
+    return None
 
 
 def _worse(name: str, circle: CirclePrediction, parameter: str) -> Finding:

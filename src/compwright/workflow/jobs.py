@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from compwright.formats.options import axis_options
+from compwright.formats.options import REFERENCE, REFERENCE_RETURN, axis_options
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.jobs.command_line import job_from_options
@@ -41,6 +41,28 @@ def wrong_control(data: Mapping[str, Any]) -> Iterator[Contradiction]:
     states = data.get("states")
     files = isinstance(states, dict) and any(state and state != "none" for state in states.values())
     yield from _wrong_axis_options(data.get("axes"), control, unit_needed=not files)
+    yield from _unknown_diameter(data.get("axes"), control)
+    for name in (REFERENCE, REFERENCE_RETURN):
+        if name in options:
+            yield Contradiction(("controller", "options", name), "belongs to an axis", f"axes.NAME.{name}", "a controller's option")
+
+
+def _unknown_diameter(axes: object, control: Control) -> Iterator[Contradiction]:
+    """Diameter programming is refused where nobody knows whether the control's tables then count in radius or in diameter.
+
+    Everything in a job counts in radius, as the machine moves. A control whose files say how the axis is programmed checks the job
+    against them; LinuxCNC looks its table up at the position of the joint, which no diameter mode changes.
+    """
+    if "diameter" in control.definition.bindings or control.id.startswith("linuxcnc"):
+        return
+    for name, section in axes.items() if isinstance(axes, dict) else ():
+        if isinstance(section, dict) and section.get("programmed") == "diameter" and section.get("kind", "linear") == "linear":
+            yield Contradiction(
+                ("axes", str(name), "programmed"),
+                f"whether a table of {control.id} counts an axis in diameter programming in radius or in diameter is not confirmed",
+                "radius, once a single point entered by hand has shown that the table moves the axis by its own value",
+                "diameter",
+            )
 
 
 def _wrong_axis_options(axes: object, control: Control, *, unit_needed: bool) -> Iterator[Contradiction]:
