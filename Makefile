@@ -21,7 +21,7 @@ demo: $(VENV)/.report  ## the whole loop on a virtual machine, into demo/
 	$(BIN)/compwright demo --out demo --force
 
 test: $(VENV)/.test  ## all tests (those that need LinuxCNC are skipped visibly where it is absent)
-	$(BIN)/python -m pytest -n auto -p no:cacheprovider
+	$(BIN)/python -m pytest -n auto --dist worksteal -p no:cacheprovider
 
 lint: $(VENV)/.test
 	$(BIN)/ruff check .

@@ -1,18 +1,24 @@
-"""For all tests: figures inside pages are built but not painted, unless a test module says `pytest.mark.painted`.
+"""For all tests: pages hold empty frames for figures unless a module says `pytest.mark.painted`; random cases have fixed seeds.
 
-Painting is the plotting library's work and two thirds of the time of a run. What is painted is looked at in the tests of the
-reporting room, of the examples and of the plots that `evaluate` writes.
+Painting is two thirds of the time of a run. Figures are looked at in the tests of the reporting room, of the examples and of the
+plots that `evaluate` writes. Fixed seeds: a test fails every time or never; new cases are tried in ``benchmarks/``.
 """
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
+from hypothesis import settings
 
-from compwright.reporting import panels, plots, polar
+from compwright.reporting import circles, report
+
+settings.register_profile("suite", derandomize=True, deadline=None)
+settings.load_profile("suite")
 
 _FRAME = b'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 10 10"></svg>'
+
+
+def _frame(*_: object, **__: object) -> bytes:
+    return _FRAME
 
 
 @pytest.fixture(autouse=True)
@@ -20,9 +26,6 @@ def unpainted(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -
     """Let the figures that stand in pages be empty frames."""
     if request.node.get_closest_marker("painted"):
         return
-
-    def frame(figure: Any, kind: panels.PlotFormat) -> bytes:
-        return _FRAME if kind == "svg" else panels.render(figure, kind)
-
-    monkeypatch.setattr(plots, "render", frame)
-    monkeypatch.setattr(polar, "render", frame)
+    for plot in ("positioning_plot", "before_after_plot", "table_plot", "estimate_plot"):
+        monkeypatch.setattr(report, plot, _frame)
+    monkeypatch.setattr(circles, "polar_figure", _frame)

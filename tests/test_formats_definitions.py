@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
-import yaml
 
+from compwright.formats import definitions
 from compwright.formats.card import UNKNOWN, card_steps, card_values
 from compwright.formats.definitions import definitions_from, load_definition
 from compwright.formats.gate import check_definition
@@ -14,6 +16,7 @@ from compwright.formats.options import describe_options, resolve_options
 from compwright.formats.patching import Change, apply_changes, set_field
 from compwright.formats.texts import TextReader
 from compwright.foundations.errors import InputError, UsageError
+from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.correction import ControlFile
 from compwright.workflow.formats import check_formats, list_formats, show_format
 from format_samples import CONTENT, DEFINITIONS, LINUXCNC, SIEMENS, axis_of, table
@@ -42,16 +45,15 @@ def key_paths(data: object, path: tuple[str, ...] = ()) -> list[tuple[str, ...]]
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_missing_key_is_named_with_its_place(name: str) -> None:
-    data = yaml.load(TEXT[name], Loader=yaml.BaseLoader)  # noqa: S506 - plain text of our own, to list keys
-    paths = _one_of_each(key_paths(data))
+def test_every_missing_key_is_named_with_its_place(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    document = read_yaml(CONTENT[name], "mine.yaml")
+    paths = _one_of_each(key_paths(document.data))
     assert len(paths) > 60
     for path in paths:
-        damaged = _without(TEXT[name], path)
-        if damaged is None:
-            continue
+        damaged = replace(document, data=_without(document.data, path))
+        monkeypatch.setattr(definitions, "read_yaml", lambda *_, found=damaged: found)
         with pytest.raises(InputError) as caught:
-            load_definition(damaged.encode(), "mine.yaml")
+            load_definition(b"", "mine.yaml")
         assert any(fault.file == "mine.yaml" and path[-1] in fault.place for fault in caught.value.faults), path
 
 
@@ -62,22 +64,11 @@ def _one_of_each(paths: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
     return [path for path in paths if len(path) < 2 or path[0] not in kept or path[1] in kept[path[0]]]
 
 
-def _without(text: str, path: tuple[str, ...]) -> str | None:
-    """Cut a key and what belongs to it out of block-style YAML text; None where it stands in a one-line mapping."""
-    lines = text.split("\n")
-    start = 0
-    for depth, key in enumerate(path):
-        start = next(
-            (i for i in range(start, len(lines)) if lines[i].startswith(" " * 2 * depth + f"{key}:")),
-            -1,
-        )
-        if start < 0:
-            return None
-    indent = 2 * (len(path) - 1)
-    end = start + 1
-    while end < len(lines) and (not lines[end].strip() or len(lines[end]) - len(lines[end].lstrip()) > indent):
-        end += 1
-    return "\n".join(lines[:start] + lines[end:])
+def _without(data: Any, path: tuple[str, ...]) -> Any:
+    """Return a copy of nested mappings in which one key is missing."""
+    if len(path) == 1:
+        return {key: value for key, value in data.items() if key != path[0]}
+    return {**data, path[0]: _without(data[path[0]], path[1:])}
 
 
 @pytest.mark.parametrize(

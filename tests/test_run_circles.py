@@ -5,9 +5,12 @@ The machine stands here a second time, in exact geometry and apart from the pack
 
 from __future__ import annotations
 
+import io
 import json
 import re
+import shutil
 from collections.abc import Callable
+from contextlib import redirect_stdout
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -152,6 +155,24 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
+@pytest.fixture(scope="module")
+def standard(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The usual machine and job, run once; not to be changed."""
+    folder = tmp_path_factory.mktemp("standard") / "folder"
+    folder.mkdir()
+    measure(folder, Bent())
+    with redirect_stdout(io.StringIO()) as said:
+        assert compwright(["run", str(job(folder))]) == 0
+    (folder / "said.txt").write_text(" ".join(said.getvalue().split()), encoding="utf-8")
+    return folder
+
+
+@pytest.fixture
+def done(standard: Path, tmp_path: Path) -> Path:
+    """A copy of the usual job with its results."""
+    return Path(shutil.copytree(standard, tmp_path / "done"))
+
+
 def measure(folder: Path, machine: Bent) -> None:
     write_axis(folder / "x.csv", machine.x, 1, None, "AX1")
     write_axis(folder / "y.csv", machine.y, 2, None, "AX2")
@@ -181,18 +202,17 @@ def test_the_machine_here_is_that_of_the_simulator() -> None:
         assert np.max(np.abs(rest)) < 1e-5
 
 
-def test_a_bent_machine_is_straight_after_one_round(folder: Path) -> None:
+def test_a_bent_machine_is_straight_after_one_round(done: Path) -> None:
     machine = Bent()
-    assert compwright(["run", str(job(folder))]) == 0
-    out = folder / "job"
+    out = done / "job"
     prediction = document(out / "prediction.json")
     circle = prediction["circles"]["xy-150"]
     assert circle["before"]["squareness"] == pytest.approx(40.0, abs=1.0)  # µm/m, std error 0.15
     assert circle["before"]["G_ccw"] > 10.0  # µm
     judge = judge_of(out / "tables" / SIEMENS)
     after = machine.circle(11, judge)
-    write_circle(folder / "after.csv", after)
-    result = diagnosed(folder / "after.csv", folder / "after.json")
+    write_circle(done / "after.csv", after)
+    result = diagnosed(done / "after.csv", done / "after.json")
     causes = {name: entry["value"] for name, entry in result["diagnosis"].items()}
     assert abs(causes["squareness"]) < 2.0  # µm/m
     assert abs(causes["backlash_first"]) < 0.4  # µm: the laser's mean of 5 + 5 readings, noise 0.3
@@ -201,8 +221,8 @@ def test_a_bent_machine_is_straight_after_one_round(folder: Path) -> None:
     # What lag leaves and noise: a circle of a machine with these two alone.
     rest = Machine(low=-1e4, high=1e4, slope=0.0, bow=0.0, lost=0.0, noise=0.0003)
     floor = replace(machine, x=rest, y=rest, squareness=0.0)
-    write_circle(folder / "floor.csv", floor.circle(12))
-    ideal = diagnosed(folder / "floor.csv", folder / "floor.json")["parameters"]
+    write_circle(done / "floor.csv", floor.circle(12))
+    ideal = diagnosed(done / "floor.csv", done / "floor.json")["parameters"]
     for name in ("G_ccw", "G_cw", "G_bidirectional"):
         assert result["parameters"][name] < ideal[name] + 0.8  # µm: the errors of scale and reversal left, each 0.1 to 0.3
         band = circle["predicted"][name]
@@ -304,9 +324,8 @@ def test_fanuc_gets_a_sheet_of_straightness_compensation_only_when_the_job_names
     assert "unconfirmed" in (card / "card.md").read_text(encoding="utf-8")
 
 
-def test_plan_and_evaluation_carry_the_circle(folder: Path) -> None:
-    assert compwright(["run", str(job(folder))]) == 0
-    out = folder / "job"
+def test_plan_and_evaluation_carry_the_circle(done: Path) -> None:
+    out = done / "job"
     content = (out / "plan.json").read_bytes()
     plan = read_plan(content, "plan.json")
     (cross,) = plan.cross
@@ -335,13 +354,12 @@ def test_export_carries_the_correction_between_axes(folder: Path, capsys: pytest
     assert "matrixkins.C_yx" in capsys.readouterr().err
 
 
-def test_decode_shows_what_one_axis_does_to_the_other(folder: Path) -> None:
-    assert compwright(["run", str(job(folder))]) == 0
-    tables = sorted((folder / "job" / "tables" / SIEMENS).iterdir())
+def test_decode_shows_what_one_axis_does_to_the_other(done: Path) -> None:
+    tables = sorted((done / "job" / "tables" / SIEMENS).iterdir())
     for at, positions in (([], [0.0, 800.0]), (["--at", "800,200"], [800.0, 200.0])):
-        options = [*(str(path) for path in tables), "--format", SIEMENS, *at, "--json", str(folder / f"decode{len(at)}.json")]
+        options = [*(str(path) for path in tables), "--format", SIEMENS, *at, "--json", str(done / f"decode{len(at)}.json")]
         assert compwright(["decode", *options]) == 0
-        (cross,) = document(folder / f"decode{len(at)}.json")["cross"]
+        (cross,) = document(done / f"decode{len(at)}.json")["cross"]
         assert (cross["input"], cross["output"], cross["positions"]) == ("AX1", "AX2", positions)
         assert cross["correction"] == pytest.approx([0.04 * position for position in positions], abs=0.3)  # µm: 40 µm/m
 
@@ -414,36 +432,34 @@ def test_verify_refuses_a_circle_of_another_plane(folder: Path, capsys: pytest.C
     assert "ZX" in capsys.readouterr().err
 
 
-def test_a_circle_measured_in_another_state_uses_that_state(folder: Path) -> None:
+def test_a_circle_measured_in_another_state_uses_that_state(done: Path) -> None:
     """With the tables loaded the circle is straight; the machine without them is not: the ramp is the same."""
-    assert compwright(["run", str(job(folder))]) == 0
-    tables = folder / "job" / "tables" / SIEMENS
-    (cross,) = document(folder / "job" / "prediction.json")["cross"]
-    write_circle(folder / "xy.csv", Bent().circle(9, judge_of(tables)))
-    loaded = folder / "loaded"
+    tables = done / "job" / "tables" / SIEMENS
+    (cross,) = document(done / "job" / "prediction.json")["cross"]
+    write_circle(done / "xy.csv", Bent().circle(9, judge_of(tables)))
+    loaded = done / "loaded"
     tables.rename(loaded)
-    path = job(folder, circle="centre: [400, -250], measured_in: with_tables")
+    path = job(done, circle="centre: [400, -250], measured_in: with_tables")
     path.write_text(path.read_text().replace("{as_found: none}", "{as_found: none, with_tables: [loaded]}"))
-    assert compwright(["run", str(path), "--out", str(folder / "again")]) == 0
-    prediction = document(folder / "again" / "prediction.json")
+    assert compwright(["run", str(path), "--out", str(done / "again")]) == 0
+    prediction = document(done / "again" / "prediction.json")
     assert abs(prediction["circles"]["xy-150"]["before"]["squareness"]) < 2.0  # µm/m
     (again,) = prediction["cross"]
     assert again["correction"] == pytest.approx(cross["correction"], abs=0.5)  # µm: 2 · 0.3 µm/m over 0.8 m
     assert abs(prediction["circles"]["xy-150"]["predicted"]["backlash_first"]["median"]) < 0.3  # µm: no change, not - 5
 
 
-def test_a_second_round_adds_to_what_acts(folder: Path) -> None:
+def test_a_second_round_adds_to_what_acts(done: Path) -> None:
     """The machine has bent further by 10 µm/m since: the old ramp stays and a new one takes the rest."""
-    assert compwright(["run", str(job(folder))]) == 0
-    (folder / "job" / "tables" / SIEMENS).rename(folder / "control")
-    judge = judge_of(folder / "control")
+    (done / "job" / "tables" / SIEMENS).rename(done / "control")
+    judge = judge_of(done / "control")
     machine = replace(Bent(), squareness=50e-6)
-    write_axis(folder / "x.csv", machine.x, 31, judge, "AX1")
-    write_axis(folder / "y.csv", machine.y, 32, judge, "AX2")
-    write_circle(folder / "xy.csv", machine.circle(33, judge))
-    path = job(folder, states="[control]")
-    assert compwright(["run", str(path), "--out", str(folder / "again"), "--accept-worse"]) == 0
-    prediction = document(folder / "again" / "prediction.json")
+    write_axis(done / "x.csv", machine.x, 31, judge, "AX1")
+    write_axis(done / "y.csv", machine.y, 32, judge, "AX2")
+    write_circle(done / "xy.csv", machine.circle(33, judge))
+    path = job(done, states="[control]")
+    assert compwright(["run", str(path), "--out", str(done / "again"), "--accept-worse"]) == 0
+    prediction = document(done / "again" / "prediction.json")
     assert prediction["circles"]["xy-150"]["before"]["squareness"] == pytest.approx(10.0, abs=1.0)
     (cross,) = prediction["cross"]
     assert cross["correction"] == pytest.approx([0.05 * position for position in cross["positions"]], abs=0.6)  # µm, the total
@@ -484,9 +500,8 @@ def test_lost_motion_of_the_circle_when_asked_and_the_disagreement(folder: Path,
     assert lost["circle"] == pytest.approx(7.0, abs=0.3)
 
 
-def test_agreement_of_laser_and_circle_is_not_reported(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert compwright(["run", str(job(folder))]) == 0
-    said = codes(capsys)
+def test_agreement_of_laser_and_circle_is_not_reported(done: Path) -> None:
+    said = (done / "said.txt").read_text(encoding="utf-8")
     assert not {code for code in ("CW-P114", "CW-P115", "CW-P116") if code in said}
 
 

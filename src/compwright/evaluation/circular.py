@@ -138,7 +138,7 @@ class _OneWay:
     @classmethod
     def of(cls, path: ActualPath) -> _OneWay:
         centre, radius = least_squares_circle(path.points)
-        return cls(path, centre, radius, minimum_zone(path.points))
+        return cls(path, centre, radius, minimum_zone(path.points, (centre, radius)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,7 +169,7 @@ def _one_way_values(test: CircularTest, sense: Sense, found: _OneWay) -> dict[st
 def _common_values(test: CircularTest, evaluated: Mapping[Sense, ActualPath]) -> _Common:
     points = np.vstack([path.points for path in evaluated.values()])
     centre, radius = least_squares_circle(points)
-    zone = minimum_zone(points)
+    zone = minimum_zone(points, (centre, radius))
     distances = np.concatenate([path.distances(centre) for path in evaluated.values()])
     values = {
         "G_bidirectional": zone[2] - zone[1],

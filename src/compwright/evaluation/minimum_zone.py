@@ -38,8 +38,10 @@ _MOST_WORKING: Final = 40
 _ROUNDING: Final = 64.0 * float(np.finfo(np.float64).eps)
 
 
-def minimum_zone(points: FloatArray) -> tuple[Point, float, float]:
+def minimum_zone(points: FloatArray, least_squares: tuple[Point, float] | None = None) -> tuple[Point, float, float]:
     """Return centre, inner and outer radius of the narrowest annulus that holds ``points`` (n, 2), all in their unit.
+
+    ``least_squares``: their least-squares circle, where it is known already.
 
     The least width over all centres in the region around the least-squares centre that the reach bounds; a centre far away, about
     which a short piece of arc looks like a strip, is not what roundness means. Every point counts, and each lies in the
@@ -49,7 +51,7 @@ def minimum_zone(points: FloatArray) -> tuple[Point, float, float]:
     Raises InputError for fewer than three different points, for points on a straight line, and for points whose distances from the
     least-squares centre spread over more than a quarter of the radius; CapacityError when the zone does not stand still.
     """
-    start, radius = least_squares_circle(points)
+    start, radius = least_squares or least_squares_circle(points)
     x, y = _around(points[:, 0] - start[0], points[:, 1] - start[1])
     distance = np.hypot(x, y)
     if float(np.ptp(distance)) > _NOT_ROUND * radius:
