@@ -195,6 +195,8 @@ def evaluate(
     written = write_evaluation(outcome.document, json_path=_json_file(json_path), plot_path=plot, force=force)
     _answer(outcome.document, json_path, lambda: evaluation_renderables({**outcome.document, "errors": []}, targets=targets))
     _errors(": ".join(filter(None, (entry["file"], entry["message"]))) for entry in outcome.document["errors"])
+    for name in outcome.document.get("skipped", ()):
+        _tell(f"note: {name}: skipped, by its ending no measurement")
     for path in written:
         _tell(f"written: {path}")
     return outcome.exit_code

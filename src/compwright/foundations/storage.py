@@ -154,7 +154,7 @@ def _hindrances(path: Path, content: bytes) -> Iterator[Fault]:
         yield Fault(message="is no folder", file=str(above), expected="a folder to write into")
     elif is_folder:
         yield Fault(message="is a folder", file=str(path), expected="the name of a file")
-    elif exists and not (is_file or is_link):
+    elif exists and not is_file and not (is_link and not path.exists()):  # a link to nowhere is only a name
         yield Fault(message="is no ordinary file", file=str(path), expected="the name of a file")
     elif input_lost:
         yield Fault(

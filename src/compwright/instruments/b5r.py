@@ -42,6 +42,8 @@ _MOST_READINGS: Final = 1_000_000  # of a run; a real one has some thousand
 _SAME_ANGLE: Final = 1e-6  # deg, the same for angles
 #: In all files seen as many samples of overshoot follow the arc as precede it; beyond this the readings are of another length.
 _TAIL: Final = (2, 0.02)  # samples, share of the samples of the arc; the larger of both
+#: No bar is shorter, no feed or sampling slower than this (mm, mm/min, Hz).
+_SMALLEST = 1e-6
 #: A feed off by more than this does not come from the rounding of the sampling: override, or an axis that did not follow.
 _FEED_SHARE: Final = 0.05
 _UNITS: Final[Mapping[str, str]] = {
@@ -185,9 +187,9 @@ def _number(parent: Element, tag: str, faults: FaultList, *, above: float = -LAR
 
 
 def _spec(bar: Element, faults: FaultList) -> _Spec:
-    length = _number(bar, "NOMINAL_LENGTH", faults, above=0.0, most=_LONGEST)
+    length = _number(bar, "NOMINAL_LENGTH", faults, above=_SMALLEST, most=_LONGEST)
     if bar.first("TEST_RADIUS"):
-        radius = _number(bar, "TEST_RADIUS", faults, above=0.0, most=_LONGEST)
+        radius = _number(bar, "TEST_RADIUS", faults, above=_SMALLEST, most=_LONGEST)
         if abs(radius - length) > _SAME_LENGTH:
             faults.add(
                 "test radius and length of the ballbar differ",
@@ -210,7 +212,7 @@ def _spec(bar: Element, faults: FaultList) -> _Spec:
     plane, axes = _plane(bar, faults)
     return _Spec(
         length=length,
-        feed=_number(bar, "PROGRAMMED_FEEDRATE", faults, above=0.0),
+        feed=_number(bar, "PROGRAMMED_FEEDRATE", faults, above=_SMALLEST),
         start=start,
         extent=extent,
         plane=plane,
@@ -252,7 +254,7 @@ def _run(element: Element, sense: Sense, number: int, spec: _Spec, faults: Fault
     """Return one run: sample k of N at start + (k + 1/2) extent/N for ccw, at the end minus that for cw (deg)."""
     readings = _readings(element, faults)
     indices = _indices(element, readings, faults)
-    rate = _number(element, "SAMPLE_RATE", faults, above=0.0) if element.first("SAMPLE_RATE") else None
+    rate = _number(element, "SAMPLE_RATE", faults, above=_SMALLEST) if element.first("SAMPLE_RATE") else None
     if readings is None or indices is None:
         return None
     first, last = indices

@@ -39,6 +39,8 @@ _FORM_KEY: Final = re.compile(r"circular\s+([0-9]{1,9})")
 _YES: Final[Mapping[str, bool]] = {"yes": True, "true": True, "no": False, "false": False}
 #: Radii whose median lies farther from nominal than this are in another unit or of another circle.
 _FAR: Final = (1.0, 0.05)  # mm, share of the nominal radius; the larger of both
+#: No bar is shorter and no feed slower than this (mm, mm/min).
+_SMALLEST: Final = 1e-3
 _MANY_STEPS: Final = 5.0  # a gap of so many samples is told
 _RADII: Final = {"inch": MILLIMETRES_PER_INCH, "um": 1.0 / MICROMETRES_PER_MILLIMETRE, "m": 1000.0}  # a unit in mm
 
@@ -160,7 +162,7 @@ def _positive(comments: Comments, key: str, example: str, faults: FaultList) -> 
     except ValueError as reason:
         faults.add(f"key '{key}' {reason}", place=comments.places[key], expected="a number above 0", found=shown(text))
         return float("nan")
-    if value <= 0.0:
+    if value < _SMALLEST:
         faults.add(f"key '{key}' is not positive", place=comments.places[key], expected="a number above 0", found=shown(text))
     return value
 

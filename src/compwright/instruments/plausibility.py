@@ -19,9 +19,12 @@ Codes of this room:
 - ``CW-R015`` warning: a point that may mark thousands was read as a decimal point
 - ``CW-R050`` warning: targets approached in one direction only were left out
 - ``CW-R051`` warning: the file may have been cut off inside its last number
+- ``CW-R052`` info: what lies beside the measurements in a folder was skipped
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -167,3 +170,10 @@ def _near_targets(grid: Grid, kind: AxisKind) -> Finding | None:
     if not pairs:
         return None
     return Finding("CW-R012", "warning", f"Targets almost the same that no run has both of, perhaps one target: {_list(pairs)}.")
+
+
+def skipped_finding(names: Sequence[str]) -> Finding | None:
+    """Return the finding that names the files of a folder that are no measurements by their endings, None where there are none."""
+    if not names:
+        return None
+    return Finding("CW-R052", "info", f"Skipped in the folder, by their endings no measurements: {', '.join(names)}.")

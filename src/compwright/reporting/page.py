@@ -12,6 +12,7 @@ from collections.abc import Mapping
 from typing import Any, Final
 from urllib.parse import quote
 
+from compwright.foundations.utf8 import encoded
 from compwright.reporting.extra import need
 from compwright.reporting.numbers import MISSING, number, plain, unit_text
 
@@ -23,7 +24,7 @@ def render_page(template: str, content: Mapping[str, Any]) -> bytes:
     """Return the page of a template in ``templates/`` as UTF-8 bytes. Raises UsageError when the report extra is missing."""
     need("jinja2")
     text: str = _environment().get_template(template).render(**content)
-    return text.encode("utf-8")
+    return encoded(text)
 
 
 @functools.cache

@@ -13,6 +13,7 @@ from compwright.documents.decode import assumed_documents
 from compwright.formats.card import card_steps_of_all, card_values
 from compwright.formats.diff import compare_files
 from compwright.foundations.units import outside_factor, outside_unit
+from compwright.foundations.utf8 import encoded
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import Assumption, AxisCompensation
 from compwright.records.job import Job
@@ -185,7 +186,7 @@ def changes_csv(changes: Mapping[str, Any]) -> bytes:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["entry", "old", "new"])
     writer.writerows([row["entry"], row["old"], row["new"]] for row in changes["entries"])
-    return text.getvalue().encode()
+    return encoded(text.getvalue())
 
 
 def _steps(control: Control, written: Mapping[str, AxisWork], loaded: DecodedState | None) -> list[dict[str, Any]]:

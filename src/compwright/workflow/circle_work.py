@@ -12,6 +12,7 @@ import numpy as np
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
 from compwright.prediction.circular import CirclePath, moved_test, predict_circle
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
@@ -22,6 +23,7 @@ from compwright.records.plan import PlannedCircle
 from compwright.records.prediction import CirclePrediction
 from compwright.workflow.circles import evaluated_circle
 from compwright.workflow.control import DecodedState, judged
+from compwright.workflow.measurement_files import measurement_files
 from compwright.workflow.outlook import Correction
 
 CIRCULAR_STANDARD = "iso230-4:2005"
@@ -139,11 +141,17 @@ def read_circle(paths: list[Path], name: str) -> CircularTest:
     """Read the files of one circular test. Raises InputError."""
     errors: list[CompwrightError] = []
     parts = []
-    for path in (found for given in paths for found in storage.list_files(given)):
+    for given in paths:
         try:
-            parts.append(_read_part(path))
+            files = measurement_files(given).files
         except InputError as error:
             errors.append(error)
+            continue
+        for path in files:
+            try:
+                parts.append(_read_part(path))
+            except InputError as error:
+                errors.append(error)
     raise_all(InputError, collect(errors))
     return merge_circular(parts, name)
 
@@ -159,10 +167,10 @@ def start_circle(request: CircleRequest, test: CircularTest, axes: Mapping[str, 
 
 
 def _read_part(path: Path) -> CircularTest:
-    content = storage.read_bytes(path)
-    if not is_circular(content, str(path)):
-        raise InputError(Fault(message="is no circular test", file=str(path), expected="a .b5r file or CSV with angle_deg"))
-    return read_circular(content, str(path))
+    content, file = storage.read_bytes(path), shown_path(path)
+    if not is_circular(content, file):
+        raise InputError(Fault(message="is no circular test", file=file, expected="a .b5r file or CSV with angle_deg"))
+    return read_circular(content, file)
 
 
 def start_circles(job: Job, tests: Sequence[CircularTest], axes: Mapping[str, Axis]) -> tuple[CircleWork, ...]:

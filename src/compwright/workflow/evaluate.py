@@ -13,9 +13,11 @@ from compwright.documents.json_text import to_json
 from compwright.evaluation.standards import DEFAULT_STANDARD, evaluate, standard_by_id
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, collect, raise_all
+from compwright.foundations.utf8 import encoded, shown_path
 from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
+from compwright.workflow.measurement_files import measurement_files
 
 if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
     from compwright.records.circular import CircularResult, CircularTest
@@ -26,7 +28,10 @@ _DEFAULT_CIRCULAR = "iso230-4:2005"  # of evaluation.circular, which positioning
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvaluationRun:
-    """``document`` is the JSON of ``evaluate``, ``results`` the same as records, ``exit_code`` 0, or 3 for an unreadable file."""
+    """``document`` is the JSON of ``evaluate``, ``results`` the same as records.
+
+    ``exit_code`` is 0, 3 for a file that cannot be read, 2 where the standard asked for does not fit a test and all else is read.
+    """
 
     document: Mapping[str, Any]
     results: tuple[PositioningResult | CircularResult, ...]
@@ -38,13 +43,15 @@ def evaluate_files(paths: Sequence[Path], standards: Sequence[str] = (), spread:
 
     ``standards``: at most one for positioning and one for circular tests; without one the default of the kind. Two files that hold
     one direction each of the same circular test are one test (`circular_pairs.paired`). A file that cannot be read, also one in
-    a folder that is no measurement file, becomes an entry in ``errors`` and the rest is evaluated. Raises UsageError for
-    unknown standards, two of one kind, a range method that the standard does not have, or no path at all.
+    a folder that is no measurement file, becomes an entry in ``errors`` and the rest is evaluated; what lies beside measurements
+    in a folder (plots, JSON, jobs) is skipped and named in ``skipped``. Raises UsageError for unknown standards, two of one kind, a
+    range method that the standard or the only test does not have, or no path at all.
     """
     positioning, circular = _standards(standards, spread)
     if not paths:
         raise UsageError(Fault(message="nothing to evaluate", expected="at least one measurement file or folder"))
-    files, faults = _files(paths)
+    files, skipped, faults = _files(paths)
+    unfit: list[UsageError] = []
     results: list[PositioningResult | CircularResult] = []
     for test in _tests(files, faults):
         try:
@@ -54,9 +61,16 @@ def evaluate_files(paths: Sequence[Path], standards: Sequence[str] = (), spread:
                 results.append(_evaluated_circle(test, circular))
         except InputError as error:
             faults.extend(fault.in_file(test.sources[0].file) for fault in error.faults)
+        except UsageError as error:  # the method does not fit this test; it may fit the others
+            unfit.append(error)
+    if unfit and not results and not faults:
+        raise UsageError(*collect(unfit))
+    exit_code = InputError.exit_code if faults else UsageError.exit_code if unfit else 0
     results = _with_repeats(results)
-    document = {**evaluation_document((), faults), "results": [_entry(result) for result in results]}
-    return EvaluationRun(document=document, results=tuple(results), exit_code=InputError.exit_code if faults else 0)
+    document = {**evaluation_document((), [*faults, *collect(unfit)]), "results": [_entry(result) for result in results]}
+    if skipped:
+        document["skipped"] = [shown_path(path) for path in skipped]
+    return EvaluationRun(document=document, results=tuple(results), exit_code=exit_code)
 
 
 def evaluation_renderables(document: Mapping[str, Any], *, targets: bool = False) -> list[Any]:
@@ -88,7 +102,7 @@ def write_evaluation(
     if json_path is not None and json_path == plot_path:
         raise UsageError(Fault(message="is the file of --plot too", file=str(json_path), place="--json", expected="another file"))
     if json_path is not None:
-        files[json_path] = to_json(document).encode("utf-8")
+        files[json_path] = encoded(to_json(document))
     return storage.write_files(Path(), {}, elsewhere=files, force=force)
 
 
@@ -130,20 +144,20 @@ def _circular_standard(name: str) -> str:
     return circular_standard_by_id(name).id
 
 
-def _files(paths: Sequence[Path]) -> tuple[list[Path], list[Fault]]:
-    """Return the files of all paths, each once, in their order, and the faults of paths that hold none."""
+def _files(paths: Sequence[Path]) -> tuple[list[Path], list[Path], list[Fault]]:
+    """Return the files of all paths, each once, what was skipped beside them, and the faults of paths without any."""
     files: dict[Path, None] = {}
+    skipped: dict[Path, None] = {}
     faults: list[Fault] = []
     for path in paths:
         try:
-            found = storage.list_files(path)
+            found = measurement_files(path)
         except InputError as error:
             faults.extend(error.faults)
             continue
-        if not found:
-            faults.append(Fault(message="the folder holds no files", file=str(path)))
-        files |= dict.fromkeys(found)
-    return list(files), faults
+        files |= dict.fromkeys(found.files)
+        skipped |= dict.fromkeys(found.skipped)
+    return list(files), [path for path in skipped if path not in files], faults
 
 
 def _tests(files: Sequence[Path], faults: list[Fault]) -> list[PositioningTest | CircularTest]:
@@ -151,9 +165,9 @@ def _tests(files: Sequence[Path], faults: list[Fault]) -> list[PositioningTest |
     tests: list[PositioningTest | CircularTest] = []
     for file in files:
         try:
-            tests.append(_read(storage.read_bytes(file), str(file)))
+            tests.append(_read(storage.read_bytes(file), shown_path(file)))
         except InputError as error:
-            faults.extend(fault.in_file(str(file)) for fault in error.faults)
+            faults.extend(fault.in_file(shown_path(file)) for fault in error.faults)
     if all(isinstance(test, PositioningTest) for test in tests):
         return tests
     from compwright.workflow.circles import pairs_joined

@@ -9,12 +9,15 @@ from pathlib import Path
 from compwright.evaluation.expansion import remove_differential_expansion
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
+from compwright.foundations.utf8 import shown_path
+from compwright.instruments.plausibility import skipped_finding
 from compwright.instruments.reading import read_positioning
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest, merge, to_machine
 from compwright.workflow.control import Control, DecodedState, decode, read_files
+from compwright.workflow.measurement_files import measurement_files
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,15 +54,22 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
 
 def read_measurement(path: Path) -> PositioningTest:
     """Read one measurement file. Raises InputError."""
-    return read_positioning(storage.read_bytes(path), str(path))
+    return read_positioning(storage.read_bytes(path), shown_path(path))
 
 
 def read_test(job: Job, entry: AxisJob, request: TestRequest, folder: Path) -> PositioningTest:
     """Read the files of one test into one record in machine coordinates, expansion removed where the job says so."""
     errors: list[CompwrightError] = []
     parts = []
+    skipped: tuple[Path, ...] = ()
     for text in request.files:
-        for path in storage.list_files(folder / text):
+        try:
+            found = measurement_files(folder / text)
+        except InputError as error:
+            errors.append(error)
+            continue
+        skipped += found.skipped
+        for path in found.files:
             try:
                 parts.append(read_measurement(path))
             except InputError as error:
@@ -70,7 +80,8 @@ def read_test(job: Job, entry: AxisJob, request: TestRequest, folder: Path) -> P
     test = to_machine(merge(parts, request.name), request.position_map)
     if job.thermal is not None and test.kind is AxisKind.LINEAR:
         test = remove_differential_expansion(test, job.thermal)
-    return replace(test, axis=entry.axis.name)
+    finding = skipped_finding([shown_path(path) for path in skipped])
+    return replace(test, axis=entry.axis.name, findings=test.findings if finding is None else (*test.findings, finding))
 
 
 def _check_axis(axis: Axis, test: PositioningTest) -> None:

@@ -10,6 +10,7 @@ from compwright.formats.options import DETECTION_UNIT
 from compwright.formats.schema import Definition
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError
+from compwright.foundations.utf8 import encoded
 from compwright.jobs.writing import AxisDraft, Prefilled, job_text
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation
@@ -44,7 +45,7 @@ def new_job(files: Sequence[Path], format_id: str, options: dict[str, object], o
     if asked:
         given[DETECTION_UNIT] = Prefilled(None, "mm or deg per pulse, such as 0.001; nothing in the files says it")
     text = job_text(format_id, given, [storage.relative(path, out.parent) for path in files], drafts)
-    storage.write_file(out, text.encode(), force=force)
+    storage.write_file(out, encoded(text), force=force)
     return NewOutcome(out, tuple(_open(given, drafts)))
 
 

@@ -18,6 +18,7 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding, doubts_of
 from compwright.foundations.provenance import fingerprint
+from compwright.foundations.utf8 import encoded
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularTest
 from compwright.records.correction import Assumption, ControlFile
@@ -264,7 +265,7 @@ def _files(
         card = {**card, "steps": [*card["steps"], *finished.cross.steps], "doubts": prediction["doubts"]}
         from compwright.reporting.card import card_markdown
 
-        files["card/card.md"] = card_markdown(dict(card)).encode()
+        files["card/card.md"] = encoded(card_markdown(dict(card)))
         if card["changes"] is not None:
             files["card/changes.csv"] = changes_csv(card["changes"])
         files |= {f"card/{file.name}": file.content for file in (*_second_forms(finished), *finished.cross.sheets)}
@@ -293,7 +294,7 @@ def _files(
     except UsageError as error:
         notes.append(f"report.html is not written: {error}")
     if finished.stated:
-        results = {name: fingerprint(content) for name, content in files.items() if name != "plan.json"}
+        results = {encoded(name).decode(): fingerprint(content) for name, content in files.items() if name != "plan.json"}
         files["plan.json"] = to_json(plan_document(replace(_plan(finished), results=results))).encode()
     return files, tuple(notes)
 
@@ -301,7 +302,7 @@ def _files(
 def _known_results(out: Path) -> storage.Known:
     """Return what tells the results of an earlier run in ``out`` from what the user has put or changed below it."""
     listed = listed_files(storage.earlier_bytes(out / "plan.json"))
-    return lambda name, content: "/" not in name or listed.get(name) == fingerprint(content)
+    return lambda name, content: "/" not in name or listed.get(encoded(name).decode()) == fingerprint(content)
 
 
 def _second_forms(finished: _Finished) -> tuple[ControlFile, ...]:

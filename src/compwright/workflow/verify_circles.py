@@ -12,6 +12,7 @@ from compwright.documents.verification import SquarenessCheck, VerifiedCircle
 from compwright.evaluation.decision import Decision
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, collect, raise_all
+from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_reading import is_circular, read_circular
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularTest
@@ -55,9 +56,10 @@ def _circle(plan: Plan, spec: str) -> tuple[str, Path] | None:
     if not storage.is_there(path) or storage.is_folder(path):
         return (head, path) if named else None
     content = storage.read_bytes(path)
-    if not is_circular(content, str(path)):
+    file = shown_path(path)
+    if not is_circular(content, file):
         return None
-    return (head if named else _repeated(plan, read_circular(content, str(path)), spec)), path
+    return (head if named else _repeated(plan, read_circular(content, file), spec)), path
 
 
 def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
