@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import base64
-import binascii
 import json
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
@@ -11,7 +10,8 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from compwright.foundations.errors import Fault, InputError
+from compwright.documents.plan_check import plan_faults
+from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, FloatArray
@@ -62,7 +62,7 @@ def read_plan(content: bytes, file: str) -> Plan:
     """Read a plan. Raises InputError when it is not one, is of a newer schema, or lacks a key (file, key, expected, found)."""
     try:
         data = json.loads(content.decode("utf-8"))
-    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(Fault(message="is not JSON", file=file, expected="plan.json of a run", found=str(error))) from error
     schema = data.get("schema") if isinstance(data, dict) else None
     if schema != SCHEMA:
@@ -70,11 +70,13 @@ def read_plan(content: bytes, file: str) -> Plan:
             Fault(message="is not a plan that this version reads", file=file, place="schema", expected=SCHEMA, found=repr(schema))
         )
     try:
-        return _plan_in(data)
+        plan = _plan_in(data)
     except KeyError as error:
         raise InputError(Fault(message="lacks a key", file=file, expected=str(error.args[0]))) from error
-    except (TypeError, ValueError, AttributeError, binascii.Error) as error:
+    except (TypeError, ValueError, AttributeError, IndexError, OverflowError, RecursionError) as error:
         raise InputError(Fault(message="does not fit the schema", file=file, expected=SCHEMA, found=str(error))) from error
+    raise_all(InputError, [fault.in_file(file) for fault in plan_faults(plan)])
+    return plan
 
 
 def _plan_in(data: Mapping[str, Any]) -> Plan:
