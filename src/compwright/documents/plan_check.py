@@ -67,8 +67,8 @@ def _value(value: Any, hint: Any, place: str) -> Iterator[Fault]:
         yield from _items(value, get_args(hint), place)
     elif origin is not None:  # a mapping; what is in options is checked by the control's definition
         yield from _mapping(value, get_args(hint)[1], place)
-    elif is_dataclass(hint):
-        yield from _record(value, place)
+    elif isinstance(hint, type) and is_dataclass(hint):
+        yield from _record(value, place) if isinstance(value, hint) else [_wrong(place, "keys with values", value)]
     else:
         yield from _single(value, hint, place)
 

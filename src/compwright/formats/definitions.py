@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 from typing import cast, get_args
 
 from compwright.formats.consistency import contradictions
+from compwright.formats.required import Required
 from compwright.formats.schema import (
     CHOICES,
     MEASURES,
@@ -144,12 +145,18 @@ def _definition(part: Mapping[str, Node], document: YamlDocument, file: str) -> 
         ),
         addresses=_addresses(part["addresses"]),
         dialect=_dialect(part["dialect"]),
-        texts={name: _text(name, node) for name, node in part["texts"].entries()},
-        statements={name: _statement(name, node) for name, node in part["statements"].entries()},
+        texts=Required({name: _text(name, node) for name, node in part["texts"].entries()}, section="texts", file=file),
+        statements=Required(
+            {name: _statement(name, node) for name, node in part["statements"].entries()}, section="statements", file=file
+        ),
         layout=_layout(part["layout"]),
-        bindings={name: binding for name, node in part["bindings"].entries() if (binding := _binding(name, node)) is not None},
+        bindings=Required(
+            {name: binding for name, node in part["bindings"].entries() if (binding := _binding(name, node)) is not None},
+            section="bindings",
+            file=file,
+        ),
         limits=tuple(_limit(node) for node in part["limits"].items()),
-        options={name: _option(name, node) for name, node in part["options"].entries()},
+        options=Required({name: _option(name, node) for name, node in part["options"].entries()}, section="options", file=file),
         writing=tuple(_written(node) for node in part["writing"].items()),
         card=tuple(_card(node) for node in part["card"].items()),
         sample_files=sample_files,

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from difflib import get_close_matches
 
+from compwright.formats.required import Required
 from compwright.formats.schema import Definition, OptionRule
 from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.records.axis import Axis
@@ -52,7 +53,7 @@ def resolve_options(definition: Definition, given: Mapping[str, object], state: 
     if state is not None:
         _settle_shared(definition, values, given, state, faults)
     raise_all(UsageError, faults)
-    return values
+    return Required(values, section="options", file=definition.file)
 
 
 def axis_options(
@@ -87,7 +88,7 @@ def axis_options(
             )
         )
     raise_all(UsageError, faults if axis is None else [fault.within(f"axis {axis.name}") for fault in faults])
-    return values
+    return Required(values, section="options", file=definition.file)
 
 
 def _positive(value: object) -> bool:

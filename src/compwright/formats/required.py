@@ -1,0 +1,25 @@
+"""Sections of a definition whose entries the code asks for by name: one that is not there is a fault of the definition."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TypeVar
+
+from compwright.foundations.errors import Fault, InputError
+
+_T = TypeVar("_T")
+
+
+class Required(dict[str, _T]):
+    """A section by name. Asking for an entry that is not there raises InputError with its key path; ``get`` and ``in`` do not."""
+
+    def __init__(self, entries: Mapping[str, _T] | Iterable[tuple[str, _T]] = (), *, section: str = "", file: str = "") -> None:
+        super().__init__(entries)
+        self._section, self._file = section, file
+
+    def __missing__(self, name: str) -> _T:
+        """Raise InputError."""
+        message = "the definition lacks an entry that files of this shape need"
+        raise InputError(
+            Fault(message=message, file=self._file, place=f"{self._section}.{name}", expected="an entry", found="none")
+        )

@@ -1,0 +1,274 @@
+"""Inputs that nobody expects end with words and the exit code of their cause, and they do end."""
+
+from __future__ import annotations
+
+import copy
+import json
+import os
+import random
+import shutil
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.documents.plan import plan_document, read_plan
+from compwright.foundations.errors import InputError
+from loop import Machine, csv_of
+from places import PROJECT
+
+CONTROL = "siemens-840d-sl"
+JOB = """\
+compwright: 1
+controller: {format: siemens-840d-sl}
+states: {as_found: none}
+axes:
+  X: {travel: [0, 800], address: AX1, before: [x.csv]}
+"""
+CIRCLE = (
+    "# plane: XY\n# nominal_radius_mm: 100\n# feed_mm_min: 1000\n# calibrated: yes\ndirection,angle_deg,deviation_um\n"
+    + "".join(f"{sense},{angle},{angle % 7}.5\n" for sense in ("ccw", "cw") for angle in range(0, 360, 5))
+)
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    machine = Machine()
+    targets = machine.targets()
+    (tmp_path / "x.csv").write_text(csv_of(targets, machine.measure(targets, 1)))
+    (tmp_path / "job.yaml").write_text(JOB)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.fixture(scope="module")
+def plan(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+    folder = tmp_path_factory.mktemp("plan")
+    machine = Machine()
+    targets = machine.targets()
+    (folder / "x.csv").write_text(csv_of(targets, machine.measure(targets, 1)))
+    (folder / "job.yaml").write_text(JOB)
+    assert compwright(["run", str(folder / "job.yaml")]) == 0
+    document: dict[str, Any] = json.loads((folder / "job" / "plan.json").read_text())
+    return document
+
+
+# ---------------------------------------------------------------------------------------------------------- folders
+
+
+@pytest.mark.parametrize("place", ["before: [empty]", "before: [x.csv, empty]"])
+def test_an_empty_folder_as_a_test(place: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "empty").mkdir()
+    (folder / "job.yaml").write_text(JOB.replace("before: [x.csv]", place))
+    assert compwright(["run", "job.yaml"]) == 3
+    assert "error: empty: the folder holds no files" in capsys.readouterr().err
+
+
+def test_an_empty_folder_as_a_circle_and_after_loading(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "empty").mkdir()
+    assert compwright(["run", "job.yaml"]) == 0
+    assert compwright(["verify", "job.yaml", "--after", "x=empty"]) == 3
+    (folder / "job.yaml").write_text(f"{JOB}circles: [{{file: empty}}]\n")
+    assert compwright(["run", "job.yaml", "--force"]) == 3
+    assert capsys.readouterr().err.count("error: empty: the folder holds no files") == 2
+
+
+def test_a_folder_with_its_own_plot_answer_and_job(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "runs").mkdir()
+    shutil.copy("x.csv", "runs")
+    assert compwright(["evaluate", "runs", "--plot", "runs/x.svg", "--json", "runs/x.json"]) == 0
+    shutil.copy("job.yaml", "runs")
+    capsys.readouterr()
+    assert compwright(["evaluate", "runs", "--json", "-"]) == 0
+    told = capsys.readouterr()
+    for name in ("job.yaml", "x.json", "x.svg"):
+        assert f"note: {Path('runs', name)}: skipped, by its ending no measurement" in told.err
+    assert json.loads(told.out)["skipped"] == [str(Path("runs", name)) for name in ("job.yaml", "x.json", "x.svg")]
+    assert json.loads(told.out)["errors"] == []
+    (folder / "runs" / "y.csv").write_text("broken")
+    assert compwright(["evaluate", "runs"]) == 3
+    assert compwright(["evaluate", "runs/x.svg"]) == 3  # named by the user: what it is, is said
+    shutil.rmtree("runs")
+    (folder / "runs").mkdir()
+    shutil.copy("job.yaml", "runs")
+    capsys.readouterr()
+    assert compwright(["evaluate", "runs"]) == 3
+    assert "error: runs: the folder holds no measurement files" in capsys.readouterr().err
+
+
+def test_a_test_in_a_folder_with_its_plot(folder: Path) -> None:
+    (folder / "runs").mkdir()
+    shutil.copy("x.csv", "runs")
+    (folder / "runs" / "x.svg").write_text("<svg/>")
+    (folder / "job.yaml").write_text(JOB.replace("[x.csv]", "[runs]"))
+    assert compwright(["run", "job.yaml"]) == 0
+    found = json.loads((folder / "job" / "plan.json").read_text())["axes"]["X"]["tests"][0]["findings"]
+    assert "CW-R052" in [finding["code"] for finding in found]
+
+
+def test_one_test_that_the_method_does_not_fit_does_not_lose_the_others(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The range method has factors for 2 to 10 readings (ISO 230-2:1988, table 1)."""
+    rows = "".join(f"{target},{sign},{run},{run}.5\n" for target in (0, 100) for sign in "+-" for run in range(1, 12))
+    (folder / "long.csv").write_text(f"target_mm,direction,run,deviation_um\n{rows}")
+    words = ["--standard", "iso230-2:1988", "--spread", "range"]
+    assert compwright(["evaluate", "long.csv", "x.csv", *words, "--json", "all.json"]) == 2
+    document = json.loads((folder / "all.json").read_text())
+    assert [result["name"] for result in document["results"]] == ["x"]
+    assert [error["file"] for error in document["errors"]] == ["long.csv"]
+    capsys.readouterr()
+    assert compwright(["evaluate", "long.csv", *words]) == 2
+    assert "error: long.csv" in capsys.readouterr().err
+
+
+# ------------------------------------------------------------------------------------------------------------ names
+
+
+@pytest.mark.skipif(os.name == "nt", reason="file names are UTF-16 there")
+def test_names_that_are_no_utf8(folder: Path) -> None:
+    (folder / "runs").mkdir()
+    shutil.copy("x.csv", "runs/x.csv")
+    try:
+        shutil.copy("x.csv", b"runs/\xff\xfe.csv".decode("utf-8", "surrogateescape"))
+    except OSError:
+        pytest.skip("the file system takes no such name")
+    assert compwright(["evaluate", "runs", "--json", "all.json", "--plot", "all.svg"]) == 0
+    names = [result["sources"][0]["file"] for result in json.loads((folder / "all.json").read_bytes())["results"]]
+    assert names == ["runs/x.csv", "runs/\\udcff\\udcfe.csv"]
+    out = "o\udcff"
+    assert compwright(["run", "job.yaml", "--out", out]) == 0
+    assert compwright(["run", "job.yaml", "--out", out]) == 5
+    assert compwright(["run", "job.yaml", "--out", out, "--force"]) == 0
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes in the file system here")
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        (3, ["evaluate", "pipe"]),
+        (3, ["evaluate", "folder"]),
+        (3, ["evaluate", "/dev/zero"]),
+        (3, ["decode", "pipe", "--format", CONTROL]),
+        (3, ["new", "--from", "folder", "--format", CONTROL, "--out", "new.yaml"]),
+        (3, ["run", "x.csv", "--format", CONTROL, "--axis", "X", "--travel", "0:800", "--state", "pipe"]),
+        (3, ["run", "pipe.yaml"]),
+        (5, ["run", "job.yaml", "--out", "pipe"]),
+        (5, ["evaluate", "x.csv", "--json", "pipe", "--force"]),
+        (5, ["evaluate", "x.csv", "--json", "/dev/null", "--force"]),
+        (5, ["evaluate", "x.csv", "--json", "link", "--force"]),
+        (3, ["compare", "pipe", "--loaded", "x.csv"]),
+        (3, ["simulate", "pipe", "--out", "new"]),
+        (3, ["formats", "check", "pipe"]),
+    ],
+)
+def test_pipes_and_devices_are_refused_at_once(
+    code: int, words: list[str], folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "folder").mkdir()
+    for name in ("pipe", "pipe.yaml", "folder/x.csv"):
+        os.mkfifo(name)
+    (folder / "link").symlink_to("/dev/null")
+    assert compwright(words) == code
+    said = capsys.readouterr().err
+    assert any(part in said for part in ("an ordinary file, found a", "is no ordinary file", "is no folder"))
+
+
+# ---------------------------------------------------------------------------------------------------- numbers, keys
+
+
+@pytest.mark.parametrize("key", ["nominal_radius_mm: 100", "feed_mm_min: 1000"])
+@pytest.mark.parametrize("value", ["1e-320", "0", "-1", "1e400"])
+def test_a_radius_or_feed_that_is_none(key: str, value: str, folder: Path) -> None:
+    name = key.partition(":")[0]
+    (folder / "xy.csv").write_text(CIRCLE)
+    assert compwright(["evaluate", "xy.csv"]) == 0
+    (folder / "xy.csv").write_text(CIRCLE.replace(key, f"{name}: {value}"))
+    assert compwright(["evaluate", "xy.csv"]) == 3
+
+
+@pytest.mark.parametrize(
+    ("definition", "block", "place"),
+    [
+        ("heidenhain-nck", "  assignments_begin:", "statements.assignments_begin"),
+        ("heidenhain-nck", "  values_begin:", "statements.values_begin"),
+        ("fanuc-30i", "  increment_limit:", "options.increment_limit"),
+    ],
+)
+def test_a_definition_that_lacks_an_entry(
+    definition: str, block: str, place: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lines = (PROJECT / "controller_formats" / f"{definition}.yaml").read_text(encoding="utf-8").splitlines()
+    start = next(index for index, line in enumerate(lines) if line.startswith(block))
+    end = next(index for index in range(start + 1, len(lines)) if lines[index].strip() and not lines[index].startswith("   "))
+    (folder / "mine.yaml").write_text("\n".join(lines[:start] + lines[end:]) + "\n", encoding="utf-8")
+    assert compwright(["formats", "check", "mine.yaml"]) == 3
+    assert f"{place}: the definition lacks an entry" in capsys.readouterr().err
+
+
+# ------------------------------------------------------------------------------------------------------------ plans
+
+
+def paths(value: Any, path: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
+    if path:
+        yield path
+    if isinstance(value, dict):
+        for key in value:
+            yield from paths(value[key], (*path, key))
+    elif isinstance(value, list):
+        for index in range(min(len(value), 2)):
+            yield from paths(value[index], (*path, index))
+
+
+GONE = object()
+
+
+def edited(plan: dict[str, Any], path: tuple[str | int, ...], value: object) -> bytes:
+    changed: Any = copy.deepcopy(plan)
+    section = changed
+    for key in path[:-1]:
+        section = section[key]
+    if value is GONE:
+        del section[path[-1]]
+    else:
+        section[path[-1]] = value
+    return json.dumps(changed).encode()
+
+
+VALUES = [GONE, None, "x", -1, 1e308, 1e-320, True, [], {}, [None], [[1]], "\ud800"]
+
+
+def test_an_edited_plan_is_read_or_refused(plan: dict[str, Any]) -> None:
+    """What is read keeps its word: written again it is the same."""
+    everywhere = [(path, value) for path in paths(plan) for value in VALUES]
+    read = 0
+    for path, value in random.Random(1).sample(everywhere, 60):  # noqa: S311 - not for secrets
+        with suppress(InputError):
+            again = plan_document(read_plan(edited(plan, path, value), "plan.json"))
+            assert plan_document(read_plan(json.dumps(again).encode(), "plan.json")) == again
+            read += 1
+    assert 0 < read < 60
+    assert plan_document(read_plan(json.dumps(plan).encode(), "plan.json")) == plan
+
+
+@pytest.mark.parametrize(
+    ("path", "value", "words"),
+    [
+        (("axes", "X", "axis", "travel", 1), -1, "axes.X.axis: contradicts itself; expected a travel from a lower to a higher"),
+        (("axes", "X", "axis", "gantry"), -1, "axes.X.axis.gantry: does not fit the schema of plans; expected text, found -1"),
+        (("axes", "X", "fitted", "compensation", "below"), [[1]], "fitted.compensation.below: does not fit"),
+        (("axes", "X", "wanted", "positive", 0), 1e308, "axes.X.wanted.positive: does not fit the schema of plans"),
+        (("axes", "X", "wanted", "positive"), [], "axes.X.wanted: contradicts itself; expected ascending positions"),
+        (("axes", "X", "axis", "encoder", "system"), None, "axes.X.axis.encoder.system: does not fit"),
+        (("axes", "X", "tests"), "x", "does not fit the schema"),
+    ],
+)
+def test_an_edited_plan_is_refused_by_its_key(
+    path: tuple[str | int, ...], value: object, words: str, plan: dict[str, Any], folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "plan.json").write_bytes(edited(plan, path, value))
+    for command in (["export", "plan.json", "--format", CONTROL, "--out", "new"], ["compare", "plan.json", "--loaded", "x.csv"]):
+        assert compwright(command) == 3
+        assert words in capsys.readouterr().err
+    assert not (folder / "new").exists()
