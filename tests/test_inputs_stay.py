@@ -180,7 +180,7 @@ def test_what_an_earlier_run_wrote_and_this_one_does_not_is_removed(folder: Path
 
 def test_the_control_s_own_files_are_not_replaced_by_export(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The plan carries the files of the control, so that export does not read them from their folder again."""
-    (folder / "job.yaml").write_text(JOB.replace("none", "[control]"))
+    (folder / "job.yaml").write_text(JOB.replace("none", "[control]").replace("x.csv", "after.csv"))
     assert compwright(["run", "job.yaml", "--out", "second"]) in {0, 1}
     text = (folder / "second" / "plan.json").read_text()
     assert compwright(["export", "second/plan.json", "--format", CONTROL, "--out", "new"]) == 0
