@@ -219,3 +219,23 @@ def test_a_circle_that_gets_worse_leaves_the_result_undecided(tmp_path: Path, ca
         assert ("CW-P131" in said) == ("CW-P131" in doubts) == ("is predicted to get worse" in page) == (code == 1)
         assert ("All limits are predicted to be met" in page) == (code == 0)
         assert ("predicted to grow from" in card(tmp_path)) == (code == 1)
+
+
+@pytest.mark.parametrize(
+    ("mask", "option", "word"), [("%00000", "", "would wake"), ("%00001", ", options: {method: line}", "would switch off")]
+)
+def test_the_bit_of_an_axis_is_not_changed_where_the_table_of_another_axis_hangs_on_it(
+    folder: Path, mask: str, option: str, word: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Y.COM holds X = F(Y), 50 µm. The bit of X in MP730 selects it together with the table of X."""
+    rows = "BEGIN {0} .COM MM DATUM:{1} DIST:400\nNR   1=F()     2=F()\n0    {2}\n1    {3}\n2    {3}\nEND {0} .COM\n"
+    (folder / "Y.COM").write_text(rows.format("Y", "-600", "0     ", "0.0500"))
+    (folder / "X.COM").write_text(rows.format("X", "0", "0     ", "0.0000"))
+    (folder / "C.CMA").write_text("BEGIN C .CMA MM\nNR   1         2\n0    X         Y\nEND C .CMA\n")
+    (folder / "MP.TXT").write_text(f"MP710.0 : 0.0000\nMP720.0 : 0.0000\nMP730 : {mask}\n")
+    x = f"before: [x.csv]{option}" + ("" if option else ", table: {start: 0, end: 800, spacing: 400}")
+    assert run(folder, "heidenhain-itnc530", x=x, states="[X.COM, Y.COM, C.CMA, MP.TXT]", apply="{}") == 4
+    said = capsys.readouterr().err
+    assert word in said
+    assert "MP730" in said
+    assert "Y.COM" in said

@@ -127,8 +127,32 @@ class _Patcher:
         number, mask = self.sources.numbers.number(address), mask_of(known)
         if number is None or mask is None or mask >> (number - 1) & 1 == int(text):
             return
+        self._woken(address, awake=text == "1")
         changed = mask ^ 1 << (number - 1)
         self.masks[key] = (place, f"%{changed:0{len(known) - 1}b}" if known.startswith("%") else str(changed))
+
+    def _woken(self, address: str, *, awake: bool) -> None:
+        """Refuse to change the bit of an axis on which tables of other axes act, or would.
+
+        The bit selects every table that corrects the axis, not its own alone. Raises NotHeld.
+        """
+        column = self.sources.column_of(address)
+        others = [
+            f"{table.file} ({address} over {moving})"
+            for moving, table in self.sources.tables.items()
+            if moving != address and any(_not_zero(row.cells[column].text) for row in table.rows if column in row.cells)
+        ]
+        if others:
+            name = parameter_name(self.definition, "enabled")
+            what = "would wake what sleeps" if awake else "would switch off what acts"
+            raise NotHeld(
+                f"the bit of {address} in {name} has to become {int(awake)}, which {what} in {', '.join(others)}; "
+                "empty that column first, or set the bit and measure again"
+            )
+
+
+def _not_zero(text: str) -> bool:
+    return not is_number(text) or Decimal(text) != 0
 
 
 class _Entry:
