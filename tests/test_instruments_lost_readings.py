@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
 from compwright.foundations.errors import InputError
+from compwright.instruments.circular_csv import read_circular_csv
 from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
+from places import PROJECT
 
 #: Three traverses each way at two targets; a reading says which traverse it is: 1.3 is run 3 in +, -2.3 run 3 in -.
 ROWS = "0.5,1.1,-1.1,1.2,-1.2,1.3,-1.3\n100.5,2.1,-2.1,2.2,-2.2,2.3,-2.3\n"
@@ -143,3 +147,20 @@ def test_the_code_page_of_windows_is_answered_with_what_to_do() -> None:
         "x.csv: line 1: is not text in a known encoding; expected UTF-8: save the file again with that encoding (editor: save as,"
         " encoding UTF-8; spreadsheet: CSV UTF-8), or write u for µ and deg for °, found byte 0xFC, which is 'ü' in Windows-1252"
     )
+
+
+def test_the_page_about_measurement_files() -> None:
+    page = (PROJECT / "docs" / "measurement-files.md").read_text(encoding="utf-8")
+    long, wide, circle = re.findall(r"```csv\n(.*?)```", page, re.DOTALL)
+    one, other = read(long), read(wide)
+    assert one.axis == other.axis == "X"
+    for values in ("targets", "positive", "negative"):
+        assert getattr(one, values).tolist() == getattr(other, values).tolist()
+    # As the page says: at 100.274, coming in +, run 1, it stood 2.1 µm too far to plus.
+    assert one.positive[1, 0] == pytest.approx(0.0021)
+    assert one.negative.tolist() == [pytest.approx([-0.0029, -0.0031]), pytest.approx([-0.0016, -0.0012])]
+    head = circle.partition("ccw,")[0]
+    rows = "".join(f"{sense},{angle},1.2\n" for sense in ("ccw", "cw") for angle in range(0, 360, 5))
+    assert read_circular_csv((head + rows).encode(), "xy.csv", "xy").plane == "XY"
+    for code in re.findall(r"`(CW-[A-Z][0-9]{3})`", page):
+        assert code in (PROJECT / "docs" / "findings.md").read_text(encoding="utf-8")
