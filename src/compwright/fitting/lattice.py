@@ -14,6 +14,7 @@ x[i] to the lattice)^2) / 2. A magnification, a reversal value or a shift of the
 
 from __future__ import annotations
 
+import heapq
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -126,16 +127,16 @@ def best_totals(
     search = _Search(parts, unit, increments)
     best: Solution | None = None
     ceiling = search.first_ceiling(magnifications)
-    bounds = dict.fromkeys(magnifications, -np.inf)
+    bounds = [(-np.inf, one) for one in magnifications]  # a heap: the least bound first, of equal ones the smallest magnification
     while bounds:
-        chosen = min(bounds, key=lambda one: (bounds[one], one))
+        bound, chosen = bounds[0]
         known = search.bound(chosen, ceiling)
-        if known > bounds[chosen]:
-            bounds[chosen] = known
+        if known > bound:
+            heapq.heapreplace(bounds, (known, chosen))
         elif not _worth_a_look(chosen, known, ceiling, best, unit):
-            del bounds[chosen]
+            heapq.heappop(bounds)
         elif not search.sharpen(chosen):
-            del bounds[chosen]
+            heapq.heappop(bounds)
             found = search.solve(chosen, ceiling)
             if found is not None and _better(found, best, unit):
                 best = found
@@ -178,6 +179,7 @@ class _Search:
         self.parts, self.unit, self.increments = parts, unit, increments
         self.pushes: list[list[tuple[Push, Relaxation]]] = [[] for _ in parts]
         self.sharpened: set[int] = set()
+        self.bounds: dict[int, tuple[tuple[float, ...], float]] = {}
         for index, part in enumerate(parts):
             self._add(index, no_push(part.chain))
 
@@ -225,6 +227,13 @@ class _Search:
 
     def bound(self, magnification: int, ceiling: float) -> float:
         """Return a lower bound of the objective at one magnification; any number above ``ceiling`` where it lies above."""
+        rests_on = (ceiling, *(len(pushes) for pushes in self.pushes))
+        known = self.bounds.get(magnification)
+        if known is None or known[0] != rests_on:
+            known = self.bounds[magnification] = (rests_on, self._bound(magnification, ceiling))
+        return known[1]
+
+    def _bound(self, magnification: int, ceiling: float) -> float:
         relaxations = [self.relaxation(index, magnification) for index in range(len(self.parts))]
         least = [_continuous(part, one) for part, one in zip(self.parts, relaxations, strict=True)]
         total = sum(least)
@@ -279,7 +288,7 @@ def _best_distance(part: Part, relaxation: Relaxation) -> float:
         return 0.0
     low, high = part.constant_range()
     here = part.chain.constant
-    return float(np.clip(relaxation.tilt / relaxation.curve, low - here, high - here))
+    return float(min(max(relaxation.tilt / relaxation.curve, low - here), high - here))
 
 
 def _binding(part: Part, relaxation: Relaxation, limits: Limits) -> bool:
