@@ -483,3 +483,27 @@ def test_both_axes_of_a_gantry_get_the_table(format_id: str, addresses: tuple[st
         leading, other = (judge.correction(address, x, side) for address in addresses)
         assert np.ptp(leading) > 10 * UM
         np.testing.assert_array_equal(leading, other)
+
+
+@pytest.mark.parametrize(("limit", "decision"), [(20, "undecided"), (30, "accept"), (1, "undecided"), (3, "undecided")])
+def test_a_guarded_prediction_uses_the_uncertainty(folder: Path, limit: float, decision: str) -> None:
+    """U of 19 µm: accepted needs p95 + 19 within the limit, rejected p05 - 19 beyond it (ISO 14253-1)."""
+    extra = "decision_rule: guarded\nuncertainty: {device: {U: 19}}\n"
+    path = job(folder, f"before: [x.csv], accept: {{A: {limit}}}", extra=extra)
+    assert compwright(["run", str(path)]) == (0 if decision == "accept" else 1)
+    axis = document(folder / "job" / "prediction.json")["axes"]["X"]
+    assert axis["accept"]["A"] == {"limit": limit, "decision": decision, "U": pytest.approx(19.0), "rule": "guarded"}
+    assert axis["predicted"]["A"]["p95"] < 4.0  # by itself within the limit of 20
+    for name in ("card/card.md", "card/card.html", "report.html"):
+        assert "Guarded decision (ISO 14253-1)" in (folder / "job" / name).read_text(encoding="utf-8")
+
+
+def test_a_guarded_prediction_is_rejected_beyond_its_guard_band(folder: Path) -> None:
+    extra = "decision_rule: guarded\nuncertainty: {device: {U: 0.1}}\n"
+    assert compwright(["run", str(job(folder, "before: [x.csv], accept: {A: 1}", extra=extra))]) == 1
+    assert document(folder / "job" / "prediction.json")["axes"]["X"]["accept"]["A"]["decision"] == "reject"
+
+
+def test_a_guarded_decision_without_an_uncertainty_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert compwright(["run", str(job(folder, "before: [x.csv], accept: {A: 9}", extra="decision_rule: guarded\n"))]) == 2
+    assert "needs the measurement uncertainty" in capsys.readouterr().err

@@ -139,7 +139,12 @@ def _axis(axis: AxisPrediction) -> dict[str, Any]:
         "quantum": axis.quantum * factor if axis.quantum is not None else None,
         "limits": [{"cause": limit.cause, "value": limit.value * factor, "unit": unit} for limit in axis.limits],
         "accept": {
-            name: {"limit": entry.limit, "decision": entry.decision, **({"test": entry.test} if entry.test is not None else {})}
+            name: {
+                "limit": entry.limit,
+                "decision": entry.decision,
+                **({"test": entry.test} if entry.test is not None else {}),
+                **({"U": entry.U, "rule": entry.rule} if entry.rule == "guarded" else {}),
+            }
             for name, entry in axis.accept.items()
         },
         "findings": findings_outside(axis.findings),

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from compwright.documents.decode import finding_documents
@@ -69,14 +69,20 @@ def verification_document(
     axes: Mapping[str, VerifiedAxis],
     verdict: Literal["good", "bad", "undecided"],
     circles: Mapping[str, VerifiedCircle] | None = None,
+    findings: Iterable[Finding] = (),
 ) -> dict[str, Any]:
-    """Return the verification of a run."""
+    """Return the verification of a run; ``findings``: those of no single axis."""
+    general = tuple(findings)
+    of_axes = [
+        replace(finding, message=f"Axis {name}: {finding.message}") for name, axis in axes.items() for finding in axis.findings
+    ]
     return {
         "schema": SCHEMA,
         "format": format_id,
-        "doubts": finding_documents(doubts_of(finding for axis in axes.values() for finding in axis.after.findings)),
+        "doubts": finding_documents(doubts_of([*general, *of_axes])),
         "axes": {name: _axis(axis) for name, axis in axes.items()},
         "circles": {name: _circle(circle) for name, circle in (circles or {}).items()},
+        "findings": finding_documents(general),
         "verdict": verdict,
     }
 

@@ -100,8 +100,12 @@ def dithered_targets(travel: tuple[float, float], count: int, rng: np.random.Gen
     return targets
 
 
-def decide_prediction(quantiles: Quantiles, limit: float) -> Decision:
-    """Return accept if p95 <= limit, reject if p05 > limit, else undecided; ``limit`` in the unit of the quantiles."""
-    if quantiles.p95 <= limit:
+def decide_prediction(quantiles: Quantiles, limit: float, guard: float = 0.0) -> Decision:
+    """Return accept if p95 + guard <= limit, reject if p05 - guard > limit, else undecided; all in the unit of the quantiles.
+
+    ``guard``: the expanded uncertainty of the measurement under the decision rule ``guarded`` (ISO 14253-1), else 0. The
+    quantiles hold what a repeated test may show, not what its instrument may be off by.
+    """
+    if quantiles.p95 + guard <= limit:
         return "accept"
-    return "reject" if quantiles.p05 > limit else "undecided"
+    return "reject" if quantiles.p05 - guard > limit else "undecided"

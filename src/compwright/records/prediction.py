@@ -53,7 +53,8 @@ class CirclePrediction:
 class AcceptDecision:
     """A tolerance of the job against a prediction or a result. ``limit``, ``value`` and ``U`` in µm or arcsec.
 
-    ``test``: the test that it is meant for, where the job names one; else it is the first of the axis.
+    ``rule``: how it was decided. ``test``: the test that it is meant for, where the job names one; else it is the first of
+    the axis.
     """
 
     limit: float
@@ -61,6 +62,7 @@ class AcceptDecision:
     value: float | None = None
     U: float | None = None
     test: str | None = None
+    rule: Literal["simple", "guarded"] = "simple"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

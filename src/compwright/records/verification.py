@@ -20,8 +20,11 @@ LoadingName = Literal[
     "backlash",
     "partial",
     "thermal",
+    "measurement",
     "undecided",
 ]
+#: What is wrong with a measurement, for the verdict ``measurement``.
+MeasurementFault = Literal["sign", "direction", "unit", "wrong_axis", "copied", "zeros"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,6 +33,7 @@ class LoadingVerdict:
 
     ``margin``: log-likelihood of what the data favour less that of the next candidate (natural logarithm; 4.6 is odds of 100:1).
     ``message``: one or two plain sentences with numbers. ``equivalent``: names that no test could tell from the verdict.
+    ``of``: for ``measurement``, what is wrong with it.
     ``factor``: for ``scaled``; ``shift_nodes`` > 0: the loaded table sits so many nodes too far to +.
     """
 
@@ -39,6 +43,7 @@ class LoadingVerdict:
     equivalent: tuple[LoadingName, ...] = ()
     factor: float = 1.0
     shift_nodes: int = 0
+    of: MeasurementFault | None = None
     findings: tuple[Finding, ...] = ()
 
 

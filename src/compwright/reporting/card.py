@@ -14,9 +14,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from compwright.reporting.numbers import MISSING, decimals_of, number, plain, position_unit, unit_text
+from compwright.reporting.numbers import MISSING, decimals_of, number, plain, position_unit, symbol, unit_text
 from compwright.reporting.page import render_page
-from compwright.reporting.sections import Document, assumed, doubts, evidence_mark, pairs
+from compwright.reporting.sections import Document, assumed, doubts, evidence_mark, pairs, rule_lines
 
 _BOX = "[ ]"
 #: What the one table of check positions is for.
@@ -40,6 +40,7 @@ def card_markdown(card: Document) -> str:
     doubts = content["doubts"]
     lines += _bullets(f"## {doubts['heading']}", [item["message"] for item in doubts["items"]]) if doubts else []
     lines += _bullets("## Not confirmed: look before the axis moves fast", content["unconfirmed"])
+    lines += _bullets("## Limits, as predicted", content["limits"])
     lines += _steps(content["steps"])
     for axis in content["axes"]:
         lines += _axis(axis)
@@ -78,6 +79,7 @@ def _content(card: Document) -> dict[str, Any]:
             "title": plain((card.get("format") or {}).get("title", "")),
         },
         "doubts": doubts(card.get("doubts")),
+        "limits": _limits(card.get("limits") or {}),
         "unconfirmed": [plain(text) for text in card.get("unconfirmed") or []],
         "steps": [_step(step) for step in card.get("steps") or []],
         "axes": [_axis_content(axis) for axis in card.get("axes") or []],
@@ -87,6 +89,18 @@ def _content(card: Document) -> dict[str, Any]:
         "files": [plain(file) for file in card.get("files") or []],
         "proven": plain(card.get("proven") or ""),
     }
+
+
+def _limits(axes: Document) -> list[str]:
+    """Return a sentence for each limit of the prediction's axes, then the rule where it is the guarded one."""
+    told = []
+    for name, axis in axes.items():
+        unit, accept = unit_text(axis.get("unit", "um")), axis.get("accept") or {}
+        told += [
+            f"Axis {name}: {symbol(key)} {plain(entry['limit'])} {unit}: {entry['decision']}." for key, entry in accept.items()
+        ]
+        told += rule_lines(accept, unit)
+    return told
 
 
 def changes_content(changes: Document | None) -> dict[str, Any] | None:

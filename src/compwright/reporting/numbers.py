@@ -9,6 +9,13 @@ from typing import Final
 #: Stands where a quantity is not defined or was not measured.
 MISSING: Final = "—"
 
+#: How limits were decided, by the rule of the job.
+SIMPLE: Final = "Accepted when the 95 % value lies within the limit, rejected when the 5 % value lies beyond it"
+GUARDED: Final = (
+    "Guarded decision (ISO 14253-1): accepted when the 95 % value plus U lies within the limit, rejected when the 5 % value less U "
+    "lies beyond it"
+)
+
 #: Decimals of a deviation in µm or arcsec: a tenth of what the standards print.
 DEVIATION_DECIMALS: Final = 2
 

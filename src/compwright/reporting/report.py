@@ -16,7 +16,7 @@ from typing import Any, Final
 from compwright.reporting import sections
 from compwright.reporting.card import changes_content
 from compwright.reporting.circles import circle_blocks
-from compwright.reporting.numbers import decimals_of, number, plain, position_unit, standard_text, symbol, unit_text
+from compwright.reporting.numbers import SIMPLE, decimals_of, number, plain, position_unit, standard_text, symbol, unit_text
 from compwright.reporting.page import inline_figure, render_page
 from compwright.reporting.plots import before_after_plot, estimate_plot, positioning_plot, table_plot
 from compwright.reporting.sections import Document, TextTable
@@ -157,7 +157,18 @@ def _run_verdict(view: Document, axes: Document, predicted: Document) -> dict[st
         tone, text = "good", "All limits are predicted to be met"
     else:
         tone, text = "open", "Predicted result; no limits were given to decide against"
-    return {"tone": tone, "text": text, "why": why, "rows": rows}
+    return {"tone": tone, "text": text, "why": why, "rows": rows, "rule": _rule(predicted)}
+
+
+def _rule(predicted: Document) -> str:
+    """Return by which rule the limits were decided, with the guard bands of every axis."""
+    limits = {name: axis.get("accept") or {} for name, axis in predicted.items()}
+    guarded = [
+        line
+        for name, accept in limits.items()
+        for line in sections.rule_lines(accept, unit_text(predicted[name].get("unit", "um")))
+    ]
+    return " ".join(guarded) or f"{SIMPLE}."
 
 
 def _run_rows(index: int, name: str, axis: Document, predicted: Document, view: Document) -> list[dict[str, Any]]:

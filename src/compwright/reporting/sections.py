@@ -11,6 +11,7 @@ from typing import Any, Final
 
 from compwright.foundations.findings import DOUBTS_FIRST
 from compwright.reporting.numbers import (
+    GUARDED,
     MISSING,
     PARAMETERS,
     decimals_of,
@@ -36,7 +37,7 @@ _SEVERITIES: Final = {
     "warning": {"tone": "open", "text": "! warning"},
     "info": {"tone": "none", "text": "info"},
 }
-_LOADING_WORDS: Final = {"loaded": "✓ loaded", "undecided": "? undecided"}
+_LOADING_WORDS: Final = {"loaded": "✓ loaded", "undecided": "? undecided", "measurement": "? fault of measurement"}
 _BAR_WIDTH: Final = 200.0
 
 
@@ -48,7 +49,7 @@ def decision_mark(decision: object) -> Mark:
 def loading_mark(verdict: object) -> Mark:
     """Return the mark of a loading verdict (``loaded``, ``not_active``, ...)."""
     name = str(verdict)
-    tone = {"loaded": "good", "undecided": "open"}.get(name, "bad")
+    tone = {"loaded": "good", "undecided": "open", "measurement": "open"}.get(name, "bad")
     return {"tone": tone, "text": _LOADING_WORDS.get(name, f"✗ {name.replace('_', ' ')}")}
 
 
@@ -84,6 +85,13 @@ def doubts(items: Iterable[Document] | None) -> dict[str, Any] | None:
     """Return what has to be settled before anything else with its heading; None where there is nothing."""
     told = findings(items)
     return {"heading": DOUBTS_FIRST, "items": told} if told else None
+
+
+def rule_lines(accept: Mapping[str, Any], unit: str) -> list[str]:
+    """Return by which rule the limits were decided where it is not the simple comparison, with the guard bands."""
+    guarded = {symbol(name): entry.get("U") for name, entry in accept.items() if entry.get("rule") == "guarded"}
+    bands = [f"{letter} not stated" if U is None else f"{letter} {number(U)} {unit}" for letter, U in guarded.items()]
+    return [f"{GUARDED}; U: {', '.join(bands)}."] if bands else []
 
 
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:

@@ -15,6 +15,7 @@ from rich.text import Text
 
 from compwright.foundations.findings import DOUBTS_FIRST
 from compwright.reporting.numbers import MISSING, number, plain, symbol, unit_text
+from compwright.reporting.sections import rule_lines
 
 _STYLES: Final = {
     "accept": "green",
@@ -23,6 +24,7 @@ _STYLES: Final = {
     "reject": "red",
     "bad": "red",
     "not_active": "red",
+    "measurement": "yellow",
     "undecided": "yellow",
     "error": "red",
     "warning": "yellow",
@@ -52,6 +54,7 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
                 Rule(Text(f"axis {name} · test {test['name']}", style="bold"), align="left", characters="─"),
                 _prediction_table(test, accept, unit),
             ]
+        shown += [Text(line) for line in rule_lines(axis["accept"], unit)]
         shown.append(Text(_table_line(axis, unit)))
         shown += [
             Text(f"Limit: {entry['cause']}, costs {number(entry['value'])} {unit}.")

@@ -11,15 +11,18 @@ from compwright.records.verification import LoadingName
 OverallVerdict = Literal["good", "bad", "undecided"]
 
 
-def overall_verdict(decisions: Iterable[Decision], loadings: Iterable[LoadingName]) -> OverallVerdict:
+def overall_verdict(decisions: Iterable[Decision], loadings: Iterable[LoadingName], *, still_open: bool = False) -> OverallVerdict:
     """Return the verdict of a verification from the decisions of all limits and the loading verdict of every axis.
 
-    ``good``: every limit is kept and every table is loaded. ``bad``: a limit is broken, or a table is known to act otherwise than
-    planned (not active, inverted, ...). Everything else is ``undecided``, and so is a verification without a loading verdict.
+    ``good``: every limit is kept, every table is loaded and nothing is ``still_open`` (a proof that is lacking). ``bad``: a limit
+    is broken, or a table is known to act otherwise than planned (not active, inverted, ...). Everything else is ``undecided``, and
+    so is a verification without a loading verdict, and one with a fault of measurement: its values say nothing of the machine.
     """
     decided, loaded = set(decisions), set(loadings)
+    if "measurement" in loaded:
+        return "undecided"
     if "reject" in decided or loaded - {"loaded", "undecided"}:
         return "bad"
-    if decided <= {"accept"} and loaded == {"loaded"}:
+    if not still_open and decided <= {"accept"} and loaded == {"loaded"}:
         return "good"
     return "undecided"

@@ -9,7 +9,7 @@ would hide a fault in the backlash.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -19,7 +19,7 @@ from compwright.evaluation.statistics import count_readings, mean_deviation, sta
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import PositionUnit, outside_factor
 from compwright.records.axis import FloatArray
-from compwright.records.verification import LoadingName, LoadingVerdict
+from compwright.records.verification import LoadingName, LoadingVerdict, MeasurementFault
 
 __all__ = ["LoadingVerdict", "judge_loading"]
 
@@ -69,8 +69,8 @@ class _Comparison:
     def fits(self, factor: float) -> bool:
         """Return whether a table that acts by ``factor`` explains the after test but for noise."""
         off = abs(self.factor - factor)
-        size_fits = off <= _AS_PLANNED or _normal_score((self.effect * off) ** 2, 1.0, self.dof) <= _FITS
-        return size_fits and _normal_score(self.chi2 / (self.count - 2), self.count - 2, self.dof) <= _FITS
+        size_fits = off <= _AS_PLANNED or normal_score((self.effect * off) ** 2, 1.0, self.dof) <= _FITS
+        return size_fits and normal_score(self.chi2 / (self.count - 2), self.count - 2, self.dof) <= _FITS
 
 
 def judge_loading(
@@ -100,19 +100,77 @@ def judge_loading(
     besides is noise alone, and it is 100 times likelier than the other and than a table that acts by half. Anything else is
     ``undecided``; when the test contradicts both, a finding CW-V001 says by how much and where.
     """
-    means = np.concatenate([mean_deviation(after_positive), mean_deviation(after_negative)])
-    readings = np.concatenate([count_readings(after_positive), count_readings(after_negative)])
     loaded = np.concatenate([expected_loaded_positive, expected_loaded_negative])
     inactive = np.concatenate([expected_inactive_positive, expected_inactive_negative])
+    means = np.concatenate([mean_deviation(after_positive), mean_deviation(after_negative)])
     used = np.isfinite(means) & np.isfinite(loaded) & np.isfinite(inactive)
     if np.count_nonzero(used) < 3:  # one value is the datum's, one the effect's: nothing would be left to contradict
         return LoadingVerdict(
             verdict="undecided", margin=0.0, message="Cannot tell: the after test has fewer than 3 measured means."
         )
     sigma, dof = _after_noise(after_positive, after_negative, noise, noise_dof)
+    compared = _compare_readings(after_positive, after_negative, loaded, inactive, covariance, sigma, dof)
+    verdict = _verdict(compared, _Words(np.flatnonzero(used), after_positive.shape[0], positions, unit))
+    turned = _turned(after_positive, after_negative, loaded, inactive, covariance, sigma, dof)
+    return verdict if turned is None else _turned_verdict(verdict, *turned)
+
+
+def _compare_readings(
+    positive: FloatArray,
+    negative: FloatArray,
+    loaded: FloatArray,
+    inactive: FloatArray,
+    covariance: FloatArray,
+    sigma: float,
+    dof: float,
+) -> _Comparison:
+    """Compare readings (m, n) of both directions with both expectations (2m,) where all three exist."""
+    means = np.concatenate([mean_deviation(positive), mean_deviation(negative)])
+    readings = np.concatenate([count_readings(positive), count_readings(negative)])
+    used = np.isfinite(means) & np.isfinite(loaded) & np.isfinite(inactive)
     spread = covariance[np.ix_(used, used)] + np.diag(sigma**2 / readings[used])
-    compared = _compare(means[used], loaded[used], inactive[used], spread, sigma, dof)
-    return _verdict(compared, _Words(np.flatnonzero(used), after_positive.shape[0], positions, unit))
+    return _compare(means[used], loaded[used], inactive[used], spread, sigma, dof)
+
+
+def _turned(
+    positive: FloatArray,
+    negative: FloatArray,
+    loaded: FloatArray,
+    inactive: FloatArray,
+    covariance: FloatArray,
+    sigma: float,
+    dof: float,
+) -> tuple[MeasurementFault, float] | None:
+    """Return what was turned in the readings, and by which log-likelihood the loaded table explains them better turned back.
+
+    None where the readings as they stand are not 100 times less likely. What a well fitted table leaves may be too little to tell:
+    then a turned test says the same as a straight one, of the machine too.
+    """
+
+    def likelihood(up: FloatArray, down: FloatArray) -> tuple[float, bool]:
+        compared = _compare_readings(up, down, loaded, inactive, covariance, sigma, dof)
+        # Without the factor 1 of the loaded table nothing else may be turned: the size of the effect counts in the likelihood.
+        return compared.log_likelihood(1.0), compared.fits(1.0)
+
+    straight, _ = likelihood(positive, negative)
+    ways: list[tuple[MeasurementFault, FloatArray, FloatArray]] = [("sign", -positive, -negative)]
+    if np.isfinite(positive).any() and np.isfinite(negative).any():
+        ways.append(("direction", negative, positive))
+    found = [(of, *likelihood(up, down)) for of, up, down in ways]
+    fitting = [(value - straight, of) for of, value, fits in found if fits and value - straight >= _CLEAR]
+    if not fitting:
+        return None
+    margin, of = max(fitting)
+    return of, margin
+
+
+def _turned_verdict(verdict: LoadingVerdict, of: MeasurementFault, margin: float) -> LoadingVerdict:
+    what = "the sign of its deviations is turned" if of == "sign" else "its directions + and − are exchanged"
+    message = (
+        f"The after test fits the loaded table when {what}, and not as it stands (log-likelihood better by {margin:.1f}). Check "
+        "sign and directions of the instrument and export the test again."
+    )
+    return replace(verdict, verdict="measurement", of=of, margin=margin, message=message, findings=())
 
 
 def _after_noise(positive: FloatArray, negative: FloatArray, noise: float, noise_dof: float) -> tuple[float, float]:
@@ -151,7 +209,7 @@ def _compare(
     )
 
 
-def _normal_score(ratio: float, dof: float, noise_dof: float) -> float:
+def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
     """Return the standard normal value as improbable as a variance ratio F of ``dof`` and ``noise_dof`` degrees of freedom.
 
     Paulson, Ann. Math. Statist. 13 (1942) 233: the cube root of F is nearly normal. With exactly known noise this is the

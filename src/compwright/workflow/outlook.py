@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.prediction.positioning import decide_prediction, dithered_targets, predict_test
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
-from compwright.records.job import Acceptance, AxisJob
+from compwright.records.job import Acceptance, AxisJob, Job
 from compwright.records.prediction import AcceptDecision, Quantiles, TestPrediction
 from compwright.records.result import PositioningResult
 from compwright.workflow.planning import MeasuredError
@@ -83,19 +84,30 @@ def why_not_better(
     return ""
 
 
-def accept_decisions(entry: AxisJob, predictions: tuple[TestPrediction, ...]) -> Mapping[str, AcceptDecision]:
-    """Return the decision about each tolerance of the job from the predicted values (limits in µm or arcsec)."""
+def accept_decisions(
+    entry: AxisJob, predictions: tuple[TestPrediction, ...], rule: Literal["simple", "guarded"]
+) -> Mapping[str, AcceptDecision]:
+    """Return the decision about each tolerance of the job from the predicted values (limits in µm or arcsec).
+
+    ``guarded``: with the uncertainty of the measured test as guard band; undecided where it has none.
+    """
     accept = entry.accept
     if accept is None:
         return {}
     prediction = predictions[accepted_index(accept, tuple(item.name for item in predictions))]
     factor = outside_factor(entry.axis.kind.unit)
-    return {
-        name: AcceptDecision(
-            limit=limit, decision=decide_prediction(magnitude(prediction.predicted[name]), limit / factor), test=accept.test
-        )
-        for name, limit in accept.limits.items()
-    }
+    decisions = {}
+    for name, limit in accept.limits.items():
+        quantiles = magnitude(prediction.predicted[name])
+        if rule == "simple":
+            decision = decide_prediction(quantiles, limit / factor)
+            decisions[name] = AcceptDecision(limit=limit, decision=decision, test=accept.test)
+            continue
+        stated = (prediction.before.uncertainty or {}).get(name)
+        decision = "undecided" if stated is None else decide_prediction(quantiles, limit / factor, stated.U)
+        U = None if stated is None else stated.U * factor
+        decisions[name] = AcceptDecision(limit=limit, decision=decision, U=U, test=accept.test, rule=rule)
+    return decisions
 
 
 def magnitude(quantiles: Quantiles) -> Quantiles:
@@ -105,8 +117,8 @@ def magnitude(quantiles: Quantiles) -> Quantiles:
     return Quantiles(median=abs(quantiles.median), p05=0.0 if spans_zero else low, p95=high)
 
 
-def check_limits(job_file: str, entry: AxisJob, results: tuple[PositioningResult, ...]) -> None:
-    """Raise UsageError for every tolerance on a parameter that the test does not have."""
+def check_limits(job: Job, entry: AxisJob, results: tuple[PositioningResult, ...]) -> None:
+    """Raise UsageError for every tolerance on a parameter that the test does not have, and for a guard band of nothing."""
     accept = entry.accept
     if accept is None:
         return
@@ -114,7 +126,7 @@ def check_limits(job_file: str, entry: AxisJob, results: tuple[PositioningResult
     faults = [
         Fault(
             message=f"the test {result.test.name} has no {name} under {result.standard}",
-            file=job_file,
+            file=job.file,
             place=f"axes.{entry.axis.name}.accept.{name}",
             expected=", ".join(key for key, value in result.parameters.items() if value is not None),
             found=result.not_applicable.get(name, ""),
@@ -122,6 +134,16 @@ def check_limits(job_file: str, entry: AxisJob, results: tuple[PositioningResult
         for name in accept.limits
         if result.parameters.get(name) is None
     ]
+    if job.decision_rule == "guarded" and job.uncertainty is None:
+        faults.append(
+            Fault(
+                message="the guarded decision needs the measurement uncertainty",
+                file=job.file,
+                place="decision_rule",
+                expected="the key uncertainty, or decision_rule: simple",
+                found="guarded without an uncertainty",
+            )
+        )
     raise_all(UsageError, faults)
 
 

@@ -191,7 +191,7 @@ def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool) -> _
         control=control,
         inputs=inputs,
         works=works,
-        predictions={name: predict_axis(work, loaded) for name, work in works.items()},
+        predictions={name: predict_axis(work, loaded, job.decision_rule) for name, work in works.items()},
         tables=tables,
         loaded=loaded,
         assumed=assumed,
@@ -262,7 +262,12 @@ def _files(
         files |= {f"rollback/{format_id}/{file.name}": file.content for file in as_found}
     if finished.tables or finished.cross.steps:
         card = card_document(finished.job, finished.control, finished.works, finished.loaded, finished.inputs, finished.assumed)
-        card = {**card, "steps": [*card["steps"], *finished.cross.steps], "doubts": prediction["doubts"]}
+        card = {
+            **card,
+            "steps": [*card["steps"], *finished.cross.steps],
+            "doubts": prediction["doubts"],
+            "limits": prediction["axes"],
+        }
         from compwright.reporting.card import card_markdown
 
         files["card/card.md"] = encoded(card_markdown(dict(card)))
@@ -303,6 +308,11 @@ def _known_results(out: Path) -> storage.Known:
     """Return what tells the results of an earlier run in ``out`` from what the user has put or changed below it."""
     listed = listed_files(storage.earlier_bytes(out / "plan.json"))
     return lambda name, content: "/" not in name or listed.get(encoded(name).decode()) == fingerprint(content)
+
+
+def _first_on_card(prediction: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what the card says before its steps: doubts and limits."""
+    return {"doubts": prediction["doubts"], "limits": prediction["axes"]}
 
 
 def _second_forms(finished: _Finished) -> tuple[ControlFile, ...]:

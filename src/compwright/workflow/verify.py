@@ -29,6 +29,7 @@ from compwright.records.result import PositioningResult
 from compwright.records.verification import LoadingVerdict
 from compwright.verification.acceptance import overall_verdict
 from compwright.verification.loading import judge_loading
+from compwright.verification.measurement import NamedFault, measurement_fault, proof_lacking
 from compwright.workflow.control import (
     Control,
     DecodedState,
@@ -44,8 +45,21 @@ from compwright.workflow.inputs import read_measurement, read_test
 from compwright.workflow.outlook import DRAWS, Change, accepted_index, predict
 from compwright.workflow.planning import MeasuredError, measured_error
 from compwright.workflow.verify_circles import split_after, squareness_decisions, verify_circles
+from compwright.workflow.verify_proof import (
+    AfterTest,
+    changed_limits,
+    copies,
+    doubted,
+    not_measured,
+    old_circles,
+    stale,
+    stale_plan,
+)
 from compwright.workflow.view import evaluations, verify_view
 from compwright.workflow.work import AS_FOUND
+
+#: Findings of an axis that say what its test does not prove: the verdict is undecided.
+_LACKING = frozenset({"CW-V020", "CW-V021", "CW-V024"})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,15 +70,6 @@ class VerifyOutcome:
     document: Mapping[str, Any]
     files: tuple[Path, ...]
     notes: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class _After:
-    """An after test of an axis and the name of the test that it repeats."""
-
-    axis: str
-    test: PositioningTest
-    repeats: str
 
 
 def plan_path(given: Path | None, default: Path) -> Path:
@@ -94,23 +99,28 @@ def verify_job(
     control = open_control(plan.format, plan.options, Origin(str(plan_file), "format", "options."))
     raise_all(InputError, _other_format(job, plan, str(plan_file)))
     job, _ = named_axes(job, control)
-    raise_all(InputError, _other_axes(job, plan, str(plan_file)))
+    raise_all(InputError, stale_plan(job, plan, str(plan_file)))
     others, circle_files = split_after(plan, after)
     tests = _after_tests(job, plan, others) if others or not circle_files else []
     as_found = decode(control, plan.states.get(AS_FOUND, ()), [entry.axis for entry in plan.axes.values()])
     read_back = decode(control, read_files(loaded), [entry.axis for entry in plan.axes.values()]) if loaded else None
-    axes = {test.axis: _verify_axis(job, plan.axes[test.axis], test, as_found, read_back) for test in tests}
+    twice = copies(tests)
+    axes = {test.axis: _verify_axis(job, plan.axes[test.axis], test, as_found, read_back, twice.get(test.axis)) for test in tests}
     states = _circle_states(control, plan, circle_files)
     circles = verify_circles(plan, circle_files, as_found, states)
     squareness = squareness_decisions(circles)
     # Without a positioning test only squareness says whether the tables act.
     loadings = [axis.loading["verdict"] for axis in axes.values()] or ["loaded" for _ in squareness]
+    general = [*changed_limits(job, plan), *not_measured(job, plan, axes, circles), *old_circles(plan, circles)]
+    lacking = [finding for axis in axes.values() for finding in axis.findings if finding.code in _LACKING]
     verdict = overall_verdict(
-        [*(entry.decision for axis in axes.values() for entry in axis.accept.values()), *squareness], loadings
+        [*(entry.decision for axis in axes.values() for entry in axis.accept.values()), *squareness],
+        loadings,
+        still_open=bool(general or lacking),
     )
     if any(finding.severity == "error" for axis in axes.values() for finding in axis.findings):
         verdict = "bad"
-    document = verification_document(plan.format, axes, verdict, circles)
+    document = verification_document(plan.format, axes, verdict, circles, general)
     files, notes = _files(job, control, axes, circles, document)
     elsewhere = {} if json_path is None else {json_path: files["verification.json"]}
     written = storage.write_files(out, files, force=force, elsewhere=elsewhere)
@@ -118,26 +128,10 @@ def verify_job(
 
 
 def _other_format(job: Job, plan: Plan, file: str) -> list[Fault]:
-    return [_differs("format", job.format, plan.format, file)] if job.format != plan.format else []
+    return [stale("format", job.format, plan.format, file)] if job.format != plan.format else []
 
 
-def _other_axes(job: Job, plan: Plan, file: str) -> list[Fault]:
-    """A plan of an earlier version of the job would be held against the wrong axis."""
-    both = [(name, job.axes[name].axis, entry.axis) for name, entry in plan.axes.items() if name in job.axes]
-    return [
-        _differs(f"axis {name}: {what}", mine, theirs, file)
-        for name, axis, planned in both
-        for what, mine, theirs in (("kind", axis.kind.value, planned.kind.value), ("address", axis.address, planned.address))
-        if mine != theirs
-    ]
-
-
-def _differs(what: str, mine: str, theirs: str, file: str) -> Fault:
-    message = "the plan was made for another job; run the job again, or name its own plan with --plan"
-    return Fault(message=message, file=file, place=what, expected=mine, found=theirs)
-
-
-def _after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[_After]:
+def _after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
     """Read the after tests; several files of one test become one. Raises with every fault at once."""
     errors: list[CompwrightError] = []
     wanted: dict[tuple[str, str], list[str]] = {}
@@ -156,7 +150,7 @@ def _after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[_After]:
         except CompwrightError as error:
             errors.append(error)
             continue
-        found.append(_After(axis=axis, test=replace(test, name=name), repeats=name))
+        found.append(AfterTest(axis=axis, test=replace(test, name=name), repeats=name))
     if errors:
         raise max((type(error) for error in errors), key=lambda kind: kind.exit_code)(*collect(errors))
     axes = [item.axis for item in found]
@@ -233,7 +227,12 @@ def _first(job: Job, axis: str) -> TestRequest:
 
 
 def _verify_axis(
-    job: Job, planned: PlannedAxis, after: _After, as_found: DecodedState, read_back: DecodedState | None
+    job: Job,
+    planned: PlannedAxis,
+    after: AfterTest,
+    as_found: DecodedState,
+    read_back: DecodedState | None,
+    twice: NamedFault | None,
 ) -> VerifiedAxis:
     axis = planned.axis
     before_test = next((entry.test for entry in planned.tests if entry.test.name == after.repeats), planned.tests[0].test)
@@ -249,10 +248,15 @@ def _verify_axis(
 
     new = unchanged if planned.fitted is None else planned.fitted.compensation.at
     change = Change(new, active.at)
-    loading = _judge(after.test, posterior, change, Change(unchanged, active.at))
-    if planned.fitted is None:
+    fault = twice or measurement_fault(after.test, before_test, axis.travel)
+    if fault is not None:
+        loading = LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
+    else:
+        loading = _judge(after.test, posterior, change, Change(unchanged, active.at))
+    if planned.fitted is None and fault is None:
         loading = replace(loading, verdict="undecided", message="The plan holds no table for this axis: nothing was to be loaded.")
-    findings = (*loading.findings, *_compare_loaded(planned, read_back))
+    proof = () if fault else (*proof_lacking(after.test, before_test), *doubted(result, before, guarded=_guarded(job)))
+    findings = (*loading.findings, *_named(loading), *proof, *_compare_loaded(planned, read_back))
     return VerifiedAxis(
         before=before,
         predicted=predict(result, posterior, change, axis).predicted,
@@ -260,13 +264,14 @@ def _verify_axis(
         after=result,
         loading={
             "verdict": loading.verdict,
+            **({"of": loading.of} if loading.of is not None else {}),
             "equivalent": list(loading.equivalent),
             "factor": loading.factor,
             "shift_nodes": loading.shift_nodes,
             "margin": loading.margin,
             "message": loading.message,
         },
-        accept=_accept(job, planned, result),
+        accept=_accept(job, planned, result, believed=loading.verdict != "measurement"),
         findings=findings,
     )
 
@@ -306,8 +311,20 @@ def _judge(test: PositioningTest, posterior: MeasuredError, loaded: Change, inac
     )
 
 
-def _accept(job: Job, planned: PlannedAxis, result: PositioningResult) -> dict[str, AcceptDecision]:
-    """Decide about each tolerance of the job from the after test; a guarded decision needs the budget of the job."""
+def _guarded(job: Job) -> bool:
+    return job.decision_rule == "guarded"
+
+
+def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
+    """Return the finding of a fault of measurement (CW-V026)."""
+    return (Finding("CW-V026", "warning", loading.message),) if loading.verdict == "measurement" else ()
+
+
+def _accept(job: Job, planned: PlannedAxis, result: PositioningResult, *, believed: bool) -> dict[str, AcceptDecision]:
+    """Decide about each tolerance of the job from the after test; a guarded decision needs the budget of the job.
+
+    Of readings that are not ``believed`` nothing is decided.
+    """
     entry = job.axes[planned.axis.name]
     if entry.accept is None:
         return {}
@@ -321,7 +338,7 @@ def _accept(job: Job, planned: PlannedAxis, result: PositioningResult) -> dict[s
         uncertainty = result.uncertainty.get(name) if result.uncertainty else None
         U = uncertainty.U * factor if uncertainty else None
         outside = None if value is None else value * factor
-        decision = "undecided" if outside is None else decide(abs(outside), limit, U, job.decision_rule)
+        decision = "undecided" if outside is None or not believed else decide(abs(outside), limit, U, job.decision_rule)
         decisions[name] = AcceptDecision(limit=limit, value=outside, U=U, decision=decision)
     return decisions
 
@@ -376,7 +393,7 @@ def _files(
                 [axis.before for axis in axes.values()], [circle.prediction.before for circle in circles.values()]
             ),
             evaluation_after=evaluations([axis.after for axis in axes.values()], [circle.after for circle in circles.values()]),
-            findings=finding_documents(finding for axis in axes.values() for finding in axis.findings),
+            findings=[*document["findings"], *finding_documents(finding for axis in axes.values() for finding in axis.findings)],
         )
         files["verification.html"] = verify_report(view)
     except UsageError as error:

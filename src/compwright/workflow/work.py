@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -82,7 +83,7 @@ def start_axis(job: Job, entry: AxisJob, inputs: JobInputs) -> AxisWork:
         )
         for planned in tests
     )
-    check_limits(job.file, entry, results)
+    check_limits(job, entry, results)
     active = _compensation(inputs.states.get(tests[0].measured_in), axis)
     posterior = measured_error(tests[0].test, axis, active)
     planned = PlannedAxis(
@@ -187,7 +188,7 @@ def export(
     return kept, files, loaded
 
 
-def predict_axis(work: AxisWork, loaded: DecodedState | None) -> AxisPrediction:
+def predict_axis(work: AxisWork, loaded: DecodedState | None, rule: Literal["simple", "guarded"] = "simple") -> AxisPrediction:
     """Return what fresh tests of an axis will show: with the table as read back, or with what is in the control now."""
     axis = work.planned.axis
     fitted = work.planned.fitted
@@ -198,7 +199,7 @@ def predict_axis(work: AxisWork, loaded: DecodedState | None) -> AxisPrediction:
         table=loaded.state.axes[axis.address] if fitted is not None and loaded is not None else None,
         quantum=work.capacity.quantum if work.capacity is not None else None,
         limits=fitted.limits if fitted is not None else (),
-        accept=accept_decisions(work.entry, tests),
+        accept=accept_decisions(work.entry, tests, rule),
         findings=work.findings,
     )
 

@@ -1,0 +1,213 @@
+"""Can the test after loading be believed? It is held against the first test of its axis before any verdict is formed.
+
+A named fault (`measurement_fault`) is certain: nothing but a fault of the measurement gives such readings. A doubt
+(`doubts_of_test`) is what lacks proof; each says what to measure. mm or deg.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Final, Literal
+
+import numpy as np
+
+from compwright.evaluation.plausibility import certain_fault, pooled_scatter, same_runs, spread_of, wrong_target_unit
+from compwright.evaluation.readings import position_text, text_of
+from compwright.evaluation.statistics import mean_deviation
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.positioning import PositioningTest
+from compwright.records.verification import MeasurementFault
+from compwright.verification.loading import normal_score
+
+#: Honest tests of one axis scatter differently: another day, another averaging of the instrument. Up to three times as quiet or as
+#: loud is believed; beyond, the ratio of the pooled variances has to be as improbable as 1 in 1000 (normal score 3.09).
+_BELIEVED: Final = 3.0
+_IMPROBABLE: Final = 3.09
+#: Readings rounded to a step scatter by 0.29 of it: a first test as coarse as that cannot say that another one is too quiet.
+_ROUNDED: Final = 0.5
+#: The scatter of two tests has nothing to do with each other. Beyond this correlation, with so many degrees of
+#: freedom, it was copied.
+_COPIED: Final = 0.95
+_ENOUGH: Final = 15
+_SAME: Final = 1e-9
+#: How much wider than the widest gap of the first test's targets a gap may be: targets dithered by 0.3 of an interval give 1.6.
+_GAP: Final = 2.0
+_THOUSAND: Final = 1000.0
+
+
+@dataclass(frozen=True, slots=True)
+class NamedFault:
+    """A fault of the measurement that is certain: ``of`` by the contract's words, ``message`` what was seen and what to do."""
+
+    of: MeasurementFault
+    message: str
+
+
+def measurement_fault(after: PositioningTest, first: PositioningTest, travel: tuple[float, float]) -> NamedFault | None:
+    """Return the fault that the test after loading shows for certain against the ``first`` test of the axis, or None."""
+    spread = spread_of(after)
+    if spread <= _SAME or any(finding.code == "CW-R009" for finding in after.findings):
+        return NamedFault("zeros", "Every reading of the test is the same: nothing was measured. Measure the axis.")
+    copy = _copied(after, first)
+    if copy:
+        return NamedFault("copied", f"{copy} Measure the axis anew.")
+    unit = wrong_target_unit(after, travel) if not wrong_target_unit(first, travel) else ""
+    if unit:
+        return NamedFault("unit", f"The targets of the test are in {unit}, not in mm. Export it in mm.")
+    scale = _thousand(after, first)
+    if scale:
+        return NamedFault("unit", f"{scale} Export the test in the unit that its file states.")
+    return None
+
+
+def _copied(after: PositioningTest, first: PositioningTest) -> str:
+    """Return how the readings were copied; empty where they are a measurement of their own."""
+    for words, positive, negative in (
+        ("", first.positive, first.negative),
+        (", with the sign turned", -first.positive, -first.negative),
+        (", with the directions exchanged", first.negative, first.positive),
+    ):
+        if _shifted(after, first, positive, negative):
+            return f"The readings are those of the test {first.name} from before loading{words}."
+    groups = same_runs(after)
+    every = all(len(groups[side]) == 1 and len(groups[side][0]) == after.deviations(side).shape[1] for side in _measured(after))
+    if every and not any(same_runs(first).values()) and after.positive.shape[0] > 3:
+        return "All runs hold the same readings: one run was copied."
+    correlation, dof = _scatter_alike(after, first)
+    if dof >= _ENOUGH and correlation > _COPIED:
+        return (
+            f"The scatter of the readings is that of the test {first.name} run by run (correlation {correlation:.2f}): "
+            "the test was made from it."
+        )
+    return ""
+
+
+def _measured(test: PositioningTest) -> list[Direction]:
+    return [side for side in Direction if test.readings(side).any()]
+
+
+def _shifted(after: PositioningTest, first: PositioningTest, positive: FloatArray, negative: FloatArray) -> bool:
+    """Return whether ``after`` holds these readings of ``first``, but for one constant (another zero of the instrument)."""
+    if after.positive.shape != positive.shape or after.negative.shape != negative.shape:
+        return False
+    if not np.allclose(after.targets, first.targets, rtol=0.0, atol=1e-6):
+        return False
+    gaps = np.concatenate([(after.positive - positive).ravel(), (after.negative - negative).ravel()])
+    known = gaps[np.isfinite(gaps)]
+    return bool(known.size > 3 and np.ptp(known) <= _SAME)
+
+
+def _scatter_alike(after: PositioningTest, first: PositioningTest) -> tuple[float, int]:
+    """Return the correlation of the scatter of two tests at the same targets and its degrees of freedom; 0, 0 where it has none.
+
+    Scatter: readings less the mean of their target and less the straight line of their run, because a drift over the runs may well
+    be the same in two honest tests.
+    """
+    pairs = []
+    for side in Direction:
+        one, other = after.deviations(side), first.deviations(side)
+        if one.shape == other.shape and one.shape[1] > 1 and one.shape[0] > 3:
+            pairs.append((_scatter(one), _scatter(other)))
+    if not pairs or not np.allclose(after.targets, first.targets, rtol=0.0, atol=1e-6):
+        return 0.0, 0
+    one, other = (np.concatenate([pair[side].ravel() for pair in pairs]) for side in (0, 1))
+    known = np.isfinite(one) & np.isfinite(other)
+    size = float(np.sqrt(np.sum(one[known] ** 2) * np.sum(other[known] ** 2)))
+    dof = sum((pair[0].shape[0] - 2) * (pair[0].shape[1] - 1) for pair in pairs)
+    return (abs(float(np.sum((one * other)[known]))) / size if size > 0.0 else 0.0), dof
+
+
+def _scatter(block: FloatArray) -> FloatArray:
+    left = block - mean_deviation(block)[:, np.newaxis]
+    along = np.linspace(-1.0, 1.0, block.shape[0])
+    for run in range(block.shape[1]):
+        known = np.isfinite(left[:, run])
+        if np.count_nonzero(known) > 2:
+            left[known, run] -= np.polyval(np.polyfit(along[known], left[known, run], 1), along[known])
+    return left
+
+
+def _thousand(after: PositioningTest, first: PositioningTest) -> str:
+    """Return that the readings are 1000 times too small or too large, by their scatter beside the first test's."""
+    certain = certain_fault(after)
+    if certain:
+        return f"This cannot be right: {certain}."
+    (s, dof), (s_first, dof_first) = pooled_scatter(after), pooled_scatter(first)
+    if min(s, s_first) <= _SAME:
+        return ""
+    for factor, words in ((_THOUSAND, "small (mm read as µm)"), (1.0 / _THOUSAND, "large (µm read as mm)")):
+        if noise_odds(s, dof, s_first, dof_first) and not noise_odds(s * factor, dof, s_first, dof_first):
+            return (
+                f"The readings scatter by {text_of(s, after)}, those of the first test by {text_of(s_first, first)}: "
+                f"1000 times too {words}."
+            )
+    return ""
+
+
+def noise_odds(s: float, dof: float, s_first: float, dof_first: float) -> Literal["", "quiet", "loud"]:
+    """Return whether a scatter ``s`` is too quiet or too loud beside the first test's, each with its degrees of freedom.
+
+    Too quiet: even a third of the first test's noise would show a scatter this small less than once in 1000 tests (ratio of two
+    variances, Paulson's normal score). Too loud: the same with three times the noise. With few degrees of freedom nothing is.
+    """
+    if min(dof, dof_first) < 1.0 or s_first <= 0.0:
+        return ""
+    if s <= 0.0 or normal_score((s_first / _BELIEVED / s) ** 2, dof_first, dof) > _IMPROBABLE:
+        return "quiet" if dof >= 4.0 else ""
+    return "loud" if normal_score((s / _BELIEVED / s_first) ** 2, dof, dof_first) > _IMPROBABLE else ""
+
+
+def proof_lacking(after: PositioningTest, first: PositioningTest) -> list[Finding]:
+    """Return what the test after loading lacks to prove anything beside the ``first`` test: CW-V020 (targets), CW-V021 (noise)."""
+    return [*_coverage(after, first), *_noise(after, first)]
+
+
+def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
+    wanted = f"{first.targets.size} targets from {_ends(first)}"
+    interval = float(first.targets[-1] - first.targets[0]) / max(first.targets.size - 1, 1)
+    widest = float(np.max(np.diff(first.targets), initial=interval))
+    lacks = []
+    if after.targets.size < first.targets.size:
+        lacks.append(f"it has {after.targets.size} targets")
+    if after.targets[0] > first.targets[0] + interval or after.targets[-1] < first.targets[-1] - interval:
+        lacks.append(f"it covers {_ends(after)}")
+    elif np.max(np.diff(after.targets), initial=0.0) > _GAP * widest:
+        lacks.append(f"{position_text(float(np.max(np.diff(after.targets))), after)} of the travel are without a target")
+    for side in _measured(first):
+        runs, before = (int(np.max(test.readings(side), initial=0.0)) for test in (after, first))
+        if runs < min(before, 5):
+            lacks.append(f"it has {runs} approaches in {side.value} (the first test: {before})")
+    if lacks:
+        message = f"The test after loading does not cover what the first one did: {'; '.join(lacks)}. Measure {wanted}, as before."
+        yield Finding("CW-V020", "warning", message)
+
+
+def _ends(test: PositioningTest) -> str:
+    return f"{position_text(float(test.targets[0]), test)} to {position_text(float(test.targets[-1]), test)}"
+
+
+def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
+    (s, dof), (s_first, dof_first) = pooled_scatter(after), pooled_scatter(first)
+    odds = noise_odds(s, dof, s_first, dof_first)
+    if not odds or (odds == "quiet" and s_first < _ROUNDED * _step(first)):
+        return
+    ratio = s / s_first if odds == "loud" else s_first / s if s > 0.0 else math.inf
+    times = f"{ratio:.3g} times less" if odds == "quiet" else f"{ratio:.3g} times more"
+    yield Finding(
+        "CW-V021",
+        "warning",
+        f"Repeated readings scatter by {text_of(s, after)}, {times} than in the first test ({text_of(s_first, first)}): an honest "
+        f"test whose noise differs by up to {_BELIEVED:g} times does so less than once in 1000. Are unit and readings right? "
+        "Measure again with the instrument set as for the first test.",
+    )
+
+
+def _step(test: PositioningTest) -> float:
+    """Return the smallest step between two different readings, mm or deg."""
+    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
+    steps = np.diff(np.unique(values[np.isfinite(values)]))
+    steps = steps[steps > _SAME]
+    return float(steps.min()) if steps.size else 0.0

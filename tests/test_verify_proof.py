@@ -1,0 +1,284 @@
+"""verify says good only where the tests after loading prove it: faulty, thin, copied and missing tests, and edited jobs."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.controllers.virtual import virtual_control
+from compwright.records.axis import Direction
+from compwright.records.correction import ControlFile
+from compwright.verification.measurement import noise_odds
+from loop import Floats, Machine, csv_of
+
+MACHINE = Machine()
+TARGETS = MACHINE.targets(count=25)
+Readings = dict[int, Floats]
+
+
+def sinumerik(folder: Path, address: str = "AX1") -> Callable[[Floats, int], Floats]:
+    """The correction of an axis with the files in ``folder`` loaded."""
+    files = [ControlFile(path.name, path.read_bytes()) for path in sorted(folder.iterdir())]
+    judge = virtual_control("siemens-840d-sl", files, reference_return={address: Direction.POSITIVE})
+    return lambda x, sign: judge.correction(address, x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE)
+
+
+JOB = """compwright: 1
+controller: {format: siemens-840d-sl}
+states: {as_found: none}
+axes:
+  X: {travel: [0, 800], address: AX1, before: [x.csv], accept: {A: 8}}
+"""
+SECOND = "  Y: {travel: [0, 800], address: AX2, before: [y.csv], accept: {A: 8}}\n"
+
+
+@pytest.fixture(scope="module")
+def done(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder in which the job of one axis has been run, and beside it (``two``) that of two axes."""
+    folder = tmp_path_factory.mktemp("done")
+    for name, text in (("one", JOB), ("two", JOB + SECOND)):
+        place = folder / name
+        place.mkdir()
+        (place / "x.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 1)))
+        (place / "y.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 2), "Y"))
+        (place / "job.yaml").write_text(text)
+        assert compwright(["run", str(place / "job.yaml")]) == 0
+    return folder
+
+
+@pytest.fixture
+def folder(done: Path, tmp_path: Path) -> Path:
+    shutil.copytree(done / "one", tmp_path / "one")
+    return tmp_path / "one"
+
+
+@pytest.fixture
+def two(done: Path, tmp_path: Path) -> Path:
+    shutil.copytree(done / "two", tmp_path / "two")
+    return tmp_path / "two"
+
+
+def honest(folder: Path, seed: int = 3, targets: Floats = TARGETS, machine: Machine = MACHINE, address: str = "AX1") -> Readings:
+    return machine.measure(targets, seed, sinumerik(folder / "job" / "tables" / "siemens-840d-sl", address))
+
+
+def verify(folder: Path, *files: str | Path) -> tuple[int, Any]:
+    words = [word for file in files for word in ("--after", str(folder / file))]
+    code = compwright(["verify", str(folder / "job.yaml"), *words, "--force"])
+    path = folder / "job" / "verification.json"
+    return code, json.loads(path.read_text(encoding="utf-8")) if code < 2 else None
+
+
+def after(folder: Path, readings: Readings, targets: Floats = TARGETS) -> tuple[int, Any]:
+    (folder / "after.csv").write_text(csv_of(targets, readings))
+    return verify(folder, "after.csv")
+
+
+def codes(document: Any) -> list[str]:
+    return [finding["code"] for finding in document["doubts"]]
+
+
+def test_an_honest_test_is_good_without_doubts(folder: Path) -> None:
+    code, document = after(folder, honest(folder))
+    assert (code, document["verdict"], document["doubts"]) == (0, "good", [])
+
+
+def test_an_honest_test_at_newly_dithered_targets_is_good(folder: Path) -> None:
+    targets = MACHINE.targets(count=25, seed=9)
+    code, document = after(folder, honest(folder, targets=targets), targets)
+    assert (code, document["verdict"]) == (0, "good")
+
+
+@pytest.mark.parametrize(
+    ("fault", "of"),
+    [
+        (lambda now, _before: {s: 0.0 * block for s, block in now.items()}, "zeros"),
+        (lambda now, _before: {s: 0.0 * block + 0.004 for s, block in now.items()}, "zeros"),
+        (lambda now, _before: {s: block / 1000.0 for s, block in now.items()}, "unit"),
+        (lambda now, _before: {s: block * 1000.0 for s, block in now.items()}, "unit"),
+        (lambda _now, before: before, "copied"),
+        (lambda _now, before: {s: block + 0.002 for s, block in before.items()}, "copied"),
+        (lambda _now, before: {s: -block for s, block in before.items()}, "copied"),
+        (lambda now, _before: {s: np.repeat(block[:, :1], 5, axis=1) for s, block in now.items()}, "copied"),
+        # The means of a test of its own and the scatter of the first one: made at a desk.
+        (
+            lambda now, before: {
+                s: now[s].mean(axis=1, keepdims=True) + before[s] - before[s].mean(axis=1, keepdims=True) for s in now
+            },
+            "copied",
+        ),
+    ],
+)
+def test_a_fault_of_measurement_is_named(folder: Path, fault: Callable[[Readings, Readings], Readings], of: str) -> None:
+    before = MACHINE.measure(TARGETS, 1)
+    code, document = after(folder, fault(honest(folder), before))
+    axis = document["axes"]["X"]
+    assert (code, document["verdict"]) == (1, "undecided")
+    assert (axis["loading"]["verdict"], axis["loading"]["of"]) == ("measurement", of)
+    assert axis["accept"]["A"]["decision"] == "undecided"
+    assert "CW-V026" in codes(document)
+
+
+def test_targets_in_inches_are_a_fault_of_unit(folder: Path) -> None:
+    _, document = after(folder, honest(folder), TARGETS / 25.4)
+    assert document["axes"]["X"]["loading"]["of"] == "unit"
+    assert document["verdict"] == "undecided"
+
+
+@pytest.mark.parametrize(("turn", "of"), [("sign", "sign"), ("direction", "direction")])
+def test_turned_tests_are_named_where_the_table_leaves_something(tmp_path: Path, turn: str, of: str) -> None:
+    """FANUC with 1 µm and one curve leaves up to 0.5 µm and, of a varying reversal, more: enough to tell."""
+    targets = TARGETS
+    folder = tmp_path
+    machine = replace(MACHINE, noise=0.0002)
+
+    def varying(x: Floats, sign: int) -> Floats:
+        return sign * 0.002 * np.sin(4 * np.pi * np.asarray(x) / 800.0)
+
+    (folder / "x.csv").write_text(csv_of(targets, machine.measure(targets, 1, varying)))
+    (folder / "job.yaml").write_text(JOB.replace("before:", "table: {mode: single, spacing: 100}, before:"))
+    assert compwright(["run", str(folder / "job.yaml")]) == 0
+    table = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
+    now = machine.measure(targets, 3, lambda x, sign: varying(x, sign) + table(x, sign))
+    assert after(folder, now)[0] == 0
+    turned = {s: -block for s, block in now.items()} if turn == "sign" else {1: now[-1], -1: now[1]}
+    code, document = after(folder, turned)
+    assert (code, document["verdict"]) == (1, "undecided")
+    assert document["axes"]["X"]["loading"]["of"] == of
+
+
+@pytest.mark.parametrize("rows", [[4, 20], list(range(12)), [*range(24), 24]])
+def test_targets_must_cover_those_of_the_first_test(folder: Path, rows: list[int]) -> None:
+    now = honest(folder)
+    code, document = after(folder, {s: block[rows] for s, block in now.items()}, TARGETS[rows])
+    if len(rows) == 25:
+        assert code == 0
+        return
+    assert (code, document["verdict"]) == (1, "undecided")
+    assert "CW-V020" in codes(document)
+    message = next(finding["message"] for finding in document["doubts"] if finding["code"] == "CW-V020")
+    assert "Measure 25 targets from " in message
+
+
+def test_fewer_approaches_prove_less(folder: Path) -> None:
+    code, document = after(folder, {s: block[:, :2] for s, block in honest(folder).items()})
+    assert (code, document["verdict"]) == (1, "undecided")
+    assert "CW-V020" in codes(document)
+
+
+@pytest.mark.parametrize("factor", [0.1, 8.0])
+def test_the_noise_must_be_believable(folder: Path, factor: float) -> None:
+    code, document = after(folder, honest(folder, machine=replace(MACHINE, noise=factor * MACHINE.noise)))
+    assert (code, "CW-V021" in codes(document)) == (1, True)
+
+
+def test_a_warning_about_the_readings_counts(folder: Path) -> None:
+    now = honest(folder)
+    now[1][3, 2] = np.nan
+    (folder / "after.csv").write_text("\n".join(row for row in csv_of(TARGETS, now).splitlines() if "nan" not in row) + "\n")
+    code, document = verify(folder, "after.csv")
+    assert (code, document["verdict"]) == (1, "undecided")
+    assert "CW-V024" in codes(document)
+
+
+def test_every_planned_axis_has_to_be_there(two: Path) -> None:
+    (two / "ax.csv").write_text(csv_of(TARGETS, honest(two)))
+    (two / "ay.csv").write_text(csv_of(TARGETS, honest(two, 4, address="AX2"), "Y"))
+    code, document = verify(two, "ax.csv")
+    assert (code, document["verdict"], codes(document)) == (1, "undecided", ["CW-V023"])
+    assert "axis Y was not measured after loading" in document["doubts"][0]["message"]
+    code, document = verify(two, "ax.csv", "ay.csv")
+    assert (code, document["verdict"]) == (0, "good")
+
+
+def test_one_measurement_for_two_axes(two: Path) -> None:
+    (two / "one.csv").write_text(csv_of(TARGETS, honest(two), ""))
+    shutil.copy(two / "one.csv", two / "other.csv")
+    words = [f"x={two / 'one.csv'}", f"y={two / 'other.csv'}"]
+    code = compwright(["verify", str(two / "job.yaml"), *(word for file in words for word in ("--after", file)), "--force"])
+    document = json.loads((two / "job" / "verification.json").read_text(encoding="utf-8"))
+    assert (code, document["verdict"]) == (1, "undecided")
+    assert {axis["loading"]["of"] for axis in document["axes"].values()} == {"copied"}
+
+
+def test_one_file_twice_in_one_test(folder: Path) -> None:
+    (folder / "a.csv").write_text(csv_of(TARGETS, honest(folder)))
+    shutil.copy(folder / "a.csv", folder / "b.csv")
+    code, document = verify(folder, "a.csv", "b.csv")
+    assert (code, document["verdict"], document["axes"]["X"]["loading"]["of"]) == (1, "undecided", "copied")
+
+
+# ---------------------------------------------------------------- the plan of this job
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("travel: [0, 800]", "travel: [0, 900]"),
+        ("address: AX1", "address: AX2"),
+        ("before:", "screw_pitch: 10, before:"),
+        ("before:", "table: {spacing: 40}, before:"),
+        ("before:", 'reference_return: "-", before:'),
+        ("before: [x.csv]", "before: [y.csv]"),
+        ("before: [x.csv]", "before: [x.csv], position_map: {offset: 5}"),
+        ("accept: {A: 8}}\n", "accept: {A: 8}}\n" + SECOND),
+    ],
+)
+def test_a_plan_of_another_job_is_refused(folder: Path, capsys: pytest.CaptureFixture[str], old: str, new: str) -> None:
+    (folder / "after.csv").write_text(csv_of(TARGETS, honest(folder)))
+    path = folder / "job.yaml"
+    path.write_text(path.read_text().replace(old, new))
+    assert compwright(["verify", str(path), "--after", f"x={folder / 'after.csv'}", "--force"]) in {2, 3}
+    said = capsys.readouterr().err
+    assert "run the job again" in said or "is no test of the job" in said
+
+
+def test_measurements_that_were_edited_after_the_run_are_noticed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "x.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 5)))
+    (folder / "after.csv").write_text(csv_of(TARGETS, honest(folder)))
+    assert verify(folder, "after.csv")[0] == 3
+    assert "the readings that its files hold now" in capsys.readouterr().err
+
+
+def test_limits_that_were_edited_after_the_run_leave_it_undecided(folder: Path) -> None:
+    path = folder / "job.yaml"
+    path.write_text(path.read_text().replace("A: 8", "A: 80"))
+    code, document = after(folder, honest(folder))
+    assert (code, document["verdict"], codes(document)) == (1, "undecided", ["CW-V022"])
+
+
+def test_limits_of_another_test_than_the_one_measured_are_not_kept_by_it(folder: Path) -> None:
+    (folder / "long.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 8)))
+    path = folder / "job.yaml"
+    path.write_text(path.read_text().replace("[x.csv], accept: {A: 8}", "[x.csv, long.csv], accept: {test: long, A: 8}"))
+    assert compwright(["run", str(path), "--force"]) == 0
+    code, document = after(folder, honest(folder))
+    assert (code, document["verdict"], codes(document)) == (1, "undecided", ["CW-V023"])
+    assert "--after long=FILE" in document["doubts"][0]["message"]
+
+
+# ---------------------------------------------------------------- the noise rule
+
+
+def test_false_alarms_of_the_noise_rule() -> None:
+    """Two honest tests whose noise differs by up to a factor of two: 2 targets and 2 runs up to 25 targets and 5 runs."""
+    rng = np.random.default_rng(230)
+    for dof in (1, 4, 8, 40, 200):
+        alarms = 0
+        for _ in range(2000):
+            s_first, s = (float(np.sqrt(rng.chisquare(dof) / dof)) for _ in range(2))
+            alarms += bool(noise_odds(s * 2.0 ** rng.uniform(-1, 1), dof, s_first, dof))
+        assert alarms / 2000 < 0.002  # by design below 1 in 1000 for a factor of three
+
+
+@pytest.mark.parametrize(("s", "word"), [(0.1, "quiet"), (10.0, "loud"), (0.0, "quiet")])
+def test_the_noise_rule_sees_a_factor_of_ten(s: float, word: str) -> None:
+    assert noise_odds(s, 40, 1.0, 40) == word
