@@ -408,7 +408,12 @@ def test_verify_of_the_circle_alone_sees_that_the_cross_table_does_not_act(folde
     assert compwright(["run", str(path)]) == 0
     tables = folder / "job" / "tables" / SIEMENS
     files = after_files(folder, Bent(), tables)
-    assert verify(path, f"xy-150={files[2]}") == 0
+    assert verify(path, f"xy-150={files[2]}") == 1  # the squareness is gone, but X and Y were planned too and not measured
+    answer = document(folder / "job" / "verification.json")
+    assert (answer["verdict"], answer["circles"]["xy-150"]["squareness"]["decision"]) == ("undecided", "accept")
+    assert [doubt["code"] for doubt in answer["doubts"]] == ["CW-V023", "CW-V023"]
+    assert verify(path, *files[:2]) == 1
+    assert "squareness of XY" in document(folder / "job" / "verification.json")["doubts"][0]["message"]
     (tables / "AX2_CROSS.INI").unlink()
     files = after_files(folder, Bent(), tables)
     assert verify(path, files[2]) == 1
