@@ -71,12 +71,15 @@ class FanucControl:
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
         """Return what is added to the command at ``positions`` (any shape) arriving in ``direction``, mm or deg.
 
-        Raises UsageError for an axis that the files do not speak of or whose detection unit was not given.
+        Raises UsageError for an axis that the files do not speak of or whose detection unit nobody says (none is needed where
+        nothing acts).
         """
         axis = self._axis(address)
+        x = np.asarray(positions, dtype=np.float64)
+        if axis.table is None and axis.backlash == 0:
+            return np.zeros(x.shape)
         if axis.unit is None:
             raise UsageError(_no_unit(address))
-        x = np.asarray(positions, dtype=np.float64)
         pulses = np.zeros(x.shape)
         if axis.table is not None:
             pulses = axis.table.pulses(x - axis.reference, positive=direction is Direction.POSITIVE, ramp=axis.ramp)

@@ -128,17 +128,21 @@ class AxisPosterior:
         return drawn
 
 
-def estimate_axis(test: PositioningTest, *, travel: tuple[float, float], periods: Sequence[float] = ()) -> AxisPosterior:
+def estimate_axis(
+    test: PositioningTest, *, travel: tuple[float, float], periods: Sequence[float] = (), turn: float | None = None
+) -> AxisPosterior:
     """Return the posterior of the error of an axis from one test in machine coordinates.
+
+    ``turn`` (deg): an endless axis, whose error repeats with it whatever the travel says; it has no slope.
 
     ``travel`` (low, high) and the known ``periods`` of the error (screw pitch, scale period), mm or deg. The same test
     gives the same posterior. Raises InputError for a test with readings at fewer than two targets; UsageError for a test in
     the instrument's frame, an empty travel, or a period that is not positive.
     """
     _refuse_misuse(test, travel, periods)
-    cells = cells_of(test)
+    cells = cells_of(test, endless=turn is not None)
     shown = visible_periods(cells.targets, periods)
-    basis = _basis_for(cells, travel, shown)
+    basis = _basis_for(cells, travel, shown) if turn is None else _endless_basis(cells, turn, shown)
     prior = _prior_for(cells, basis)
     rng = np.random.default_rng(_SEED)
     proposals = 96 if cells.targets.size <= 100 else 48
@@ -159,7 +163,7 @@ def estimate_axis(test: PositioningTest, *, travel: tuple[float, float], periods
         noise=float(cells.data.scale * np.exp(np.mean(log_noise))),
         noise_dof=cells.data.dof or _dof_of(log_noise, cells.readings),
         reversal_log_odds=float(odds),
-        findings=findings_of(cells, travel, periods, shown, test.kind),
+        findings=findings_of(cells, travel if turn is None else None, periods, shown, test.kind),
         basis=basis,
         cells=cells,
         weights=tuple(varying.weights(values) for values in chosen),
@@ -197,6 +201,20 @@ def _basis_for(cells: Cells, travel: tuple[float, float], periods: tuple[float, 
         reversal_sines=int(np.clip(m, 12, 32)),
         periods=periods,
         bidirectional=cells.bidirectional,
+    )
+
+
+def _endless_basis(cells: Cells, turn: float, periods: tuple[float, ...]) -> Basis:
+    """Return functions that repeat with the turn: both sets as large as on an axis with ends, and even (cosine and sine)."""
+    m = cells.targets.size
+    return Basis(
+        centre=float(cells.targets[0]),
+        half=0.5 * turn,
+        sines=int(np.clip(2 * m, 24, 112)),
+        reversal_sines=2 * int(np.clip(m, 12, 32) // 2),
+        periods=periods,
+        bidirectional=cells.bidirectional,
+        turn=turn,
     )
 
 

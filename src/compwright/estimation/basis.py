@@ -25,7 +25,9 @@ class Basis:
     """Columns: offset, slope, sines, then per period cosine and sine of each harmonic; then the reversal's offset, slope, sines.
 
     ``centre`` and ``half`` (mm or deg) give the normalised position u = (x - centre) / half. The first block describes the mean of
-    both directions, the second the reversal (positive minus negative), of which each direction carries half.
+    both directions, the second the reversal (positive minus negative), of which each direction carries half. With a ``turn`` (the
+    travel per turn of an endless axis) every column repeats with it: no slope (its column is zero), and instead of the sines
+    cosine and sine of the turn's harmonics, whose variances follow the same spectral density.
     """
 
     centre: float
@@ -34,6 +36,7 @@ class Basis:
     reversal_sines: int
     periods: tuple[float, ...]
     bidirectional: bool
+    turn: float | None = None
 
     @property
     def mean_size(self) -> int:
@@ -48,17 +51,18 @@ class Basis:
     @property
     def frequencies(self) -> FloatArray:
         """Angular frequencies (sines,) of the sines, per unit of u."""
-        return _frequencies(self.sines)
+        return self._frequencies(self.sines)
 
     @property
     def reversal_frequencies(self) -> FloatArray:
         """Angular frequencies (reversal_sines,) of the reversal's sines, per unit of u."""
-        return _frequencies(self.reversal_sines)
+        return self._frequencies(self.reversal_sines)
 
     def design(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the design matrices (k, size) of the two approach directions at ``positions`` (k,), mm or deg."""
         u = (positions - self.centre) / self.half
-        columns = [np.ones_like(u), u, *_sines(u, self.sines)]
+        slope = u if self.turn is None else np.zeros_like(u)
+        columns = [np.ones_like(u), slope, *self._waves(u, self.sines)]
         for period in self.periods:
             for harmonic in HARMONICS:
                 angle = 2.0 * np.pi * harmonic * (positions - self.centre) / period
@@ -66,8 +70,24 @@ class Basis:
         mean = np.column_stack(columns)
         if not self.bidirectional:
             return mean, mean
-        half_reversal = 0.5 * np.column_stack([np.ones_like(u), u, *_sines(u, self.reversal_sines)])
+        half_reversal = 0.5 * np.column_stack([np.ones_like(u), slope, *self._waves(u, self.reversal_sines)])
         return np.hstack([mean, half_reversal]), np.hstack([mean, -half_reversal])
+
+    def _frequencies(self, count: int) -> FloatArray:
+        if self.turn is None:
+            return _frequencies(count)
+        harmonics: FloatArray = np.repeat(np.arange(1, count // 2 + 1, dtype=np.float64), 2)
+        return harmonics * (2.0 * np.pi * self.half / self.turn)
+
+    def _waves(self, u: FloatArray, count: int) -> FloatArray:
+        """Return the smooth functions (count, k): sines of the range, or with a turn (``count`` even) its harmonics."""
+        if self.turn is None:
+            return _sines(u, count)
+        angles = np.outer(self._frequencies(count)[::2], u)
+        # A density S spread over lines 2 pi half / turn apart: each line carries S half / turn, cosine and sine twice that.
+        scale = np.sqrt(2.0 * self.half / self.turn)
+        waves: FloatArray = scale * np.stack([np.cos(angles), np.sin(angles)], axis=1).reshape(count, u.size)
+        return waves
 
 
 def _frequencies(count: int) -> FloatArray:

@@ -52,8 +52,11 @@ class Cells:
         return np.where(same, nearest, -1)
 
 
-def cells_of(test: PositioningTest) -> Cells:
-    """Return means, counts and spread of a test. Raises InputError for fewer than two targets with readings."""
+def cells_of(test: PositioningTest, *, endless: bool = False) -> Cells:
+    """Return means, counts and spread of a test; an ``endless`` axis has no slope.
+
+    Raises InputError for fewer than two targets with readings.
+    """
     means, counts, squares = [], [], 0.0
     for readings in (test.positive, test.negative):
         there = np.isfinite(readings)
@@ -74,17 +77,27 @@ def cells_of(test: PositioningTest) -> Cells:
             )
         )
     targets = test.targets[kept]
-    return _without_line(targets, [mean[kept] for mean in means], [count[kept] for count in counts], squares, test.kind)
+    return _without_line(
+        targets, [mean[kept] for mean in means], [count[kept] for count in counts], squares, test.kind, endless=endless
+    )
 
 
-def _without_line(targets: FloatArray, means: list[FloatArray], counts: list[FloatArray], squares: float, kind: AxisKind) -> Cells:
+def _without_line(
+    targets: FloatArray,
+    means: list[FloatArray],
+    counts: list[FloatArray],
+    squares: float,
+    kind: AxisKind,
+    *,
+    endless: bool,
+) -> Cells:
     both = (counts[0] > 0) & (counts[1] > 0)
     bidirectional = bool(np.any(counts[0] > 0) and np.any(counts[1] > 0))
     reversal = float(np.mean((means[0] - means[1])[both])) if np.any(both) else 0.0
     weight = counts[0] + counts[1]
     middle = (counts[0] * (means[0] - 0.5 * reversal) + counts[1] * (means[1] + 0.5 * reversal)) / weight
     along = targets - targets[0]
-    slope = float(np.polyfit(along / along[-1], middle, 1)[0]) / float(along[-1])
+    slope = 0.0 if endless else float(np.polyfit(along / along[-1], middle, 1)[0]) / float(along[-1])
     offset = float(np.mean(middle - slope * along))
     left = middle - offset - slope * along
     rows = [
@@ -138,9 +151,9 @@ def visible_periods(targets: FloatArray, periods: Sequence[float]) -> tuple[floa
 
 
 def findings_of(
-    cells: Cells, travel: tuple[float, float], periods: Sequence[float], shown: Sequence[float], kind: AxisKind
+    cells: Cells, travel: tuple[float, float] | None, periods: Sequence[float], shown: Sequence[float], kind: AxisKind
 ) -> tuple[Finding, ...]:
-    """Return what the user should know about the estimate."""
+    """Return what the user should know about the estimate; ``travel`` None: an endless axis, whose error repeats."""
     unit = kind.unit
     found: list[Finding] = []
     if not cells.bidirectional:
@@ -159,7 +172,7 @@ def findings_of(
         for period in periods
         if float(period) not in shown
     ]
-    low, high = travel[0] - cells.targets[0], cells.targets[-1] - travel[1]
+    low, high = (0.0, 0.0) if travel is None else (travel[0] - cells.targets[0], cells.targets[-1] - travel[1])
     beyond = max(-low, -high)
     if beyond > 0.01 * (cells.targets[-1] - cells.targets[0]):
         message = (

@@ -138,6 +138,9 @@ class IncrementReader:
         given = mine.get(DETECTION_UNIT, options.get(DETECTION_UNIT))
         if said is None:
             silent = self.axis is None and given is None and not self._does_anything()
+            if self.axis is not None and given is None:  # a contradiction comes before a question
+                self._check_diameter(self.axis.kind)
+                silent = bool(self.notes.faults)
             return axis_options(self.definition, {**options, DETECTION_UNIT: 1.0} if silent else options, self.axis)
         if given is None:
             self.notes.assume(
@@ -485,6 +488,11 @@ class IncrementReader:
             where = self.said["last_number"]
             what = f"{numbers.start} to {numbers.stop - 1}, without {number_list(missing)}"
             message = f"{self.label}: point data are missing ({len(missing)} of {len(numbers)}); missing is not zero"
+            if not self.points:
+                message = (
+                    f"{self.label}: its table is on, and no file that was given holds pitch data; the control saves them apart "
+                    "from its parameters"
+                )
             self.notes.faults.append(fault_at(where, message, f"the pitch data N{POINTS_FROM + missing[0]} and so on", what))
             return None
         limit = increment_limit(self.options)

@@ -48,6 +48,7 @@ def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str
         min_points=definition.limit_number("min_points") or 2,
         # sections, not nodes, have numbers; one more may be needed where the travel starts or ends at the reference
         max_points=max(2, gap),
+        shared_points=True,
         lattice=Lattice(
             unit=unit,
             increments=(-limit, limit),

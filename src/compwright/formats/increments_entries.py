@@ -60,12 +60,15 @@ def all_entries(
     facts = state.facts if state is not None else {}
     used = used_numbers(state, [address for address, _, _ in pairs])
     others = list(used)
+    stated = [first_point(axis.options) for _, axis, _ in pairs if axis.options.get("first_point") is not None]
+    start = first_point(options) if options.get("first_point") is not None else min(stated, default=0)
     ask_first_point(definition, [axis for _, axis, _ in pairs], options, state)
     faults: list[Fault] = []
     entries: list[Entries] = []
     for address, axis, compensation in pairs:
         try:
-            entry = _Axis(definition, address, axis, compensation, axis_options(definition, options, axis), facts).entries(used)
+            own = axis_options(definition, options, axis)
+            entry = _Axis(definition, address, axis, compensation, own, facts).entries(used, start)
         except NotHeld as error:
             faults.append(Fault(message=f"axis {axis.name} ({address}): {error}"))
             continue
@@ -73,6 +76,8 @@ def all_entries(
             faults.extend(error.faults)
             continue
         used = [*used, *entry.place.ranges]
+        if not facts:  # nobody knows the numbers below: further axes follow on
+            start = max(start, *(numbers.stop for numbers in entry.place.ranges))
         entries.append(entry)
     raise_all(CapacityError, faults)
     taken = {number for entry in entries for number in entry.points}
@@ -137,7 +142,8 @@ class _Axis:
         self.scale = Scale(definition, axis.kind, options, {})
         self.unit = self.scale.quantum("value")
 
-    def entries(self, used: Sequence[range]) -> Entries:
+    def entries(self, used: Sequence[range], start: int) -> Entries:
+        """Return what is entered; ``start``: the lowest number for an axis that has none and says none itself."""
         steps, interval = self._grid()
         home = self.compensation.reference_return
         own, other = (self._counts(self.compensation.curve(side)) for side in (home, home.opposite))
@@ -145,7 +151,7 @@ class _Axis:
         self._check_pair(own, steps, two=two)
         sets = [own, other] if two else [own]
         magnification = self._magnification([np.diff(counts) for counts in sets])
-        place = self._place(int(steps[0]), int(steps[-1]), used, two=two)
+        place = self._place(int(steps[0]), int(steps[-1]), used, start, two=two)
         # The positive set comes first in the numbers, whichever direction is the zero state's.
         positive, negative = (own, other) if home is Direction.POSITIVE else (other, own)
         points = self._points(positive, steps, place.first, place.reference, magnification)
@@ -245,7 +251,7 @@ class _Axis:
             f"which must divide all increments (their greatest common divisor is {divisor}); a smaller spacing would help"
         )
 
-    def _place(self, low: int, high: int, used: Sequence[range], *, two: bool) -> Place:
+    def _place(self, low: int, high: int, used: Sequence[range], start: int, *, two: bool) -> Place:
         own = self.facts.get("reference_number")
         try:
             return find_place(
@@ -255,7 +261,7 @@ class _Axis:
                 used=used,
                 two=two,
                 reference=own if isinstance(own, int) and claimed_numbers(self.facts) else None,
-                start=first_point(self.options),
+                start=start if self.axis.options.get("first_point") is None else first_point(self.options),
             )
         except NoRoom as error:
             raise NotHeld(str(error)) from error

@@ -40,7 +40,7 @@ class Capacity:
     equals its first. ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table at all but one
     slope (mm/mm, deg/deg), a multiple of this number, within ``value_range`` taken as slopes. ``nodes``: the only nodes there are,
     because the table's grid serves other axes too. ``cover``: whole spacings by which a table should reach beyond the travel on
-    each side, where nobody knows what the control does behind its ends.
+    each side, where nobody knows what the control does behind its ends. ``shared_points``: ``max_points`` is what all axes share.
     """
 
     format: str
@@ -66,6 +66,7 @@ class Capacity:
     most_points: int | None = None
     nodes: tuple[float, ...] | None = None
     cover: int = 0
+    shared_points: bool = False
     below: Beyond = "hold"
     above: Beyond = "hold"
     assumed: tuple[Assumption, ...] = ()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.formats.options import DETECTION_UNIT
@@ -13,8 +13,11 @@ from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.utf8 import encoded
 from compwright.jobs.writing import AxisDraft, Prefilled, job_text
 from compwright.records.axis import AxisKind
-from compwright.records.correction import AxisCompensation
-from compwright.workflow.control import Control, DecodedState, decode, open_control, read_files
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.workflow.control import Control, decode, open_control, read_files
+
+#: No control numbers more axes than this.
+_MOST_AXES = 40
 
 Facts = Mapping[str, float | int | str | bool]
 
@@ -34,11 +37,17 @@ def new_job(files: Sequence[Path], format_id: str, options: dict[str, object], o
     contradict themselves) and StorageError.
     """
     control = open_control(format_id, options)
-    asked = DETECTION_UNIT in control.definition.options and control.options.get(DETECTION_UNIT) is None
-    # Which axes there are does not depend on the length of a pulse.
-    reading = open_control(format_id, {**options, DETECTION_UNIT: 0.001}) if asked else control
-    decoded = decode(reading, read_files(files))
-    drafts = list(_drafts(control, decoded))
+    unsaid = DETECTION_UNIT in control.definition.options and control.options.get(DETECTION_UNIT) is None
+    own = read_files(files)
+    try:
+        state, left_out = _read(control, own)
+    except UsageError:
+        if not unsaid:
+            raise
+        # Which axes there are does not depend on the length of a pulse.
+        state, left_out = _read(open_control(format_id, {**options, DETECTION_UNIT: 0.001}), own)
+    drafts = list(_drafts(control, state, units=unsaid))
+    asked = unsaid and any("options" not in draft.values for draft in drafts)
     if not drafts:
         raise InputError(Fault(message="the files name no axis", file=", ".join(map(str, files))))
     given = {name: Prefilled(value, "as given on the command line") for name, value in options.items()}
@@ -46,7 +55,34 @@ def new_job(files: Sequence[Path], format_id: str, options: dict[str, object], o
         given[DETECTION_UNIT] = Prefilled(None, "mm or deg per pulse, such as 0.001; nothing in the files says it")
     text = job_text(format_id, given, [storage.relative(path, out.parent) for path in files], drafts)
     storage.write_file(out, encoded(text), force=force)
-    return NewOutcome(out, tuple(_open(given, drafts)))
+    return NewOutcome(out, (*_open(given, drafts), *left_out))
+
+
+def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState, tuple[str, ...]]:
+    """Return what the files say, and which axes are left out because something about them is odd or not counted.
+
+    Raises InputError where nothing is left.
+    """
+    try:
+        return decode(control, files).state, ()
+    except InputError:
+        if control.definition.layout.shape != "section_increments":
+            raise
+        left_out: list[str] = []
+        state: ControlState | None = None
+        for address in map(str, range(1, _MOST_AXES + 1)):
+            said = {} if state is None else state.facts.get(address, {})
+            if state is not None and not (said.get("enabled") or said.get("backlash_count")):
+                continue
+            try:
+                read = decode(control, files, address=address).state
+            except InputError as error:
+                left_out.append(f"axis {address} is left out: {error.faults[0]}")
+            else:
+                state = read if state is None else replace(state, axes={**state.axes, **read.axes})
+        if state is None:
+            raise
+        return state, tuple(left_out)
 
 
 def _open(options: Mapping[str, Prefilled], drafts: Sequence[AxisDraft]) -> Iterator[str]:
@@ -59,8 +95,7 @@ def _open(options: Mapping[str, Prefilled], drafts: Sequence[AxisDraft]) -> Iter
                 yield f"axes.{draft.name}.{key}: {entry.source}"
 
 
-def _drafts(control: Control, decoded: DecodedState) -> Iterator[AxisDraft]:
-    state = decoded.state
+def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[AxisDraft]:
     acting = [address for address, axis in state.axes.items() if axis.positions.size or axis.backlash or axis.slope or axis.others]
     names: set[str] = set()
     for address in acting or list(state.axes):
@@ -69,7 +104,13 @@ def _drafts(control: Control, decoded: DecodedState) -> Iterator[AxisDraft]:
         if name in names:
             raise UsageError(Fault(message=f"two axes would be called {name}", found=address))
         names.add(name)
-        yield AxisDraft(name=name, values=dict(_values(address, state.axes[address], facts)))
+        values = dict(_values(address, state.axes[address], facts))
+        if units and DETECTION_UNIT in facts:
+            values["options"] = Prefilled(
+                {DETECTION_UNIT: facts[DETECTION_UNIT]},
+                f"read from the control's files: {facts.get('detection_unit_evidence', '')}",
+            )
+        yield AxisDraft(name=name, values=values)
 
 
 def _name(definition: Definition, address: str, facts: Facts) -> str:
@@ -88,7 +129,10 @@ def _values(address: str, axis: AxisCompensation, facts: Facts) -> Iterator[tupl
     known = "rotary" in facts
     yield "kind", Prefilled(axis.kind.value, f"from {said}" if known else "CHECK: linear or rotary; the files do not say it")
     low, high = facts.get("limit_low"), facts.get("limit_high")
-    if isinstance(low, (int, float)) and isinstance(high, (int, float)) and low < high and abs(low) < 99999 and abs(high) < 99999:
+    turn = axis.period if axis.period is not None else facts.get("turn") if facts.get("endless") == "yes" else None
+    if isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
+        yield "travel", Prefilled([0.0, float(turn)], f"one turn of an endless axis, by {said}")
+    elif isinstance(low, (int, float)) and isinstance(high, (int, float)) and low < high and abs(low) < 99999 and abs(high) < 99999:
         yield "travel", Prefilled([float(low), float(high)], f"software limits in {said}")
     else:
         unit = "deg" if axis.kind is AxisKind.ROTARY else "mm"
@@ -96,6 +140,8 @@ def _values(address: str, axis: AxisCompensation, facts: Facts) -> Iterator[tupl
     yield "address", Prefilled(address, "the control's own name of the axis")
     if axis.period is not None:
         yield "modulo", Prefilled(axis.period, f"the table in {said} repeats")
+    elif isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
+        yield "modulo", Prefilled(float(turn), f"from {said}: the axis has no ends")
     reference = facts.get("reference_coordinate")
     if isinstance(reference, (int, float)):
         yield "reference", Prefilled(float(reference), f"from {said}")

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from compwright.estimation.axis import AxisPosterior, Draws, estimate_axis
+from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
@@ -17,6 +19,8 @@ from compwright.records.positioning import PositioningTest
 DENSE_LEAST = 401
 DENSE_MOST = 4001
 DENSE_PER_PERIOD = 10
+#: Share of the travel that the targets of an axis have to cover at least.
+LEAST_COVERED = 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,12 +84,44 @@ def measured_error(test: PositioningTest, axis: Axis, active: AxisCompensation |
     bare = test
     if active is not None:
         bare = with_change(test, *(-active.at(test.targets, direction) for direction in Direction))
-    return MeasuredError(estimate_axis(bare, travel=axis.travel, periods=axis.screw_pitch), active)
+    return MeasuredError(estimate_axis(bare, travel=axis.travel, periods=axis.screw_pitch, turn=axis.modulo), active)
+
+
+def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> None:
+    """Raise InputError where the targets of all tests of an axis cover less than half of its travel.
+
+    What nobody measured is continued by guess: over half the travel that is no table. Of an endless axis the turn less the largest
+    gap between neighbouring targets counts, against the travel as far as that is within one turn.
+    """
+    low, high = axis.travel
+    targets = np.unique(np.concatenate([test.targets for test in tests]))
+    if axis.modulo is not None:
+        travel = min(high - low, axis.modulo)
+        around = np.unique(np.mod(targets, axis.modulo))
+        covered = axis.modulo - float(np.max(np.diff(np.append(around, around[0] + axis.modulo))))
+    else:
+        travel = high - low
+        covered = min(float(targets[-1]), high) - max(float(targets[0]), low)
+    if covered >= LEAST_COVERED * travel - 1e-9 * travel:
+        return
+    unit = axis.kind.unit
+    raise InputError(
+        Fault(
+            message=f"the targets of axis {axis.name} cover less than half of its travel; what nobody measured would be guessed",
+            file=file,
+            place=f"axes.{axis.name}.travel",
+            expected=f"the travel that was measured, or targets over at least half of {travel:g} {unit}",
+            found=f"targets from {targets[0]:g} to {targets[-1]:g} {unit}, travel {low:g} to {high:g} {unit}",
+        )
+    )
 
 
 def dense_positions(axis: Axis) -> FloatArray:
-    """Return equally spaced positions over the travel, close enough for the shortest known period."""
-    low, high = axis.travel
+    """Return equally spaced positions over the travel (one turn from the reference of an endless axis).
+
+    They are close enough for the shortest known period.
+    """
+    low, high = axis.travel if axis.modulo is None else (axis.reference, axis.reference + axis.modulo)
     wanted = DENSE_LEAST
     if axis.screw_pitch:
         wanted = int(np.ceil((high - low) / min(axis.screw_pitch) * DENSE_PER_PERIOD)) + 1

@@ -36,7 +36,14 @@ from compwright.workflow.outlook import (
     predict_new_targets,
     why_not_better,
 )
-from compwright.workflow.planning import MeasuredError, dense_positions, measured_error, wanted_correction, with_change
+from compwright.workflow.planning import (
+    MeasuredError,
+    check_coverage,
+    dense_positions,
+    measured_error,
+    wanted_correction,
+    with_change,
+)
 
 AS_FOUND = "as_found"
 
@@ -74,9 +81,13 @@ class AxisWork:
 
 
 def start_axis(job: Job, entry: AxisJob, inputs: JobInputs) -> AxisWork:
-    """Evaluate the tests of an axis and estimate its error from the first. Raises UsageError for tolerances that fit no test."""
+    """Evaluate the tests of an axis and estimate its error from the first.
+
+    Raises UsageError for tolerances that fit no test, InputError where the tests cover less than half of the travel.
+    """
     axis = entry.axis
     tests = inputs.tests[axis.name]
+    check_coverage(job.file, axis, [planned.test for planned in tests])
     results = tuple(
         evaluate(
             planned.test, job.standard, travel=axis.travel, periods=axis.screw_pitch, budget=job.uncertainty, thermal=job.thermal
@@ -127,17 +138,24 @@ def fit_all(works: Mapping[str, AxisWork], control: Control, state: ControlState
     """Fit every axis under the limits of the control. Raises CapacityError with the faults of all axes."""
     errors: list[CompwrightError] = []
     fitted: dict[str, AxisWork] = {}
+    capacities: dict[str, Capacity] = {}
+    for name, work in works.items():
+        try:
+            one_curve = work.planned.request.mode == "single"
+            capacities[name] = capacity_for(control.definition, work.planned.axis, control.options, state, one_curve=one_curve)
+        except CapacityError as error:
+            errors.append(CapacityError(*(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)))
+    capacities = shared_fairly(capacities, {name: work.planned for name, work in works.items() if work.planned.active is not None})
     for name, work in works.items():
         planned = work.planned
-        if planned.active is None:
+        if planned.active is None or name not in capacities:
             fitted[name] = work
             continue
         wanted = wanted_correction(
             planned.estimate, planned.active, planned.axis, reversal_log_odds=work.posterior.reversal_log_odds
         )
         try:
-            one_curve = planned.request.mode == "single"
-            capacity = capacity_for(control.definition, planned.axis, control.options, state, one_curve=one_curve)
+            capacity = capacities[name]
             table = fit_within(wanted, capacity, planned.request, address=planned.axis.address)
         except CapacityError as error:
             errors.append(CapacityError(*(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)))
@@ -145,6 +163,30 @@ def fit_all(works: Mapping[str, AxisWork], control: Control, state: ControlState
         fitted[name] = replace(work, capacity=capacity, planned=replace(planned, wanted=wanted, fitted=table))
     raise_all(CapacityError, collect(errors))
     return fitted
+
+
+def shared_fairly(capacities: Mapping[str, Capacity], planned: Mapping[str, PlannedAxis]) -> dict[str, Capacity]:
+    """Return the capacities with the points of a store that all axes share divided among those whose spacing nobody named.
+
+    An axis whose spacing the job names gets what it needs; two tables need twice the points. What the job names stays as it is:
+    where it does not fit, writing refuses it.
+    """
+    sharing = {name: one for name, one in capacities.items() if one.shared_points and one.max_points and name in planned}
+    sets = {name: 2 if planned[name].request.mode == "bidirectional" else 1 for name in sharing}
+    free = {name: one for name, one in sharing.items() if planned[name].request.spacing is None}
+    named = 0
+    for name in sharing.keys() - free.keys():
+        request, axis = planned[name].request, planned[name].axis
+        low = min(axis.travel[0] if request.start is None else request.start, axis.reference)
+        high = max(axis.travel[1] if request.end is None else request.end, axis.reference)
+        named += sets[name] * (int((high - low) / (request.spacing or 1.0)) + 3)
+    result = dict(capacities)
+    for name, one in free.items():
+        room = min(other.max_points or 0 for other in sharing.values())
+        share = (room - named) // len(free) // sets[name] - 2
+        if len(sharing) > 1 or sets[name] > 1:
+            result[name] = replace(one, max_points=max(2, min(one.max_points or 2, share)))
+    return result
 
 
 def fit_within(wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str) -> FittedTable:
