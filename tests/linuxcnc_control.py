@@ -53,7 +53,7 @@ def why_not() -> str:
     rights = [] if os.geteuid() == 0 else ["--user", "--map-current-user", "--keep-caps"]
     command = ["unshare", *rights, "--pid", "--fork", "--mount-proc", "--ipc", "--net", "--mount"]
     try:
-        tried = subprocess.run([*command, "mount", "-t", "tmpfs", "tmpfs", "/tmp"], capture_output=True, timeout=20, check=False)  # noqa: S108  # in its own namespace
+        tried = subprocess.run([*command, "mount", "-t", "tmpfs", "tmpfs", "/tmp"], capture_output=True, timeout=120, check=False)  # noqa: S108  # in its own namespace
     except (OSError, subprocess.TimeoutExpired) as error:
         return f"unshare cannot be used: {error}"
     return "" if tried.returncode == 0 else f"separate namespaces are not allowed: {tried.stderr.decode(errors='replace').strip()}"

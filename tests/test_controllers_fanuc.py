@@ -811,9 +811,12 @@ class TestSpeed:
         text = table_text(increments, reference=700, lowest=0, highest=1499, interval=2.0)
         box = control(text, options={**UM, "output": output})
         positions = np.linspace(-1500, 1700, 100_000)
-        start = time.process_time()
-        box.correction("1", positions, UP)
-        assert time.process_time() - start < 0.1  # s of the processor; measured 0.003 and 0.008
+        taken = []
+        for _ in range(3):  # a collection of garbage alone may take 0.07 s
+            start = time.process_time()
+            box.correction("1", positions, UP)
+            taken.append(time.process_time() - start)
+        assert min(taken) < 0.1  # s of the processor; measured 0.003 and 0.008
 
     @pytest.mark.parametrize(
         "line", ["(" * 200_000, "N03620" + "A1P1" * 50_000, "N" + "1" * 200_000, "1" * 200_000, "N3620" + " " * 200_000]

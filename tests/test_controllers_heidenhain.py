@@ -693,15 +693,15 @@ class TestProtocol:
 
     def test_quick(self) -> None:
         rows = "".join(f"{k}  {k}  {k % 7 / 1000}\n" for k in range(15000))
-        started = time.perf_counter()
+        started = time.process_time()
         loaded = nck({"X.COM": f"BEGIN X.COM MM\nNR AXISPOS X\n{rows}[END]\n"})
         loaded.correction("X", np.linspace(0, 15000, 100_000), UP)
-        assert time.perf_counter() - started < 2.0  # s; 0.1 s here, and anything quadratic takes minutes
-        started = time.perf_counter()
+        assert time.process_time() - started < 2.0  # s of the processor; 0.1 s here, and anything quadratic takes minutes
+        started = time.process_time()
         for line in ("MP710" + " " * 200_000, "BEGIN " * 50_000, "0 " * 200_000, "[END]" * 50_000, "MP710." + "9" * 200_000):
             with pytest.raises(InputError):
                 itnc({"X.COM": COM.replace("END", f"{line}\nEND"), "m": line})
-        assert time.perf_counter() - started < 2.0  # s
+        assert time.process_time() - started < 2.0  # s of the processor
 
 
 def brute_force(nodes: Sequence[float], column: Sequence[float | None], x: float) -> float:

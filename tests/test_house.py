@@ -297,7 +297,7 @@ def test_starting_loads_nothing_slow_by_the_source() -> None:
 def loaded_by(*arguments: str) -> set[str]:
     """Return the top-level packages that a fresh interpreter has loaded after running compwright with ``arguments``."""
     command = [sys.executable, "-X", "importtime", "-m", "compwright", *arguments]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=600)
     assert done.returncode in (0, 1), done.stderr[-2000:]
     names = re.findall(r"^import time:[^|]*\|[^|]*\| +(\S+)$", done.stderr, re.MULTILINE)
     assert "compwright" in {name.partition(".")[0] for name in names}
