@@ -7,8 +7,8 @@ import pytest
 from numpy.typing import NDArray
 
 from compwright.estimation.axis import AxisPosterior, estimate_axis
-from compwright.estimation.basis import Basis
-from compwright.estimation.cells import cells_of
+from compwright.estimation.basis import Basis, folded
+from compwright.estimation.cells import cells_of, visible_harmonics, visible_periods
 from compwright.estimation.evidence import Evidence, Prior
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import AxisKind
@@ -379,3 +379,34 @@ def test_what_cannot_be_estimated_is_refused() -> None:
     with pytest.raises(UsageError) as caught:
         estimate_axis(a_test(ZERO, ZERO, TEN, frame="instrument"), travel=(5.0, 5.0), periods=(0.0, float("nan")))
     assert len(caught.value.faults) == 4
+
+
+# ---------------------------------------------------------------- periods that fold
+
+
+@pytest.mark.parametrize(
+    ("interval", "period", "wave"),
+    [(25.4, 5.0, 317.5), (47.0, 10.0, 156.7), (50.2, 10.0, 2510.0), (24.0, 10.0, 60.0)],
+)
+def test_a_period_that_folds_to_a_longer_wave_is_not_fitted(interval: float, period: float, wave: float) -> None:
+    """Equal intervals d show the period P as a wave of 1 / |1/P - k/d|: 25.4 mm and 5 mm as 317.5 mm."""
+    targets = interval * np.arange(32)
+    shown = folded(targets, period)
+    assert shown is not None
+    assert shown == pytest.approx(wave, rel=0.1)  # the frequencies are looked through in steps of 1 / 32 of a turn over the travel
+    assert visible_periods(targets, [period]) == ()
+
+
+@pytest.mark.parametrize(("interval", "period"), [(25.4, 5.0), (80.0, 10.0), (37.0, 12.0)])
+def test_random_offsets_show_the_period(interval: float, period: float) -> None:
+    for seed in range(20):
+        targets = interval * (np.arange(17) + np.random.default_rng(seed).uniform(-0.3, 0.3, 17))
+        assert visible_periods(targets, [period]) == (period,)
+
+
+def test_a_harmonic_that_folds_is_left_out_alone() -> None:
+    """Every 4 mm shows 10 mm as it is, and its half turn of 5 mm as 20 mm."""
+    targets = 4.0 * np.arange(60)
+    assert visible_periods(targets, [10.0]) == (10.0,)
+    assert visible_harmonics(targets, 10.0) == (1,)
+    assert visible_harmonics(2.0 * np.arange(60), 10.0) == (1, 2)

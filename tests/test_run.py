@@ -507,3 +507,20 @@ def test_a_guarded_prediction_is_rejected_beyond_its_guard_band(folder: Path) ->
 def test_a_guarded_decision_without_an_uncertainty_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert compwright(["run", str(job(folder, "before: [x.csv], accept: {A: 9}", extra="decision_rule: guarded\n"))]) == 2
     assert "needs the measurement uncertainty" in capsys.readouterr().err
+
+
+def test_a_longer_test_that_is_not_fitted_stands_first(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A 3.5 m axis: five runs over 2 m are fitted, the single run over the whole length is not."""
+    machine = replace(MACHINE, high=3500.0)
+    short = np.linspace(30.0, 2000.0, 21)
+    (folder / "x.csv").write_text(csv_of(short, machine.measure(short, 1)))
+    whole = np.linspace(20.0, 3480.0, 15)
+    (folder / "long.csv").write_text(csv_of(whole, machine.measure(whole, 2, runs=1)))
+    path = job(folder, "before: [x.csv, long.csv]")
+    path.write_text(path.read_text().replace("[0, 800]", "[0, 3500]"))
+    compwright(["run", str(path)])
+    doubts = document(folder / "job" / "prediction.json")["doubts"]
+    assert [doubt["code"] for doubt in doubts] == ["CW-E011"]
+    assert "covers 30 to 2000 mm; the test long measured 20 to 3480 mm" in doubts[0]["message"]
+    said = capsys.readouterr().out
+    assert said.index("CW-E011") < said.index("axis X")

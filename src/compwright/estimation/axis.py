@@ -20,7 +20,7 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.basis import Basis
-from compwright.estimation.cells import Cells, cells_of, findings_of, visible_periods
+from compwright.estimation.cells import Cells, cells_of, findings_of, visible_harmonics, visible_periods
 from compwright.estimation.evidence import REVERSAL, REVERSAL_LENGTH, Evidence, Prior, Weights
 from compwright.estimation.hyperparameters import draw_hyperparameters
 from compwright.foundations.errors import Fault, UsageError
@@ -201,6 +201,7 @@ def _basis_for(cells: Cells, travel: tuple[float, float], periods: tuple[float, 
         reversal_sines=int(np.clip(m, 12, 32)),
         periods=periods,
         bidirectional=cells.bidirectional,
+        kept=tuple(visible_harmonics(cells.targets, period) for period in periods),
     )
 
 

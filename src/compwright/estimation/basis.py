@@ -37,11 +37,17 @@ class Basis:
     periods: tuple[float, ...]
     bidirectional: bool
     turn: float | None = None
+    kept: tuple[tuple[int, ...], ...] = ()
+
+    @property
+    def harmonics(self) -> tuple[tuple[int, ...], ...]:
+        """The harmonics of each period; all of them where ``kept`` does not say."""
+        return self.kept or tuple(HARMONICS for _ in self.periods)
 
     @property
     def mean_size(self) -> int:
         """Number of columns of the mean of both directions."""
-        return 2 + self.sines + 2 * len(HARMONICS) * len(self.periods)
+        return 2 + self.sines + 2 * sum(map(len, self.harmonics))
 
     @property
     def size(self) -> int:
@@ -63,8 +69,8 @@ class Basis:
         u = (positions - self.centre) / self.half
         slope = u if self.turn is None else np.zeros_like(u)
         columns = [np.ones_like(u), slope, *self._waves(u, self.sines)]
-        for period in self.periods:
-            for harmonic in HARMONICS:
+        for period, harmonics in zip(self.periods, self.harmonics, strict=True):
+            for harmonic in harmonics:
                 angle = 2.0 * np.pi * harmonic * (positions - self.centre) / period
                 columns += [np.cos(angle), np.sin(angle)]
         mean = np.column_stack(columns)
@@ -112,6 +118,32 @@ def log_density(frequencies: FloatArray, log_length: float) -> tuple[FloatArray,
     together = a**2 + frequencies**2
     density = np.log(16.0 / 3.0) + 5.0 * np.log(a) - 3.0 * np.log(together)
     return density, -(5.0 - 6.0 * a**2 / together)
+
+
+#: Two waves whose values at the targets agree to this (1: everywhere the same) cannot be told apart: less than 44 % of the
+#: amplitude of one is left beside the other.
+ALIASED = 0.9
+
+
+def folded(targets: FloatArray, wavelength: float) -> float | None:
+    """Return the longer wavelength as which these targets show a wave, mm or deg (inf for a constant); None where they show itself.
+
+    Targets a mean interval d apart show waves longer than 2 d as what they are. A shorter one folds where for some frequency g
+    within 1 / (2 d) the mean of exp(2 pi i (1 / wavelength - g) x) over the targets has a size above `ALIASED`: at equal
+    intervals always, at those of ISO 230-2 with their random part hardly ever.
+    """
+    length = float(np.ptp(targets))
+    widest = (targets.size - 1) / (2.0 * max(length, 1e-300))
+    if 1.0 / wavelength <= widest or targets.size < 2:
+        return None
+    frequencies = np.linspace(-widest, widest, 16 * targets.size + 1)
+    turns = np.outer(1.0 / wavelength - frequencies, targets - targets[0])
+    sizes = np.abs(np.mean(np.exp(2j * np.pi * turns), axis=1))
+    best = int(np.argmax(sizes))
+    if sizes[best] < ALIASED:
+        return None
+    slow = abs(float(frequencies[best]))
+    return 1.0 / slow if slow * length > 0.25 else float("inf")
 
 
 def hidden_share(targets: FloatArray, period: float) -> float:

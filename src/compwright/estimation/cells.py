@@ -8,7 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.basis import hidden_share
+from compwright.estimation.basis import HARMONICS, folded, hidden_share
 from compwright.estimation.evidence import CellData
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
@@ -146,8 +146,17 @@ def _neighbour_spread(rows: list[FloatArray], counts: list[FloatArray]) -> float
 
 
 def visible_periods(targets: FloatArray, periods: Sequence[float]) -> tuple[float, ...]:
-    """Return the known periods that these targets can show."""
-    return tuple(float(period) for period in periods if hidden_share(targets, float(period)) < HIDDEN)
+    """Return the known periods that these targets can show: neither hidden by the spacing nor folded to a longer wave."""
+    return tuple(
+        float(period)
+        for period in periods
+        if hidden_share(targets, float(period)) < HIDDEN and folded(targets, float(period)) is None
+    )
+
+
+def visible_harmonics(targets: FloatArray, period: float) -> tuple[int, ...]:
+    """Return the harmonics of a visible period that these targets show as what they are."""
+    return tuple(harmonic for harmonic in HARMONICS if folded(targets, period / harmonic) is None)
 
 
 def findings_of(
@@ -162,6 +171,7 @@ def findings_of(
     if cells.data.dof == 0:
         message = "One approach per target and direction: the noise is inferred from the scatter between neighbouring targets."
         found.append(Finding("CW-E002", "warning", message))
+    found += _folded_findings(cells.targets, periods, unit)
     found += [
         Finding(
             "CW-E003",
@@ -170,7 +180,7 @@ def findings_of(
             "and a test at other targets may show more than is predicted",
         )
         for period in periods
-        if float(period) not in shown
+        if float(period) not in shown and hidden_share(cells.targets, float(period)) >= HIDDEN
     ]
     low, high = (0.0, 0.0) if travel is None else (travel[0] - cells.targets[0], cells.targets[-1] - travel[1])
     beyond = max(-low, -high)
@@ -184,3 +194,20 @@ def findings_of(
     if not periods:
         found.append(Finding("CW-E005", "info", "No screw pitch or other period is given: periodic error is not estimated."))
     return tuple(found)
+
+
+def _folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) -> list[Finding]:
+    """Return the periods that these targets show as longer waves (CW-E010); those that they do not show at all are CW-E003's."""
+    found = []
+    for period in map(float, periods):
+        wave = folded(targets, period)
+        if wave is None or hidden_share(targets, period) >= HIDDEN:
+            continue
+        interval = float(np.ptp(targets)) / (targets.size - 1)
+        longer = "a constant" if np.isinf(wave) else f"a wave of {wave:.4g} {unit}"
+        message = (
+            f"At these targets, {interval:.4g} {unit} apart, an error of period {period:g} {unit} looks like {longer}: the two "
+            "cannot be told apart and the period is not fitted. Measure at targets with random offsets to see it"
+        )
+        found.append(Finding("CW-E010", "warning", message))
+    return found

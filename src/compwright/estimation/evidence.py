@@ -12,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.basis import HARMONICS, Basis, log_density
+from compwright.estimation.basis import Basis, log_density
 from compwright.records.axis import FloatArray
 
 NOISE, LOCAL, SMOOTH, LENGTH, REVERSAL, REVERSAL_LENGTH, PERIODIC = range(7)
@@ -84,8 +84,8 @@ class Evidence:
         logs[smooth] += 2.0 * h[SMOOTH]
         slopes[SMOOTH, smooth] = 2.0
         start = smooth.stop
-        for index in range(len(basis.periods)):
-            for harmonic in HARMONICS:
+        for index, harmonics in enumerate(basis.harmonics):
+            for harmonic in harmonics:
                 pair = slice(start, start + 2)
                 logs[pair] = 2.0 * (h[PERIODIC + index] - np.log(harmonic))
                 slopes[PERIODIC + index, pair] = 2.0

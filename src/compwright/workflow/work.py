@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from compwright.estimation.reach import longer_tests
 from compwright.evaluation.standards import evaluate
 from compwright.fitting.beyond import beyond_limits
 from compwright.fitting.fit import fit_table
@@ -74,7 +75,13 @@ class AxisWork:
     def findings(self) -> tuple[Finding, ...]:
         """What was noticed on this axis beside the findings of its tests."""
         fitted = self.planned.fitted
-        own = (*self.planned.estimate.findings, *self.posterior.findings, *(fitted.findings if fitted else ()))
+        first, *others = (result.test for result in self.results)
+        own = (
+            *longer_tests(first, others),
+            *self.planned.estimate.findings,
+            *self.posterior.findings,
+            *(fitted.findings if fitted else ()),
+        )
         if self.refused:
             own = (*own, Finding("CW-P001", "error", f"No table is written for axis {self.entry.axis.name}: {self.refused}."))
         return tuple(dict.fromkeys(own))
