@@ -216,6 +216,7 @@ def _endless_basis(cells: Cells, turn: float, periods: tuple[float, ...]) -> Bas
         periods=periods,
         bidirectional=cells.bidirectional,
         turn=turn,
+        kept=tuple(visible_harmonics(cells.targets, period) for period in periods),
     )
 
 
