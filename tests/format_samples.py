@@ -64,7 +64,7 @@ def table(
 
 
 def siemens(text: str, *axes: Axis, options: Mapping[str, object] | None = None) -> ControlState:
-    return read_state(SIEMENS, files(A__INI=text), options or {}, axes)
+    return read_state(SIEMENS, files(A__INI=text), {"cec_sign": "correction", **(options or {})}, axes)
 
 
 def codes(state: ControlState) -> set[str]:

@@ -41,7 +41,7 @@ OPTIONS: dict[str, dict[str, object]] = {
     "fanuc-0i-16i": {"detection_unit": 0.001, "first_point": 0},
 }
 #: What a control met otherwise has.
-MORE_OPTIONS = {"siemens-840d-sl+cec": {"cec": "available", "cec_tables": "3,8"}}
+MORE_OPTIONS = {"siemens-840d-sl+cec": {"cec": "available", "cec_tables": "3,8", "cec_sign": "correction"}}
 #: Controls that hold whole steps of 1 µm which come out in the middle of a section.
 STEPS = ("fanuc-30i", "fanuc-0i-16i")
 #: Decimal places of a table value in mm, where it is not 6.

@@ -281,7 +281,7 @@ def test_the_written_files_are_those_of_the_manual() -> None:
     assert eec.name == "AX1_EEC.INI"
     assert eec.content.decode() == WRITTEN
     assert md.name == "AX1_MD.INI"
-    assert md.content.decode() == "CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.012500\nM17\n"
+    assert md.content.decode() == "CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.012500\n$MA_ENC_COMP_ENABLE[1,AX1]=1\nM17\n"
     none = write_tables(SIEMENS, [table("AX1", NODES, CORRECTIONS)], [axis_of("AX1")], {})
     assert b"$MA_BACKLASH[0,AX1]=0.000000" in none[1].content  # part of the complete set, also when it is 0
 

@@ -91,7 +91,21 @@ def test_a_written_turn_comes_back_through_both_readers() -> None:
     back = decode(open_control("siemens-840d-sl", {}), written, [ROUND]).state.axes["AX4"]
     where = np.array([-300.0, 45.0, 359.9, 700.0])
     np.testing.assert_allclose(back.at(where, POSITIVE), new.at(where, POSITIVE), rtol=0, atol=1e-12)
-    assert write_tables(SIEMENS, [closed([0.0, -0.0025, 0.0], start=90.0)], [ROUND], {})
+
+
+def test_a_turn_from_a_reference_is_told_from_the_beginning_of_the_range() -> None:
+    """Whether a control finds its way into a table of 90 to 450 deg is not known: the same turn is written as 0 to 360."""
+    axis = replace(ROUND, reference=90.0)
+    new = closed([0.0, -0.0025, 0.001, 0.0004, 0.0], start=90.0)
+    written = write_tables(SIEMENS, [new], [axis], {})
+    text = written[0].content.decode()
+    for line in ("MIN[0,AX4]=0.000000", "MAX[0,AX4]=360.000000", "[0,0,AX4]=-0.000400", "[0,1,AX4]=0.000000", "[0,2,AX4]=0.002500"):
+        assert f"{line}\n" in text
+    back = decode(open_control("siemens-840d-sl", {}), written, [axis]).state.axes["AX4"]
+    where = np.array([-300.0, 45.0, 90.0, 359.9, 700.0])
+    np.testing.assert_allclose(back.at(where, POSITIVE), new.at(where, POSITIVE), rtol=0, atol=1e-12)  # deg
+    with pytest.raises(CapacityError, match="MD30340"):  # no node at 0
+        write_tables(SIEMENS, [closed([0.0, -0.0025, 0.0], start=90.0)], [axis], {})
 
 
 def test_a_turn_is_patched_into_the_own_file() -> None:
@@ -107,7 +121,7 @@ def test_a_turn_is_patched_into_the_own_file() -> None:
 
 
 def test_a_pair_of_a_turn_repeats_too() -> None:
-    options = {"cec": "available", "cec_tables": [0, 1]}
+    options = {"cec": "available", "cec_tables": [0, 1], "cec_sign": "correction"}
     new = closed([0.0, 0.002, 0.0], [0.001, -0.002, 0.001])
     written = write_tables(SIEMENS, [new], [ROUND], options)
     assert written[-1].content.decode().count("IS_MODULO[0]=1\n") == 1
@@ -183,7 +197,7 @@ def test_a_partner_of_which_the_files_say_nothing_is_missing_not_zero() -> None:
 
 
 def test_a_gantry_takes_a_pair_of_tables_for_each_axis() -> None:
-    options = {"cec": "available", "cec_tables": [0, 1, 2]}
+    options = {"cec": "available", "cec_tables": [0, 1, 2], "cec_sign": "correction"}
     two = replace(NEW, negative=np.array([0.001, 0.0]), backlash=0.0)
     for attempt in (
         lambda: capacity_for(SIEMENS, gantry(), options, None),

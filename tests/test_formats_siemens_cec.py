@@ -51,7 +51,7 @@ EEC = (
     "$AA_ENC_COMP_STEP[0,AX1]=800\n$AA_ENC_COMP_MIN[0,AX1]=0\n$AA_ENC_COMP_MAX[0,AX1]=800\n$AA_ENC_COMP_IS_MODULO[0,AX1]=0\n"
 )
 MD = "$MA_BACKLASH[0,AX1]=0\n"
-CEC: dict[str, object] = {"cec": "available", "cec_tables": [4, 7]}
+CEC: dict[str, object] = {"cec": "available", "cec_tables": [4, 7], "cec_sign": "correction"}
 #: Two curves: what the pair of PAIR does.
 TWO = table("AX1", [0.0, 400.0, 800.0], [0.0, 0.002, -0.0015], [-0.004, -0.001, -0.0065])
 ONE = table("AX1", [0.0, 800.0], [0.0, 0.002], backlash=0.003)
@@ -63,7 +63,7 @@ def texts(written: Sequence[ControlFile]) -> dict[str, str]:
 
 def agreed(written: Sequence[ControlFile], axes: Sequence[Axis] = (), **options: object) -> ControlState:
     """What both readers say; raises where they do not agree."""
-    return decode(open_control("siemens-840d-sl", options), written, axes).state
+    return decode(open_control("siemens-840d-sl", {"cec_sign": "correction"} | options), written, axes).state
 
 
 # Reading -----------------------------------------------------------------------------------------------------------------------
@@ -183,7 +183,7 @@ def test_a_product_on_another_axis_is_left_out_where_nobody_asks_for_it() -> Non
     with pytest.raises(InputError, match="multiplied"):
         siemens(text)
     with pytest.raises(CapacityError, match="0 among 0"):  # it is not free all the same
-        capacity_for(SIEMENS, axis_of("AX1"), {"cec": "available", "cec_tables": [0]}, state)
+        capacity_for(SIEMENS, axis_of("AX1"), {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}, state)
 
 
 def test_a_product_counts_only_where_it_acts_and_for_whom_it_acts() -> None:
@@ -243,7 +243,7 @@ def test_the_capacity_of_a_pair() -> None:
 def test_too_few_tables_are_told_with_how_many_are_needed(indices: list[int], found: str) -> None:
     taken = RAMP + cec(1, [0.0, 0.1], (0, 1, 1), ("AX3", "AX3"))
     state = siemens(taken + MD, axis_of("AX1"))
-    options = {"cec": "available", "cec_tables": indices}
+    options = {"cec": "available", "cec_tables": indices, "cec_sign": "correction"}
     with pytest.raises(CapacityError, match="2 CEC tables") as caught:
         capacity_for(SIEMENS, axis_of("AX1"), options, state)
     assert "cec_tables" in str(caught.value)
@@ -254,7 +254,7 @@ def test_too_few_tables_are_told_with_how_many_are_needed(indices: list[int], fo
 
 def test_options_of_an_axis_go_over_those_of_the_control() -> None:
     axis = replace(axis_of("AX1"), options={"cec_tables": "4,7"})
-    assert capacity_for(SIEMENS, axis, {"cec": "available", "cec_tables": [0]}, None).curves == 2
+    assert capacity_for(SIEMENS, axis, {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}, None).curves == 2
     assert capacity_for(SIEMENS, replace(axis, options={"cec": "absent"}), CEC, None).curves == 1
 
 
@@ -273,6 +273,7 @@ $AN_CEC_STEP[4]=400.000000
 $AN_CEC_DIRECTION[4]=1
 $AN_CEC_MULT_BY_TABLE[4]=0
 $AN_CEC_IS_MODULO[4]=0
+$SN_CEC_TABLE_ENABLE[4]=1
 $AN_CEC[7,0]=-0.004000
 $AN_CEC[7,1]=-0.001000
 $AN_CEC[7,2]=-0.006500
@@ -284,6 +285,7 @@ $AN_CEC_STEP[7]=400.000000
 $AN_CEC_DIRECTION[7]=-1
 $AN_CEC_MULT_BY_TABLE[7]=0
 $AN_CEC_IS_MODULO[7]=0
+$SN_CEC_TABLE_ENABLE[7]=1
 M17
 """
 
@@ -292,7 +294,9 @@ def test_two_curves_go_into_a_pair_and_nothing_else_acts() -> None:
     written = texts(write_tables(SIEMENS, [TWO], [axis_of("AX1", system=2)], CEC))
     assert list(written) == ["AX1_MD.INI", "AX1_CEC.INI"]
     assert written["AX1_CEC.INI"] == WRITTEN
-    assert written["AX1_MD.INI"] == "CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.000000\n$MA_ENC_COMP_ENABLE[1,AX1]=0\nM17\n"
+    assert written["AX1_MD.INI"] == (
+        "CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.000000\n$MA_ENC_COMP_ENABLE[1,AX1]=0\n$MA_CEC_ENABLE[AX1]=1\nM17\n"
+    )
     turned = texts(write_tables(SIEMENS, [TWO], [axis_of("AX1")], {**CEC, "cec_sign": "error"}))
     assert "$AN_CEC[7,2]=0.006500\n" in turned["AX1_CEC.INI"]
 
@@ -309,7 +313,7 @@ def test_one_curve_and_backlash_stay_in_the_leadscrew_table() -> None:
 def test_what_is_written_comes_back_through_both_readers() -> None:
     axis = axis_of("AX1", returns=NEGATIVE)
     written = write_tables(SIEMENS, [TWO], [axis], {**CEC, "cec_sign": "error"})
-    back = agreed(written, [axis], **CEC, cec_sign="error").axes["AX1"]
+    back = agreed(written, [axis], **{**CEC, "cec_sign": "error"}).axes["AX1"]
     assert (back.positive.tolist(), back.negative.tolist()) == (TWO.positive.tolist(), TWO.negative.tolist())
     assert (back.backlash, back.others) == (0.0, ())
 
@@ -340,10 +344,10 @@ def test_an_own_pair_is_patched_in_place_each_table_keeps_its_direction() -> Non
 
 
 def test_free_tables_are_taken_in_their_order_and_others_never() -> None:
-    written = patch(RAMP + MD + "M17\n", TWO, {"cec": "available", "cec_tables": [0, 9, 3, 5]})
+    written = patch(RAMP + MD + "M17\n", TWO, {"cec": "available", "cec_tables": [0, 9, 3, 5], "cec_sign": "correction"})
     assert set(written) == {"A.INI", "AX1_MD.INI", "AX1_CEC.INI"}
     assert written["A.INI"] == RAMP + MD + "M17\n"
-    assert written["AX1_MD.INI"] == "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX1]=0\nM17\n"
+    assert written["AX1_MD.INI"] == "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n$MA_CEC_ENABLE[AX1]=1\nM17\n"
     assert written["AX1_CEC.INI"] == WRITTEN.replace("[4", "[9").replace("[7", "[3")
 
 
@@ -381,7 +385,7 @@ def test_the_leadscrew_table_is_switched_off_where_a_pair_is_written() -> None:
     assert "$MA_ENC_COMP_ENABLE[0,AX1]=0\n" in written["A.INI"]
     assert written["A.INI"].startswith(EEC)
     silent = patch(EEC + "$MA_BACKLASH[0,AX1]=0.012\nM17\n", TWO, CEC)
-    assert silent["AX1_MD.INI"] == "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX1]=0\nM17\n"
+    assert silent["AX1_MD.INI"] == "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n$MA_CEC_ENABLE[AX1]=1\nM17\n"
 
 
 def test_an_old_pair_is_emptied_where_one_curve_is_written() -> None:
@@ -395,12 +399,14 @@ def test_an_old_pair_is_emptied_where_one_curve_is_written() -> None:
     assert "$MA_BACKLASH[0,AX1]=0.003" in lines
     assert "AX1_EEC.INI" in written
     with pytest.raises(CapacityError, match="would act beside the new table") as caught:
-        patch(PAIR + MD + "M17\n", ONE, {"cec": "available", "cec_tables": [4, 1]})
+        patch(PAIR + MD + "M17\n", ONE, {"cec": "available", "cec_tables": [4, 1], "cec_sign": "correction"})
     assert "7" in str(caught.value)
 
 
 def test_an_own_table_that_is_switched_off_stays_as_it_is() -> None:
-    written = patch(PAIR + "$SN_CEC_TABLE_ENABLE[7]=0\n" + MD + "M17\n", ONE, {"cec": "available", "cec_tables": [4]})
+    written = patch(
+        PAIR + "$SN_CEC_TABLE_ENABLE[7]=0\n" + MD + "M17\n", ONE, {"cec": "available", "cec_tables": [4], "cec_sign": "correction"}
+    )
     assert "$AN_CEC[7,0]=-0.0040000" in written["A.INI"]
     assert "$AN_CEC[4,1]=0.0000000" in written["A.INI"]
 
@@ -415,7 +421,7 @@ def test_a_table_for_both_directions_makes_room_for_one_that_has_its_direction()
 
 def test_a_third_own_table_is_emptied_too() -> None:
     third = cec(2, [0.001, 0.001], (0, 1, 1))
-    written = patch(PAIR + third + MD + "M17\n", TWO, {"cec": "available", "cec_tables": [7, 4, 2]})
+    written = patch(PAIR + third + MD + "M17\n", TWO, {"cec": "available", "cec_tables": [7, 4, 2], "cec_sign": "correction"})
     assert "$AN_CEC[2,0]=0.0000000" in written["A.INI"]
     assert "$AN_CEC[7,2]=-0.0065000" in written["A.INI"]
 
@@ -423,12 +429,12 @@ def test_a_third_own_table_is_emptied_too() -> None:
 def test_two_axes_take_tables_apart_from_each_other() -> None:
     other = replace(TWO, address="AX2")
     axes = [axis_of("AX1"), replace(axis_of("AX2"), name="Y")]
-    options = {"cec": "available", "cec_tables": [1, 2, 3, 4]}
+    options = {"cec": "available", "cec_tables": [1, 2, 3, 4], "cec_sign": "correction"}
     written = texts(write_tables(SIEMENS, [TWO, other], axes, options))
     assert "$AN_CEC_OUTPUT_AXIS[2]=(AX1)" in written["AX1_CEC.INI"]
     assert "$AN_CEC_OUTPUT_AXIS[3]=(AX2)" in written["AX2_CEC.INI"]
     with pytest.raises(CapacityError, match=r"axis Y.*2 CEC tables"):
-        write_tables(SIEMENS, [TWO, other], axes, {"cec": "available", "cec_tables": [1, 2, 3]})
+        write_tables(SIEMENS, [TWO, other], axes, {"cec": "available", "cec_tables": [1, 2, 3], "cec_sign": "correction"})
 
 
 def test_a_sum_that_is_switched_off_is_not_switched_on_for_others_tables() -> None:
@@ -475,7 +481,7 @@ def cross(
 
 def test_squareness_is_a_ramp_of_two_points() -> None:
     # beta = -20 um/m: AX2 has to move by -0.016 mm while AX1 goes 800 mm
-    (file,) = write_cross(SIEMENS, [cross([0.0, -0.016])], {"cec": "available", "cec_tables": [0]})
+    (file,) = write_cross(SIEMENS, [cross([0.0, -0.016])], {"cec": "available", "cec_tables": [0], "cec_sign": "correction"})
     assert file.name == "AX2_CROSS.INI"
     body = [line for line in file.content.decode().splitlines() if line.startswith("$")]
     assert body == [
@@ -497,8 +503,8 @@ def test_squareness_is_a_ramp_of_two_points() -> None:
 def test_straightness_by_direction_takes_a_pair_of_free_tables_and_adds_up() -> None:
     bow = cross([0.0, 0.003, 0.0], [0.001, 0.004, 0.001])
     given = files(A__INI=RAMP + PAIR + MD + "M17\n")
-    state = read_state(SIEMENS, given, {})
-    options = {"cec": "available", "cec_tables": [0, 4, 5, 6]}
+    state = read_state(SIEMENS, given, {"cec_sign": "correction"})
+    options = {"cec": "available", "cec_tables": [0, 4, 5, 6], "cec_sign": "correction"}
     written = write_cross(SIEMENS, [bow], options, state, given)
     assert list(texts(written)) == ["AX2_CROSS.INI"]  # nothing of the own file changes
     assert "$AN_CEC_DIRECTION[6]=-1" in texts(written)["AX2_CROSS.INI"]
@@ -506,13 +512,15 @@ def test_straightness_by_direction_takes_a_pair_of_free_tables_and_adds_up() -> 
     assert total.at(np.array([400.0]), POSITIVE) == pytest.approx([-0.008 + 0.003], abs=EXACT)
     assert total.at(np.array([400.0]), NEGATIVE) == pytest.approx([-0.008 + 0.004], abs=EXACT)
     with pytest.raises(CapacityError, match=r"AX1 on AX2.*2 CEC tables"):
-        write_cross(SIEMENS, [bow], {"cec": "available", "cec_tables": [0, 4, 5]}, state, given)
+        write_cross(SIEMENS, [bow], {"cec": "available", "cec_tables": [0, 4, 5], "cec_sign": "correction"}, state, given)
 
 
 def test_reserved_memory_takes_cross_tables_too() -> None:
     given = files(A__INI=cec(3, [0.0], (0, 0, 0), ("AX1", "AX1")) + MD + "$MA_CEC_ENABLE[AX2]=0\nM17\n")
-    state = read_state(SIEMENS, given, {})
-    (file,) = write_cross(SIEMENS, [cross([0.0, -0.016])], {"cec": "available", "cec_tables": [3]}, state, given)
+    state = read_state(SIEMENS, given, {"cec_sign": "correction"})
+    (file,) = write_cross(
+        SIEMENS, [cross([0.0, -0.016])], {"cec": "available", "cec_tables": [3], "cec_sign": "correction"}, state, given
+    )
     assert "$AN_CEC[3,1]=-0.0160000" in file.content.decode()
     assert "$MA_CEC_ENABLE[AX2]=1" in file.content.decode()
     assert agreed([file]).cross[0].positive.tolist() == [0, -0.016]
@@ -534,17 +542,19 @@ def test_reserved_memory_takes_cross_tables_too() -> None:
 )
 def test_cross_tables_that_no_control_holds_are_refused(entry: CrossCompensation, says: str) -> None:
     with pytest.raises(CapacityError, match=says):
-        write_cross(SIEMENS, [entry], {"cec": "available", "cec_tables": [0, 1, 2]})
+        write_cross(SIEMENS, [entry], {"cec": "available", "cec_tables": [0, 1, 2], "cec_sign": "correction"})
 
 
 def test_cross_tables_need_the_option_free_memory_and_room() -> None:
     with pytest.raises(CapacityError, match="option cec"):
         write_cross(SIEMENS, [cross([0.0, 0.1])], {})
     with pytest.raises(UsageError, match="over itself"):
-        write_cross(SIEMENS, [cross([0.0, 0.1], axes=("AX1", "ax1"))], {"cec": "available", "cec_tables": [0]})
+        write_cross(
+            SIEMENS, [cross([0.0, 0.1], axes=("AX1", "ax1"))], {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}
+        )
     given = files(A__INI=f"{RAMP}$MA_CEC_MAX_SUM[AX2]=0.02\n$MN_MM_CEC_MAX_POINTS[1]=2\n$MA_BACKLASH[0,AX2]=0\nM17\n")
-    state = read_state(SIEMENS, given, {})
-    options = {"cec": "available", "cec_tables": [1]}
+    state = read_state(SIEMENS, given, {"cec_sign": "correction"})
+    options = {"cec": "available", "cec_tables": [1], "cec_sign": "correction"}
     assert write_cross(SIEMENS, [cross([0.0, 0.004])], options, state, given)
     with pytest.raises(CapacityError, match="MD32720"):
         write_cross(SIEMENS, [cross([0.0, 0.005])], options, state, given)
@@ -553,7 +563,7 @@ def test_cross_tables_need_the_option_free_memory_and_room() -> None:
 
 
 def test_cross_tables_and_a_pair_of_one_run_do_not_meet() -> None:
-    options = {"cec": "available", "cec_tables": [2, 3, 5]}
+    options = {"cec": "available", "cec_tables": [2, 3, 5], "cec_sign": "correction"}
     axis = axis_of("AX1")
     tables = write_tables(SIEMENS, [TWO], [axis], options)
     state = read_state(SIEMENS, tables, options, [axis])
@@ -604,7 +614,7 @@ def test_damaged_tables_are_refused_or_agreed_on(data: st.DataObject) -> None:
         piece = data.draw(st.one_of(st.binary(max_size=4), st.sampled_from([b"\n", b"'", b"(", b"-1", b"$AN_CEC", b"9" * 16])))
         content = content[:place] + piece + content[place + data.draw(st.integers(0, 10)) :]
     try:
-        state = read_state(SIEMENS, [ControlFile("A.INI", content)], {})
+        state = read_state(SIEMENS, [ControlFile("A.INI", content)], {"cec_sign": "correction"})
     except (InputError, UsageError):
         return
     for axis in state.axes.values():

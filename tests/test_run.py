@@ -202,7 +202,7 @@ def test_two_readers_that_disagree_write_nothing(
     # Files of the control's own that are understood in two ways are contradictory input, not a fault of ours.
     (folder / "own.ini").write_text(
         "$AA_ENC_COMP[0,0,AX1]=0\n$AA_ENC_COMP[0,1,AX1]=0.004\n$AA_ENC_COMP_STEP[0,AX1]=800\n"
-        "$AA_ENC_COMP_MIN[0,AX1]=0\n$AA_ENC_COMP_MAX[0,AX1]=800\nM17\n"
+        "$AA_ENC_COMP_MIN[0,AX1]=0\n$AA_ENC_COMP_MAX[0,AX1]=800\n$MA_ENC_COMP_ENABLE[0,AX1]=1\nM17\n"
     )
     assert compwright(["run", str(job(folder, states="{as_found: [own.ini]}"))]) == 3
     assert "can be read in two ways" in capsys.readouterr().err
@@ -357,7 +357,7 @@ def test_an_archive_that_holds_other_axes_too_is_a_state(folder: Path, capsys: p
         lines += [f"$AA_ENC_COMP_{key}[0,{axis}]={value}" for key, value in (("STEP", 400), ("MIN", 0), ("MAX", 800))]
         lines += [f"$AA_ENC_COMP_IS_MODULO[0,{axis}]=0", f"N32450 $MA_BACKLASH[0,{axis}]=0.001"]
     (folder / "ARCHIVE.INI").write_text("\n".join([*lines, "M17"]) + "\n")
-    assert compwright(["run", str(job(folder, states="{as_found: [ARCHIVE.INI]}"))]) == 0
+    assert compwright(["run", str(job(folder, states="{as_found: {files: [ARCHIVE.INI], active: yes}}"))]) == 0
     names = sorted(path.name for path in (folder / "job" / "tables" / "siemens-840d-sl").iterdir())
     assert names == ["ARCHIVE.INI"]
     old, new = ((place / "ARCHIVE.INI").read_text() for place in (folder, folder / "job" / "tables" / "siemens-840d-sl"))

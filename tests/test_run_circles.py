@@ -33,7 +33,7 @@ from compwright.workflow.circle_work import start_circle
 from loop import Floats, Machine, csv_of
 
 SIEMENS = "siemens-840d-sl"
-CEC = "{cec: available, cec_tables: [0, 1, 2, 3, 4, 5, 6, 7]}"
+CEC = "{cec: available, cec_sign: correction, cec_tables: [0, 1, 2, 3, 4, 5, 6, 7]}"
 CENTRE = (400.0, -250.0)
 RADIUS, FEED = 150.0, 1000.0  # mm, mm/min
 AXIS_X = Machine(low=0.0, high=800.0, slope=25e-6, bow=0.0, lost=0.005, noise=0.0003)
@@ -278,7 +278,7 @@ def test_a_control_that_cannot_hold_squareness_says_so(folder: Path, capsys: pyt
 
 
 def test_too_few_free_tables_leave_the_axes_as_they_are(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert compwright(["run", str(job(folder, options="{cec: available, cec_tables: [0, 1, 2, 3]}"))]) == 1
+    assert compwright(["run", str(job(folder, options="{cec: available, cec_sign: correction, cec_tables: [0, 1, 2, 3]}"))]) == 1
     assert "error CW-P113" in codes(capsys)
     assert document(folder / "job" / "prediction.json")["axes"]["X"]["table"] is not None
 
@@ -344,7 +344,10 @@ def test_export_carries_the_correction_between_axes(folder: Path, capsys: pytest
     (cross,) = read_plan((folder / "job" / "plan.json").read_bytes(), "").cross
     assert not cross.written
     words = ["export", str(folder / "job" / "plan.json"), "--out", str(folder / "again"), "--format", SIEMENS]
-    assert compwright([*words, "--option", "cec=available", "--option", "cec_tables=0,1,2,3,4,5"]) == 0
+    assert (
+        compwright([*words, "--option", "cec=available", "--option", "cec_sign=correction", "--option", "cec_tables=0,1,2,3,4,5"])
+        == 0
+    )
     judge = judge_of(folder / "again")
     assert judge.cross() == (("AX1", "AX2"),)
     assert judge.cross_correction("AX1", "AX2", np.array([800.0]), Direction.POSITIVE) == pytest.approx([0.032], abs=3e-4)  # mm
@@ -570,7 +573,16 @@ def test_uneven_points_and_an_extrapolation_are_said(folder: Path, capsys: pytes
 def test_bending_a_gantry_axis_is_warned_of(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert (
         compwright(
-            ["run", str(job(folder, y=", gantry: AX5", options="{cec: available, cec_tables: [0, 1, 2, 3, 4, 5, 6, 7, 8]}"))]
+            [
+                "run",
+                str(
+                    job(
+                        folder,
+                        y=", gantry: AX5",
+                        options="{cec: available, cec_sign: correction, cec_tables: [0, 1, 2, 3, 4, 5, 6, 7, 8]}",
+                    )
+                ),
+            ]
         )
         == 0
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TypeVar
 
@@ -20,8 +20,9 @@ class Request:
 
     ``reference_return``: direction in which the reference is approached; ``encoder``: active measuring system, 1 or 2; ``kinds``:
     linear or rotary; ``modulo``: the turn of an endless axis, deg; ``reference``: machine coordinate of the reference position,
-    mm or deg; ``options``: the controller's options by name, as the job gives them; ``axis_options`` go over them. ``asked``: the
-    axes under work, empty for all; what is odd about others stops nothing.
+    mm or deg; ``active``: whether tables acted that the files switch off or say nothing of (None: not said); ``options``: the
+    controller's options by name, as the job gives them; ``axis_options`` go over them. ``asked``: the axes under work, empty for
+    all; what is odd about others stops nothing.
     """
 
     reference_return: Mapping[str, Direction] = field(default_factory=dict)
@@ -29,6 +30,7 @@ class Request:
     kinds: Mapping[str, AxisKind] = field(default_factory=dict)
     modulo: Mapping[str, float] = field(default_factory=dict)
     reference: Mapping[str, float] = field(default_factory=dict)
+    active: bool | None = None
     options: Mapping[str, object] = field(default_factory=dict)
     axis_options: Mapping[str, Mapping[str, object]] = field(default_factory=dict)
     asked: tuple[str, ...] = ()
@@ -36,6 +38,12 @@ class Request:
     def asks_for(self, address: str) -> bool:
         """Return whether the caller wants this axis; without any named he wants all."""
         return not self.asked or address.casefold() in {one.casefold() for one in self.asked}
+
+    def acts(self, switches: Sequence[float | None]) -> bool:
+        """Return whether a table acts whose switches end as ``switches`` (None: not in the files, counted as on)."""
+        if self.active is not None and any(switch is None or switch == 0.0 for switch in switches):
+            return self.active
+        return all(switch is None or switch != 0.0 for switch in switches)
 
     def options_of(self, address: str) -> Mapping[str, object]:
         """Return the options of one axis: its own over the controller's."""

@@ -22,9 +22,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.controllers.request import Request, by_address, unknown_axis
+from compwright.controllers.sinumerik_axes import AxisNames, axis_names
 from compwright.controllers.sinumerik_cec import Pair, Sag, load_sag, union
 from compwright.controllers.sinumerik_tables import Remarks, Table, build_table, is_default, last_value, too_few_points
-from compwright.controllers.sinumerik_text import READ, Assignment, read_file
+from compwright.controllers.sinumerik_text import READ, Assignment, FileContent, read_file
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile
@@ -56,6 +57,7 @@ class SinumerikControl:
 
     axes: dict[str, _Axis]
     sag: Sag
+    names: AxisNames
     assumed: tuple[Assumption, ...]
     notes: tuple[str, ...]
 
@@ -79,7 +81,7 @@ class SinumerikControl:
         """
         name, axis = self._axis(address)
         x = np.asarray(positions, dtype=np.float64)
-        total = axis.shift(x) + self.sag.shift((name, name), x, direction)
+        total = axis.shift(x) + self.sag.own_shift(name, x, direction)
         if direction is not axis.reference_return:
             total = total + direction.sign * axis.backlash
         return total
@@ -87,9 +89,10 @@ class SinumerikControl:
     def cross(self) -> tuple[Pair, ...]:
         """Return (input, output) of the tables by which one axis corrects another, in order of their index, switched on or not.
 
-        A pair that depends on a third axis is left out and stands in ``notes``.
+        A pair that depends on a third axis or has a table that is not a curve is left out and stands in ``notes``; so is every
+        pair where the option ``cec_sign`` is not given.
         """
-        return tuple(pair for pair in self.sag.pairs() if pair[0] != pair[1] and not self.sag.other_inputs(pair))
+        return tuple(pair for pair in self.sag.pairs() if pair[0] != pair[1] and self.sag.is_judged(pair))
 
     def cross_correction(self, input: str, output: str, positions: FloatArray, direction: Direction) -> FloatArray:  # noqa: A002
         """Return the shift of ``output`` (mm, deg for a rotary one) with ``input`` at ``positions`` (any shape).
@@ -97,7 +100,7 @@ class SinumerikControl:
         ``direction`` is that in which ``input`` moves. Raises UsageError for a pair without a table, and for one that depends on
         the position of a third axis.
         """
-        wanted = (input.casefold(), output.casefold())
+        wanted = (self.names.name(input).casefold(), self.names.name(output).casefold())
         crossing = [pair for pair in self.sag.pairs() if pair[0] != pair[1]]
         pair = next((pair for pair in crossing if (pair[0].casefold(), pair[1].casefold()) == wanted), None)
         if pair is None:
@@ -109,8 +112,8 @@ class SinumerikControl:
 
     def _axis(self, address: str) -> tuple[str, _Axis]:
         """Return an axis by the name that the files use."""
-        names = {name: name for name in self.axes}
-        name = by_address(names, address)
+        known = {name: name for name in self.axes}
+        name = by_address(known, self.names.name(address))
         if name is None:
             raise unknown_axis(address, self.addresses())
         return name, self.axes[name]
@@ -120,16 +123,19 @@ def sinumerik_control(files: Sequence[ControlFile], request: Request) -> Sinumer
     """Return the control with ``files`` loaded (table files, machine data, whole text archives, in any order).
 
     The active measuring system is ``request.encoder``; where it is not given, the only one with a table, and this is listed
-    in ``assumed``. Option ``cec_sign``: ``correction`` (default) when a positive CEC value moves the output axis towards +,
-    ``error`` when towards -. Raises InputError for what the control would not take or what contradicts itself: every fault with
-    file and line. UsageError for a measuring system other than 1 or 2, or another ``cec_sign``.
+    in ``assumed``. Option ``cec_sign``: ``correction`` when a positive CEC value moves the output axis towards +, ``error`` when
+    towards -; without it nothing is said of what CEC tables do. All names of a machine axis (MD10000, MD20080) are one axis. Raises
+    InputError for what the control would not take or what contradicts itself: every fault with file and line. UsageError for a
+    measuring system other than 1 or 2, or another ``cec_sign``.
     """
     contents = [read_file(file) for file in files]
     faults = [fault for content in contents for fault in content.faults]
-    assignments = [entry for content in contents for entry in content.assignments]
+    names = axis_names(contents, request)
+    assignments = [names.renamed(entry) for content in contents for entry in content.assignments]
+    faults += _inch(contents, files, assignments, request)
     if not assignments and not faults:
-        names = ", ".join(file.name for file in files)
-        faults.append(Fault(message="no compensation data found", file=names, expected="$AA_ENC_COMP, $AN_CEC or $MA_BACKLASH"))
+        given = ", ".join(file.name for file in files)
+        faults.append(Fault(message="no compensation data found", file=given, expected="$AA_ENC_COMP, $AN_CEC or $MA_BACKLASH"))
     faults += [fault for entry in assignments if (fault := _out_of_range(entry)) is not None]
     raise_all(InputError, faults)
     remarks = Remarks(notes=[note for content in contents for note in content.notes])
@@ -139,12 +145,27 @@ def sinumerik_control(files: Sequence[ControlFile], request: Request) -> Sinumer
             by_axis[entry.axis.upper()].append(entry)
     loader = _Loader(request, remarks)
     axes = {entries[0].axis: loader.axis(entries) for entries in by_axis.values()}
-    sag = load_sag(assignments, request, {name.upper(): name for name in axes}, remarks)
+    keys = {table: key for content in contents for table, key in content.unknown_keys.items()}
+    sag = load_sag(assignments, request, {name.upper(): name for name in axes}, remarks, keys, names)
     raise_all(InputError, remarks.faults)
     for base, corrected in sag.pairs():
         if base == corrected:
             axes.setdefault(base, _Axis())
-    return SinumerikControl(axes=axes, sag=sag, assumed=tuple(remarks.assumed), notes=tuple(remarks.notes))
+    return SinumerikControl(axes=axes, sag=sag, names=names, assumed=tuple(remarks.assumed), notes=tuple(remarks.notes))
+
+
+def _inch(
+    contents: Sequence[FileContent], files: Sequence[ControlFile], assignments: Sequence[Assignment], request: Request
+) -> list[Fault]:
+    """Refuse a control whose basic system is the inch, unless only rotary axes are asked for: its lengths are not judged."""
+    kinds = list(request.kinds.values())
+    if not assignments or (kinds and all(kind == "rotary" for kind in kinds)):
+        return []
+    return [
+        Fault(message="the basic system is the inch, which is not judged", file=file.name, place=f"line {content.inch[0]}")
+        for content, file in zip(contents, files, strict=True)
+        if content.inch
+    ]
 
 
 def _out_of_range(entry: Assignment) -> Fault | None:
@@ -195,15 +216,17 @@ class _Loader:
             self.remarks.assumed.append(
                 Assumption(f"MD32700 $MA_ENC_COMP_ENABLE of {name}", "1", "not in the files: counted as active")
             )
-        elif table is not None and enabled == 0.0:
-            self.remarks.notes.append(f"{name}: MD32700 $MA_ENC_COMP_ENABLE[{system}] ends as 0: the table does not act")
+        acts = self.request.acts([enabled])
+        if table is not None and not acts:
+            ends = "ends as 0" if enabled == 0.0 else "is not in the files and the table did not act, as the job says"
+            self.remarks.notes.append(f"{name}: MD32700 $MA_ENC_COMP_ENABLE[{system}] {ends}: the table does not act")
         backlash = last_value(by_system[system], "MA_BACKLASH") or 0.0
         returning, assumption = self.request.returning(name)
         if assumption is not None:
             self.remarks.assumed.append(assumption)
         return _Axis(
             table=table,
-            enabled=enabled != 0.0,
+            enabled=acts,
             backlash=backlash * self._factor(name, entries),
             reference_return=returning,
         )

@@ -8,19 +8,22 @@ Stated from the manuals (Function Manual Extended Functions 03/2013, chapter K3;
 - DIRECTION 0: both; 1: only while the input axis moves towards +; -1: only towards - (p. 249).
 - MULT_BY_TABLE = n: the product with the table of index n - 1 is added to the total as a further value (p. 245, p. 249).
 - SD41300 switches a table, MD32710 of the output axis the sum (p. 245); SD41310 is a factor on a table, MD32720 limits the sum.
-- Sign, inferred only: the value is added to the setpoint, a positive one moves the axis towards + (802D sl p. 222, a sagging arm
-  is raised by positive values). It is the opposite of the leadscrew table's; the option ``cec_sign`` turns it.
+- Sign: not known. 802D sl p. 222 (a sagging arm is raised by positive values) speaks for "towards +", a builder's measuring
+  program in a real archive for "towards -", as with the leadscrew table. Only the option ``cec_sign`` says it.
+- A builder's tables need not be curves (real archive: MIN -850, MAX 0, STEP 100; output ``(X)``, STEP 0): such a table is left
+  out where all its values are zero, and nothing is said of its pair of axes where they are not.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from compwright.controllers.request import Request
+from compwright.controllers.sinumerik_axes import AxisNames
 from compwright.controllers.sinumerik_tables import Remarks, Table, build_table, is_default, last_value, single, too_few_points
 from compwright.controllers.sinumerik_text import Assignment
 from compwright.foundations.errors import Fault, UsageError
@@ -65,7 +68,8 @@ class SagTable:
 class Sag:
     """All tables. ``factors``: those that others are multiplied by, by index; ``sign`` of the values, +1 or -1.
 
-    ``off``: output axes that MD32710 switches off; ``limits``: MD32720 by output axis, mm or deg.
+    ``off``: output axes that MD32710 switches off; ``limits``: MD32720 by output axis, mm or deg; ``sign`` 0: not known. ``odd``:
+    pairs with a table that acts and is no curve, and why.
     """
 
     by_pair: Mapping[Pair, tuple[SagTable, ...]]
@@ -73,6 +77,7 @@ class Sag:
     off: frozenset[str]
     limits: Mapping[str, float]
     sign: int
+    odd: Mapping[Pair, str] = field(default_factory=dict)
 
     def pairs(self) -> tuple[Pair, ...]:
         """Return input and output axis of all tables in order of their index, each pair once, switched on or not."""
@@ -82,11 +87,35 @@ class Sag:
         """Return the positions (k,) of the points of all tables of a pair, ascending."""
         return union([table.table.positions() for table in self._of(pair)])
 
+    def is_judged(self, pair: Pair) -> bool:
+        """Return whether it is known what a pair does."""
+        return bool(self.sign) and pair not in self.odd and not self.other_inputs(pair)
+
+    def own_shift(self, axis: str, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return what an axis' tables over itself add at ``positions``; UsageError where that cannot be said."""
+        pair = (axis, axis)
+        if pair in self.odd:
+            raise UsageError(Fault(message=f"what the tables of {axis} over itself do is not known: {self.odd[pair]}"))
+        if self.sign == 0:
+            own = [table for table in self._of(pair) if table.enabled and np.any(table.table.values)]
+            if not own:
+                return np.zeros(positions.shape)
+            raise UsageError(
+                Fault(
+                    message=f"{axis} is corrected by CEC tables over itself, whose sign is not known",
+                    place="option cec_sign",
+                    expected="correction or error",
+                )
+            )
+        return self.shift(pair, positions, direction)
+
     def shift(self, pair: Pair, positions: FloatArray, direction: Direction) -> FloatArray:
         """Return how far the output axis moves with the input axis at ``positions`` (any shape), moving in ``direction``.
 
         Raises UsageError when a product needs the position of a further axis.
         """
+        if self.sign == 0 and pair[0] != pair[1]:
+            raise UsageError(Fault(message="the sign of CEC values", place="option cec_sign", expected="correction or error"))
         others = self.other_inputs(pair)
         if others:
             raise UsageError(
@@ -96,14 +125,14 @@ class Sag:
                     expected="tables multiplied by tables of the same input axis",
                 )
             )
-        if pair[1] in self.off:
+        if pair[1] in self.off and pair[0] != pair[1]:
             return np.zeros(positions.shape)
         limit = self.limits.get(pair[1], np.inf)
         return np.asarray(self.sign * np.clip(self._total(pair, positions, direction), -limit, limit), dtype=np.float64)
 
     def other_inputs(self, pair: Pair) -> tuple[str, ...]:
         """Return the further axes on whose position the correction of a pair depends."""
-        if pair[1] in self.off:
+        if pair[1] in self.off and pair[0] != pair[1]:
             return ()
         factors = [self.factors[table.factor] for table in self._of(pair) if table.enabled and table.factor is not None]
         return tuple(dict.fromkeys(factor.input for factor in factors if factor.enabled and factor.input != pair[0]))
@@ -150,14 +179,23 @@ def union(positions: Sequence[FloatArray]) -> FloatArray:
     return np.asarray(every[np.concatenate([[True], np.diff(every) > _SAME_POINT])], dtype=np.float64)
 
 
-def load_sag(entries: Sequence[Assignment], request: Request, spelling: Mapping[str, str], remarks: Remarks) -> Sag:
+def load_sag(
+    entries: Sequence[Assignment],
+    request: Request,
+    spelling: Mapping[str, str],
+    remarks: Remarks,
+    unknown_keys: Mapping[int, str],
+    names: AxisNames,
+) -> Sag:
     """Return the tables from all assignments in the order of the files; what is wrong goes to ``remarks``.
 
-    ``spelling``: upper case -> the name by which an axis is already known. Raises UsageError for an option ``cec_sign`` that is
+    ``spelling``: upper case -> the name by which an axis is already known; ``unknown_keys``: by table a key that is not known;
+    ``names``: which names are those of machine axes. Raises UsageError for an option ``cec_sign`` that is
     neither ``correction`` nor ``error``.
     """
     sign = _sign(request)
-    loader = _Loader([entry for entry in entries if "CEC" in entry.name], dict(spelling), remarks)
+    loader = _Loader([entry for entry in entries if "CEC" in entry.name], dict(spelling), remarks, request)
+    loader.unknown_keys, loader.names = unknown_keys, names
     tables = loader.tables()
     by_pair: dict[Pair, list[SagTable]] = defaultdict(list)
     for table in tables.values():
@@ -165,17 +203,18 @@ def load_sag(entries: Sequence[Assignment], request: Request, spelling: Mapping[
     of_output: dict[str, list[Pair]] = defaultdict(list)
     for pair in by_pair:
         of_output[pair[1]].append(pair)
-    for output in of_output:
-        loader.check_unit(output)
     if remarks.faults:  # a table may be missing: what follows would be wrong about the others
         return Sag({}, {}, frozenset(), {}, sign)
-    if tables:
-        evidence = "option" if "cec_sign" in request.options else "default; inferred, no Siemens text says it"
+    evidence = "option" if "cec_sign" in request.options else "not asked for here; no Siemens text says it"
+    if tables and sign:
         remarks.assumed.append(Assumption("sign of the CEC values (cec_sign)", "correction" if sign > 0 else "error", evidence))
+    elif tables:
+        remarks.notes.append("what the CEC tables do is not said: their sign is not known (option cec_sign)")
     sag = Sag(
         by_pair={pair: tuple(given) for pair, given in by_pair.items()},
         factors={table.factor: tables[table.factor] for table in tables.values() if table.factor is not None},
         off=frozenset(output for output in of_output if loader.switched_off(output)),
+        odd=loader.odd,
         limits={output: limit for output in of_output if (limit := loader.of_axis(output, "MA_CEC_MAX_SUM")) is not None},
         sign=sign,
     )
@@ -186,7 +225,9 @@ def load_sag(entries: Sequence[Assignment], request: Request, spelling: Mapping[
 
 
 def _sign(request: Request) -> int:
-    option = request.options.get("cec_sign", "correction")
+    option = request.options.get("cec_sign", "correction")  # a job's options always hold it: None where nobody said it
+    if option is None:
+        return 0
     if option not in _SIGNS:
         raise UsageError(Fault(message="option cec_sign", expected=" or ".join(_SIGNS), found=repr(option)))
     return _SIGNS[str(option)]
@@ -225,7 +266,12 @@ def _remark(sag: Sag, output: str, pairs: Sequence[Pair], remarks: Remarks) -> N
 class _Loader:
     """Builds the tables from their assignments."""
 
-    def __init__(self, entries: Sequence[Assignment], spelling: dict[str, str], remarks: Remarks) -> None:
+    def __init__(self, entries: Sequence[Assignment], spelling: dict[str, str], remarks: Remarks, request: Request) -> None:
+        self.request = request
+        self.unknown_keys: Mapping[int, str] = {}
+        self.names = AxisNames({}, {})
+        self.odd: dict[Pair, str] = {}
+        self.left_out: list[int] = []
         self.spelling = spelling
         self.remarks = remarks
         self.by_table: dict[int, list[Assignment]] = defaultdict(list)
@@ -248,7 +294,7 @@ class _Loader:
             if is_default(data, _PREFIX):
                 empty.append(index)
                 continue
-            table = self._table(index, entries, data)
+            table = self._curve(index, entries, data)
             if table is None:
                 continue
             found[index] = table
@@ -256,8 +302,10 @@ class _Loader:
                 asked[table.factor] = next(entry for entry in data if entry.name == f"{_PREFIX}_MULT_BY_TABLE")
         if empty:
             self.remarks.notes.append(f"CEC tables {_ranges(empty)}: all zero, the control's own default for no table")
-        self._check_factors(found, asked, set(empty))
-        zero = set(empty)  # a product with one of these adds nothing
+        self._check_factors(found, asked, {*empty, *self.left_out})
+        if self.left_out:
+            self.remarks.notes.append(f"CEC tables {_ranges(self.left_out)} are no curves and left alone")
+        zero = {*empty, *self.left_out}  # a product with one of these adds nothing
         return {index: replace(table, factor=None) if table.factor in zero else table for index, table in found.items()}
 
     def of_axis(self, axis: str, name: str) -> float | None:
@@ -275,13 +323,53 @@ class _Loader:
             self.remarks.notes.append(f"{output}: MD32710 $MA_CEC_ENABLE ends as 0: its CEC tables do not act")
         return enabled == 0.0
 
-    def check_unit(self, output: str) -> None:
-        """MD32711 = 0 would mean values in inch: from a weak source alone, so it is refused rather than converted."""
-        metric = [entry for entry in self.by_axis.get(output.upper(), []) if entry.name == "MA_CEC_SCALING_SYSTEM_METRIC"]
-        if metric and metric[-1].value == 0.0:
-            self.remarks.faults.append(
-                metric[-1].fault(f"the CEC values of {output} are in inch (MD32711), which is not judged", expected="1", found="0")
-            )
+    def _curve(self, index: int, entries: Sequence[Assignment], data: Sequence[Assignment]) -> SagTable | None:
+        """Return a table that is a curve. A whole one that is none is left alone; one that was cut short is a fault."""
+        outer, self.remarks = self.remarks, Remarks()
+        try:
+            table = self._table(index, entries, data)
+            inner = self.remarks
+        finally:
+            self.remarks = outer
+        key = self.unknown_keys.get(index)
+        why = inner.faults[0].message if inner.faults else "" if key is None else f"${key} is not known"
+        names = {entry.name: entry.names for entry in data if entry.name in {f"{_PREFIX}_INPUT_AXIS", f"{_PREFIX}_OUTPUT_AXIS"}}
+        strange = [name for name in names.values() if not self.names.is_machine_axis(name)]
+        if not why and strange:
+            why = f"{strange[0]} is no machine axis"
+        output = names.get(f"{_PREFIX}_OUTPUT_AXIS", "")
+        on = self._acts(entries, output, own=output == names.get(f"{_PREFIX}_INPUT_AXIS"))
+        metric = last_value(self.by_axis.get(output.upper(), []), "MA_CEC_SCALING_SYSTEM_METRIC")
+        if not why and on and metric == 0.0:
+            why = "its values are in inch (MD32711)"
+        if not why:
+            outer.notes += inner.notes
+            outer.assumed += inner.assumed
+            return table
+        values = {entry.point: entry.value for entry in data if entry.name == _PREFIX and entry.point is not None}
+        needed = {f"{_PREFIX}{key}" for key in ("", "_INPUT_AXIS", "_OUTPUT_AXIS", "_STEP", "_MIN", "_MAX", "_DIRECTION")}
+        cut = needed - {entry.name for entry in data} or not all(names.values()) or set(values) != set(range(len(values)))
+        if inner.faults and (cut or any("contradicts" in fault.message for fault in inner.faults)):
+            outer.faults += inner.faults
+            outer.faults += [] if key is None else [data[0].fault(f"variable ${key} is not known")]
+            return None
+        base = names[f"{_PREFIX}_INPUT_AXIS"]
+        asked = {name.upper() for name in self.names.called.values()}
+        if any(values.values()) and on and base.upper() == output.upper() and (not asked or output.upper() in asked):
+            outer.faults += inner.faults or [data[0].fault(f"{label_of(index)}: {why}")]
+            return None
+        self.left_out.append(index)
+        if any(values.values()) and on:
+            pair = tuple(self.spelling.setdefault(name.upper(), name) for name in (base, output))
+            self.odd[pair[0], pair[1]] = f"{label_of(index)}: {why}"
+        return None
+
+    def _acts(self, entries: Sequence[Assignment], output: str, *, own: bool) -> bool:
+        """Return whether a table acts; what the job says of the test counts for tables of an axis over itself."""
+        switches = [last_value(entries, "SN_CEC_TABLE_ENABLE"), last_value(self.by_axis.get(output.upper(), []), "MA_CEC_ENABLE")]
+        if own:
+            return self.request.acts(switches)
+        return all(switch != 0.0 for switch in switches)
 
     def _table(self, index: int, entries: Sequence[Assignment], data: Sequence[Assignment]) -> SagTable | None:
         before = len(self.remarks.faults)
@@ -307,7 +395,7 @@ class _Loader:
             table=table,
             direction=int(direction.value),
             weight=1.0 if weight is None else weight,
-            enabled=self._enabled(index, entries),
+            enabled=self._enabled(index, entries, axes[1], own=axes[0] == axes[1]),
             factor=int(factor.value) - 1 if factor is not None and factor.value else None,
         )
 
@@ -320,14 +408,14 @@ class _Loader:
             return ""
         return self.spelling.setdefault(entry.names.upper(), entry.names)
 
-    def _enabled(self, index: int, entries: Sequence[Assignment]) -> bool:
+    def _enabled(self, index: int, entries: Sequence[Assignment], output: str, *, own: bool) -> bool:
         enabled = last_value(entries, "SN_CEC_TABLE_ENABLE")
         if enabled is None:
             fact = f"SD41300 $SN_CEC_TABLE_ENABLE of table {index}"
             self.remarks.assumed.append(Assumption(fact, "1", "not in the files: counted as active"))
         elif enabled == 0.0:
             self.remarks.notes.append(f"CEC table {index}: SD41300 $SN_CEC_TABLE_ENABLE ends as 0: the table does not act")
-        return enabled != 0.0
+        return self._acts(entries, output, own=True) if own else enabled != 0.0
 
     def _check_factors(self, found: dict[int, SagTable], asked: dict[int, Assignment], empty: set[int]) -> None:
         """Refuse a product with a table that no file holds; name how the others are taken."""
@@ -340,6 +428,11 @@ class _Loader:
                 self.remarks.faults.append(
                     entry.fault(f"{entry.variable} names a table that is not in the files", expected=f"table of index {index}")
                 )
+
+
+def label_of(index: int) -> str:
+    """Return how messages call a table."""
+    return f"CEC table {index}"
 
 
 def _ranges(indices: Sequence[int]) -> str:

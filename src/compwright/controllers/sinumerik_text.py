@@ -9,7 +9,7 @@ and the machine and setting data of these. Source of the text form: SINUMERIK 84
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from compwright.foundations.errors import Fault
@@ -48,8 +48,24 @@ READ: Mapping[str, tuple[str, ...]] = {
     "MA_CEC_SCALING_SYSTEM_METRIC": _BY_AXIS,
 }
 
+#: The lists of names: machine axes from 1 (MD10000), axes of the channel (MD20080) and the machine axis of each (MD20070).
+_NAME_LISTS = re.compile(
+    r"""\s*(?:N\d+\s*)?\$(?P<list>MN_AXCONF_MACHAX_NAME_TAB|MC_AXCONF_CHANAX_NAME_TAB|MC_AXCONF_MACHAX_USED)\s*
+        \[\s*(?P<place>[0-9]{1,3})\s*\]\s*=\s*(?:"(?P<name>[^"]*)"|(?P<number>[0-9]{1,3}))""",
+    re.VERBOSE | re.IGNORECASE,
+)
+#: The basic system: MD10240, or a line of its own before the values.
+_BASIC_SYSTEM = re.compile(
+    r"\s*(?:N\d+\s*)?(?:\$MN_SCALING_SYSTEM_IS_METRIC\s*=\s*(?P<metric>[01]|TRUE|FALSE)|(?P<word>METRIC|INCH))(?:\s+'[0-9A-F]{4})?\s*",
+    re.IGNORECASE,
+)
+
 #: Variables whose value is an axis.
 _NAMING = frozenset({"AN_CEC_INPUT_AXIS", "AN_CEC_OUTPUT_AXIS"})
+
+#: Variables that are on or off, which programs write as TRUE and FALSE too.
+_SWITCHES = frozenset(name for name in READ if name.endswith(("_ENABLE", "_IS_MODULO", "_METRIC")))
+_TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
 
 #: Neighbours of the above that do not change a correction at standstill.
 PASSED_OVER = frozenset({"MA_BACKLASH_MODE", "MA_BACKLASH_DYN_MAX_VELO", "MA_CEC_MAX_VELO"})
@@ -57,6 +73,8 @@ PASSED_OVER = frozenset({"MA_BACKLASH_MODE", "MA_BACKLASH_DYN_MAX_VELO", "MA_CEC
 #: Neighbours whose effect is not judged: passed over with a note.
 _NOT_JUDGED = frozenset({"AN_CEC_TYPE", "AN_CEC_INPUT_NCU", "AN_CEC_OUTPUT_NCU"})
 
+#: Setting data 41320 to 41356 of the machine's builder, which happen to have CEC in their name.
+_CYLINDER = re.compile(r"SN_CEC_(?!TABLE)\w+")
 _MENTION = re.compile(r"ENC_COMP|BACKLASH|\$\s*\w*CEC|(?:AN|MA|MN|MM|SN)_CEC", re.IGNORECASE)
 _NAME = re.compile(r"\$\s*([A-Za-z]\w*)")
 _HEADER = re.compile(r"%_N_", re.IGNORECASE)
@@ -114,11 +132,20 @@ class Assignment:
 
 @dataclass(slots=True)
 class FileContent:
-    """What one file says: its assignments in order, remarks, variables that were passed over, and what is wrong with it."""
+    """What one file says: its assignments in order, remarks, variables that were passed over, and what is wrong with it.
+
+    ``machine_names``, ``channel_names``: names by place from 0; ``channel_places``: machine axes from 1 by place of the channel;
+    ``inch``: lines that say that the basic system is the inch; ``unknown_keys``: by table a key of it that is not known.
+    """
 
     assignments: list[Assignment] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     passed_over: set[str] = field(default_factory=set)
+    machine_names: dict[int, set[str]] = field(default_factory=dict)
+    channel_names: dict[int, set[str]] = field(default_factory=dict)
+    channel_places: dict[int, set[int]] = field(default_factory=dict)
+    inch: list[int] = field(default_factory=list)
+    unknown_keys: dict[int, str] = field(default_factory=dict)
     faults: list[Fault] = field(default_factory=list)
 
 
@@ -155,12 +182,29 @@ def read_file(file: ControlFile) -> FileContent:
             _note_end(program, file.name, found, last=False)
             program = _Program(number, len(found.assignments))
             continue
+        _read_names(code, found)
+        basic = _BASIC_SYSTEM.fullmatch(code.split(";", 1)[0])
+        if basic is not None and (basic["word"] or basic["metric"]).upper() in {"INCH", "0", "FALSE"}:
+            found.inch.append(number)
         code = re.sub(r'"[^"]*"', '""', code).split(";", 1)[0].rstrip()
         if _MENTION.search(code) and not _PATH.match(code):
             _read_line(code, file.name, number, found, ended=program.ended)
         program.ended = program.ended or _END.match(code) is not None
     _note_end(program, file.name, found, last=True)
     return found
+
+
+def _read_names(code: str, found: FileContent) -> None:
+    """Take down what a line of the lists of axis names says."""
+    match = _NAME_LISTS.match(code)
+    if match is None:
+        return
+    place, kind = int(match["place"]), match["list"].upper()
+    if match["number"] is not None and kind.endswith("_USED"):
+        found.channel_places.setdefault(place, set()).add(int(match["number"]))
+    elif match["name"] and not kind.endswith("_USED"):
+        names = found.machine_names if kind.startswith("MN_") else found.channel_names
+        names.setdefault(place, set()).add(match["name"].strip().upper())
 
 
 def _note_end(program: _Program, file: str, found: FileContent, *, last: bool) -> None:
@@ -174,15 +218,17 @@ def _note_end(program: _Program, file: str, found: FileContent, *, last: bool) -
 def _read_line(code: str, file: str, number: int, found: FileContent, *, ended: bool) -> None:
     """Read one line that mentions compensation; it must be understood wholly or be a fault."""
 
-    def wrong(message: str, expected: str = "") -> None:
+    def wrong(message: str, expected: str) -> None:
         found.faults.append(
             Fault(message=message, file=file, place=f"line {number}", expected=expected, found=repr(code.strip()[:80]))
         )
 
     if ended:
-        wrong("compensation data after the end of the program, which the control does not read")
+        wrong("compensation data after the end of the program, which the control does not read", "")
         return
-    mentioned = {match.group(1).upper() for match in _NAME.finditer(code)}
+    mentioned = {name for match in _NAME.finditer(code) if not _CYLINDER.fullmatch(name := match.group(1).upper())}
+    if not mentioned and _NAME.search(code):
+        return
     if mentioned and mentioned <= PASSED_OVER | _NOT_JUDGED:
         new = (mentioned & _NOT_JUDGED) - found.passed_over
         found.notes += [f"{file}: ${name} is not judged (first at line {number})" for name in sorted(new)]
@@ -192,11 +238,17 @@ def _read_line(code: str, file: str, number: int, found: FileContent, *, ended: 
     if match is None:
         wrong("line cannot be read", "one assignment such as $AA_ENC_COMP[0,1,AX1]=0.001 with a decimal point")
         return
+    _read_assignment(match, file, number, found, wrong)
+
+
+def _read_assignment(match: re.Match[str], file: str, number: int, found: FileContent, wrong: Callable[[str, str], None]) -> None:
     name = match["name"].upper()
     if name not in READ:
-        wrong(f"variable ${name} is not known", "one of " + ", ".join("$" + known for known in READ))
+        if not _foreign_key(name, match["indices"], found):
+            wrong(f"variable ${name} is not known", "one of " + ", ".join("$" + known for known in READ))
         return
-    if (match["value"] is None) != (name in _NAMING):
+    word = _TRUTH.get((match["bare_axis"] or "").upper()) if name in _SWITCHES else None
+    if word is None and (match["value"] is None) != (name in _NAMING):
         wrong("line cannot be read", "an axis such as (AX1)" if name in _NAMING else "a number with a decimal point")
         return
     indices = _indices(READ[name], match["indices"])
@@ -211,12 +263,20 @@ def _read_line(code: str, file: str, number: int, found: FileContent, *, ended: 
             number=int(indices.get("system", indices.get("table", "0"))),
             point=int(indices["point"]) if "point" in indices else None,
             axis=indices.get("axis", ""),
-            value=_number(match["value"]) if match["value"] is not None else 0.0,
-            names=match["axis"] or match["bare_axis"] or "",
+            value=word if word is not None else _number(match["value"]) if match["value"] is not None else 0.0,
+            names="" if word is not None else match["axis"] or match["bare_axis"] or "",
             file=file,
             line=number,
         )
     )
+
+
+def _foreign_key(name: str, index: str, found: FileContent) -> bool:
+    """Take down a key of a table that is not known here; False for anything else."""
+    known = name.startswith("AN_CEC_") and _WHOLE.fullmatch(index.strip()) is not None
+    if known:
+        found.unknown_keys[int(index)] = name
+    return known
 
 
 def _indices(kinds: tuple[str, ...], text: str) -> dict[str, str] | None:

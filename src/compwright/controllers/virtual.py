@@ -82,6 +82,7 @@ def virtual_control(
     kinds: Mapping[str, AxisKind] | None = None,
     modulo: Mapping[str, float] | None = None,
     reference: Mapping[str, float] | None = None,
+    active: bool | None = None,
     axis_options: Mapping[str, Mapping[str, object]] | None = None,
     asked: Sequence[str] = (),
 ) -> VirtualControl:
@@ -89,7 +90,8 @@ def virtual_control(
 
     By axis address: ``reference_return`` is the direction in which the reference is approached, ``encoder`` the active
     measuring system (1 or 2), ``kinds`` linear or rotary where no file says it, ``modulo`` the turn of an endless axis (deg),
-    ``reference`` the machine coordinate of the reference position (mm or deg). ``options`` are the controller's options,
+    ``reference`` the machine coordinate of the reference position (mm or deg). ``active``: whether tables acted that the files
+    switch off or say nothing of (None: off where they are switched off, else on). ``options`` are the controller's options,
     ``axis_options`` those of single axes, which go over them. ``asked``: the axes that matter, empty for all: what is odd about
     others refuses nothing where the control lives with it. Whatever had to be taken without being told is in ``assumed``.
 
@@ -106,6 +108,7 @@ def virtual_control(
         kinds=dict(kinds or {}),
         modulo=dict(modulo or {}),
         reference=dict(reference or {}),
+        active=active,
         options=dict(options or {}),
         axis_options=dict(axis_options or {}),
         asked=tuple(asked),

@@ -41,6 +41,7 @@ def plan_document(plan: Plan) -> dict[str, Any]:
             name: [{"name": file.name, "base64": base64.b64encode(file.content).decode("ascii")} for file in files]
             for name, files in plan.states.items()
         },
+        "active": dict(plan.active),
         "sources": [asdict(source) for source in plan.sources],
         "assumed": [asdict(entry) for entry in plan.assumed],
         "cross": [_cross_out(entry) for entry in plan.cross],
@@ -91,6 +92,7 @@ def _plan_in(data: Mapping[str, Any]) -> Plan:
             name: tuple(ControlFile(entry["name"], base64.b64decode(entry["base64"], validate=True)) for entry in files)
             for name, files in data["states"].items()
         },
+        active={name: bool(active) for name, active in data.get("active", {}).items()},
         sources=tuple(Source(**entry) for entry in data["sources"]),
         assumed=tuple(Assumption(**entry) for entry in data["assumed"]),
         cross=tuple(_cross_in(entry) for entry in data.get("cross", ())),

@@ -8,13 +8,15 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.consistency import grid
+from compwright.formats.activity import Activity
+from compwright.formats.consistency import curves, grid
 from compwright.formats.gathering import Found, Gathered, first_set, same_value, the_one
 from compwright.formats.notes import Notes
 from compwright.formats.options import ENCODER_SYSTEM, REFERENCE, REFERENCE_RETURN
 from compwright.formats.scale import Scale, in_range
 from compwright.formats.schema import Binding, Choice, Definition
-from compwright.formats.tables import Table, TableSource, read_table
+from compwright.formats.systems import SystemChoice
+from compwright.formats.tables import SAME_TURN, Table, TableSource, read_table
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -47,8 +49,10 @@ class AxisReader:
         rows: Sequence[Found] | None,
         *,
         elsewhere: bool = False,
+        activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> None:
         self.elsewhere = elsewhere
+        self.activity = activity
         self.definition: Definition = gathered.definition
         self.gathered = gathered
         self.address = address
@@ -164,46 +168,12 @@ class AxisReader:
         systems = self.gathered.systems(self.address)
         if not systems:
             return None
-        tables = [system for system in systems if self.gathered.rows.get((self.address, system))]
-        active = [system for system in tables if self._switched_on(system)]
-        if self.axis is not None or options.get(ENCODER_SYSTEM, "auto") != "auto":
-            wanted = self.axis.encoder.system if self.axis else int(str(options[ENCODER_SYSTEM]))
-            chosen = str(wanted - 1)
-            if chosen not in systems or (chosen not in tables and active):
-                self.notes.faults.append(
-                    Fault(
-                        message=f"axis {self.address}: the files hold no table for measuring system {wanted}, but for another one",
-                        expected=f"measuring system {wanted}, as the job or the option says",
-                        found=", ".join(f"system {int(system) + 1}" for system in (active or systems)),
-                    )
-                )
-            return chosen
-        chosen = (active or tables or self._with_backlash(systems) or systems)[0]
-        if len(systems) > 1:
-            self.notes.assume(
-                f"axis {self.address}: measuring system", str(int(chosen) + 1), "inferred: the one that holds a table"
-            )
-        if len(active) > 1:
-            self.notes.find(
-                "CW-S006",
-                "warning",
-                f"axis {self.address}: several measuring systems hold a table; system {int(chosen) + 1} is shown",
-            )
-        return chosen
-
-    def _switched_on(self, system: str) -> bool:
-        places = self.gathered.found("enabled", self.address, system)
-        binding = self.definition.bindings.get("enabled")
-        if not places or not isinstance(binding, Choice):
-            return True
-        return binding.values.get(places[-1].text) != "no"
-
-    def _with_backlash(self, systems: Sequence[str]) -> list[str]:
-        return [
-            system
-            for system in systems
-            if any(Decimal(found.text) != 0 for found in self.gathered.found("backlash", self.address, system))
-        ]
+        choice = SystemChoice(self.gathered, self.address, self.notes)
+        if self.axis is not None and self.axis.encoder.stated:
+            return choice.stated(self.axis.encoder.system, by_job=True)
+        if self.axis is None and options.get(ENCODER_SYSTEM, "auto") != "auto":
+            return choice.stated(int(str(options[ENCODER_SYSTEM])), by_job=False)
+        return choice.found(asking=self.axis is not None)
 
     def _settled(self, options: Mapping[str, object]) -> Mapping[str, object]:
         """Return the options with what the files themselves answer."""
@@ -245,6 +215,15 @@ class AxisReader:
         if "enabled" not in self._names():
             return True
         if has_table:
+            found = self._single("enabled")
+            if any(Decimal(row.occurrence.tokens[name].text) != 0 for row in self.rows for name in self._value_fields()):
+                binding = self.definition.bindings["enabled"]
+                said = self._word("enabled") if found is not None else None
+                acts = self.activity.settle(self.label, self._name_in_file(binding), said, found, self.notes)
+                if acts is not None:
+                    if not acts:
+                        self.notes.switched_off(self.label, "the table did not act, as the job says")
+                    return acts
             word = self._choice("enabled")
             if word == "no":
                 self.notes.switched_off(self.label, "the table is switched off in the files")
@@ -264,9 +243,14 @@ class AxisReader:
             self.notes.no_table(self.label)
         return self._word("enabled") != "no"
 
+    def _value_fields(self) -> list[str]:
+        return [self.definition.bindings[quantity].field for quantity in curves(self.definition)]
+
     def _check_modulo(self) -> None:
-        """An axis that the job takes for endless must not be one with ends for the control."""
+        """Job and control must mean the same: an axis with ends, or one that turns endlessly by the same range."""
         found = self._single("modulo", quiet=False)
+        if found is not None and self._word("modulo") == "yes" and self.axis is not None and self.axis.kind is AxisKind.ROTARY:
+            self._check_range(found)
         if found is not None and self._word("modulo") == "no" and self.axis is not None and self.axis.modulo is not None:
             self.notes.faults.append(
                 Fault(
@@ -277,6 +261,23 @@ class AxisReader:
                     found=found.text,
                 )
             )
+
+    def _check_range(self, found: Found) -> None:
+        """The turn of an endless axis is that of the control; a job that gives it ends would leave the rest of the turn behind."""
+        length = self._single("modulo_range")
+        turn = float(length.text) if length is not None else None
+        modulo = self.axis.modulo if self.axis is not None else None
+        if modulo is None:
+            self.notes.refuse(
+                self.label,
+                "the control's files say that the axis is endless (MD30310), the job that it has ends",
+                found,
+                expected=f"modulo: {turn or 360.0:g} in the job",
+                found="no modulo",
+            )
+        elif turn is not None and abs(turn - modulo) > SAME_TURN:
+            message = "the modulo of the job is not the modulo range of the control (MD30330)"
+            self.notes.refuse(self.label, message, length, expected=f"modulo: {turn:g}", found=f"{modulo:g}")
 
     def _period(self, table: Table) -> float:
         """Return the period of a table that repeats: it follows itself without a step only if both ends are equal."""
@@ -291,7 +292,23 @@ class AxisReader:
                     found=f"{table.positive[0]:g} and {table.positive[-1]:g} (corrections)",
                 )
             )
+        self._check_beginning(table)
         return float(table.positions[-1] - table.positions[0])
+
+    def _check_beginning(self, table: Table) -> None:
+        """A repeating table that does not begin where the control's range begins: whether it is found there is not known."""
+        if self.axis is None or "modulo_start" not in self._names():
+            return
+        found = self._single("modulo_start")
+        start = float(found.text) if found is not None else 0.0
+        if abs(float(table.positions[0]) - start) > SAME_TURN:
+            self.notes.refuse(
+                self.label,
+                "its table repeats and does not begin where the modulo range of the control begins (MD30340): whether the control "
+                "reads the part before it is not known",
+                self._single("table_start"),
+                expected=f"MIN = {start:g}" if found is not None else "MIN = 0, or the file that holds MD30340",
+            )
 
     def _table(self, scale: Scale, max_points: Found | None) -> Table | None:
         singles = {

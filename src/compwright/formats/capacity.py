@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from compwright.formats.addresses import normal_address
+from compwright.formats.beside import MODULO_START, RANGE_START
 from compwright.formats.cec_capacity import cec_available, with_cec
 from compwright.formats.consistency import curves, grid
 from compwright.formats.increments_capacity import increments_capacity
 from compwright.formats.options import axis_options, resolve_options, settled_number
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Choice, Definition, OptionValue
+from compwright.formats.turns import RANGE_QUANTITY, spacings_from
 from compwright.formats.user_tables_capacity import user_tables_capacity
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
@@ -72,6 +74,7 @@ def capacity_for(
         above=definition.layout.above,
         most_points=definition.limit_number("max_points"),
         period=_period(definition, axis),
+        spacings=_spacings(definition, axis, scale.quantum(node), facts),
         assumed=tuple(assumed),
     )
     if one_curve or not cec_available(definition, resolved):
@@ -84,6 +87,16 @@ def _period(definition: Definition, axis: Axis) -> float | None:
     if definition.layout.shape != "values_by_index" or definition.limit("no_endless_axis") is not None:
         return None
     return axis.modulo if axis.kind is AxisKind.ROTARY else None
+
+
+def _spacings(definition: Definition, axis: Axis, quantum: float, facts: Mapping[str, object]) -> tuple[float, ...] | None:
+    """Return the spacings of an endless axis whose reference is not where its range begins; None: no such rule."""
+    period = _period(definition, axis)
+    if period is None or RANGE_QUANTITY not in definition.bindings:
+        return None
+    said = facts.get(RANGE_START)
+    start = float(said) if isinstance(said, (int, float)) else MODULO_START
+    return spacings_from(axis.reference, start, period, quantum)
 
 
 def _max_points(

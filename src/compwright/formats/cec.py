@@ -12,7 +12,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.addresses import normal_text
+from compwright.formats.activity import Activity
 from compwright.formats.consistency import has_cross
 from compwright.formats.gathering import Found, Gathered, same_value, the_one
 from compwright.formats.notes import Notes
@@ -20,7 +20,7 @@ from compwright.formats.scale import Scale
 from compwright.formats.schema import Choice, Definition
 from compwright.formats.tables import Table, TableSource, read_table
 from compwright.foundations.errors import Fault, UsageError
-from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, CrossCompensation
 
 #: Quantities of one table, by the names that a table on one axis has.
@@ -32,6 +32,15 @@ DATA = (*_NEEDED, "cross_multiplier", "cross_repeats")
 CEC_TABLES, CEC_RESERVED = "cec_tables", "cec_reserved"
 #: The indices of an axis' own two tables (+ first), and the limit of the sum of all corrections on it, mm or deg.
 CEC_PAIR, CEC_MAX_SUM = "cec_pair", "cec_max_sum"
+#: What the tables that cannot be read add to an axis at most, mm or deg.
+CEC_ODD_SUM = "cec_odd_sum"
+
+#: The check that answers the option cec_sign, in words.
+SIGN_CHECK = (
+    "Ten minutes show it: with a dial gauge on the axis, MD32710 and SD41300 on, write +0.1 into every point of one table that is "
+    "known to be free: an axis that moves by 0.1 in + has cec_sign: correction, one that moves in - has cec_sign: error; "
+    "write 0 again"
+)
 
 Pair = tuple[str, str]
 
@@ -59,13 +68,26 @@ class CecTable:
 
 
 @dataclass(frozen=True, slots=True)
+class OddTable:
+    """A table that cannot be read as a curve, and why. ``largest``: its largest amount, weighted, mm or deg, 0 where it is off."""
+
+    index: int
+    input: str
+    output: str
+    why: str
+    largest: float
+
+
+@dataclass(frozen=True, slots=True)
 class Cec:
     """Everything that the files say about such tables. ``reserved``: points by index; ``max_sum``: by output axis, mm or deg.
 
-    ``occupied``: input and output axis by index, of tables that are left out of ``tables`` too.
+    ``occupied``: input and output axis by index, of tables that are left out of ``tables`` too. ``odd``: those that act, or may
+    act, and cannot be read.
     """
 
     tables: tuple[CecTable, ...] = ()
+    odd: tuple[OddTable, ...] = ()
     occupied: Mapping[int, Pair] = field(default_factory=dict)
     reserved: Mapping[int, int] = field(default_factory=dict)
     max_sum: Mapping[str, float] = field(default_factory=dict)
@@ -87,6 +109,9 @@ class Cec:
             facts[CEC_RESERVED] = ", ".join(f"{index} {points}" for index, points in self.reserved.items())
         if address in self.max_sum:
             facts[CEC_MAX_SUM] = self.max_sum[address]
+        acting = sum(table.largest for table in self.odd if table.output == address)
+        if acting:
+            facts[CEC_ODD_SUM] = acting
         own = {table.directions: table.index for table in self.acting((address, address))}
         if set(own) == {(Direction.POSITIVE,), (Direction.NEGATIVE,)}:
             facts[CEC_PAIR] = f"{own[(Direction.POSITIVE,)]} {own[(Direction.NEGATIVE,)]}"
@@ -97,6 +122,12 @@ def as_table(definition: Definition) -> Definition:
     """Return the definition as if its tables between axes were tables on one axis: the same file, read by the same code."""
     bindings = {name: replace(definition.bindings[cross], quantity=name) for cross, name in AS_TABLE.items()}
     return replace(definition, bindings={**definition.bindings, **bindings})
+
+
+def _whole(places: Mapping[str, Sequence[Found]]) -> bool:
+    """Return whether a table was not cut short: it has all of its single values, and its points without a gap."""
+    points = {int(row.occurrence.tokens["index"].text) for row in places.get("cross_value", ())}
+    return all(name in places for name in _NEEDED) and points == set(range(len(points)))
 
 
 def places_of(gathered: Gathered) -> dict[int, dict[str, list[Found]]]:
@@ -117,19 +148,33 @@ def is_unused(places: Mapping[str, Sequence[Found]]) -> bool:
     return bool(numbers) and all(Decimal(number) == 0 for number in numbers)
 
 
-def read_cec(gathered: Gathered, options: Mapping[str, object], notes: Notes, wanted: Iterable[str] = ()) -> Cec:
+def is_zero(places: Mapping[str, Sequence[Found]]) -> bool:
+    """Return whether every value of a table is zero: whatever its grid and its axes, it corrects nothing."""
+    return all(Decimal(row.text) == 0 for row in places.get("cross_value", ()))
+
+
+def read_cec(
+    gathered: Gathered,
+    options: Mapping[str, object],
+    notes: Notes,
+    wanted: Mapping[str, Axis | None] | None = None,
+    activity: Activity = Activity(),  # noqa: B008 - frozen
+) -> Cec:
     """Return the tables between axes; what is wrong with them goes to ``notes``.
 
-    ``wanted``: the axes that are asked for (none: all). A table that is multiplied by another is a fault when it acts on one of
-    them, and left out with a finding when not.
+    ``wanted``: the axes that are asked for (none: all). A table that cannot be read as a curve (its range no multiple of its step,
+    an output that is no machine axis, a key that is not known, a product with another table) is a fault where it acts on one of
+    them over itself; elsewhere it is left alone and named.
     """
     if not has_cross(gathered.definition):
         return Cec()
-    reader = _CecReader(gathered, options, notes, tuple(wanted))
+    reader = _CecReader(gathered, options, notes, wanted or {}, activity)
     places = places_of(gathered)
     tables = [reader.table(index, places[index]) for index in sorted(places)]
+    reader.name_quiet()
     return Cec(
         tables=tuple(table for table in tables if table is not None),
+        odd=tuple(reader.odd),
         occupied=reader.occupied,
         reserved={
             index: int(found.text)
@@ -141,13 +186,23 @@ def read_cec(gathered: Gathered, options: Mapping[str, object], notes: Notes, wa
 
 
 class _CecReader:
-    def __init__(self, gathered: Gathered, options: Mapping[str, object], notes: Notes, wanted: tuple[str, ...]) -> None:
+    def __init__(
+        self,
+        gathered: Gathered,
+        options: Mapping[str, object],
+        notes: Notes,
+        wanted: Mapping[str, Axis | None],
+        activity: Activity,
+    ) -> None:
         self.gathered = gathered
         self.definition = gathered.definition
         self.notes = notes
         self.wanted = wanted
-        self.scale = Scale(as_table(self.definition), AxisKind.LINEAR, options, {})
+        self.activity = activity
+        self.scale = Scale(as_table(self.definition), AxisKind.LINEAR, with_some_sign(options), {})
         self.occupied: dict[int, Pair] = {}
+        self.odd: list[OddTable] = []
+        self.quiet: list[int] = []
 
     def one(self, quantity: str, places: Mapping[str, Sequence[Found]], label: str) -> Found | None:
         """Return the value that counts."""
@@ -159,18 +214,118 @@ class _CecReader:
         return self.definition.statements[self.definition.bindings[quantity].statement].form.split("[", 1)[0]
 
     def table(self, index: int, places: Mapping[str, Sequence[Found]]) -> CecTable | None:
-        """Return one table; None without one, or when something is wrong with it."""
+        """Return one table; None without one, when something is wrong with it, and when it is left alone."""
         if not any(name in places for name in DATA) or is_unused(places):
             return None
         label = f"CEC table {index}"
+        outer, self.notes = self.notes, Notes()
+        try:
+            table = self._curve(index, places, label)
+            found = self.notes
+        finally:
+            self.notes = outer
+        if not found.faults:
+            outer.findings.extend(found.findings)
+            outer.questions.extend(found.questions)
+            for note in found.assumed:
+                outer.assume(note.fact, note.value, note.evidence)
+            return table
+        damaged = any("contradicts" in fault.message for fault in found.faults)
+        if is_zero(places) and "cross_value" in places and _whole(places) and not damaged:
+            self.occupied[index] = self._names(places)
+            self.quiet.append(index)
+            return None
+        self._leave_alone(index, places, label, found.faults)
+        return None
+
+    def name_quiet(self) -> None:
+        """Name the tables that hold nothing but zeros on a grid that cannot be read."""
+        if self.quiet:
+            named = ", ".join(map(str, self.quiet))
+            message = (
+                f"CEC tables {named} are left alone: all their values are 0, on a grid that cannot be read; they correct nothing"
+            )
+            self.notes.find("CW-S054", "info", message)
+
+    def _leave_alone(self, index: int, places: Mapping[str, Sequence[Found]], label: str, faults: Sequence[Fault]) -> None:
+        """Keep a table that cannot be read where the work does not touch it; else its faults are those of the files."""
+        pair = self._names(places)
+        self.occupied[index] = pair
+        quiet = Notes()
+        on = self._word(label, "cross_table_enabled", self._last("cross_table_enabled", places), tell=False, notes=quiet) == "yes"
+        axis_on = self._word(pair[1], "cross_axis_enabled", self._of_axis("cross_axis_enabled", pair[1]), tell=False, notes=quiet)
+        acts = on and axis_on == "yes"
+        weight = self._last("cross_weight", places)
+        factor = abs(float(weight.text)) if weight is not None else 1.0
+        amounts = [abs(float(row.text)) for row in places.get("cross_value", ())]
+        largest = factor * max(amounts, default=0.0) if acts else 0.0
+        product = any("MULT_BY_TABLE" in fault.message for fault in faults)
+        damaged = "cross_value" not in places or not _whole(places) or any("contradicts" in fault.message for fault in faults)
+        touched = [address for address in self.wanted if self._touches(pair, address)] if self.wanted else [pair[1]]
+        if damaged or (acts and touched and (product or self._same(pair))):
+            self.notes.faults.extend(fault for fault in faults if fault not in self.notes.faults)
+            return
+        why = faults[0].message.removeprefix(f"{label}: ")
+        self.odd.append(OddTable(index, *pair, why, largest))
+        state = "it is switched off" if not acts else f"it acts on {pair[1]} over {pair[0]}, the same before and after"
+        severity = "warning" if acts and touched else "info"
+        self.notes.find(
+            "CW-S011" if product else "CW-S050", severity, f"{label} ({pair[0]} on {pair[1]}) is left alone: {why}; {state}"
+        )
+
+    def _names(self, places: Mapping[str, Sequence[Found]]) -> Pair:
+        both = [self._last(name, places) for name in ("cross_input", "cross_output")]
+        base, corrected = (self.gathered.axis(found.text) if found is not None else "" for found in both)
+        return base, corrected
+
+    def _last(self, quantity: str, places: Mapping[str, Sequence[Found]]) -> Found | None:
+        found = places.get(quantity, ())
+        return found[-1] if found else None
+
+    def _of_axis(self, quantity: str, address: str) -> Found | None:
+        return self._last(quantity, self.gathered.singles.get((address, None), {}))
+
+    def _same(self, pair: Pair) -> bool:
+        return pair[0] == pair[1]
+
+    def _touches(self, pair: Pair, address: str) -> bool:
+        """Return whether a table corrects an axis; a name that is no machine axis may be another name of the axis of its letter."""
+        if pair[1] == address:
+            return True
+        if pair[1] and self.gathered.names.known(pair[1]) and self.gathered.names.places:
+            return False
+        axis = self.wanted.get(address)
+        letters = {name.upper().rstrip("0123456789") for name in (address, axis.name if axis is not None else address)}
+        return pair[1].rstrip("0123456789") in letters - {"AX"}
+
+    def _check_axes(self, label: str, said: Mapping[str, Found]) -> None:
+        for name in ("cross_input", "cross_output"):
+            if not self.gathered.names.known(self.gathered.axis(said[name].text)):
+                self._fault(
+                    label, f"{self._name(name)} is no machine axis", said[name], expected="a name of MD10000, or AX1 and so on"
+                )
+
+    def _unknown_keys(self, label: str, places: Mapping[str, Sequence[Found]]) -> None:
+        for found in places.get("cross_other", ()):
+            key = found.occurrence.tokens["key"].text
+            self._fault(label, f"$AN_CEC_{key} cannot be read: no such key is known", found, expected="a key that is known")
+
+    def _curve(self, index: int, places: Mapping[str, Sequence[Found]], label: str) -> CecTable | None:
+        """Return one table as a curve; what keeps it from being one goes to the notes."""
         known = len(self.notes.faults)
         singles = {name: self.one(name, places, label) for name in DATA if name != "cross_value"}
+        self._unknown_keys(label, places)
+        if any(name not in places for name in _NEEDED) or any("contradicts" in fault.message for fault in self.notes.faults):
+            known = -1
         for name in _NEEDED:
             if name not in places:
                 self._fault(label, f"{self._name(name)} is missing", next(iter(places.values()))[0])
         said = {name: found for name, found in singles.items() if found is not None}
-        if len(self.notes.faults) > known:
+        if known < 0:
             return None
+        self._check_axes(label, said)
+        given = self._names(places)
+        self.occupied[index] = given
         source = TableSource(
             label,
             places["cross_value"],
@@ -182,10 +337,8 @@ class _CecReader:
         directions = self._directions(label, said["cross_direction"])
         if table is None or directions is None:
             return None
-        given = normal_text(self.definition, said["cross_input"].text), normal_text(self.definition, said["cross_output"].text)
-        self.occupied[index] = given
-        active = self._active(label, places, given[1])
-        if active and not self._simple(label, said.get("cross_multiplier"), given):
+        active = self._active(label, places, given)
+        if active and not self._simple(label, said.get("cross_multiplier")):
             return None
         self._check_reserved(label, places, table)
         weight = self.one("cross_weight", places, label)
@@ -204,30 +357,45 @@ class _CecReader:
         self._fault(label, "a direction that is not known", found, expected="0 (both), 1 or -1")
         return None
 
-    def _active(self, label: str, places: Mapping[str, Sequence[Found]], output: str) -> bool:
+    def _active(self, label: str, places: Mapping[str, Sequence[Found]], pair: Pair) -> bool:
         """Return whether no file switches the table off, itself or the sum on its output axis; inch data are not read."""
+        output = pair[1]
         on_axis = self.gathered.singles.get((output, None), {})
-        metric = self.one("cross_metric", on_axis, f"axis {output}")
-        if metric is not None and self._word(f"axis {output}", "cross_metric", metric) == "no":
-            self._fault(f"axis {output}", "corrections between axes in inch are not read", metric, expected="1: metric")
+        words, ends = [], []
         for quantity, where in (("cross_table_enabled", places), ("cross_axis_enabled", on_axis)):
             owner = label if where is places else f"axis {output}"
-            if self._word(owner, quantity, self.one(quantity, where, owner)) == "no":
-                self.notes.find(
-                    "CW-S034", "info", f"{label} is switched off in the files ({self._name(quantity)}); it corrects nothing"
-                )
-                return False
-        return True
+            found = self.one(quantity, where, owner)
+            words.append(None if found is None else self._word(owner, quantity, found))
+            ends.append(found)
+        word = "no" if "no" in words else None if None in words else "yes"
+        acts: bool | None = None
+        if self._same(pair) and output in self.wanted and not is_zero(places):
+            switches = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"
+            place = next((found for found, said in zip(ends, words, strict=True) if said == word and found is not None), None)
+            acts = self.activity.settle(f"{label} of axis {output}", switches, word, place, self.notes)
+        if acts is None:
+            for quantity, said in zip(("cross_table_enabled", "cross_axis_enabled"), words, strict=True):
+                if said == "no":
+                    message = f"{label} is switched off in the files ({self._name(quantity)}); it corrects nothing"
+                    self.notes.find("CW-S034", "info", message)
+                    return False
+            for quantity, said, owner in zip(
+                ("cross_table_enabled", "cross_axis_enabled"), words, (label, f"axis {output}"), strict=True
+            ):
+                if said is None:
+                    self._word(owner, quantity, None)
+            acts = True
+        metric = self.one("cross_metric", on_axis, f"axis {output}")
+        if acts and metric is not None and self._word(f"axis {output}", "cross_metric", metric) == "no":
+            self._fault(f"axis {output}", "corrections between axes in inch are not read (MD32711)", metric, expected="1: metric")
+        return acts
 
-    def _simple(self, label: str, multiplier: Found | None, pair: Pair) -> bool:
-        """Return whether the table is not multiplied by another one; where it is, that is told."""
+    def _simple(self, label: str, multiplier: Found | None) -> bool:
+        """Return whether the table is not multiplied by another one."""
         if multiplier is None or int(multiplier.text) == 0:
             return True
         other = f"it is multiplied by table {int(multiplier.text) - 1} (MULT_BY_TABLE), which is not a curve over one axis"
-        if not self.wanted or pair[1] in self.wanted:
-            self._fault(label, other, multiplier, expected="0: not multiplied")
-        else:
-            self.notes.find("CW-S011", "warning", f"{label} on axis {pair[1]} is left out: {other}")
+        self._fault(label, other, multiplier, expected="0: not multiplied")
         return False
 
     def _check_reserved(self, label: str, places: Mapping[str, Sequence[Found]], table: Table) -> None:
@@ -235,7 +403,7 @@ class _CecReader:
         if reserved is not None and 0 < int(reserved.text) < table.positions.size:
             self._fault(label, "the control has not reserved so many points", reserved, found=str(table.positions.size))
 
-    def _word(self, label: str, quantity: str, found: Found | None, *, tell: bool = True) -> str | None:
+    def _word(self, label: str, quantity: str, found: Found | None, *, tell: bool = True, notes: Notes | None = None) -> str | None:
         """Return the neutral word of a choice, or what counts when it is absent, which is listed."""
         binding = self.definition.bindings[quantity]
         if found is None:
@@ -247,7 +415,7 @@ class _CecReader:
             return absent.value
         values: Mapping[str, str] = binding.values if isinstance(binding, Choice) else {}
         word = next((word for text, word in values.items() if same_value(text, found.text)), None)
-        if word is None:
+        if word is None and notes is None:
             self._fault(label, f"{self._name(quantity)} has a value that is not known", found, expected=" or ".join(values))
         return word
 
@@ -273,9 +441,32 @@ class _CecReader:
             self.notes.faults.append(fault)
 
 
-def check_sums(cec: Cec, notes: Notes) -> None:
-    """A control whose sum of corrections runs into its limit stands in alarm: such a state cannot be read as curves."""
+def sign_question(address: str, tables: Sequence[CecTable]) -> Fault:
+    """Return what is asked where tables of an axis over itself stand in its readings, and nobody said what their values are."""
+    named = " and ".join(str(table.index) for table in tables)
+    return Fault(
+        message=f"axis {address}: CEC table {named} corrects the axis over itself, and no manual says in which direction a "
+        f"positive value moves it. {SIGN_CHECK}",
+        place="option cec_sign",
+        expected="cec_sign: correction or cec_sign: error",
+        found="not given",
+    )
+
+
+def with_some_sign(options: Mapping[str, object]) -> Mapping[str, object]:
+    """Return options with which the structure of tables can be read where their sign is not known."""
+    return options if options.get("cec_sign") is not None else {**options, "cec_sign": "correction"}
+
+
+def check_sums(cec: Cec, notes: Notes, wanted: Iterable[str] = ()) -> None:
+    """A control whose sum of corrections runs into its limit stands in alarm: such a state cannot be read as curves.
+
+    ``wanted``: the axes that are asked for (none: all); others are left alone.
+    """
+    asked = tuple(wanted)
     for output, limit in cec.max_sum.items():
+        if asked and output not in asked:
+            continue
         pairs = dict.fromkeys(table.pair for table in cec.tables if table.output == output and table.active)
         low = high = 0.0
         for pair in pairs:
@@ -336,7 +527,10 @@ def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensatio
 
 def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
     """Return what one axis does to another, in the order of the indices; tables of one pair that repeat differently stand apart."""
-    pairs = dict.fromkeys(table.pair for table in cec.tables if table.input != table.output)
+    unknown = {(table.input, table.output) for table in cec.odd if table.largest}
+    pairs = [
+        pair for pair in dict.fromkeys(table.pair for table in cec.tables if table.input != table.output) if pair not in unknown
+    ]
     return tuple(
         CrossCompensation(
             input=pair[0],

@@ -8,7 +8,16 @@ from dataclasses import replace
 import numpy as np
 
 from compwright.formats.addresses import normal_address, normal_text
-from compwright.formats.cec import CEC_MAX_SUM, allowed_tables, as_table, free_tables, reserved_in, tables_in
+from compwright.formats.cec import (
+    CEC_MAX_SUM,
+    CEC_ODD_SUM,
+    allowed_tables,
+    as_table,
+    free_tables,
+    reserved_in,
+    tables_in,
+    with_some_sign,
+)
 from compwright.formats.consistency import has_cross
 from compwright.formats.options import settled_number
 from compwright.formats.scale import Scale
@@ -35,7 +44,7 @@ def with_cec(
     addresses = [address] if axis.gantry is None else [address, normal_text(definition, axis.gantry)]
     facts = state.facts if state is not None else {}
     tables = _tables(definition, axis, addresses, options, facts)
-    scale = Scale(as_table(definition), axis.kind, options, {})
+    scale = Scale(as_table(definition), axis.kind, with_some_sign(options), {})
     low, high = scale.range("value")
     for each in addresses:
         room = _room(each, state)
@@ -111,4 +120,5 @@ def _room(address: str, state: ControlState | None) -> float:
         for entry in state.cross
         if entry.output == address
     )
-    return max(0.0, float(limit) - others)
+    odd = state.facts[address].get(CEC_ODD_SUM, 0.0)
+    return max(0.0, float(limit) - others - (float(odd) if isinstance(odd, (int, float)) else 0.0))

@@ -15,20 +15,21 @@ from compwright.formats.addresses import normal_text
 from compwright.formats.cec import (
     AS_TABLE,
     CEC_MAX_SUM,
+    CEC_ODD_SUM,
     DATA,
+    SIGN_CHECK,
     Pair,
     allowed_tables,
     as_table,
     free_tables,
     is_unused,
+    is_zero,
     places_of,
-    read_cec,
     reserved_in,
     tables_in,
 )
 from compwright.formats.cec_capacity import cec_available, too_few
 from compwright.formats.gathering import Found, same_value
-from compwright.formats.notes import Notes
 from compwright.formats.options import resolve_options
 from compwright.formats.own_files import OwnFiles, TablePlaces, rows_by_index
 from compwright.formats.scale import Scale
@@ -68,7 +69,6 @@ class CecWriter:
         self.places = places_of(own.gathered) if own is not None else {}
         self.in_use: dict[int, Pair] = self._used() if own is not None else tables_in(self.facts)
         self.kept: set[int] = set()
-        self.asleep = set() if own is None else _asleep(own, options)
 
     def allow(self, options: Mapping[str, object]) -> None:
         """Take the indices that may be written from the options, which an axis may have of its own."""
@@ -85,15 +85,36 @@ class CecWriter:
 
     def _axis_in(self, places: Mapping[str, Sequence[Found]], quantity: str) -> str:
         found = places.get(quantity, ())
-        return normal_text(self.definition, found[-1].text) if found else ""
+        return self._axis(found[-1].text) if found else ""
+
+    def _axis(self, name: str) -> str:
+        """Return the one name of an axis."""
+        return normal_text(self.definition, name) if self.own is None else self.own.gathered.axis(name)
+
+    def _sign_known(self, label: str) -> None:
+        """Without the sign nothing is written: one of the two answers doubles the error. Raises UsageError."""
+        if self.options.get("cec_sign") is None and "cec_sign" in self.definition.options:
+            raise UsageError(
+                Fault(
+                    message=f"{label}: a CEC table is to be written, and no manual says in which direction a positive value "
+                    f"moves the axis. {SIGN_CHECK}",
+                    place="option cec_sign",
+                    expected="cec_sign: correction or cec_sign: error",
+                    found="not given",
+                )
+            )
 
     def own_pair(self, address: str, axis: Axis, compensation: AxisCompensation, faults: list[Fault]) -> list[Entry]:
-        """Put the two tables of an axis over itself; return those that have no place in the files."""
+        """Put the two tables of an axis over itself; return those that have no place in the files.
+
+        Raises UsageError where nobody said what a value means.
+        """
         indices = [index for index in free_tables(self.allowed, self.in_use, address) if index not in self.kept]
         indices = self._by_direction(indices)[:2]
         if len(indices) < 2:
             faults.append(too_few(axis.name, self.definition.id, 2, len(indices), self.allowed))
             return []
+        self._sign_known(f"axis {axis.name}")
         entries = []
         for index, direction in zip(indices, Direction, strict=True):
             curve = compensation.curve(direction)
@@ -117,7 +138,7 @@ class CecWriter:
     def empty_own(self, address: str, name: str, faults: list[Fault]) -> None:
         """Set the values of an axis' old tables over itself to zero, as far as they act and are not used again."""
         for index, pair in self.in_use.items():
-            if pair != (address, address) or index in self.kept or index in self.asleep:
+            if pair != (address, address) or index in self.kept or self._quiet(index) or self._off(index, pair[1]):
                 continue
             if self.own is None or index not in self.allowed:
                 faults.append(
@@ -131,15 +152,27 @@ class CecWriter:
                 continue
             self.own.clear_rows(self._table_places(index))
 
+    def _quiet(self, index: int) -> bool:
+        """Whether the files hold nothing but zeros in a table."""
+        return index in self.places and is_zero(self.places[index])
+
+    def _off(self, index: int, output: str, *, itself: bool = False) -> bool:
+        """Whether the files end with a table switched off: ``itself`` by SD41300, else also by MD32710 of its output axis."""
+        ends = [self.places.get(index, {}).get("cross_table_enabled", ())]
+        if not itself and self.own is not None:
+            ends.append(self.own.gathered.singles.get((output, None), {}).get("cross_axis_enabled", ()))
+        return any(places and same_value(places[-1].text, "0") for places in ends)
+
     def between(self, entry: CrossCompensation, faults: list[Fault]) -> list[Entry]:
         """Put the table, or the two tables, by which one axis corrects another; return those without a place in the files."""
-        pair = normal_text(self.definition, entry.input), normal_text(self.definition, entry.output)
+        pair = self._axis(entry.input), self._axis(entry.output)
         both = np.array_equal(entry.positive, entry.negative)
         directions: tuple[Direction | None, ...] = (None,) if both else tuple(Direction)
         free = [index for index in self.allowed if index not in self.in_use and index not in self.kept]
         if len(free) < len(directions):
             faults.append(too_few(f"{pair[0]} on {pair[1]}", self.definition.id, len(directions), len(free), self.allowed))
             return []
+        self._sign_known(f"{entry.output} over {entry.input}")
         entries = []
         for index, direction in zip(free, directions, strict=False):
             curve = entry.positive if direction is not Direction.NEGATIVE else entry.negative
@@ -168,13 +201,15 @@ class CecWriter:
         table = write_table(view, curve, Scale(view, kind, self.options, {}), faults)
         field = self.definition.bindings["cross_value"].field
         singles = {
-            "cross_input": pair[0],
-            "cross_output": pair[1],
+            "cross_input": self._spelling(pair[0]),
+            "cross_output": self._spelling(pair[1]),
             **{_BACK[name]: text for name, text in table.singles.items()},
             "cross_direction": _DIRECTIONS[direction],
             "cross_multiplier": "0",
             "cross_repeats": word_text(self.definition, "cross_repeats", "no" if curve.period is None else "yes"),
         }
+        if direction is not None and pair[0] == pair[1]:  # so that the files say that the pair acts
+            singles["cross_table_enabled"] = word_text(self.definition, "cross_table_enabled", "yes")
         self._reserve(index, len(table.rows), faults)
         return Entry(index, tuple(row[field] for row in table.rows), singles)
 
@@ -198,7 +233,10 @@ class CecWriter:
             if self.own is None or not places.anywhere:
                 left.append(entry)
             else:
-                self.own.put_table(places, entry.rows, self._spelled(entry, places))
+                singles = self._spelled(entry, places)
+                if "cross_table_enabled" not in places.singles:  # the control's own file says what it says of the switch
+                    singles.pop("cross_table_enabled", None)
+                self.own.put_table(places, entry.rows, singles)
             self._switch_on(entry.index)
         self._switch_on_sum(pair[1], faults)
         return left
@@ -207,7 +245,7 @@ class CecWriter:
         places = self.places.get(index, {})
         return TablePlaces(
             rows_by_index(places.get("cross_value", ())),
-            {name: places[name] for name in DATA if name in places and name != "cross_value"},
+            {name: places[name] for name in (*DATA, "cross_table_enabled") if name in places and name != "cross_value"},
             "cross_value",
             {"table": str(index)},
         )
@@ -217,9 +255,12 @@ class CecWriter:
         singles = dict(entry.singles)
         for name in ("cross_input", "cross_output"):
             for place in places.singles.get(name, ()):
-                if normal_text(self.definition, place.text) == singles[name]:
+                if self._axis(place.text) == self._axis(singles[name]):
                     singles[name] = place.text
         return singles
+
+    def _spelling(self, address: str) -> str:
+        return address if self.own is None else self.own.gathered.spelled(address)
 
     def _switch_on(self, index: int) -> None:
         """Make a table act with its own values where the files say otherwise: it is ours."""
@@ -229,10 +270,14 @@ class CecWriter:
 
     def _switch_on_sum(self, output: str, faults: list[Fault]) -> None:
         """Switch the sum on an axis on where the files switch it off, unless that would wake tables that are not ours."""
-        places = self.own.gathered.singles.get((output, None), {}).get("cross_axis_enabled", ()) if self.own is not None else ()
-        if self.own is None or not places or not same_value(places[-1].text, "0"):
+        if self.own is None:
             return
-        others = [index for index, pair in self.in_use.items() if pair[1] == output and index not in self.kept]
+        on_axis = self.own.gathered.singles.get((output, None), {})
+        self._check_shared(output, on_axis, faults)
+        places = on_axis.get("cross_axis_enabled", ())
+        if not places or not same_value(places[-1].text, "0"):
+            return  # what no file switches off counts as on, and that is listed
+        others = [index for index in self.places if self._may_wake(index, output)]
         if others:
             faults.append(
                 Fault(
@@ -240,12 +285,46 @@ class CecWriter:
                     f"would wake others too: {', '.join(map(str, others))}",
                     file=places[-1].occurrence.file,
                     place=places[-1].occurrence.place,
-                    expected="1, or no other table on this axis",
+                    expected="1, or SD41300 = 0 for the other tables on this axis",
                     found="0",
                 )
             )
         else:
             self.own.put("cross_axis_enabled", places, "1")
+
+    def _may_wake(self, index: int, output: str) -> bool:
+        """Whether a table that is not ours begins to correct ``output`` when MD32710 is switched on."""
+        if index in self.kept or index not in self.in_use or self._quiet(index) or self._off(index, output, itself=True):
+            return False
+        corrected = self.in_use[index][1]
+        names = self.own.gathered.names if self.own is not None else None
+        return corrected == output or (names is not None and bool(names.places) and not names.known(corrected))
+
+    def _check_shared(self, output: str, on_axis: Mapping[str, Sequence[Found]], faults: list[Fault]) -> None:
+        """Other tables must not be multiplied by ours, and the axis must take values in mm."""
+        faults.extend(
+            Fault(
+                message=f"CEC table {index} is multiplied by table {int(place.text) - 1} ($AN_CEC_MULT_BY_TABLE), to be written",
+                file=place.occurrence.file,
+                place=place.occurrence.place,
+                expected="other indices in the option cec_tables",
+                found=place.text,
+            )
+            for index, places in self.places.items()
+            for place in places.get("cross_multiplier", ())[-1:]
+            if index not in self.kept and int(place.text) - 1 in self.kept and not self._quiet(index)
+        )
+        faults.extend(
+            Fault(
+                message=f"axis {output}: its CEC values are in inch (MD32711), which is not written",
+                file=place.occurrence.file,
+                place=place.occurrence.place,
+                expected="1: metric",
+                found=place.text,
+            )
+            for place in on_axis.get("cross_metric", ())[-1:]
+            if same_value(place.text, "0")
+        )
 
     def new_file(self, when: When, address: str, entries: Sequence[Entry]) -> ControlFile:
         """Return the definition's file for tables that no file of the control holds."""
@@ -266,12 +345,14 @@ class CecWriter:
 
     def check_sum(self, entry: CrossCompensation) -> Fault | None:
         """Return the fault of a table with which the sum on its output axis would reach beyond CEC_MAX_SUM."""
-        output = normal_text(self.definition, entry.output)
+        output = self._axis(entry.output)
         limit = self.facts.get(output, {}).get(CEC_MAX_SUM)
         if not isinstance(limit, (int, float)):
             return None
         acting = [other for other in self.cross if other.output == output]
-        reach = sum(float(np.max(np.abs([one.positive, one.negative]))) for one in (entry, *acting))
+        odd = self.facts[output].get(CEC_ODD_SUM, 0.0)
+        reach = float(odd) if isinstance(odd, (int, float)) else 0.0
+        reach += sum(float(np.max(np.abs([one.positive, one.negative]))) for one in (entry, *acting))
         if reach <= limit:
             return None
         return Fault(
@@ -279,11 +360,6 @@ class CecWriter:
             expected=f"at most {limit:g}",
             found=f"up to {reach:g}",
         )
-
-
-def _asleep(own: OwnFiles, options: Mapping[str, object]) -> set[int]:
-    """Return the indices of tables that the files switch off."""
-    return {table.index for table in read_cec(own.gathered, options, Notes()).tables if not table.active}
 
 
 def word_text(definition: Definition, quantity: str, word: str) -> str:
@@ -312,7 +388,8 @@ def write_cross(
             Fault(message=f"{definition.id} holds tables between axes only as an option", place="option cec", expected="available")
         )
     raise_all(UsageError, [fault for entry in cross for fault in _wrong(entry)])
-    own = OwnFiles(definition, files) if files else None
+    asked = [address for entry in cross for address in (entry.input, entry.output)]
+    own = OwnFiles(definition, files, list(dict.fromkeys((*(state.axes if state is not None else ()), *asked)))) if files else None
     writer = CecWriter(definition, resolved, own, state)
     faults: list[Fault] = []
     left: dict[str, list[Entry]] = {}
@@ -320,7 +397,9 @@ def write_cross(
         unsound = [*_unsound(entry), *([fault] if (fault := writer.check_sum(entry)) is not None else [])]
         faults.extend(unsound)
         if not unsound:
-            left.setdefault(normal_text(definition, entry.output), []).extend(writer.between(entry, faults))
+            left.setdefault(entry.output if own is None else own.gathered.axis(entry.output), []).extend(
+                writer.between(entry, faults)
+            )
     raise_all(CapacityError, list(dict.fromkeys(faults)))
     fresh = [writer.new_file("cross", output, entries) for output, entries in left.items() if entries]
     return (*(own.changed() if own is not None else ()), *fresh)

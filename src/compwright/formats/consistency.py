@@ -192,7 +192,7 @@ def _options(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
 def _default_suits(option: OptionRule) -> bool:
     value = option.default
     if option.type == "choice":
-        return value in option.choices
+        return value is None or value in option.choices
     if option.type == "integers":
         return isinstance(value, tuple) and all(isinstance(item, int) for item in value)
     if option.type == "text":

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from decimal import Decimal, InvalidOperation
 
 from compwright.formats.addresses import normal_text
+from compwright.formats.axis_names import AxisNames, axis_names
 from compwright.formats.consistency import curves
 from compwright.formats.schema import Binding, Definition
 from compwright.formats.statements import Occurrence
@@ -16,6 +17,7 @@ from compwright.foundations.findings import Finding
 
 #: Address and measuring system (as counted in the text); None: the text has none of it.
 Key = tuple[str | None, str | None]
+_TRUTH = {"TRUE": "1", "FALSE": "0"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +44,19 @@ class Gathered:
     file_rows: dict[int, list[Found]] = field(default_factory=dict)
     file_names: dict[int, str] = field(default_factory=dict)
     sections: list[str] = field(default_factory=list)
+    names: AxisNames = field(default_factory=AxisNames)
+    #: How the files write each axis where they speak of it, in the order of their first appearance.
+    spellings: dict[str, list[str]] = field(default_factory=dict)
+    #: The files (by their place among those given) that list the names of the axes.
+    naming: set[int] = field(default_factory=set)
+
+    def axis(self, text: str) -> str:
+        """Return the address of an axis by any of its names."""
+        return self.names.address(normal_text(self.definition, text))
+
+    def spelled(self, address: str) -> str:
+        """Return how the files write an axis; the address itself where they do not."""
+        return self.spellings.get(address, [address])[0]
 
     def addresses(self) -> list[str]:
         """Return the addresses that the files name, in the order of their first appearance.
@@ -65,9 +80,13 @@ class Gathered:
         return []
 
 
-def gather(definition: Definition, texts: Iterable[ReadText]) -> Gathered:
-    """Sort the statements of all files by axis and measuring system."""
-    result = Gathered(definition)
+def gather(definition: Definition, texts: Iterable[ReadText], asked: Sequence[str] = ()) -> Gathered:
+    """Sort the statements of all files by axis and measuring system.
+
+    ``asked``: the addresses under which axes are asked for; see `axis_names` for what it raises.
+    """
+    texts = tuple(texts)
+    result = Gathered(definition, names=axis_names(definition, texts, asked))
     table_statement = definition.bindings[curves(definition)[0]].statement
     by_statement: dict[str, list[Binding]] = {}
     for binding in definition.bindings.values():
@@ -76,7 +95,7 @@ def gather(definition: Definition, texts: Iterable[ReadText]) -> Gathered:
         result.file_names[text.number] = text.file
         result.sections.extend(text.sections)
         for occurrence in text.occurrences:
-            key = _key(definition, occurrence)
+            key = _key(result, occurrence)
             if occurrence.statement == table_statement:
                 row = Found("", occurrence, text.number)
                 if key[0] is None:
@@ -85,18 +104,31 @@ def gather(definition: Definition, texts: Iterable[ReadText]) -> Gathered:
                     result.rows.setdefault(key, []).append(row)
                 continue
             for binding in by_statement.get(occurrence.statement, ()):
-                found = Found(occurrence.tokens[binding.field].text, occurrence, text.number)
+                found = Found(_text(definition, binding, occurrence), occurrence, text.number)
+                if binding.quantity == "machine_axis":
+                    result.naming.add(text.number)
                 result.singles.setdefault(key, {}).setdefault(binding.quantity, []).append(found)
     return result
 
 
-def _key(definition: Definition, occurrence: Occurrence) -> Key:
+def _key(gathered: Gathered, occurrence: Occurrence) -> Key:
     axis = occurrence.tokens.get("axis")
     system = occurrence.tokens.get("system")
-    return (
-        None if axis is None else normal_text(definition, axis.text),
-        None if system is None else str(int(system.text)),
-    )
+    address = None if axis is None else gathered.axis(axis.text)
+    if axis is not None and address is not None and system is not None:
+        forms = gathered.spellings.setdefault(address, [])
+        form = normal_text(gathered.definition, axis.text)
+        if form not in forms:
+            forms.append(form)
+    return address, None if system is None else str(int(system.text))
+
+
+def _text(definition: Definition, binding: Binding, occurrence: Occurrence) -> str:
+    """Return the value as it stands; a truth value in words as its number."""
+    text = occurrence.tokens[binding.field].text
+    if definition.statements[occurrence.statement].fields.get(binding.field) == "truth":
+        return _TRUTH.get(text.upper(), text)
+    return text
 
 
 def the_one(binding: Binding, places: Sequence[Found], label: str, faults: list[Fault], findings: list[Finding]) -> Found | None:
@@ -138,6 +170,7 @@ def first_set(places: Sequence[Found]) -> list[Found]:
 
 def same_value(one: str, other: str) -> bool:
     """Return whether two texts are the same number, or the same text."""
+    one, other = _TRUTH.get(one.upper(), one), _TRUTH.get(other.upper(), other)
     if one == other:
         return True
     try:

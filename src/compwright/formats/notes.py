@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from compwright.formats.gathering import Found
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding
 from compwright.records.correction import Assumption
@@ -16,6 +17,13 @@ class Notes:
     faults: list[Fault] = field(default_factory=list)
     findings: list[Finding] = field(default_factory=list)
     assumed: list[Assumption] = field(default_factory=list)
+    #: What only the user can answer: nothing is done with the files without it.
+    questions: list[Fault] = field(default_factory=list)
+
+    def ask(self, question: Fault) -> None:
+        """Note a question once."""
+        if question not in self.questions:
+            self.questions.append(question)
 
     def assume(self, fact: str, value: str, evidence: str) -> None:
         """Note an assumption once."""
@@ -42,6 +50,18 @@ class Notes:
     def taken_for(self, axis: str, address: str) -> None:
         """Note which axis of the control an axis of the job was taken for."""
         self.find("CW-S010", "warning", f"axis {axis} is taken as {address} of the control: check it, or give its address")
+
+    def refuse(self, label: str, message: str, place: Found | None, *, expected: str, found: str | None = None) -> None:
+        """Note, once, what keeps files from being worked with, at the line of ``place``."""
+        fault = Fault(
+            message=f"{label}: {message}",
+            file=place.occurrence.file if place is not None else "",
+            place=place.occurrence.place if place is not None else "",
+            expected=expected,
+            found=place.text if found is None and place is not None else found or "",
+        )
+        if fault not in self.faults:
+            self.faults.append(fault)
 
     def ignored(self, label: str, what: str, why: str) -> None:
         """Note a value that the control ignores."""

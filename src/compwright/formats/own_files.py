@@ -39,16 +39,16 @@ class TablePlaces:
 
 
 class OwnFiles:
-    """Collects the changes. Raises InputError when the files cannot be read."""
+    """Collects the changes. ``asked``: the addresses of the axes under work. Raises InputError when the files cannot be read."""
 
-    def __init__(self, definition: Definition, files: Sequence[ControlFile]) -> None:
+    def __init__(self, definition: Definition, files: Sequence[ControlFile], asked: Sequence[str] = ()) -> None:
         self.definition = definition
         self.files = list(files)
         self.reader = TextReader(definition)
         faults: list[Fault] = []
         texts = [self.reader.read(file, faults, number) for number, file in enumerate(self.files)]
         raise_all(InputError, faults)
-        self.gathered: Gathered = gather(definition, [text for text in texts if text is not None])
+        self.gathered: Gathered = gather(definition, [text for text in texts if text is not None], asked)
         self.lines = [self.reader.lines(file.content.decode("latin-1")) for file in self.files]
         self.changes: dict[int, dict[tuple[int, int], Change]] = {}
         self.inserted: dict[tuple[int, int], list[str]] = {}

@@ -9,14 +9,16 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
+from compwright.formats.activity import Activity
 from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.axis_reading import AxisReader, Fact
-from compwright.formats.cec import check_sums, cross_tables, read_cec, with_own_tables
+from compwright.formats.beside import beside, check_unit
+from compwright.formats.cec import check_sums, cross_tables, read_cec, sign_question, with_own_tables
 from compwright.formats.consistency import curves
 from compwright.formats.gantry import find_partners, partner_of
 from compwright.formats.gathering import Found, Gathered, gather
 from compwright.formats.notes import Notes
-from compwright.formats.options import REFERENCE, REFERENCE_RETURN, axis_options, resolve_options
+from compwright.formats.options import ENCODER_SYSTEM, REFERENCE, REFERENCE_RETURN, axis_options, resolve_options
 from compwright.formats.schema import Choice, Definition
 from compwright.formats.section_increments import read_increments
 from compwright.formats.statements import field_matches
@@ -35,24 +37,34 @@ def read_state(
     axes: Sequence[Axis] = (),
     *,
     address: str | None = None,
+    activity: Activity = Activity(),  # noqa: B008 - frozen
 ) -> ControlState:
     """Return what a control does with ``files``.
 
     ``axes`` (where a job knows them) give kind, measuring system and direction of the reference return, and limit the reading
     to these axes; otherwise every axis in the files is read, or only ``address``, and the options ``reference`` and
-    ``reference_return`` are listed in ``assumed``. The axes of the result stand under the address as `normal_address` gives it.
-    Raises InputError with every fault that was found (file and line), UsageError for a wrong option or address.
+    ``reference_return`` are listed in ``assumed``. ``activity``: what a job says of whether the tables acted. The axes of the
+    result stand under the address as `normal_address` gives it. Raises InputError with every fault that was found (file and line),
+    UsageError for a wrong option or address, and for what only the user can answer.
     """
     if definition.layout.shape == "section_increments":
         return read_increments(definition, files, options, axes, address=address)
     if definition.layout.shape == "user_tables":
         return read_user_tables(definition, files, options, axes, address=address)
-    return _StateReader(definition, resolve_options(definition, options), axes, address).read(files)
+    return _StateReader(definition, resolve_options(definition, options), axes, address, activity).read(files)
 
 
 class _StateReader:
-    def __init__(self, definition: Definition, options: Mapping[str, object], axes: Sequence[Axis], address: str | None) -> None:
+    def __init__(
+        self,
+        definition: Definition,
+        options: Mapping[str, object],
+        axes: Sequence[Axis],
+        address: str | None,
+        activity: Activity,
+    ) -> None:
         self.definition = definition
+        self.activity = activity
         self.options = options
         self.notes = Notes()
         self.wanted: dict[str, Axis | None] = {}
@@ -74,11 +86,12 @@ class _StateReader:
 
     def read(self, files: Sequence[ControlFile]) -> ControlState:
         texts, reader = self._texts(files)
-        gathered = gather(self.definition, texts)
+        gathered = gather(self.definition, texts, list(self.wanted))
+        check_unit(gathered, self.wanted, self.notes)
         for text in texts:
             self.notes.findings.extend(text.findings)
-        cec = read_cec(gathered, self.options, self.notes, self.wanted)
-        check_sums(cec, self.notes)
+        cec = read_cec(gathered, self.options, self.notes, self.wanted, self.activity)
+        check_sums(cec, self.notes, self.wanted)
         named = list(dict.fromkeys((*self._named(gathered, texts, reader), *cec.own_axes())))
         if not self.wanted and not named and not cec.tables:
             template = next(file.name for file in self.definition.writing if file.rows is not None)
@@ -107,14 +120,28 @@ class _StateReader:
                 continue
             rows = self._rows(gathered, texts, address, spoken_of=address in self._spoken_of(gathered, reader))
             elsewhere = bool(cec.acting((address, address)))
+            if elsewhere and self.options.get("cec_sign") is None and "cec_sign" in self.definition.options:
+                self.notes.ask(sign_question(address, cec.acting((address, address))))
             options = axis_options(self.definition, self.options, axis)
-            reading = AxisReader(gathered, address, axis, options, self.notes, rows, elsewhere=elsewhere).read()
+            reader_of = AxisReader(gathered, address, axis, options, self.notes, rows, elsewhere=elsewhere, activity=self.activity)
+            reading = reader_of.read()
             compensations[address] = with_own_tables(cec, reading.compensation)
-            facts[address] = {**reading.facts, **cec.facts(address)}
+            facts[address] = {**reading.facts, **cec.facts(address), **beside(gathered, address, axis, self.partners, self.notes)}
             if axis is not None:
                 self._check_turn(axis, compensations[address])
+        self._same_systems(facts)
         cross = cross_tables(cec, lambda name: self._kind(name, gathered))
+        if cross and self.options.get("cec_sign") is None and "cec_sign" in self.definition.options:
+            between = ", ".join(dict.fromkeys(f"{entry.output} over {entry.input}" for entry in cross))
+            self.notes.find(
+                "CW-S051",
+                "warning",
+                f"the tables between axes ({between}) are left as they are and not shown: the sign of CEC values is not known; "
+                "give the option cec_sign after the check on the card",
+            )
+            cross = ()
         raise_all(InputError, self.notes.faults)
+        raise_all(UsageError, self.notes.questions)
         find_partners(gathered, self.partners, compensations, self.notes, asked=bool(self.wanted))
         self._after(texts)
         return ControlState(
@@ -125,6 +152,19 @@ class _StateReader:
             assumed=tuple(self.notes.assumed),
             findings=tuple(dict.fromkeys(self.notes.findings)),
         )
+
+    def _same_systems(self, facts: Mapping[str, Mapping[str, Fact]]) -> None:
+        """Both axes of a gantry are written for one measuring system."""
+        for leading, partner in self.partners.items():
+            used = [facts.get(address, {}).get(ENCODER_SYSTEM) for address in (leading, partner)]
+            if None not in used and used[0] != used[1]:
+                self.notes.refuse(
+                    f"axes {leading} and {partner}",
+                    "the two axes of the gantry use different measuring systems",
+                    None,
+                    expected="the same one, or encoder.system in the job",
+                    found=f"{used[0]} and {used[1]}",
+                )
 
     def _texts(self, files: Sequence[ControlFile]) -> tuple[list[ReadText], TextReader]:
         if not files:

@@ -61,19 +61,46 @@ PLAIN = (
     "reference_coordinate",
     "limit_low",
     "limit_high",
+    "machine_axis",
+    "channel_axis",
+    "channel_machine_axis",
+    "metric_system",
+    "unit_word",
+    "encoders",
+    "gantry_type",
+    "modulo_range",
+    "modulo_start",
+    "temperature_type",
+    "temperature_slope",
+    "dynamic_backlash",
     "cross_input",
     "cross_output",
     "cross_direction",
     "cross_multiplier",
     "cross_weight",
     "cross_max_points",
+    "cross_other",
 )
 #: What a control has or has not as a whole: tables by which one axis corrects another, or itself in one direction only.
 CROSS = tuple(name for name in (*MEASURES, *CHOICES, *PLAIN) if name.startswith("cross_"))
 
 AddressType = Literal["integer", "name"]
 Case = Literal["ignored", "kept"]
-FieldType = Literal["integer", "signed", "point_number", "bit", "key", "decimal", "real", "name", "label", "word", "text"]
+FieldType = Literal[
+    "integer",
+    "signed",
+    "point_number",
+    "bit",
+    "key",
+    "decimal",
+    "real",
+    "name",
+    "label",
+    "word",
+    "text",
+    "truth",
+    "system_word",
+]
 Rest = Literal["none", "after_blank", "anything"]
 Shape = Literal["values_by_index", "rows_by_position", "section_increments", "user_tables"]
 Pairing = Literal["none", "two_columns"]

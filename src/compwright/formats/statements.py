@@ -24,6 +24,8 @@ _FIELD_PATTERNS: Mapping[FieldType, str] = {
     "label": r"[^\[\]\r\n]+",
     "word": r"[^ \t\r\n]+",
     "text": r"[^\r\n]*[^\r\n \t]",
+    "truth": r"[0-9]{1,9}|TRUE|FALSE",
+    "system_word": r"METRIC|INCH",
 }
 _REST = {"none": r"[ \t]*", "after_blank": r"(?:[ \t][^\r\n]*)?", "anything": r"[^\r\n]*"}
 _PIECE = re.compile(r"\{(?P<field>[a-z_][a-z0-9_]*)\}|(?P<blank> +)|#(?P<padded>[0-9]+)|(?P<word>[\w$%.]+)|(?P<mark>.)")

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from compwright.formats.beside import MODULO_START, RANGE_START
 from compwright.formats.capacity import scale_for_writing, written_text
 from compwright.formats.cec_capacity import cec_available
 from compwright.formats.cec_writing import CecWriter, word_text
@@ -23,6 +24,7 @@ from compwright.formats.schema import Choice, Definition, When, WrittenFile
 from compwright.formats.statements import Occurrence, print_form
 from compwright.formats.tables import WrittenTable, write_table
 from compwright.formats.texts import TextReader
+from compwright.formats.turns import RANGE_QUANTITY, in_range_of
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -44,7 +46,8 @@ def write_table_files(
     faults: list[Fault],
 ) -> tuple[ControlFile, ...]:
     """Return the files of tables (address, axis, table) within the limits; what the text cannot say exactly goes to ``faults``."""
-    own = OwnFiles(definition, files) if files and definition.limit("no_patching") is None else None
+    asked = list(dict.fromkeys((*(state.axes if state is not None else ()), *(address for address, _, _ in tables))))
+    own = OwnFiles(definition, files, asked) if files and definition.limit("no_patching") is None else None
     writer = _Writer(definition, options, own, CecWriter(definition, options, own, state))
     fresh: list[ControlFile] = []
     for address, axis, compensation in tables:
@@ -64,6 +67,7 @@ def _first_few(faults: list[Fault], address: str) -> list[Fault]:
 class _Text:
     """What goes into the control for one axis, as text: rows by field, single values by quantity; ``when``: for which tables."""
 
+    address: str
     named: Mapping[str, str]
     rows: tuple[Mapping[str, str], ...]
     singles: Mapping[str, str]
@@ -72,6 +76,7 @@ class _Text:
 
 class _Writer:
     def __init__(self, definition: Definition, options: Mapping[str, object], own: OwnFiles | None, cec: CecWriter) -> None:
+        self.facts = cec.facts
         self.definition = definition
         self.shared = options
         self.options = options
@@ -82,6 +87,7 @@ class _Writer:
         """Put one axis into the control's own files and return new files with what has no place there."""
         fresh: list[ControlFile] = []
         self.options = axis_options(self.definition, self.shared, axis)
+        compensation = self._turned(address, axis, compensation, faults)
         self.cec.allow(self.options)
         text = self._text(address, axis, compensation, faults)
         if text.when == "two_curves":
@@ -94,12 +100,20 @@ class _Writer:
         made = [_file(self.definition, file, text, placed, faults) for file in files if not file.optional]
         return [*(file for file in made if file is not None), *fresh]
 
+    def _turned(self, address: str, axis: Axis, compensation: AxisCompensation, faults: list[Fault]) -> AxisCompensation:
+        """Return the table of an endless axis over the control's own range: from its beginning, once around."""
+        if compensation.period is None or RANGE_QUANTITY not in self.definition.bindings:
+            return compensation
+        said = self.facts.get(address, {}).get(RANGE_START)
+        return in_range_of(compensation, float(said) if isinstance(said, (int, float)) else MODULO_START, axis.name, faults)
+
     def _pair_file(self, file: WrittenFile) -> bool:
         return file.when == "two_curves" and file.rows is not None
 
     def _text(self, address: str, axis: Axis, compensation: AxisCompensation, faults: list[Fault]) -> _Text:
         scale = scale_for_writing(self.definition, axis, self.options)
-        named = {"axis": address, "system": str(axis.encoder.system - 1)}
+        spelled = address if self.own is None else self.own.gathered.spelled(address)
+        named = {"axis": spelled, "system": str(axis.encoder.system - 1)}
         two = holds_two_curves(self.definition, self.options, compensation)
         table = WrittenTable((), {}) if two else write_table(self.definition, compensation, scale, faults)
         singles = _singles(self.definition, compensation, table, scale, named, faults)
@@ -108,7 +122,7 @@ class _Writer:
         elif compensation.period is not None and "repeats" in singles:
             singles["repeats"] = word_text(self.definition, "repeats", "yes")
         when: When = "two_curves" if two else "one_curve"
-        return _Text(named, table.rows, singles, when)
+        return _Text(address, named, table.rows, singles, when)
 
     def _put(self, address: str, text: _Text) -> set[str]:
         """Put what has a place in the control's own files there; return these quantities."""
@@ -119,7 +133,11 @@ class _Writer:
         placed = {"backlash"} if self.own.put("backlash", said.get("backlash", ()), text.singles["backlash"]) else set()
         self.own.put("backlash_factor", first_set(said.get("backlash_factor", whole.get("backlash_factor", ()))), "1")
         if text.when == "two_curves":
+            if whole.get("cross_axis_enabled"):
+                placed = placed | {"cross_axis_enabled"}
             return placed | ({"enabled"} if self.own.put("enabled", said.get("enabled", ()), text.singles["enabled"]) else set())
+        if placed or said.get("enabled"):  # beside a backlash that stays in its place no file is made for the switch alone
+            placed = placed | {"enabled"}
         value = curves(self.definition)[0]
         names = [*grid(self.definition), *(["repeats"] if "repeats" in self.definition.bindings else [])]
         rows = rows_by_index(self.own.gathered.rows.get((address, text.named["system"]), ()))
@@ -159,6 +177,9 @@ class _Writer:
             for place in places
         }
         speaking |= {row.number for (address, _), rows in gathered.rows.items() if address in addresses for row in rows}
+        forms = set(addresses) | {form for each in addresses for form in gathered.spellings.get(each, ())}
+        if len(forms) > len(set(addresses)):  # more than one name for an axis: the file that lists them belongs to the set
+            speaking |= gathered.naming
         for index, places in self.cec.places.items():
             pair = self.cec.in_use.get(index)
             if index in self.cec.kept or (pair is not None and pair[0] == pair[1] and pair[1] in addresses):
@@ -180,7 +201,7 @@ def _file(definition: Definition, file: WrittenFile, text: _Text, placed: set[st
     newline = definition.dialect.newline
     header = "".join(print_form(line, text.named) + newline for line in file.header)
     footer = [print_form(line, text.named) + newline for line in file.footer]
-    name = print_form(file.name, text.named)
+    name = print_form(file.name, {**text.named, "axis": text.address})
     skeleton = (header + "".join(footer)).encode("ascii")
     changes: list[Change] = []
     left = 0

@@ -30,6 +30,8 @@ _AXIS_KEYS: dict[str, tuple[tuple[str, ...], bool]] = {
     "mode": (("table", "mode"), False),
 }
 _OPTIONS = "controller.options."
+#: The key of ``--option`` that says whether compensation acted, where the files of ``--state`` switch it off or do not say.
+ACTIVE = "active"
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", re.ASCII)
 _WHOLE = re.compile(r"[-+]?\d{1,15}", re.ASCII)
 
@@ -48,8 +50,9 @@ def job_from_options(
 
     ``travel`` is ``LO:HI`` in mm or deg; ``states`` are the control's own files, or the single word ``none``, or empty (then
     nothing is known of the control). Of ``options`` (``K=V``) the keys address, axis_number, kind, reference, reference_return,
-    encoder_system, screw_pitch (a number or numbers with commas), spacing and mode describe the axis; all others are options of
-    the controller and their values stay text. Raises UsageError with every fault at once, each naming its option.
+    encoder_system, screw_pitch (a number or numbers with commas), spacing and mode describe the axis, ``active`` (yes or no) says
+    of the files of the state whether compensation acted; all others are options of the controller and their values stay text.
+    Raises UsageError with every fault at once, each naming its option.
     """
     section: dict[str, Any] = {"travel": [_number(end) for end in travel.split(":")], "before": [{"files": list(files)}]}
     controller, faults = _sorted_options(options, section)
@@ -58,8 +61,11 @@ def job_from_options(
         "controller": {"format": format, "options": controller},
         "axes": {axis: section},
     }
-    if states:
-        data["states"] = {AS_FOUND: list(states)}
+    active = controller.pop(ACTIVE, None)
+    if active is not None and not states:
+        faults.append(Fault(message="goes with --state", place=f"--option {ACTIVE}", expected="--state FILE", found=active))
+    elif states:
+        data["states"] = {AS_FOUND: list(states) if active is None else {"files": list(states), ACTIVE: active}}
     document = YamlDocument(data=data)
     checked = check(document, "") if further is None else check(document, "", further)
     faults += [replace(fault, place=_option(fault.place, axis)) for fault in checked.faults]
@@ -113,6 +119,7 @@ def _option(place: str, axis: str) -> str:
         f"axes.{axis}.travel": "--travel",
         f"axes.{axis}.before": "FILE",
         "controller.format": "--format",
+        f"states.{AS_FOUND}.{ACTIVE}": f"--option {ACTIVE}",
         f"states.{AS_FOUND}": "--state",
         **{".".join(("axes", axis, *path)): f"--option {key}" for key, (path, _) in _AXIS_KEYS.items()},
     }

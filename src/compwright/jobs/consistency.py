@@ -88,12 +88,19 @@ def _values(value: Any, path: KeyPath) -> Iterator[Contradiction]:
 
 
 def _states(states: Any) -> Iterator[Contradiction]:
-    for name, files in _mapping(states).items():
+    for name, state in _mapping(states).items():
+        path: KeyPath = ("states", name, "files") if isinstance(state, dict) else ("states", name)
+        files = state.get("files") if isinstance(state, dict) else state
         if not name.strip():
             yield Contradiction(("states", name), "is a state without a name", "as_found, or a name of your own")
-        if len(_sequence(files)) > 1 and NONE_WORD in files:
-            yield Contradiction(("states", name), "names files and none at once", "the word none, or the control's files")
-        yield from _repeated_files(_sequence(files), ("states", name))
+        if len(_sequence(files)) > 1 and NONE_WORD in _sequence(files):
+            yield Contradiction(path, "names files and none at once", "the word none, or the control's files")
+        if files in (NONE_WORD, [NONE_WORD]) and "active" in _mapping(state):
+            found = shown(state["active"])
+            yield Contradiction(
+                ("states", name, "active"), "is said of a state in which nothing acts", "no active beside none", found
+            )
+        yield from _repeated_files(_sequence(files), path)
 
 
 def _repeated_files(files: Sequence[Any], path: KeyPath) -> Iterator[Contradiction]:

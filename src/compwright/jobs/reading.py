@@ -127,7 +127,8 @@ def job_of(section: JobSection, file: str) -> Job:
         format=section.controller.format,
         axes={name: _axis_job(name, axis) for name, axis in section.axes.items()},
         options=section.controller.options,
-        states={name: _state(files) for name, files in section.states.items()},
+        states={name: _state(state.files) for name, state in section.states.items()},
+        active={name: state.active for name, state in section.states.items() if state.active is not None},
         machine=section.machine.model_dump(exclude_none=True),
         fixed_positions=section.fixed_positions,
         uncertainty=_budget(section),
@@ -163,7 +164,9 @@ def _axis_job(name: str, section: AxisSection) -> AxisJob:
         gantry=section.gantry,
         reference=section.reference,
         reference_return=Direction(section.reference_return),
-        encoder=Encoder(type=section.encoder.type, system=int(section.encoder.system)),
+        encoder=Encoder(
+            type=section.encoder.type, system=int(section.encoder.system or 1), stated=section.encoder.system is not None
+        ),
         programmed=section.programmed,
         screw_pitch=tuple(section.screw_pitch or ()),
         options=section.options,

@@ -46,6 +46,15 @@ def _no_truth_value(value: Any) -> Any:
     return value
 
 
+def _yes_or_no(value: Any) -> Any:
+    """Read ``yes`` and ``no``, which are text in a job file; ``true`` and ``false`` are what they are."""
+    return {"yes": True, "no": False}.get(value, value) if isinstance(value, str) else value
+
+
+def _state(value: Any) -> Any:
+    return value if isinstance(value, dict) else {"files": value}
+
+
 def _unless_auto(value: Any) -> Any:
     return None if value == "auto" else value
 
@@ -86,10 +95,10 @@ class PositionMapSection(Section):
 
 
 class EncoderSection(Section):
-    """The measuring system."""
+    """The measuring system; without ``system`` the one that the control's files show to be in use, else 1."""
 
     type: Literal["incremental", "absolute", "distance_coded"] = "incremental"
-    system: Annotated[Literal[1, 2], BeforeValidator(_no_truth_value)] = 1
+    system: Annotated[Literal[1, 2] | None, BeforeValidator(_no_truth_value)] = None
 
 
 class TestSection(Section):
@@ -208,14 +217,21 @@ class ReportSection(Section):
     language: Literal["en", "de", "fr", "ru"] = "en"
 
 
+class StateSection(Section):
+    """The files of a state, or the word none; whether compensation acted, where the files switch it off or do not say."""
+
+    files: Annotated[list[Text], BeforeValidator(_listed), Field(min_length=1)]
+    active: Annotated[bool | None, BeforeValidator(_yes_or_no)] = None
+
+
 class JobSection(Section):
-    """The whole file. ``states`` (text or lists of text) is checked in `compwright.jobs.consistency`."""
+    """The whole file. What ties ``states`` together is checked in `compwright.jobs.consistency`."""
 
     compwright: int
     controller: ControllerSection
     axes: Annotated[dict[str, AxisSection], Field(min_length=1)]
     machine: MachineSection = MachineSection()
-    states: dict[str, Annotated[list[Text], BeforeValidator(_listed), Field(min_length=1)]] = {}
+    states: dict[str, Annotated[StateSection, BeforeValidator(_state)]] = {}
     circles: list[CircleSection] = []
     cross: list[CrossSection] = []
     apply: ApplySection | None = None

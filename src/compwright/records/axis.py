@@ -54,10 +54,11 @@ class PositionMap:
 
 @dataclass(frozen=True, slots=True)
 class Encoder:
-    """The measuring system: ``system`` 1 or 2 (2 is index 1 in SINUMERIK files)."""
+    """The measuring system: ``system`` 1 or 2 (2 is index 1 in SINUMERIK files); ``stated`` False: nobody said which one."""
 
     type: Literal["incremental", "absolute", "distance_coded"] = "incremental"
     system: int = 1
+    stated: bool = field(default=True, compare=False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -115,6 +115,7 @@ class AxisJob:
 class Job:
     """The whole job. ``states`` maps a name to the files of that state, `NONE_STATE` for ``none``; empty: not said.
 
+    ``active``: by state, whether compensation acted in it where its files switch it off or do not say; absent: nobody answered.
     ``options`` are the controller's; an axis' own stand in ``axis.options`` and go over them. ``findings`` holds what was
     noticed in the job itself, such as keys on which nothing acts.
     """
@@ -124,6 +125,7 @@ class Job:
     axes: Mapping[str, AxisJob]
     options: Mapping[str, object] = field(default_factory=dict)
     states: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    active: Mapping[str, bool] = field(default_factory=dict)
     machine: Mapping[str, str] = field(default_factory=dict)
     fixed_positions: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     uncertainty: UncertaintyBudget | None = None

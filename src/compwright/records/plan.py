@@ -79,9 +79,9 @@ class PlannedCross:
 class Plan:
     """The plan. ``states`` holds the control's own files byte by byte: None where the job did not say, empty for ``none``.
 
-    ``cross``: what is wanted between axes, written or not; ``circles``: the circular tests by name. ``results``: the other
-    files of the run by their relative names, with the SHA-256 of each: by it the next run tells them from what the user has put or
-    changed there.
+    ``active``: by state, what the job answered to whether compensation acted. ``cross``: what is wanted between axes, written or
+    not; ``circles``: the circular tests by name. ``results``: the other files of the run by their relative names, with the SHA-256
+    of each: by it the next run tells them from what the user has put or changed there.
     """
 
     version: str
@@ -90,6 +90,7 @@ class Plan:
     standard: str
     axes: Mapping[str, PlannedAxis]
     states: Mapping[str, tuple[ControlFile, ...]] = field(default_factory=dict)
+    active: Mapping[str, bool] = field(default_factory=dict)
     machine: Mapping[str, str] = field(default_factory=dict)
     sources: tuple[Source, ...] = ()
     assumed: tuple[Assumption, ...] = ()

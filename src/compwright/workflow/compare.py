@@ -42,7 +42,7 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     if not planned:
         raise UsageError(Fault(message="the plan holds no table to compare with", file=str(plan_file)))
     axes = [entry.axis for entry in planned]
-    as_found = decode(control, plan.states.get(AS_FOUND, ()), axes)
+    as_found = decode(control, plan.states.get(AS_FOUND, ()), axes, active=plan.active.get(AS_FOUND))
     control = control.in_state(as_found.state)
     fitted = [(entry.axis, entry.fitted) for entry in planned if entry.fitted is not None]
     files, wish = write_fitted(control, fitted, as_found)

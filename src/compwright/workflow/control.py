@@ -14,13 +14,16 @@ from pathlib import Path
 import numpy as np
 
 from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.formats.activity import Activity
 from compwright.formats.addresses import normal_address, normal_text
+from compwright.formats.cec import CEC_TABLES
 from compwright.formats.definitions import definitions_from
 from compwright.formats.options import DETECTION_UNIT, ENCODER_SYSTEM, resolve_options
 from compwright.formats.reading import read_state
 from compwright.formats.schema import Definition
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
+from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile, ControlState, CrossCompensation
 from compwright.records.job import AxisJob, Job
@@ -29,8 +32,8 @@ from compwright.records.job import AxisJob, Job
 AGREEMENT = 2e-7
 #: Positions of tables of which only one reader knows, mm or deg: every 5 mm of the longest machines.
 EVERYWHERE = np.linspace(-5000.0, 5000.0, 2001)
-#: The finding of a table that was left out, because nobody asked for its axis.
-LEFT_OUT = "CW-S011"
+#: The findings of tables that were left out: nobody asked for their axis, they cannot be read, their sign is not known.
+LEFT_OUT = frozenset({"CW-S011", "CW-S050", "CW-S051"})
 
 #: Options of decode that the axes of a job say themselves, and that the reading of files without a job lists itself.
 _SAID_ELSEWHERE = frozenset({"reference", "reference_return"})
@@ -207,17 +210,31 @@ def decode(
     *,
     address: str | None = None,
     written: bool = False,
+    active: bool | None = None,
+    asking: bool = False,
 ) -> DecodedState:
     """Read control files with both readers and hold them against each other.
 
     ``axes``: those of a job; ``address``: the one axis that is asked for. Either names the axis of a table that does not.
-    ``written``: compwright wrote these files just now. Raises InputError when the files cannot be read, contradict themselves or
-    can be read in two ways: what two readers understand differently is not a state to build on. In files of our own making that
-    is a fault of our own (CompwrightError).
+    ``written``: compwright wrote these files just now. ``active``: what the job answers to whether the tables acted, where the
+    files do not say it; ``asking``: that answer is needed (UsageError without it). Raises InputError when the files cannot be read,
+    contradict themselves or can be read in two ways: what two readers understand differently is not a state to build on. In files
+    of our own making that is a fault of our own (CompwrightError).
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
-    state = read_state(control.definition, files, control.options, axes, address=address)
+    if active is False and "enabled" not in control.definition.bindings:
+        raise UsageError(
+            Fault(
+                message=f"active: no is said of a state, but nothing in the files of {control.id} leaves open whether a table acts",
+                expected="active left out, or the files as they were during the test",
+            )
+        )
+    activity = Activity(said=active, asking=asking)
+    shown = not axes and "cec_sign" in control.options and control.options["cec_sign"] is None
+    options = {**control.options, "cec_sign": "correction"} if shown else control.options
+    state = read_state(control.definition, files, options, axes, address=address, activity=activity)
+    state = _with_sign_unknown(state) if shown else state
     named = [(each, axis) for axis in axes for each in (axis.address, axis.gantry) if each is not None]
     alone = address or (axes[0].address if len(axes) == 1 else None)
     judge = virtual_control(
@@ -225,15 +242,32 @@ def decode(
         files,
         reference_return={address: axis.reference_return for address, axis in state.axes.items()},
         kinds={address: axis.kind for address, axis in state.axes.items()},
-        encoder={**_systems(state), **{address: axis.encoder.system for address, axis in named}},
+        encoder={**_systems(state), **{address: axis.encoder.system for address, axis in named if axis.encoder.stated}},
+        active=active,
         modulo={address: axis.modulo for address, axis in named if axis.modulo is not None},
         reference={address: axis.reference for address, axis in named},
         axis_options={address: axis.options for address, axis in named},
-        options={**control.options, **({"axis": alone} if alone is not None else {})},
+        options={**options, **({"axis": alone} if alone is not None else {})},
         asked=tuple(state.axes),
     )
     raise_all(CompwrightError if written else InputError, _disagreements(state, judge))
     return DecodedState(files=tuple(files), state=state, judge=judge)
+
+
+def _with_sign_unknown(state: ControlState) -> ControlState:
+    """Say of tables that are only shown, and hang together with no readings, that nobody knows their sign."""
+    if not any(CEC_TABLES in facts for facts in state.facts.values()):
+        return state
+    message = (
+        "CEC tables are shown as corrections, although no manual says in which direction a positive value moves the axis: their "
+        "sign may be the opposite; give the option cec_sign after the check on the card"
+    )
+    assumption = Assumption("option cec_sign", "correction", "unconfirmed: no text of Siemens says it; no readings hang on it here")
+    return replace(
+        state,
+        assumed=(*state.assumed, assumption),
+        findings=(*state.findings, Finding("CW-S051", "warning", message)),
+    )
 
 
 def _systems(state: ControlState) -> dict[str, int]:
@@ -310,7 +344,7 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
         )
         for pair in sorted(seen - set(theirs))
     ]
-    if not any(finding.code == LEFT_OUT for finding in state.findings):  # what the judge alone sees must be switched off
+    if not any(finding.code in LEFT_OUT for finding in state.findings):  # what the judge alone sees must be switched off
         mine.update({pair: [] for key, pair in theirs.items() if key not in seen})
     for (base, corrected), entries in mine.items():
         if (base.casefold(), corrected.casefold()) not in theirs:
@@ -329,6 +363,18 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
                     )
                 )
     return faults
+
+
+def with_systems_in_use(job: Job, state: ControlState) -> Job:
+    """Return the job with the measuring system that the control's files show to be in use, where the job names none."""
+    axes = {}
+    for name, entry in job.axes.items():
+        found = state.facts.get(entry.axis.address, {}).get(ENCODER_SYSTEM)
+        if entry.axis.encoder.stated or not isinstance(found, int):
+            axes[name] = entry
+        else:
+            axes[name] = replace(entry, axis=replace(entry.axis, encoder=replace(entry.axis.encoder, system=found, stated=True)))
+    return replace(job, axes=axes)
 
 
 def probe_positions(nodes: FloatArray) -> FloatArray:

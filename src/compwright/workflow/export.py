@@ -12,6 +12,7 @@ from compwright.formats.capacity import capacity_for
 from compwright.foundations import storage
 from compwright.foundations.errors import CapacityError, CompwrightError, Fault, UsageError, collect, raise_all
 from compwright.foundations.findings import Finding
+from compwright.jobs.command_line import ACTIVE
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlFile
 from compwright.records.plan import Plan, PlannedCross
@@ -45,10 +46,11 @@ def export_plan(
     """
     plan = read_plan(storage.read_bytes(path), str(path))
     addresses = {key.removeprefix(ADDRESS): str(options.pop(key)) for key in list(options) if key.startswith(ADDRESS)}
+    active = _answer(options.pop(ACTIVE, None))
     raise_all(UsageError, _unknown(addresses, plan, str(path)))
     given = {**plan.options, **options} if plan.format == format_id else options
     control = open_control(format_id, given)
-    state = _state(plan, control, states, str(path))
+    state = _state(plan, control, states, str(path), active=active)
     refuse_added_again(plan, path, state)
     control = control.in_state(state.state)
     fitted = []
@@ -97,6 +99,15 @@ def _addressed(entry: PlannedCross, axes: Mapping[str, Axis]) -> PlannedCross:
     return replace(entry, added=added if bent is None else replace(added, output=bent.address))
 
 
+def _answer(text: object) -> bool | None:
+    """Return what ``--option active=`` says. Raises UsageError for anything but yes and no."""
+    words = {None: None, "yes": True, "true": True, "no": False, "false": False}
+    word = text if text is None else str(text).lower()
+    if word not in words:
+        raise UsageError(Fault(message="is no answer", place=f"--option {ACTIVE}", expected="yes or no", found=repr(text)))
+    return words[word]
+
+
 def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]:
     return [
         Fault(message="the plan has no such axis", file=file, place=f"--option {ADDRESS}{name}", expected=", ".join(plan.axes))
@@ -105,7 +116,7 @@ def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]
     ]
 
 
-def _state(plan: Plan, control: Control, states: Sequence[str], file: str) -> DecodedState:
+def _state(plan: Plan, control: Control, states: Sequence[str], file: str, *, active: bool | None) -> DecodedState:
     axes = [entry.axis for entry in plan.axes.values()]
     if list(states) == ["none"]:
         return decode(control, (), axes)
@@ -114,10 +125,10 @@ def _state(plan: Plan, control: Control, states: Sequence[str], file: str) -> De
             Fault(message="names files and none at once", place="--state", expected="the word none, or the control's files")
         )
     if states:
-        return decode(control, read_files([Path(text) for text in states]), axes)
+        return decode(control, read_files([Path(text) for text in states]), axes, active=active, asking=True)
     if plan.format == control.id and AS_FOUND in plan.states:
         files: tuple[ControlFile, ...] = plan.states[AS_FOUND]
-        return decode(control, files, axes)
+        return decode(control, files, axes, active=plan.active.get(AS_FOUND))
     raise UsageError(
         Fault(
             message="the state of the control is not known",

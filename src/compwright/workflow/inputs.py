@@ -7,8 +7,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.evaluation.expansion import remove_differential_expansion
+from compwright.formats.beside import BESIDE
+from compwright.formats.options import ENCODER_SYSTEM
 from compwright.foundations import storage
-from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
+from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, collect, raise_all
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.plausibility import skipped_finding
 from compwright.instruments.reading import read_positioning
@@ -40,15 +42,20 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
             except InputError as error:
                 errors.append(error)
         tests[name] = tuple(found)
+    asked: list[Fault] = []
     states: dict[str, DecodedState] = {}
     axes = [entry.axis for entry in job.axes.values()]
     for name, paths in job.states.items():
         try:
-            states[name] = decode(control, read_files([folder / path for path in paths]), axes)
+            files = read_files([folder / path for path in paths])
+            states[name] = decode(control, files, axes, active=job.active.get(name), asking=True)
         except InputError as error:
             errors.append(error)
+        except UsageError as error:
+            asked.extend(error.faults)
     raise_all(InputError, collect(errors))
-    raise_all(InputError, _missing_axes(job, states))
+    raise_all(UsageError, asked)
+    raise_all(InputError, [*_missing_axes(job, states), *_other_neighbours(job, states)])
     return JobInputs(tests=tests, states=states)
 
 
@@ -99,6 +106,26 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
     if test.axis and test.axis.upper() != axis.name.upper():
         faults.append(Fault(message="is a test of another axis", file=file, place="key axis", expected=axis.name, found=test.axis))
     raise_all(InputError, faults)
+
+
+def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
+    """What is left beside the tables must have acted alike in every state: it is in the readings, and it stays."""
+    faults = []
+    for name, entry in job.axes.items():
+        said = {state: decoded.state.facts.get(entry.axis.address, {}) for state, decoded in states.items() if decoded.files}
+        for quantity, what in ((BESIDE, "what acts beside its table"), (ENCODER_SYSTEM, "its measuring system")):
+            found = {state: str(facts.get(quantity, "nothing")) for state, facts in said.items()}
+            if len(set(found.values())) > 1:
+                faults.append(
+                    Fault(
+                        message=f"axis {name}: {what} differs between the states",
+                        file=job.file,
+                        place="states",
+                        expected="the same in all of them",
+                        found="; ".join(f"{state}: {words}" for state, words in found.items()),
+                    )
+                )
+    return faults
 
 
 def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:

@@ -47,6 +47,7 @@ from compwright.workflow.control import (
     open_control,
     origin_of,
     with_detection_units,
+    with_systems_in_use,
 )
 from compwright.workflow.cross import plan_cross
 from compwright.workflow.cross_tables import CrossOutcome, write_planned
@@ -146,6 +147,8 @@ def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool) -> _
     job, renamed = named_axes(job, control)
     inputs, tests = _inputs(job, control, folder)
     job = with_detection_units(job, inputs.states)
+    if AS_FOUND in inputs.states:
+        job = with_systems_in_use(job, inputs.states[AS_FOUND].state)
     axes = {name: entry.axis for name, entry in job.axes.items()}
     measured = [(test, request.measured_in) for test, request in zip(tests, job.circles, strict=True)]
     refuse_own_output(job, inputs, measured, folder, out)
@@ -335,6 +338,7 @@ def _plan(finished: _Finished) -> Plan:
         standard=job.standard,
         axes={**{name: work.planned for name, work in finished.works.items()}, **finished.scales},
         states={name: decoded.files for name, decoded in finished.inputs.states.items()},
+        active={name: job.active[name] for name in finished.inputs.states if name in job.active},
         machine=job.machine,
         sources=(
             *(source for tests in finished.inputs.tests.values() for planned in tests for source in planned.test.sources),

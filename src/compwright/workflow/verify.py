@@ -102,7 +102,8 @@ def verify_job(
     raise_all(InputError, stale_plan(job, plan, str(plan_file)))
     others, circle_files = split_after(plan, after)
     tests = _after_tests(job, plan, others) if others or not circle_files else []
-    as_found = decode(control, plan.states.get(AS_FOUND, ()), [entry.axis for entry in plan.axes.values()])
+    known = [entry.axis for entry in plan.axes.values()]
+    as_found = decode(control, plan.states.get(AS_FOUND, ()), known, active=plan.active.get(AS_FOUND))
     read_back = decode(control, read_files(loaded), [entry.axis for entry in plan.axes.values()]) if loaded else None
     twice = copies(tests)
     axes = {test.axis: _verify_axis(job, plan.axes[test.axis], test, as_found, read_back, twice.get(test.axis)) for test in tests}
@@ -370,7 +371,7 @@ def _circle_states(control: Control, plan: Plan, circles: Mapping[str, Sequence[
     """Return the states in which the repeated circles were measured."""
     names = {plan.circles[name].measured_in for name in circles}
     axes = [entry.axis for entry in plan.axes.values()]
-    return {name: decode(control, plan.states[name], axes) for name in names if name in plan.states}
+    return {name: decode(control, plan.states[name], axes, active=plan.active.get(name)) for name in names if name in plan.states}
 
 
 def _files(

@@ -1,0 +1,52 @@
+"""Whether the tables of a state acted, where its files switch them off at the end or say nothing of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from compwright.formats.gathering import Found
+from compwright.formats.notes import Notes
+from compwright.foundations.errors import Fault
+
+
+@dataclass(frozen=True, slots=True)
+class Activity:
+    """``said``: what the job answers (None: nothing). ``asking``: the answer is needed, because readings hang on it."""
+
+    said: bool | None = None
+    asking: bool = False
+
+    def settle(self, label: str, switches: str, word: str | None, place: Found | None, notes: Notes) -> bool | None:
+        """Return whether a table that is not zero acted; None where neither the files nor the job say it, and nobody asks.
+
+        ``word``: what the files end with at ``switches`` (``yes``, ``no``, None: nothing), at ``place``.
+        """
+        if word == "yes":
+            if self.said is False:
+                notes.ask(
+                    Fault(
+                        message=f"{label}: the job says active: no, but the files end with the table switched on ({switches})",
+                        file=place.occurrence.file if place is not None else "",
+                        place=place.occurrence.place if place is not None else "",
+                        expected="active left out, or the files as they were during the test",
+                        found=place.text if place is not None else "",
+                    )
+                )
+            return True
+        if self.said is not None:
+            notes.assume(f"{label}: compensation during the test", "on" if self.said else "off", "the job's answer (active)")
+            return self.said
+        if self.asking:
+            ends = (
+                f"end with the table switched off ({switches} = 0)" if word == "no" else f"do not say whether it acts ({switches})"
+            )
+            notes.ask(
+                Fault(
+                    message=f"{label}: its table is not zero, and the files of the state {ends}: did it act during the test?",
+                    file=place.occurrence.file if place is not None else "",
+                    place=place.occurrence.place if place is not None else "",
+                    expected="states: {as_found: {files: [...], active: yes}} or active: no (without a job: --option active=yes)",
+                    found="no answer",
+                )
+            )
+        return None
