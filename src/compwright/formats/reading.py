@@ -132,11 +132,11 @@ class _StateReader:
         self._same_systems(facts)
         cross = cross_tables(cec, lambda name: self._kind(name, gathered))
         if cross and self.options.get("cec_sign") is None and "cec_sign" in self.definition.options:
-            between = ", ".join(dict.fromkeys(f"{entry.output} over {entry.input}" for entry in cross))
+            pairs = ", ".join(dict.fromkeys(f"{entry.output} over {entry.input}" for entry in cross))
             self.notes.find(
                 "CW-S051",
                 "warning",
-                f"the tables between axes ({between}) are left as they are and not shown: the sign of CEC values is not known; "
+                f"the tables between axes ({pairs}) are left as they are and not shown: the sign of CEC values is not known; "
                 "give the option cec_sign after the check on the card",
             )
             cross = ()

@@ -266,7 +266,7 @@ def _with_sign_unknown(state: ControlState) -> ControlState:
     return replace(
         state,
         assumed=(*state.assumed, assumption),
-        findings=(*state.findings, Finding("CW-S051", "warning", message)),
+        findings=(*state.findings, Finding("CW-S055", "warning", message)),
     )
 
 
