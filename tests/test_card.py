@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from html.parser import HTMLParser
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,6 +15,7 @@ from compwright.cli import run as compwright
 from compwright.formats.card import card_steps, card_steps_of_all, card_values
 from compwright.records.axis import Axis, AxisKind
 from compwright.reporting.card import card_html
+from compwright.workflow.card import check_positions
 from format_samples import DEFINITIONS, table
 from places import PROJECT
 from reporting_samples import sample_card
@@ -61,6 +64,21 @@ def test_the_card_shows_what_the_control_would_add_there(card: Path, capsys: pyt
         expected = np.interp(number(row[0]), rows[:, 0], rows[:, 0] - rows[:, column]) * 1000
         # positions are printed to 0.0005 mm, slopes are below 1e-3, values are printed to 0.0005 µm
         assert number(row[2]) == pytest.approx(expected, abs=0.0011)
+
+
+@pytest.mark.parametrize(
+    ("targets", "expected"),
+    [
+        ([-20.0, 0.0, 30.0, 60.0, 100.0, 120.0], [0.0, 30.0, 100.0]),  # what lies outside the travel is left out
+        ([-20.0, 50.0, 120.0], [0.0, 50.0, 100.0]),  # too few inside: the ends and the middle of the travel
+    ],
+)
+def test_targets_outside_the_travel_are_no_check_positions(targets: list[float], expected: list[float]) -> None:
+    work: Any = SimpleNamespace(
+        planned=SimpleNamespace(axis=SimpleNamespace(travel=(0.0, 100.0))),
+        results=[SimpleNamespace(test=SimpleNamespace(targets=np.array(targets)))],
+    )
+    assert check_positions(work, lambda where, _: np.where(where == 30.0, 0.01, 0.0)).tolist() == expected
 
 
 def test_the_sign_is_checked_at_two_of_these_positions() -> None:
