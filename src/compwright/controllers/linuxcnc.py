@@ -44,6 +44,13 @@ _ANGULAR_UNITS = {
     "radian": math.degrees(1.0),
 }
 _LETTERS = "XYZABCUVW"
+#: Kinematics in which a motion of one axis moves several joints (LinuxCNC's own modules).
+_MIXING = frozenset(
+    {
+        *("corexykins", "rotatekins", "scarakins", "scorbot-kins", "pumakins", "rosekins", "lineardeltakins"),
+        *("rotarydeltakins", "genhexkins", "genserkins", "genser", "pentakins", "tripodkins"),
+    }
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,6 +159,7 @@ class _Loader:
         """Return all joints that the files speak of, by number."""
         numbers = {number for ini in self.inis for number in ini.joints()}
         orphans = self._orphans(numbers)
+        self._kinematics()
         found = {number: self._from_ini(number) for number in numbers}
         found |= {number: self._from_orphan(number, name) for number, name in orphans.items()}
         if not found and not self.faults:
@@ -160,6 +168,14 @@ class _Loader:
                 Fault(message="no joint found", file=given, expected="an INI with a section [JOINT_N], or a table joint_N.comp")
             )
         return {str(number): joint for number, joint in sorted(found.items()) if joint is not None}
+
+    def _kinematics(self) -> None:
+        """A table belongs to a joint: where kinematics mix joints into axes, none of them is the axis that was measured."""
+        for ini in self.inis if self.request.reference else ():
+            value = ini.find("KINS", "KINEMATICS")
+            if value is not None and value.text.split()[0].lower() in _MIXING:
+                message = "[KINS] KINEMATICS: an axis moves several joints here, and a table acts on one joint"
+                self.faults.append(value.fault(message, expected="trivkins, where each joint is an axis"))
 
     def _orphans(self, numbers: set[int]) -> dict[int, str]:
         """Return the tables that no INI names, by the joint that is taken to load them."""

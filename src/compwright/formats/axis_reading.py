@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
@@ -19,6 +20,7 @@ from compwright.formats.systems import SystemChoice
 from compwright.formats.tables import SAME_TURN, Table, TableSource, read_table
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding
+from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation
 
@@ -77,6 +79,7 @@ class AxisReader:
         has_table = bool(self.rows) or any(self._single(name) for name in grid(self.definition) if name in self._names())
         enabled = self._enabled(has_table=has_table, max_points=max_points)
         facts["enabled"] = enabled
+        facts.update(self._said(kind))
         repeats = has_table and enabled and self._choice("repeats") == "yes"
         self._check_modulo()
         table: Table | None = None
@@ -100,6 +103,27 @@ class AxisReader:
             period=period,
         )
         return AxisReading(compensation, facts)
+
+    def _said(self, kind: AxisKind) -> dict[str, Fact]:
+        """Return what the files say of the axis itself: its kind, its letter, its software limits (mm or deg).
+
+        Angles in another unit than degrees are a fault on a rotary axis: its table would be written in degrees.
+        """
+        said: dict[str, Fact] = {}
+        if (word := self._word("rotary")) is not None:
+            said["rotary"] = word == "rotary"
+        letters = self._single("axis_letters")
+        found = re.search(r"coordinates=([A-Za-z]+)", letters.text) if letters is not None else None
+        if found is not None and self.address.isdigit() and int(self.address) < len(found[1]):
+            said["axis_name"] = found[1][int(self.address)].upper()
+            said["axis_letters"] = found[1].upper()
+        if kind is AxisKind.ROTARY:
+            self._word("angle_unit")
+        inch = kind is AxisKind.LINEAR and self.options.get("units") == "inch"
+        for name in ("limit_low", "limit_high"):
+            if (limit := self._single(name)) is not None:
+                said[name] = float(limit.text) * (MILLIMETRES_PER_INCH if inch else 1.0)
+        return said
 
     def _names(self) -> set[str]:
         return set(self.definition.bindings)

@@ -17,7 +17,8 @@ SINGLES = tuple(name for name in ("backlash", "slope", *CHOICES, *PLAIN) if name
 WORDS = {
     "rotary": {"linear", "rotary"},
     "length_unit": {"mm", "inch"},
-    **{name: {"yes", "no"} for name in CHOICES if name not in ("rotary", "length_unit", "table_form")},
+    "angle_unit": {"deg"},
+    **{name: {"yes", "no"} for name in CHOICES if name not in ("rotary", "length_unit", "angle_unit", "table_form")},
 }
 _SIGNS = {
     "backlash": {"lost_motion", "half_each_way"},

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -20,6 +20,9 @@ from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest, merge, to_machine
 from compwright.workflow.control import Control, DecodedState, decode, read_files
 from compwright.workflow.measurement_files import measurement_files
+
+#: Letters of axes: an axis of the job that bears another name says nothing of the control's own letters.
+_LETTERS = "XYZABCUVW"
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +58,7 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
             asked.extend(error.faults)
     raise_all(InputError, collect(errors))
     raise_all(UsageError, asked)
-    raise_all(InputError, [*_missing_axes(job, states), *_other_neighbours(job, states)])
+    raise_all(InputError, [*_missing_axes(job, states), *_other_neighbours(job, states), *_other_joints(job, states)])
     return JobInputs(tests=tests, states=states)
 
 
@@ -126,6 +129,32 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
                     )
                 )
     return faults
+
+
+def _other_joints(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
+    """Yield where the control's files name the joint of an axis by another letter, or drive the axis by a second joint."""
+    for name, decoded in states.items():
+        for entry in job.axes.values():
+            axis, facts = entry.axis, decoded.state.facts.get(entry.axis.address, {})
+            letters, letter = str(facts.get("axis_letters", "")), facts.get("axis_name")
+            if not letters:
+                continue
+            place, said = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
+            if len(axis.name) == 1 and axis.name.upper() in _LETTERS and axis.name.upper() != letter:
+                message = f"the files of the state {name} call this joint by another letter"
+                yield Fault(
+                    message=message, file=job.file, place=f"{place}.address", expected=f"a joint of {axis.name}", found=said
+                )
+                continue
+            others = [str(index) for index, other in enumerate(letters) if other == letter and str(index) != axis.address]
+            if others and axis.gantry not in others:
+                yield Fault(
+                    message="a second joint drives this axis: a table on one of them alone racks it",
+                    file=job.file,
+                    place=f"{place}.gantry",
+                    expected=" or ".join(f'gantry: "{other}"' for other in others),
+                    found=said,
+                )
 
 
 def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:

@@ -55,7 +55,7 @@ def new_job(files: Sequence[Path], format_id: str, options: dict[str, object], o
         given[DETECTION_UNIT] = Prefilled(None, "mm or deg per pulse, such as 0.001; nothing in the files says it")
     text = job_text(format_id, given, [storage.relative(path, out.parent) for path in files], drafts)
     storage.write_file(out, encoded(text), force=force)
-    return NewOutcome(out, (*_open(given, drafts), *left_out))
+    return NewOutcome(out, (*_open(given, drafts), *left_out, *_idle(control, state, drafts)))
 
 
 def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState, tuple[str, ...]]:
@@ -101,6 +101,9 @@ def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[A
     for address in acting or list(state.axes):
         facts = state.facts.get(address, {})
         name = _name(control.definition, address, facts)
+        partners = _partners(address, name, facts)
+        if name in names and partners:
+            continue  # the second joint of an axis: it gets the table of the first
         if name in names:
             raise UsageError(Fault(message=f"two axes would be called {name}", found=address))
         names.add(name)
@@ -110,7 +113,29 @@ def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[A
                 {DETECTION_UNIT: facts[DETECTION_UNIT]},
                 f"read from the control's files: {facts.get('detection_unit_evidence', '')}",
             )
+        if partners:
+            values["gantry"] = Prefilled(partners[0], "the control's files drive this axis by two joints")
         yield AxisDraft(name=name, values=values)
+
+
+def _partners(address: str, name: str, facts: Facts) -> list[str]:
+    """Return the other joints that the control's files give to the axis of a joint."""
+    letters = str(facts.get("axis_letters", ""))
+    return [str(index) for index, letter in enumerate(letters) if letter == name and str(index) != address]
+
+
+def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) -> Iterator[str]:
+    """Say which axes of the files the job does not hold: nothing acts on them."""
+    held = {str(entry.value) for draft in drafts for key, entry in draft.values.items() if key in ("address", "gantry")}
+    left = [address for address in state.axes if address not in held]
+    if left:
+        named = ", ".join(
+            f"{address} ({name})"
+            if (name := _name(control.definition, address, state.facts.get(address, {}))) != address
+            else address
+            for address in left
+        )
+        yield f"left out, because nothing in the files acts on them: {named}; add those that were measured"
 
 
 def _name(definition: Definition, address: str, facts: Facts) -> str:
