@@ -524,3 +524,20 @@ def test_a_longer_test_that_is_not_fitted_stands_first(folder: Path, capsys: pyt
     assert "covers 30 to 2000 mm; the test long measured 20 to 3480 mm" in doubts[0]["message"]
     said = capsys.readouterr().out
     assert said.index("CW-E011") < said.index("axis X")
+
+
+@pytest.mark.parametrize(("rotary", "U"), [("", None), (", rotary: {U: 0.7}", 0.7)])
+def test_contributors_in_um_say_nothing_of_a_rotary_axis(tmp_path: Path, rotary: str, U: float | None) -> None:
+    machine = Machine(high=360.0, slope=0.0, bow=0.003, lost=0.001, noise=0.0002)
+    targets = np.linspace(0.0, 350.0, 15)
+    (tmp_path / "c.csv").write_text(csv_of(targets, machine.measure(targets, 1), "C", "deg"))
+    path = tmp_path / "job.yaml"
+    path.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: none}\ndecision_rule: guarded\n"
+        f"uncertainty: {{device: {{U: 5}}{rotary}}}\n"
+        "axes:\n  C: {kind: rotary, travel: [0, 360], address: AX4, before: [c.csv], accept: {A: 100}}\n"
+    )
+    assert compwright(["run", str(path)]) == (1 if U is None else 0)
+    accept = document(tmp_path / "job" / "prediction.json")["axes"]["C"]["accept"]["A"]
+    assert accept["U"] == (None if U is None else pytest.approx(U))
+    assert accept["decision"] == ("undecided" if U is None else "accept")

@@ -132,6 +132,7 @@ def job_of(section: JobSection, file: str) -> Job:
         machine=section.machine.model_dump(exclude_none=True),
         fixed_positions=section.fixed_positions,
         uncertainty=_budget(section),
+        uncertainty_rotary=_rotary_budget(section),
         thermal=thermal,
         decision_rule=section.decision_rule,
         proven=tuple(proof.model_dump() for proof in section.proven),
@@ -223,7 +224,13 @@ def _budget(section: JobSection) -> UncertaintyBudget | None:
         return None
     contributors = section.uncertainty.model_dump()
     device = contributors.pop("device")
+    del contributors["rotary"]
     return UncertaintyBudget(device=device["U"], device_per_m=device["per_m"], **contributors)
+
+
+def _rotary_budget(section: JobSection) -> UncertaintyBudget | None:
+    rotary = section.uncertainty.rotary if section.uncertainty else None
+    return UncertaintyBudget(device=rotary.U, setup=rotary.setup, E_VE=rotary.E_VE) if rotary else None
 
 
 def _pending_findings(section: JobSection) -> list[Finding]:

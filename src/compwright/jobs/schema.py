@@ -180,6 +180,14 @@ class DeviceSection(Section):
     per_m: NotNegative = 0.0
 
 
+class RotaryUncertaintySection(Section):
+    """The contributors of rotary axes, arcsec: certificate of the instrument, set-up, drift of a stand-still test."""
+
+    U: NotNegative = 0.0
+    setup: NotNegative = 0.0
+    E_VE: NotNegative = 0.0
+
+
 class UncertaintySection(Section):
     """Contributors of ISO 230-2:2006 annex A: mm, K, µm/(m K), µm, µm."""
 
@@ -189,6 +197,7 @@ class UncertaintySection(Section):
     U_alpha: NotNegative = 0.0
     setup: NotNegative = 0.0
     E_VE: NotNegative = 0.0
+    rotary: RotaryUncertaintySection | None = None
 
 
 class ThermalSection(Section):

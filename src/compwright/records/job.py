@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from compwright.foundations.findings import Finding
-from compwright.records.axis import Axis, PositionMap
+from compwright.records.axis import Axis, AxisKind, PositionMap
 from compwright.records.fitted import TableRequest
 
 #: The value of a state that says "nothing is active in the control".
@@ -129,6 +129,7 @@ class Job:
     machine: Mapping[str, str] = field(default_factory=dict)
     fixed_positions: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     uncertainty: UncertaintyBudget | None = None
+    uncertainty_rotary: UncertaintyBudget | None = None
     thermal: Thermal | None = None
     decision_rule: Literal["simple", "guarded"] = "simple"
     proven: tuple[Mapping[str, str], ...] = ()
@@ -138,3 +139,7 @@ class Job:
     cross: tuple[CrossRequest, ...] = ()
     apply: ApplyRequest = ApplyRequest()
     findings: tuple[Finding, ...] = ()
+
+    def budget(self, kind: AxisKind) -> UncertaintyBudget | None:
+        """Return the contributors for axes of a kind: those in µm say nothing of an angle, and the other way round."""
+        return self.uncertainty_rotary if kind is AxisKind.ROTARY else self.uncertainty

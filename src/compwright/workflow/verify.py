@@ -238,7 +238,9 @@ def _verify_axis(
     axis = planned.axis
     before_test = next((entry.test for entry in planned.tests if entry.test.name == after.repeats), planned.tests[0].test)
     before, result = (
-        evaluate(test, job.standard, travel=axis.travel, periods=axis.screw_pitch, budget=job.uncertainty, thermal=job.thermal)
+        evaluate(
+            test, job.standard, travel=axis.travel, periods=axis.screw_pitch, budget=job.budget(axis.kind), thermal=job.thermal
+        )
         for test in (before_test, after.test)
     )
     posterior = measured_error(planned.tests[0].test, axis, planned.active)
@@ -339,7 +341,11 @@ def _accept(job: Job, planned: PlannedAxis, result: PositioningResult, *, believ
         uncertainty = result.uncertainty.get(name) if result.uncertainty else None
         U = uncertainty.U * factor if uncertainty else None
         outside = None if value is None else value * factor
-        decision = "undecided" if outside is None or not believed else decide(abs(outside), limit, U, job.decision_rule)
+        decision = (
+            "undecided"
+            if outside is None or not believed or (_guarded(job) and U is None)
+            else decide(abs(outside), limit, U, job.decision_rule)
+        )
         decisions[name] = AcceptDecision(limit=limit, value=outside, U=U, decision=decision)
     return decisions
 

@@ -97,7 +97,12 @@ def start_axis(job: Job, entry: AxisJob, inputs: JobInputs) -> AxisWork:
     check_coverage(job.file, axis, [planned.test for planned in tests])
     results = tuple(
         evaluate(
-            planned.test, job.standard, travel=axis.travel, periods=axis.screw_pitch, budget=job.uncertainty, thermal=job.thermal
+            planned.test,
+            job.standard,
+            travel=axis.travel,
+            periods=axis.screw_pitch,
+            budget=job.budget(axis.kind),
+            thermal=job.thermal,
         )
         for planned in tests
     )
