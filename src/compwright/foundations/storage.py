@@ -158,7 +158,7 @@ def _hindrances(path: Path, content: bytes) -> Iterator[Fault]:
         yield Fault(message="is no ordinary file", file=str(path), expected="the name of a file")
     elif input_lost:
         yield Fault(
-            message="was read by this command and is not overwritten, with --force neither",
+            message="was read by this command and is not overwritten, not even with --force",
             file=str(path),
             expected="another name",
         )
@@ -324,7 +324,7 @@ def _users_files(below: Mapping[Path, str], known: Mapping[Path, bool], targets:
             yield Fault(
                 message="was not written by an earlier run, or was changed since, and is not overwritten",
                 file=str(path),
-                expected="a place of your own for it, or another folder for the results",
+                expected="it elsewhere (move it), or another folder for the results",
             )
 
 
