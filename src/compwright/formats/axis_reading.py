@@ -119,6 +119,8 @@ class AxisReader:
             said["axis_letters"] = found[1].upper()
         if kind is AxisKind.ROTARY:
             self._word("angle_unit")
+        if "units" not in self.definition.options:
+            return said
         inch = kind is AxisKind.LINEAR and self.options.get("units") == "inch"
         for name in ("limit_low", "limit_high"):
             if (limit := self._single(name)) is not None:

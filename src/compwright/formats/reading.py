@@ -126,7 +126,10 @@ class _StateReader:
             reader_of = AxisReader(gathered, address, axis, options, self.notes, rows, elsewhere=elsewhere, activity=self.activity)
             reading = reader_of.read()
             compensations[address] = with_own_tables(cec, reading.compensation)
-            facts[address] = {**reading.facts, **cec.facts(address), **beside(gathered, address, axis, self.partners, self.notes)}
+            more = beside(gathered, address, axis, self.partners, self.notes)
+            if "units" in self.definition.options:  # limits in machine units: the axis' own reading has them in mm
+                more = {name: fact for name, fact in more.items() if name not in reading.facts}
+            facts[address] = {**reading.facts, **cec.facts(address), **more}
             if axis is not None:
                 self._check_turn(axis, compensations[address])
         self._same_systems(facts)
