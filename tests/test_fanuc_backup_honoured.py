@@ -341,6 +341,13 @@ def test_an_odd_neighbour_is_named_and_stops_nothing(tmp_path: Path, capsys: pyt
     assert all(owner in ("A1", "") for _, owner in bench.changed())
 
 
+def test_neighbours_that_overlap_stop_nothing(tmp_path: Path) -> None:
+    bench = Bench(tmp_path, {(3620, "3"): "150", (3621, "3"): "111", (3622, "3"): "151"})  # Z in the numbers of Y
+    assert bench.run("X") == 0
+    assert bench.left("X") < SMALL
+    assert {n: bench.written()[1][n] for n in range(101, 152)} == {n: POINTS.get(n, 0) for n in range(101, 152)}
+
+
 # Kind, turn, diameter, backlash at rapid traverse ----------------------------------------------------------------------------
 
 
@@ -354,10 +361,12 @@ def test_the_endless_axis_of_the_backup(tmp_path: Path) -> None:
     assert bench.left("B") < 0.0008  # deg: of 0.006; noise of 0.0003 and steps
 
 
-@pytest.mark.parametrize("travel", ["[0, 360]", "[-360, 360]", "[-180, 180]"])
-def test_the_error_of_an_endless_axis_repeats_whatever_the_travel(travel: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("travel", "first"), [("[0, 360]", -180), ("[-360, 360]", 0), ("[-360, 360]", -180), ("[-180, 180]", -180)]
+)
+def test_the_error_of_an_endless_axis_repeats_whatever_the_travel(travel: str, first: int, tmp_path: Path) -> None:
     bench = Bench(tmp_path)
-    assert bench.run("B", axes={"B": f"travel: {travel}"}) == 0
+    assert bench.run("B", axes={"B": f"travel: {travel}"}, targets=first + np.arange(0.0, 361.0, 30.0)) == 0
     assert bench.left("B") < 0.0008
 
 

@@ -207,17 +207,7 @@ def _check_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
         for other in sharing[1:]:
             clashes.setdefault((sharing[0], other), []).append(number)
     for (first, second), numbers in clashes.items():
-        shared = number_list(numbers)
-        if grids[first].same_use(grids[second]):
-            loader.note(second, f"uses the same points {shared} as axis {first}, in the same way")
-        else:
-            loader.memory.faults.append(
-                loader.memory.setting(3621, second).fault(
-                    f"points {shared} belong to axis {first} and to axis {second}",
-                    expected="ranges that do not overlap",
-                    found=shared,
-                )
-            )
+        _clash(loader, grids[first], grids[second], numbers)
     for axis in set(loader.memory.axes()) - set(grids):
         low, high = loader.memory.whole(3621, axis), loader.memory.whole(3622, axis)
         if low is not None and high is not None and low < high and any(low <= number <= high for number in owners):
@@ -225,3 +215,20 @@ def _check_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
     idle = [n for n, value in loader.memory.increments.items() if value != 0 and n not in owners]
     if idle:
         loader.memory.notes.append(f"points {number_list(POINT_BASE + n for n in idle)} hold values, but no axis uses them")
+
+
+def _clash(loader: AxisLoader, first: Grid, second: Grid, numbers: Sequence[int]) -> None:
+    """Note or refuse what two axes that share ``numbers`` mean by them; two that nobody asks for stop nothing."""
+    shared = number_list(numbers)
+    if first.same_use(second):
+        loader.note(second.axis, f"uses the same points {shared} as axis {first.axis}, in the same way")
+    elif not (loader.asked(first.axis) or loader.asked(second.axis)):
+        loader.note(second.axis, f"uses points {shared} of axis {first.axis} in another way; nobody asks for either")
+    else:
+        loader.memory.faults.append(
+            loader.memory.setting(3621, second.axis).fault(
+                f"points {shared} belong to axis {first.axis} and to axis {second.axis}",
+                expected="ranges that do not overlap",
+                found=shared,
+            )
+        )

@@ -76,8 +76,6 @@ def all_entries(
             faults.extend(error.faults)
             continue
         used = [*used, *entry.place.ranges]
-        if not facts:  # nobody knows the numbers below: further axes follow on
-            start = max(start, *(numbers.stop for numbers in entry.place.ranges))
         entries.append(entry)
     raise_all(CapacityError, faults)
     taken = {number for entry in entries for number in entry.points}
