@@ -75,7 +75,7 @@ def prediction(folder: Path) -> Any:
 
 
 def test_squareness_alone_goes_into_a_table_between_the_axes_and_can_be_the_state_of_the_next_job(folder: Path) -> None:
-    options = CEC.replace("}", ", cec_sign: correction}")
+    options = CEC
     assert run(folder, SIEMENS, options=options) == 0
     judge = judge_of(folder / "job" / "tables" / SIEMENS)
     assert judge.addresses() == () or not np.any(judge.correction("AX2", np.array([-500.0, 0.0]), Direction.POSITIVE))
@@ -93,7 +93,7 @@ def test_squareness_alone_goes_into_a_table_between_the_axes_and_can_be_the_stat
 
 
 def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    options = CEC.replace("}", ", cec_sign: correction}")
+    options = CEC
     assert run(folder, SIEMENS, options=options) == 0
     shutil.copytree(folder / "job" / "tables", folder / "loaded")
     capsys.readouterr()
