@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from compwright.formats.addresses import normal_text
+from compwright.formats.axis_names import axis_names
 from compwright.formats.entry_sheet import is_entry_sheet, read_sheet
 from compwright.formats.gathering import same_value
 from compwright.formats.schema import Definition, Statement
@@ -60,6 +61,14 @@ def compare_files(definition: Definition, old: Sequence[ControlFile], new: Seque
         if key not in after and key[0] in replaced:
             changes.append(EntryChange(entry.label, entry.address, entry.text, None))
     return FileDiff(tuple(changes), _untouched(old, new))
+
+
+def all_names(definition: Definition, files: Sequence[ControlFile], addresses: Sequence[str]) -> set[str]:
+    """Return every name that ``files`` give to the axes at ``addresses``, those themselves among them."""
+    reader, faults = TextReader(definition), list[Fault]()
+    texts = [text for file in files if not is_entry_sheet(file) and (text := reader.read(file, faults)) is not None]
+    names = axis_names(definition, texts, addresses)
+    return {name for address in addresses for name in names.forms(address)}
 
 
 def _untouched(old: Sequence[ControlFile], new: Sequence[ControlFile]) -> int:

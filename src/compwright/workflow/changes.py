@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from compwright.formats.diff import compare_files
+from compwright.formats.diff import all_names, compare_files
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile
@@ -15,7 +15,8 @@ def changed_neighbours(
     control: Control, old: Sequence[ControlFile], new: Sequence[ControlFile], axes: Sequence[Axis]
 ) -> list[Fault]:
     """Return a fault for every entry of an axis outside ``axes`` (and their gantry partners) that the new files change."""
-    mine = {axis.address for axis in axes} | {axis.gantry for axis in axes if axis.gantry}
+    addresses = [name for axis in axes for name in (axis.address, axis.gantry) if name is not None]
+    mine = all_names(control.definition, old, addresses)
     return [
         Fault(
             message=f"an entry of axis {change.address} would change; please report this",

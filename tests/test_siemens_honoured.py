@@ -1,0 +1,213 @@
+"""SINUMERIK: what acts or decides in the control's own files is honoured, or the axis is refused with the parameter by name.
+
+The shapes of the files are those of a real archive (names in MD10000 beside AX1, two measuring systems, foreign CEC tables whose
+range is no multiple of their step).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from compwright.formats.reading import read_state
+from compwright.formats.writing import write_tables
+from compwright.foundations.errors import CapacityError, InputError, UsageError
+from compwright.records.axis import Axis, AxisKind, Encoder
+from compwright.records.correction import ControlState
+from compwright.workflow.control import decode, open_control
+from format_samples import SIEMENS, axis_of, codes, files, table
+
+NAMES = '$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"\n$MN_AXCONF_MACHAX_NAME_TAB[1]="Y1"\n'
+
+
+def eec(axis: str = "AX1", system: int = 0, values: tuple[float, ...] = (0.0, 0.004, 0.0), on: str = "1") -> str:
+    lines = [f"$AA_ENC_COMP[{system},{i},{axis}]={value}" for i, value in enumerate(values)]
+    lines += [f"$AA_ENC_COMP_{key}[{system},{axis}]={value}" for key, value in (("STEP", 400), ("MIN", 0), ("MAX", 800))]
+    lines += [f"$AA_ENC_COMP_IS_MODULO[{system},{axis}]=0"]
+    return "\n".join(lines) + "\n" + (f"$MA_ENC_COMP_ENABLE[{system},{axis}]={on}\n" if on else "")
+
+
+def cec(index: int, pair: tuple[str, str], value: str = "0.1", step: int = 100, **more: str) -> str:
+    """A table from -850 to 0, ``value`` everywhere; with 15 points every 100 as a real archive has it, with 11 every 85 a whole one."""
+    lines = [f"$AN_CEC[{index},{n}]={value}" for n in range(11 if step == 85 else 15)]
+    lines += [f"$AN_CEC_INPUT_AXIS[{index}]=({pair[0]})", f"$AN_CEC_OUTPUT_AXIS[{index}]=({pair[1]})"]
+    said = {"STEP": str(step), "MIN": "-850", "MAX": "0", "DIRECTION": "0", "MULT_BY_TABLE": "0", "IS_MODULO": "0", **more}
+    return "\n".join([*lines, *(f"$AN_CEC_{key}[{index}]={text}" for key, text in said.items())]) + "\n"
+
+
+def both_readers(text: str, *axes: Axis, active: bool | None = None, asking: bool = False, **options: object) -> ControlState:
+    return decode(open_control("siemens-840d-sl", options), files(A__INI=text + "M17\n"), axes, active=active, asking=asking).state
+
+
+def unsaid(address: str = "AX1") -> Axis:
+    """An axis of a job that does not name its measuring system."""
+    return replace(axis_of(address), encoder=Encoder(stated=False))
+
+
+# One axis by all its names ----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("address", ["AX1", "X1"])
+def test_an_axis_is_one_by_its_place_and_by_its_name(address: str) -> None:
+    text = NAMES + eec("X1") + "$MA_BACKLASH[0,AX1]=0.003\n"
+    state = both_readers(text, axis_of(address))
+    axis = state.axes[address]
+    assert axis.positive.tolist() == [0, -0.004, 0]
+    assert axis.backlash == 0.003
+    given = files(A__INI=text + "M17\n")
+    (new,) = write_tables(SIEMENS, [table(address, [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])], [axis_of(address)], {}, state, given)
+    assert b"[0,1,X1]=-0.001\n" in new.content  # the form that is there
+    assert b"$MA_BACKLASH[0,AX1]=0.000\n" in new.content
+
+
+def test_two_addresses_of_one_axis_are_refused() -> None:
+    with pytest.raises(UsageError, match="X1 and AX1 are one axis"):
+        both_readers(NAMES + eec(), axis_of("X1"), axis_of("AX1"))
+
+
+def test_without_the_list_two_names_are_two_axes() -> None:
+    assert set(both_readers(eec("X1") + eec("AX1")).axes) == {"X1", "AX1"}
+
+
+# Units ------------------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("line", ["$MN_SCALING_SYSTEM_IS_METRIC=0", "INCH"])
+def test_an_inch_control_is_refused_for_lengths_alone(line: str) -> None:
+    with pytest.raises(InputError, match="MD10240"):
+        both_readers(f"{line}\n{eec()}", axis_of("AX1"))
+    turning = replace(axis_of("AX1"), kind=AxisKind.ROTARY)
+    assert both_readers(f"{line}\n{eec()}", turning).axes["AX1"].positive.tolist() == [0, -0.004, 0]
+    with pytest.raises(InputError, match="one place says inch"):
+        both_readers(f"METRIC\n{line}\n{eec()}", axis_of("AX1"))
+
+
+# Two measuring systems --------------------------------------------------------------------------------------------------------
+
+
+def test_the_system_that_is_switched_on_is_taken_where_the_job_names_none() -> None:
+    text = eec(system=0, values=(0.0, 0.0, 0.0), on="0") + eec(system=1)
+    state = both_readers(text, unsaid())
+    assert state.facts["AX1"]["encoder_system"] == 2
+    assert state.axes["AX1"].positive.tolist() == [0, -0.004, 0]
+
+
+def test_two_systems_that_are_both_on_are_asked_about() -> None:
+    with pytest.raises(UsageError, match="both measuring systems"):
+        both_readers(eec(system=0) + eec(system=1), unsaid())
+    one = both_readers(eec(system=0) + eec(system=1) + "$MA_NUM_ENCS[AX1]=1\n", unsaid())
+    assert one.facts["AX1"]["encoder_system"] == 1
+
+
+# Whether the table acted ------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("on", ["0", "FALSE", ""])
+def test_a_table_that_may_not_have_acted_is_asked_about(on: str) -> None:
+    with pytest.raises(UsageError, match="did it act during the test"):
+        both_readers(eec(on=on), axis_of("AX1"), asking=True)
+    acted = both_readers(eec(on=on), axis_of("AX1"), active=True, asking=True)
+    assert acted.axes["AX1"].positive.tolist() == [0, -0.004, 0]
+    slept = both_readers(eec(on=on), axis_of("AX1"), active=False, asking=True)
+    assert slept.axes["AX1"].positions.size == 0
+    assert both_readers(eec(values=(0.0, 0.0, 0.0), on=on), axis_of("AX1"), asking=True).axes  # a table of zeros: no question
+
+
+def test_an_answer_that_the_files_contradict_is_refused() -> None:
+    assert both_readers(eec(on="TRUE"), axis_of("AX1"), asking=True).axes["AX1"].positions.size == 3
+    with pytest.raises(UsageError, match="active: no"):
+        both_readers(eec(on="TRUE"), axis_of("AX1"), active=False, asking=True)
+
+
+# Foreign CEC tables -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    "foreign",
+    [
+        cec(0, ("AX2", "AX1")),
+        cec(0, ("X", "X"), step=0) + "$SN_CEC_TABLE_ENABLE[0]=0\n",
+        cec(0, ("AX3", "AX2"), FOO="7"),
+        cec(0, ("AX1", "AX1"), value="0"),
+    ],
+)
+def test_a_foreign_table_is_kept_and_stops_nothing(foreign: str) -> None:
+    text = NAMES + foreign + eec() + "$MA_BACKLASH[0,AX1]=0\nM17\n"
+    axis = axis_of("AX1")
+    state = both_readers(text, axis)
+    assert codes(state) & {"CW-S050", "CW-S054"}
+    (new,) = write_tables(SIEMENS, [table("AX1", [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])], [axis], {}, state, files(A__INI=text))
+    assert foreign.encode() in new.content
+
+
+def test_an_own_table_that_cannot_be_read_stops_its_axis_alone() -> None:
+    text = cec(0, ("AX1", "AX1")) + eec() + eec("AX2")
+    with pytest.raises(InputError, match="does not divide"):
+        both_readers(text, axis_of("AX1"), cec_sign="error")
+    assert both_readers(text, axis_of("AX2")).axes["AX2"].positions.size == 3
+
+
+OPTIONS = {"cec": "available", "cec_tables": [20, 21], "cec_sign": "correction"}
+TWO = table("AX1", [0.0, 400.0, 800.0], [0.0, 0.002, -0.0015], [-0.004, -0.001, -0.0065])
+
+
+def pair_into(text: str) -> str:
+    given = files(A__INI=text + "M17\n")
+    state = read_state(SIEMENS, given, OPTIONS, [axis_of("AX1")])
+    return "".join(file.content.decode() for file in write_tables(SIEMENS, [TWO], [axis_of("AX1")], OPTIONS, state, given))
+
+
+def test_a_sleeping_table_is_never_woken_by_any_name_of_the_axis() -> None:
+    text = NAMES + eec() + "$MA_CEC_ENABLE[AX1]=0\n" + cec(0, ("AX2", "X1"), step=85)
+    with pytest.raises(CapacityError, match="would wake others too: 0"):
+        pair_into(text)
+    assert "$MA_CEC_ENABLE[AX1]=1\n" in pair_into(text + "$SN_CEC_TABLE_ENABLE[0]=0\n")  # it sleeps on
+    assert "$MA_CEC_ENABLE[AX1]=1\n" in pair_into(NAMES + eec() + "$MA_CEC_ENABLE[AX1]=0\n" + cec(0, ("AX2", "X1"), "0", 85))
+
+
+def test_a_table_that_another_is_multiplied_by_is_not_written() -> None:
+    with pytest.raises(CapacityError, match="MULT_BY_TABLE"):
+        pair_into(eec() + cec(0, ("AX2", "AX3"), step=85, MULT_BY_TABLE="21") + "$SN_CEC_TABLE_ENABLE[0]=0\n")
+
+
+def test_values_in_inch_are_not_written_to() -> None:
+    with pytest.raises(CapacityError, match="MD32711"):
+        pair_into(eec() + "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=0\n")
+
+
+def test_the_sign_is_asked_for_where_a_pair_is_written_or_an_own_table_is_read() -> None:
+    unknown = {**OPTIONS, "cec_sign": None}
+    with pytest.raises(UsageError, match="dial gauge"):
+        write_tables(SIEMENS, [TWO], [axis_of("AX1")], unknown)
+    own = cec(0, ("AX1", "AX1"), step=85) + "$SN_CEC_TABLE_ENABLE[0]=1\n$MA_CEC_ENABLE[AX1]=1\n" + eec()
+    with pytest.raises(UsageError, match="cec_sign"):
+        both_readers(own, axis_of("AX1"))
+    others = both_readers(cec(0, ("AX3", "AX2"), step=85) + eec(), axis_of("AX1"))
+    assert (others.cross, "CW-S051" in codes(others)) == ((), True)
+
+
+# What else acts ---------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [("$MA_GANTRY_AXIS_TYPE[AX1]=1", "MD37100"), ("$MA_GANTRY_AXIS_TYPE[AX1]=11", "MD37100")],
+)
+def test_a_gantry_that_the_job_does_not_name_is_refused(line: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        both_readers(f"{eec()}{line}\n", axis_of("AX1"))
+
+
+def test_what_stays_beside_the_table_is_named() -> None:
+    text = eec() + "$MA_TEMP_COMP_TYPE[AX1]='H3'\n$SA_TEMP_COMP_SLOPE[AX1]=0.00001\n"
+    assert "CW-S053" in codes(both_readers(text, axis_of("AX1")))
+    assert "CW-S053" not in codes(both_readers(text.replace("H3", "H1"), axis_of("AX1")))
+
+
+def test_an_endless_axis_is_endless_for_job_and_control() -> None:
+    text = eec("AX4", values=(0.0, 0.0, 0.0)) + "$MA_ROT_IS_MODULO[AX4]=1\n$MA_MODULO_RANGE[AX4]=360\n"
+    with pytest.raises(InputError, match="MD30310"):
+        both_readers(text, axis_of("AX4", kind=AxisKind.ROTARY))
+    with pytest.raises(InputError, match="MD30330"):
+        both_readers(text, axis_of("AX4", kind=AxisKind.ROTARY, modulo=180.0))
