@@ -29,7 +29,7 @@ def eec(axis: str = "AX1", system: int = 0, values: tuple[float, ...] = (0.0, 0.
 
 
 def cec(index: int, pair: tuple[str, str], value: str = "0.1", step: int = 100, **more: str) -> str:
-    """A table from -850 to 0, ``value`` everywhere; with 15 points every 100 as a real archive has it, with 11 every 85 a whole one."""
+    """A table of ``value`` from -850 to 0: 15 points every 100 as a real archive has it, 11 every 85 on a whole grid."""
     lines = [f"$AN_CEC[{index},{n}]={value}" for n in range(11 if step == 85 else 15)]
     lines += [f"$AN_CEC_INPUT_AXIS[{index}]=({pair[0]})", f"$AN_CEC_OUTPUT_AXIS[{index}]=({pair[1]})"]
     said = {"STEP": str(step), "MIN": "-850", "MAX": "0", "DIRECTION": "0", "MULT_BY_TABLE": "0", "IS_MODULO": "0", **more}
