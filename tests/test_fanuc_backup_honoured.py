@@ -257,7 +257,7 @@ def test_without_files_the_first_free_number_is_asked_for(tmp_path: Path, capsys
     bench.state = "none"
     assert bench.run("X", options=f", options: {{detection_unit: {UNIT}}}") == 2
     said_first = capsys.readouterr().err
-    assert "first_point" in said_first
+    assert "controller.options.first_point" in said_first
     assert "pitch files" in said_first
     assert bench.run("X", "Y", options=f", options: {{detection_unit: {UNIT}}}", axes={"X": "options: {first_point: 500}"}) == 0
     folder = tmp_path / "job" / "tables" / "fanuc-30i"

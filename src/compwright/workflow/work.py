@@ -14,7 +14,7 @@ from compwright.fitting.beyond import beyond_limits
 from compwright.fitting.fit import fit_table
 from compwright.formats.capacity import capacity_for
 from compwright.formats.writing import write_tables
-from compwright.foundations.errors import CapacityError, CompwrightError, collect, raise_all
+from compwright.foundations.errors import CapacityError, CompwrightError, UsageError, collect, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.capacity import Capacity
@@ -220,7 +220,11 @@ def write_fitted(
         return (), None
     axes = [axis for axis, _ in fitted]
     compensations = [table.compensation for _, table in fitted]
-    files = write_tables(control.definition, compensations, axes, control.options, as_found.state, as_found.files)
+    try:
+        files = write_tables(control.definition, compensations, axes, control.options, as_found.state, as_found.files)
+    except UsageError as error:  # an option that the control's files do not answer
+        named = all(fault.place in control.definition.options for fault in error.faults)
+        raise (control.origin.named(error) if named else error) from error
     raise_all(CompwrightError, changed_neighbours(control, as_found.files, files, axes))
     return files, decode(control, files, axes, written=True)
 
