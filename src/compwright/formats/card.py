@@ -116,10 +116,16 @@ def card_values(
     return values
 
 
-def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
+def file_names(definition: Definition, axis: Axis) -> list[str]:
+    """Return how the definition's files are called for an axis, in its order, whether they are written or not."""
     address, _ = normal_address(definition, axis)
     named = {"axis": address, "system": str(axis.encoder.system - 1)}
-    files = {f"file_{number}": print_form(file.name, named) for number, file in enumerate(definition.writing, start=1)}
+    return [print_form(file.name, named) for file in definition.writing]
+
+
+def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
+    address, _ = normal_address(definition, axis)
+    files = {f"file_{number}": name for number, name in enumerate(file_names(definition, axis), start=1)}
     return {
         "name": axis.name,
         "address": address,

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 
 from compwright.documents.decode import assumed_documents
-from compwright.formats.card import card_steps_of_all, card_values
+from compwright.formats.card import card_steps_of_all, card_values, file_names
 from compwright.formats.diff import compare_files
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.foundations.utf8 import encoded
-from compwright.records.axis import Direction, FloatArray
+from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import Assumption, AxisCompensation
 from compwright.records.job import Job
 from compwright.workflow.control import Control, DecodedState
@@ -197,11 +197,19 @@ def _steps(control: Control, written: Mapping[str, AxisWork], loaded: DecodedSta
         facts = loaded.state.facts.get(axis.address, {}) if loaded else {}
         where = check_positions(work, correction_of(loaded, axis))
         values = card_values(control.definition, axis, fitted.compensation, control.options, facts, where) if fitted else {}
-        axes.append((axis, values))
+        axes.append((axis, {**values, **_named_files(control, axis, loaded)}))
     return [
         {"title": step.title, "text": step.text, "evidence": step.evidence, "heads": step.heads, "rows": step.rows}
         for step in card_steps_of_all(control.definition, axes)
     ]
+
+
+def _named_files(control: Control, axis: Axis, loaded: DecodedState | None) -> dict[str, str]:
+    """Return the names of the definition's files as they were written; what went into the control's own files names these."""
+    written = [file.name for file in loaded.files] if loaded else []
+    fresh = {f"file_{number}": name for number, name in enumerate(file_names(control.definition, axis), start=1)}
+    own = ", ".join(name for name in written if name not in fresh.values())
+    return {key: f"your own {own}, as patched" for key, name in fresh.items() if name not in written and own}
 
 
 def _restore(control: Control, inputs: JobInputs) -> list[str]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from compwright.formats.cec import tables_in
 from compwright.formats.cec_capacity import cec_available
 from compwright.formats.cec_writing import write_cross
 from compwright.formats.options import axis_options
@@ -95,7 +96,7 @@ def write_planned(
         files=files,
         after=after,
         totals=_totals(planned, after, axes),
-        steps=tuple(_written_step(entry) for entry in planned),
+        steps=tuple(_written_step(entry, new, after) for entry in planned),
     )
 
 
@@ -354,7 +355,21 @@ def _matrixkins(entry: PlannedCross) -> str:
     )
 
 
-def _written_step(entry: PlannedCross) -> dict[str, str]:
+def _loading(entry: PlannedCross, new: Sequence[ControlFile], after: DecodedState) -> str:
+    """Return how the tables between two axes get into a SINUMERIK, in the order of a builder's own programs."""
+    pair = (entry.added.input, entry.added.output)
+    tables = ", ".join(str(index) for index, axes in sorted(tables_in(after.state.facts).items()) if axes == pair)
+    named = ", ".join(file.name for file in new)
+    return (
+        f"MD18342 $MN_MM_CEC_MAX_POINTS of table {tables} must be at least {entry.added.positions.size}. "
+        f"Set MD32710 $MA_CEC_ENABLE[{pair[1]}] = 0 and SD41300 $SN_CEC_TABLE_ENABLE = 0 for table {tables}, NEW CONF; load {named}. "
+        f"Check the sign before the table acts: with 0.1 in every point of it a dial gauge on {pair[1]} must show + for "
+        "cec_sign: correction, - for cec_sign: error; else load nothing and run again with the other one. "
+        "Then MD32710 = 1, NEW CONF, SD41300 = 1, NEW CONF, NCK reset. "
+    )
+
+
+def _written_step(entry: PlannedCross, new: Sequence[ControlFile], after: DecodedState) -> dict[str, str]:
     added = entry.added
     factor, unit = outside_factor(added.output_kind.unit), shown_unit(added.output_kind.unit)
     ends = ", ".join(
@@ -364,6 +379,7 @@ def _written_step(entry: PlannedCross) -> dict[str, str]:
     return {
         "title": f"{entry.output} over {entry.input}",
         "text": (
+            f"{_loading(entry, new, after)}"
             f"{_label(entry)}: {entry.output} is moved by {ends}, 0 at the reference of {entry.input}. "
             f"Work offsets of {entry.output} shift with {entry.input}: probe them again. "
             "Check the sign with a square or a dial gauge before production."
