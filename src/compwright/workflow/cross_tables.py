@@ -362,7 +362,7 @@ def _loading(entry: PlannedCross, new: Sequence[ControlFile], after: DecodedStat
     named = ", ".join(file.name for file in new)
     return (
         f"MD18342 $MN_MM_CEC_MAX_POINTS of table {tables} must be at least {entry.added.positions.size}. "
-        f"Set MD32710 $MA_CEC_ENABLE[{pair[1]}] = 0 and SD41300 $SN_CEC_TABLE_ENABLE = 0 for table {tables}, NEW CONF; load {named}. "
+        f"Set MD32710 $MA_CEC_ENABLE[{pair[1]}] = 0 and SD41300 $SN_CEC_TABLE_ENABLE = 0 for it, NEW CONF; load {named}. "
         f"Check the sign before the table acts: with 0.1 in every point of it a dial gauge on {pair[1]} must show + for "
         "cec_sign: correction, - for cec_sign: error; else load nothing and run again with the other one. "
         "Then MD32710 = 1, NEW CONF, SD41300 = 1, NEW CONF, NCK reset. "
