@@ -453,7 +453,7 @@ def test_the_card_names_the_tables_and_the_check_of_the_sign() -> None:
         "table 4 for travel in +, table 7 for travel in -",
         "AX1_CEC.INI",
         "MD18342",
-        "cec_sign=error",
+        "with cec_sign: error in -",
         "racks the bridge",
     ):
         assert words in text
