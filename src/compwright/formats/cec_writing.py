@@ -230,7 +230,8 @@ class CecWriter:
         left = []
         for entry in entries:
             places = self._table_places(entry.index)
-            if self.own is None or not places.anywhere:
+            held = bool(places.rows) or any(places.singles.get(name) for name in DATA)
+            if self.own is None or not held:  # a switch alone is no place for a table
                 left.append(entry)
             else:
                 singles = self._spelled(entry, places)
