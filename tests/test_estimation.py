@@ -390,7 +390,7 @@ def test_what_cannot_be_estimated_is_refused() -> None:
 )
 def test_a_period_that_folds_to_a_longer_wave_is_not_fitted(interval: float, period: float, wave: float) -> None:
     """Equal intervals d show the period P as a wave of 1 / |1/P - k/d|: 25.4 mm and 5 mm as 317.5 mm."""
-    targets = interval * np.arange(32)
+    targets = interval * np.arange(32.0)
     shown = folded(targets, period)
     assert shown is not None
     assert shown == pytest.approx(wave, rel=0.1)  # the frequencies are looked through in steps of 1 / 32 of a turn over the travel
@@ -406,7 +406,7 @@ def test_random_offsets_show_the_period(interval: float, period: float) -> None:
 
 def test_a_harmonic_that_folds_is_left_out_alone() -> None:
     """Every 4 mm shows 10 mm as it is, and its half turn of 5 mm as 20 mm."""
-    targets = 4.0 * np.arange(60)
+    targets = 4.0 * np.arange(60.0)
     assert visible_periods(targets, [10.0]) == (10.0,)
     assert visible_harmonics(targets, 10.0) == (1,)
-    assert visible_harmonics(2.0 * np.arange(60), 10.0) == (1, 2)
+    assert visible_harmonics(2.0 * np.arange(60.0), 10.0) == (1, 2)

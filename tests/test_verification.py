@@ -278,7 +278,7 @@ def test_rotary_axes_speak_of_arcseconds() -> None:
     ("dof", "noise_dof"), [(1.0, 168.0), (1.0, math.inf), (20.0, 20.0), (40.0, 168.0), (41.0, math.inf), (5.0, 8.0)]
 )
 @pytest.mark.parametrize("probability", [0.9, 0.99, 0.999])
-def testnormal_score_of_a_variance_ratio(dof: float, noise_dof: float, probability: float) -> None:
+def test_normal_score_of_a_variance_ratio(dof: float, noise_dof: float, probability: float) -> None:
     exact = stats.chi2.ppf(probability, dof) / dof if math.isinf(noise_dof) else stats.f.ppf(probability, dof, noise_dof)
     # 0.12 in the score is a factor of 1.5 in a probability near 1 in 1000
     assert normal_score(float(exact), dof, noise_dof) == pytest.approx(stats.norm.ppf(probability), abs=0.12)

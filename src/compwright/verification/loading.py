@@ -143,8 +143,8 @@ def _turned(
 ) -> tuple[MeasurementFault, float] | None:
     """Return what was turned in the readings, and by which log-likelihood the loaded table explains them better turned back.
 
-    None where the readings as they stand are not 100 times less likely. What a well fitted table leaves may be too little to tell:
-    then a turned test says the same as a straight one, of the machine too.
+    None where the readings fit the loaded table as they stand, or are not 100 times less likely than turned back: what a well
+    fitted table leaves may be too little to tell, and the noise of the first test then favours either way by chance.
     """
 
     def likelihood(up: FloatArray, down: FloatArray) -> tuple[float, bool]:
@@ -152,7 +152,9 @@ def _turned(
         # Without the factor 1 of the loaded table nothing else may be turned: the size of the effect counts in the likelihood.
         return compared.log_likelihood(1.0), compared.fits(1.0)
 
-    straight, _ = likelihood(positive, negative)
+    straight, stands = likelihood(positive, negative)
+    if stands:
+        return None
     ways: list[tuple[MeasurementFault, FloatArray, FloatArray]] = [("sign", -positive, -negative)]
     if np.isfinite(positive).any() and np.isfinite(negative).any():
         ways.append(("direction", negative, positive))
