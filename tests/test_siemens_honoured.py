@@ -70,6 +70,17 @@ def test_without_the_list_two_names_are_two_axes() -> None:
     assert set(both_readers(eec("X1") + eec("AX1")).axes) == {"X1", "AX1"}
 
 
+@pytest.mark.parametrize(
+    ("address", "other", "names"),
+    [("AX1", "X1", ""), ("X1", "AX1", ""), ("AX1", "X1", NAMES.splitlines()[1]), ("X1", "AX1", NAMES.splitlines()[1])],
+)
+def test_names_that_no_list_tells_apart_are_refused(address: str, other: str, names: str) -> None:
+    """MD10000 is not among the files, or not for these: the old table of AX1 may stand under X1 and go on acting."""
+    with pytest.raises(InputError, match=rf"speak of {other} too.*MD10000"):
+        both_readers(f"{names}\n{eec(address)}$MA_BACKLASH[0,{other}]=0.003\n", axis_of(address))
+    assert both_readers(f"{names}\n{eec(address)}$MA_BACKLASH[0,Y1]=0\n" if names else eec(address), axis_of(address)).axes
+
+
 # Units ------------------------------------------------------------------------------------------------------------------------
 
 
@@ -100,6 +111,14 @@ def test_two_systems_that_are_both_on_are_asked_about() -> None:
     assert one.facts["AX1"]["encoder_system"] == 1
 
 
+def test_a_measuring_system_that_the_axis_has_not_is_refused() -> None:
+    """MD30200 = 1: system 2 is not there, whatever table stands under its index."""
+    text = eec(system=0) + eec(system=1) + "$MA_NUM_ENCS[AX1]=1\n"
+    with pytest.raises(InputError, match="MD30200"):
+        both_readers(text, replace(axis_of("AX1"), encoder=Encoder(system=2)))
+    assert both_readers(text.replace("ENCS[AX1]=1", "ENCS[AX1]=2"), replace(axis_of("AX1"), encoder=Encoder(system=2))).axes
+
+
 # Whether the table acted ------------------------------------------------------------------------------------------------------
 
 
@@ -118,6 +137,42 @@ def test_an_answer_that_the_files_contradict_is_refused() -> None:
     assert both_readers(eec(on="TRUE"), axis_of("AX1"), asking=True).axes["AX1"].positions.size == 3
     with pytest.raises(UsageError, match="active: no"):
         both_readers(eec(on="TRUE"), axis_of("AX1"), active=False, asking=True)
+
+
+SLEEPING = cec(0, ("AX1", "AX1"), step=85)
+OFF = ["$SN_CEC_TABLE_ENABLE[0]=0\n$MA_CEC_ENABLE[AX1]=1\n", "$SN_CEC_TABLE_ENABLE[0]=1\n$MA_CEC_ENABLE[AX1]=0\n"]
+
+
+@pytest.mark.parametrize("off", OFF)
+def test_an_answer_never_wakes_a_table_beside_the_one_that_acted(off: str) -> None:
+    """The leadscrew table was on, a table of 0.1 mm over the axis itself off: no question, and no answer wakes it."""
+    state = both_readers(eec() + SLEEPING + off, axis_of("AX1"), asking=True)
+    assert state.axes["AX1"].positive.tolist() == [0, -0.004, 0]
+    assert "CW-S034" in codes(state)
+    with pytest.raises(UsageError, match="which of two tables acted"):
+        both_readers(eec() + SLEEPING + off, axis_of("AX1"), active=True, asking=True, cec_sign="error")
+    with pytest.raises(UsageError, match="active: no"):
+        both_readers(eec() + SLEEPING + off, axis_of("AX1"), active=False, asking=True)
+
+
+@pytest.mark.parametrize(("on", "off"), [("0", OFF[0]), ("", OFF[1]), ("0", "")])
+def test_one_answer_does_not_mean_two_tables(on: str, off: str) -> None:
+    text = eec(on=on) + SLEEPING + off
+    with pytest.raises(UsageError, match="which of two tables acted"):
+        both_readers(text, axis_of("AX1"), active=True, asking=True, cec_sign="error")
+    assert both_readers(text, axis_of("AX1"), active=False, asking=True).axes["AX1"].positions.size == 0
+
+
+def test_an_answer_speaks_of_what_the_files_leave_open() -> None:
+    """AX1 is on and AX2 off over a table with values, which slept: ``no`` is true of AX2 and leaves AX1 as its files say."""
+    text = eec("AX1") + eec("AX2", on="0")
+    axes = axis_of("AX1"), axis_of("AX2")
+    with pytest.raises(UsageError, match=r"axis AX2.*did it act"):
+        both_readers(text, *axes, asking=True)
+    state = both_readers(text, *axes, active=False, asking=True)
+    assert state.axes["AX1"].positive.tolist() == [0, -0.004, 0]
+    assert state.axes["AX2"].positions.size == 0
+    assert any(note.value == "on" and "AX1" in note.fact for note in state.assumed)
 
 
 # Foreign CEC tables -----------------------------------------------------------------------------------------------------------
@@ -139,6 +194,13 @@ def test_a_foreign_table_is_kept_and_stops_nothing(foreign: str) -> None:
     assert codes(state) & {"CW-S050", "CW-S054"}
     (new,) = write_tables(SIEMENS, [table("AX1", [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])], [axis], {}, state, files(A__INI=text))
     assert foreign.encode() in new.content
+
+
+def test_a_turn_of_another_axis_that_does_not_close_stops_nothing() -> None:
+    other = eec("AX4", values=(0.0, 0.001, 0.002)).replace("IS_MODULO[0,AX4]=0", "IS_MODULO[0,AX4]=1")
+    assert set(both_readers(eec() + other, axis_of("AX1")).axes) == {"AX1"}
+    with pytest.raises(InputError, match="two ends differ"):
+        both_readers(eec() + other, axis_of("AX4"))
 
 
 def test_an_own_table_that_cannot_be_read_stops_its_axis_alone() -> None:

@@ -37,12 +37,13 @@ _LARGEST = 1e9
 
 @dataclass(frozen=True, slots=True)
 class _Axis:
-    """``table``: of the active measuring system, values as in the file (errors)."""
+    """``table``: of the active measuring system, values as in the file (errors). ``screw_on``: the files end with a table on."""
 
     table: Table | None = None
     enabled: bool = False
     backlash: float = 0.0
     reference_return: Direction = Direction.POSITIVE
+    screw_on: bool = False
 
     def shift(self, positions: FloatArray) -> FloatArray:
         """Return how far the leadscrew table moves the axis at ``positions`` (any shape)."""
@@ -146,7 +147,8 @@ def sinumerik_control(files: Sequence[ControlFile], request: Request) -> Sinumer
     loader = _Loader(request, remarks)
     axes = {entries[0].axis: loader.axis(entries) for entries in by_axis.values()}
     keys = {table: key for content in contents for table, key in content.unknown_keys.items()}
-    sag = load_sag(assignments, request, {name.upper(): name for name in axes}, remarks, keys, names)
+    screws = frozenset(name.upper() for name, axis in axes.items() if axis.screw_on)
+    sag = load_sag(assignments, request, {name.upper(): name for name in axes}, remarks, keys, names, screws)
     raise_all(InputError, remarks.faults)
     for base, corrected in sag.pairs():
         if base == corrected:
@@ -229,6 +231,10 @@ class _Loader:
             enabled=acts,
             backlash=backlash * self._factor(name, entries),
             reference_return=returning,
+            screw_on=any(
+                last_value(given, "MA_ENC_COMP_ENABLE") == 1.0 and any(e.name == _PREFIX and e.value for e in given)
+                for given in by_system.values()
+            ),
         )
 
     def _table(self, name: str, system: int, given: Sequence[Assignment]) -> Table | None:
@@ -240,7 +246,7 @@ class _Loader:
         if is_default(data, _PREFIX):
             self.remarks.notes.append(f"{label}: all zero, the control's own default for no table")
             return None
-        table = build_table(data, _PREFIX, label, name, self.remarks)
+        table = build_table(data, _PREFIX, label, name, self.remarks, stranger=not self.request.asks_for(name))
         if table is not None:
             reserved = [entry for entry in given if entry.name == "MA_MM_ENC_COMP_MAX_POINTS"]
             self.remarks.faults += too_few_points(reserved, table, f"MD38000 of {name}")

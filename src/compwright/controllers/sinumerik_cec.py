@@ -186,16 +186,17 @@ def load_sag(
     remarks: Remarks,
     unknown_keys: Mapping[int, str],
     names: AxisNames,
+    screws: frozenset[str] = frozenset(),
 ) -> Sag:
     """Return the tables from all assignments in the order of the files; what is wrong goes to ``remarks``.
 
     ``spelling``: upper case -> the name by which an axis is already known; ``unknown_keys``: by table a key that is not known;
-    ``names``: which names are those of machine axes. Raises UsageError for an option ``cec_sign`` that is
-    neither ``correction`` nor ``error``.
+    ``names``: which names are those of machine axes; ``screws``: axes (upper case) whose leadscrew table is
+    switched on. Raises UsageError for an option ``cec_sign`` that is neither ``correction`` nor ``error``.
     """
     sign = _sign(request)
     loader = _Loader([entry for entry in entries if "CEC" in entry.name], dict(spelling), remarks, request)
-    loader.unknown_keys, loader.names = unknown_keys, names
+    loader.unknown_keys, loader.names, loader.screws = unknown_keys, names, screws
     tables = loader.tables()
     by_pair: dict[Pair, list[SagTable]] = defaultdict(list)
     for table in tables.values():
@@ -269,6 +270,7 @@ class _Loader:
     def __init__(self, entries: Sequence[Assignment], spelling: dict[str, str], remarks: Remarks, request: Request) -> None:
         self.request = request
         self.unknown_keys: Mapping[int, str] = {}
+        self.screws: frozenset[str] = frozenset()
         self.names = AxisNames({}, {})
         self.odd: dict[Pair, str] = {}
         self.left_out: list[int] = []
@@ -365,9 +367,12 @@ class _Loader:
         return None
 
     def _acts(self, entries: Sequence[Assignment], output: str, *, own: bool) -> bool:
-        """Return whether a table acts; what the job says of the test counts for tables of an axis over itself."""
+        """Return whether a table acts; what the job says of the test counts for tables of an axis over itself.
+
+        Not where the leadscrew table of the axis is on: then the job speaks of that one, and what is switched off slept.
+        """
         switches = [last_value(entries, "SN_CEC_TABLE_ENABLE"), last_value(self.by_axis.get(output.upper(), []), "MA_CEC_ENABLE")]
-        if own:
+        if own and not (output.upper() in self.screws and 0.0 in switches):
             return self.request.acts(switches)
         return all(switch != 0.0 for switch in switches)
 

@@ -78,11 +78,14 @@ def is_default(entries: Sequence[Assignment], prefix: str) -> bool:
     return len({entry.name for entry in grid}) == 3 and not any(entry.value for entry in (*grid, *values))
 
 
-def build_table(entries: Sequence[Assignment], prefix: str, label: str, owner: str, remarks: Remarks) -> Table | None:
+def build_table(
+    entries: Sequence[Assignment], prefix: str, label: str, owner: str, remarks: Remarks, *, stranger: bool = False
+) -> Table | None:
     """Return the table of one measuring system or index from all its assignments, or None with the faults in ``remarks``.
 
     ``prefix``: name of the values' variable; ``label``: how messages call the table; ``owner``: the axis or table whose
-    IS_MODULO may have to be assumed.
+    IS_MODULO may have to be assumed; ``stranger``: nobody asks for it, so that a whole one that is odd (its turn does not close) is
+    left alone and noted.
     """
     faults: list[Fault] = []
     first = entries[0]
@@ -102,7 +105,11 @@ def build_table(entries: Sequence[Assignment], prefix: str, label: str, owner: s
         if modulo is None:
             remarks.assumed.append(Assumption(f"${prefix}_IS_MODULO of {owner}", "0", "not in the files"))
         table = Table(low, high, step, modulo is not None and modulo.value == 1.0, column)
-        faults += _impossible(first, label, table)
+        odd = _impossible(first, label, table)
+        if stranger and odd:
+            remarks.notes += [f"{fault.message}: left alone" for fault in odd]
+            return None
+        faults += odd
         if not faults:
             return table
     remarks.faults += faults

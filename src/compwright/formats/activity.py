@@ -1,4 +1,8 @@
-"""Whether the tables of a state acted, where its files switch them off at the end or say nothing of it."""
+"""Whether the tables of a state acted, where its files switch them off at the end or say nothing of it.
+
+The answer speaks of what the files leave open: a table that they end with switched on acted, and a table between axes that they
+switch off slept where the leadscrew table of its axis was on. One answer never means two mechanisms.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +27,12 @@ class Activity:
         """
         if word == "yes":
             if self.said is False:
-                notes.ask(
+                notes.assume(
+                    f"{label}: compensation during the test",
+                    "on",
+                    "the files end with it switched on (active: no is of the others)",
+                )
+                notes.contradictions.append(
                     Fault(
                         message=f"{label}: the job says active: no, but the files end with the table switched on ({switches})",
                         file=place.occurrence.file if place is not None else "",
@@ -33,6 +42,7 @@ class Activity:
                     )
                 )
             return True
+        notes.open_answers += 1
         if self.said is not None:
             notes.assume(f"{label}: compensation during the test", "on" if self.said else "off", "the job's answer (active)")
             return self.said
@@ -45,8 +55,37 @@ class Activity:
                     message=f"{label}: its table is not zero, and the files of the state {ends}: did it act during the test?",
                     file=place.occurrence.file if place is not None else "",
                     place=place.occurrence.place if place is not None else "",
-                    expected="states: {as_found: {files: [...], active: yes}} or active: no (without a job: --option active=yes)",
+                    expected="states: {as_found: {files: [...], active: yes}} or active: no (without a job: --option active=yes); "
+                    "one answer for all tables that are asked about: where they differ, the switch as it was, among the files",
                     found="no answer",
                 )
             )
+        return None
+
+    def beside_leadscrew(
+        self, label: str, switches: str, screw: str, word: str | None, place: Found | None, notes: Notes
+    ) -> bool | None:
+        """Return False for a table of an axis over itself that slept; None where `settle` decides.
+
+        ``screw``: how the files end of the axis' leadscrew table that is not zero (``yes``, ``no``, ``unsaid``; empty: none).
+        """
+        slept = word == "no" and screw == "yes"
+        unclear = self.said is True and screw in ("no", "unsaid") and "no" in (word, screw) and word != "yes"
+        if self.said is True and (slept or unclear):
+            which = "on" if slept else "off too" if screw == "no" else "neither on nor off"
+            notes.ask(
+                Fault(
+                    message=f"{label}: active: yes does not say which of two tables acted: this one is "
+                    f"{'switched off' if word == 'no' else 'not said to be on'} ({switches}), the leadscrew table is {which} "
+                    "(MD32700 $MA_ENC_COMP_ENABLE)",
+                    file=place.occurrence.file if place is not None else "",
+                    place=place.occurrence.place if place is not None else "",
+                    expected="active left out or no, and the switch of the one that acted as 1 among the files",
+                    found="active: yes",
+                )
+            )
+            return False
+        if slept:
+            notes.assume(f"{label}: during the test", "off", f"{switches} end as 0, while the leadscrew table of the axis is on")
+            return False
         return None

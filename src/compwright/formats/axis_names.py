@@ -40,6 +40,16 @@ class AxisNames:
         one = self.address(address)
         return {address, one, *(name for name in (*self.places, *self.places.values()) if self.address(name) == one)}
 
+    def unplaced(self, address: str, spoken_of: Iterable[str]) -> list[str]:
+        """Return the names in the files that may be ``address`` too: a place without a name, beside names without a place."""
+        place = self.places.get(address, address)
+        named = {one for name, one in self.places.items() if not _PLACE.fullmatch(name)}
+        if place in named:
+            return []
+        if _PLACE.fullmatch(place):
+            return [name for name in spoken_of if name != address and not _PLACE.fullmatch(name) and name not in self.places]
+        return [name for name in spoken_of if _PLACE.fullmatch(name) and name not in named]
+
     def machine_name(self, address: str) -> str | None:
         """Return what the machine calls the axis at an address; None where the files do not say it."""
         one = self.address(address)

@@ -102,7 +102,7 @@ def card_values(
     node = "table_start" if "table_start" in definition.bindings else "node_position"
     factor = float(scale.factor(node))
     positions = compensation.positions
-    values = {"points": str(positions.size), "unit": scale.unit(node), "backlash": f"{compensation.backlash / factor:.10g}"}
+    values = {"points": str(positions.size), "unit": scale.unit(node), "backlash": _typed(compensation.backlash / factor)}
     if has_cross(definition) and not np.array_equal(compensation.positive, compensation.negative):
         values[CURVES] = "2"
     values |= _cross_values(facts or {})
@@ -114,6 +114,11 @@ def card_values(
     if definition.layout.shape == "user_tables":
         values.update(user_card_values(definition, axis, compensation, resolved))
     return values
+
+
+def _typed(value: float) -> str:
+    """Return a number as it is typed at a control: digits and a point, never an exponent."""
+    return np.format_float_positional(float(f"{value:.10g}"), trim="-")
 
 
 def file_names(definition: Definition, axis: Axis) -> list[str]:

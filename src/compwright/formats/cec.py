@@ -13,7 +13,7 @@ from decimal import Decimal
 import numpy as np
 
 from compwright.formats.activity import Activity
-from compwright.formats.consistency import has_cross
+from compwright.formats.consistency import curves, has_cross
 from compwright.formats.gathering import Found, Gathered, same_value, the_one
 from compwright.formats.notes import Notes
 from compwright.formats.scale import Scale
@@ -225,10 +225,7 @@ class _CecReader:
         finally:
             self.notes = outer
         if not found.faults:
-            outer.findings.extend(found.findings)
-            outer.questions.extend(found.questions)
-            for note in found.assumed:
-                outer.assume(note.fact, note.value, note.evidence)
+            outer.take(found)
             return table
         damaged = any("contradicts" in fault.message for fault in found.faults)
         if is_zero(places) and "cross_value" in places and _whole(places) and not damaged:
@@ -372,7 +369,12 @@ class _CecReader:
         if self._same(pair) and output in self.wanted and not is_zero(places):
             switches = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"
             place = next((found for found, said in zip(ends, words, strict=True) if said == word and found is not None), None)
-            acts = self.activity.settle(f"{label} of axis {output}", switches, word, place, self.notes)
+            owner, screw = f"{label} of axis {output}", self._leadscrew(output)
+            acts = self.activity.beside_leadscrew(owner, switches, screw, word, place, self.notes)
+            if acts is None:
+                acts = self.activity.settle(owner, switches, word, place, self.notes)
+            else:
+                self.notes.find("CW-S034", "warning", f"{owner} is switched off in the files ({switches}); it corrects nothing")
         if acts is None:
             for quantity, said in zip(("cross_table_enabled", "cross_axis_enabled"), words, strict=True):
                 if said == "no":
@@ -389,6 +391,25 @@ class _CecReader:
         if acts and metric is not None and self._word(f"axis {output}", "cross_metric", metric) == "no":
             self._fault(f"axis {output}", "corrections between axes in inch are not read (MD32711)", metric, expected="1: metric")
         return acts
+
+    def _leadscrew(self, address: str) -> str:
+        """Return how the files end of a leadscrew table that is not zero: ``yes``, ``no``, ``unsaid``; empty without one."""
+        fields = [self.definition.bindings[quantity].field for quantity in curves(self.definition)]
+        words = {
+            self._switch_of(address, system)
+            for (owner, system), rows in self.gathered.rows.items()
+            if owner == address
+            and system
+            and any(Decimal(row.occurrence.tokens[name].text) != 0 for row in rows for name in fields)
+        }
+        return next((word for word in ("yes", "unsaid", "no") if word in words), "")
+
+    def _switch_of(self, address: str, system: str) -> str:
+        found = self._last("enabled", self.gathered.singles.get((address, system), {}))
+        binding = self.definition.bindings.get("enabled")
+        if found is None or not isinstance(binding, Choice):
+            return "unsaid"
+        return "no" if binding.values.get(found.text) == "no" else "yes"
 
     def _simple(self, label: str, multiplier: Found | None) -> bool:
         """Return whether the table is not multiplied by another one."""

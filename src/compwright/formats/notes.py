@@ -19,6 +19,24 @@ class Notes:
     assumed: list[Assumption] = field(default_factory=list)
     #: What only the user can answer: nothing is done with the files without it.
     questions: list[Fault] = field(default_factory=list)
+    #: Answers of the job that the files contradict; they are questions where no table needed the answer.
+    contradictions: list[Fault] = field(default_factory=list)
+    open_answers: int = 0
+
+    def take(self, other: Notes) -> None:
+        """Take over what was noted elsewhere, except faults."""
+        self.findings.extend(other.findings)
+        self.questions.extend(other.questions)
+        self.contradictions.extend(other.contradictions)
+        self.open_answers += other.open_answers
+        for note in other.assumed:
+            self.assume(note.fact, note.value, note.evidence)
+
+    def ask_contradicted(self) -> None:
+        """An answer that no table needed, and that the files contradict, is asked about."""
+        if not self.open_answers:
+            for fault in self.contradictions:
+                self.ask(fault)
 
     def ask(self, question: Fault) -> None:
         """Note a question once."""

@@ -118,6 +118,7 @@ class _StateReader:
                     )
                 )
                 continue
+            self._one_axis(gathered, address, axis)
             rows = self._rows(gathered, texts, address, spoken_of=address in self._spoken_of(gathered, reader))
             elsewhere = bool(cec.acting((address, address)))
             if elsewhere and self.options.get("cec_sign") is None and "cec_sign" in self.definition.options:
@@ -143,6 +144,7 @@ class _StateReader:
                 "give the option cec_sign after the check on the card",
             )
             cross = ()
+        self.notes.ask_contradicted()
         raise_all(InputError, self.notes.faults)
         raise_all(UsageError, self.notes.questions)
         find_partners(gathered, self.partners, compensations, self.notes, asked=bool(self.wanted))
@@ -154,6 +156,23 @@ class _StateReader:
             facts=facts,
             assumed=tuple(self.notes.assumed),
             findings=tuple(dict.fromkeys(self.notes.findings)),
+        )
+
+    def _one_axis(self, gathered: Gathered, address: str, axis: Axis | None) -> None:
+        """Refuse an axis that other lines may mean too: X1 beside AX1, and no list that says which of them are one."""
+        spoken_of = dict.fromkeys(name for name, _ in (*gathered.singles, *gathered.rows) if name is not None)
+        others = gathered.names.unplaced(address, spoken_of) if "machine_axis" in self.definition.bindings else []
+        if axis is None or not others:
+            return
+        places = {name: found[-1] for (name, _), said in gathered.singles.items() for found in said.values()}
+        places |= {name: rows[-1] for (name, _), rows in gathered.rows.items()}
+        self.notes.refuse(
+            f"axis {address}",
+            f"the files speak of {', '.join(others)} too, which may be the same axis: no list of names is among them "
+            "(MD10000 $MN_AXCONF_MACHAX_NAME_TAB)",
+            places[others[0]],
+            expected="the machine data with MD10000 among the files",
+            found=", ".join(others),
         )
 
     def _same_systems(self, facts: Mapping[str, Mapping[str, Fact]]) -> None:

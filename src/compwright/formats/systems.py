@@ -24,6 +24,14 @@ class SystemChoice:
     def stated(self, wanted: int, *, by_job: bool) -> str:
         """Return the system that somebody named; a control that has it not, or holds its table elsewhere, is a fault."""
         chosen = str(wanted - 1)
+        if (count := self._count()) is not None and wanted > count:
+            self.notes.refuse(
+                f"axis {self.address}",
+                f"measuring system {wanted} is asked for, but the axis has {count} (MD30200 $MA_NUM_ENCS)",
+                self.gathered.singles[self.address, None]["encoders"][-1],
+                expected=f"encoder: {{system: {count}}}, or no word of it" if count else "MD30200 at least 1",
+            )
+            return chosen
         tables = [system for system in self.systems if self._rows(system)]
         active = [system for system in tables if self._switch(system) is not False]
         if chosen not in self.systems or (chosen not in tables and active):
