@@ -16,7 +16,7 @@ from compwright.formats.card import card_steps, card_steps_of_all, card_values
 from compwright.records.axis import Axis, AxisKind
 from compwright.reporting.card import card_html
 from compwright.workflow.card import check_positions
-from format_samples import DEFINITIONS, table
+from format_samples import DEFINITIONS, SIEMENS, axis_of, table
 from places import PROJECT
 from reporting_samples import sample_card
 
@@ -143,3 +143,10 @@ def test_in_print_the_tables_of_an_axis_stay_with_their_headings() -> None:
     parser = Headings()
     parser.feed(body)
     assert parser.loose == []
+
+
+def test_no_number_on_the_card_has_an_exponent() -> None:
+    """A control takes no 7.6e-05 (SINUMERIK: digits and a point)."""
+    axis = axis_of("AX1")
+    new = table("AX1", [0.0, 50.0], [0.0, 0.001], backlash=0.000076)
+    assert card_values(SIEMENS, axis, new, {})["backlash"] == "0.000076"

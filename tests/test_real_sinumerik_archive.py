@@ -22,22 +22,7 @@ from sinumerik_judge import Outcome, control_before, foreign_bytes, fresh, load_
 pytestmark = needs_archive
 
 CHUNKS, EACH = 6, 25
-#: Faults that were found and are not mended yet: what they are, and the seeds that meet them. Take out what is mended.
-SLEEPER, EXPONENT, NEIGHBOUR, SYSTEM, UNNAMED = (
-    "a table that sleeps by MD32710 or SD41300 beside an EEC that acts: no answer to `active` is right",
-    "the card asks to type a value with an exponent",
-    "a modulo table of another axis that does not close stops work on this one",
-    "measuring system 2 is written for an axis that has one (MD30200)",
-    "one axis under two names without MD10000: an old table is overlooked",
-)
-OPEN = (
-    dict.fromkeys((6, 44, 94, 102, 103, 122, 149), SLEEPER) | {47: EXPONENT, 137: SYSTEM} | dict.fromkeys((71, 88, 128), NEIGHBOUR)
-)
 INCH_SEEDS = (0, 1, 2)  # both say it, the line alone, MD10240 alone
-
-
-def not_yet(why: str) -> pytest.MarkDecorator:
-    return pytest.mark.xfail(reason=f"not mended yet: {why}", strict=False)
 
 
 @pytest.fixture
@@ -73,15 +58,10 @@ def good(outcome: Outcome, *, written: bool | None = None) -> Outcome:
 @pytest.mark.parametrize("chunk", range(CHUNKS))
 def test_no_job_does_harm(chunk: int, judged: Judge) -> None:
     """Every job is right or refused by name, what nothing else acts on is written, and so are most."""
-    outcomes = [judged(case_of(seed)) for seed in range(chunk * EACH, (chunk + 1) * EACH) if seed not in OPEN]
+    outcomes = [judged(case_of(seed)) for seed in range(chunk * EACH, (chunk + 1) * EACH)]
     harms = [outcome.line() for outcome in outcomes if outcome.harms]
     assert not harms, "\n".join(harms)
-    assert sum(outcome.written for outcome in outcomes) >= 0.6 * len(outcomes)
-
-
-@pytest.mark.parametrize("seed", [pytest.param(seed, marks=not_yet(why)) for seed, why in sorted(OPEN.items())])
-def test_no_job_does_harm_once_mended(seed: int, judged: Judge) -> None:
-    good(judged(case_of(seed)))
+    assert sum(outcome.written for outcome in outcomes) >= 0.6 * EACH
 
 
 # -- inches, names, foreign tables ------------------------------------------------------------------------------------------------
@@ -104,13 +84,11 @@ def test_x1_and_ax1_are_one_axis(special: Special, seed: int, judged: Judge) -> 
     good(judged(named(special, seed)), written=True)
 
 
-@not_yet(UNNAMED)
 @pytest.mark.parametrize("seed", range(3))
 def test_names_without_their_table_are_honoured_or_refused(seed: int, judged: Judge) -> None:
     good(judged(named(variations.names_without_their_table, seed, "AX3")))
 
 
-@not_yet(SLEEPER)
 def test_two_names_and_a_sleeping_table_of_the_axis(judged: Judge) -> None:
     """The table of 100 µm that says X1 must not be woken by work on AX1."""
     case = named(variations.sleeping_table_over_itself)
@@ -157,7 +135,7 @@ def test_two_measuring_systems_only_the_second_is_on(judged: Judge) -> None:
     [
         variations.neither_is_on,
         variations.both_are_on,
-        pytest.param(variations.no_such_system, marks=not_yet(SYSTEM)),
+        variations.no_such_system,
         variations.job_names_the_idle_system,
     ],
 )
@@ -189,7 +167,6 @@ def test_nothing_is_asked_where_the_table_is_zero(judged: Judge) -> None:
     good(judged(named(variations.zero_and_silent)), written=True)
 
 
-@not_yet(SLEEPER)
 @pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("answer", [None, "yes"])
 def test_a_sleeping_table_is_left_asleep_beside_one_that_acts(seed: int, answer: str | None, judged: Judge) -> None:

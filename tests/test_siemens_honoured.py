@@ -155,6 +155,22 @@ def test_an_answer_never_wakes_a_table_beside_the_one_that_acted(off: str) -> No
         both_readers(eec() + SLEEPING + off, axis_of("AX1"), active=False, asking=True)
 
 
+@pytest.mark.parametrize("off", OFF)
+def test_a_table_that_the_machine_data_switch_off_slept(off: str) -> None:
+    """Values in one file, the switch in the machine data: nothing loads it and ends with off."""
+    control = open_control("siemens-840d-sl", {"cec_sign": "error"})
+
+    def read(active: bool | None, values: tuple[float, ...]) -> ControlState:
+        given = files(NC_CEC__INI=SLEEPING + "M17\n", MD__INI=eec(values=values) + off + "M17\n")
+        return decode(control, given, [axis_of("AX1")], active=active, asking=True).state
+
+    for active in (None, True):  # yes is true of the leadscrew table
+        assert read(active, (0.0, 0.004, 0.0)).axes["AX1"].positive.tolist() == [0, -0.004, 0]
+    assert not read(None, (0.0, 0.0, 0.0)).axes["AX1"].positive.any()
+    with pytest.raises(UsageError, match="which of two tables acted"):
+        read(True, (0.0, 0.0, 0.0))
+
+
 @pytest.mark.parametrize(("on", "off"), [("0", OFF[0]), ("", OFF[1]), ("0", "")])
 def test_one_answer_does_not_mean_two_tables(on: str, off: str) -> None:
     text = eec(on=on) + SLEEPING + off

@@ -14,6 +14,18 @@ from compwright.foundations.errors import Fault
 
 
 @dataclass(frozen=True, slots=True)
+class Leadscrew:
+    """What the files say of an axis' leadscrew tables.
+
+    ``on``: they end with one switched on. ``word``: how they end of those that are not zero (``yes``, ``no``, ``unsaid``; empty:
+    there is none).
+    """
+
+    on: bool
+    word: str
+
+
+@dataclass(frozen=True, slots=True)
 class Activity:
     """``said``: what the job answers (None: nothing). ``asking``: the answer is needed, because readings hang on it."""
 
@@ -63,20 +75,21 @@ class Activity:
         return None
 
     def beside_leadscrew(
-        self, label: str, switches: str, screw: str, word: str | None, place: Found | None, notes: Notes
+        self, label: str, switches: str, screw: Leadscrew, word: str | None, place: Found | None, notes: Notes, *, dumped: bool
     ) -> bool | None:
         """Return False for a table of an axis over itself that slept; None where `settle` decides.
 
-        ``screw``: how the files end of the axis' leadscrew table that is not zero (``yes``, ``no``, ``unsaid``; empty: none).
+        ``dumped``: it is switched off in another file than that with its values, so by no program that loads it.
         """
-        slept = word == "no" and screw == "yes"
-        unclear = self.said is True and screw in ("no", "unsaid") and "no" in (word, screw) and word != "yes"
-        if self.said is True and (slept or unclear):
-            which = "on" if slept else "off too" if screw == "no" else "neither on nor off"
+        slept = word == "no" and (screw.word == "yes" or (screw.on and not screw.word and dumped))
+        certain = slept and dumped and screw.word == "yes"
+        unclear = screw.word in ("no", "unsaid") and "no" in (word, screw.word) and word != "yes"
+        if self.said is True and (unclear or (slept and not certain)):
             notes.ask(
                 Fault(
                     message=f"{label}: active: yes does not say which of two tables acted: this one is "
-                    f"{'switched off' if word == 'no' else 'not said to be on'} ({switches}), the leadscrew table is {which} "
+                    f"{'switched off' if word == 'no' else 'not said to be on'} ({switches}), the leadscrew table is "
+                    f"{'on' if screw.on else 'off' if screw.word == 'no' else 'not said to be on'} "
                     "(MD32700 $MA_ENC_COMP_ENABLE)",
                     file=place.occurrence.file if place is not None else "",
                     place=place.occurrence.place if place is not None else "",

@@ -12,7 +12,7 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.activity import Activity
+from compwright.formats.activity import Activity, Leadscrew
 from compwright.formats.consistency import curves, has_cross
 from compwright.formats.gathering import Found, Gathered, same_value, the_one
 from compwright.formats.notes import Notes
@@ -370,7 +370,8 @@ class _CecReader:
             switches = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"
             place = next((found for found, said in zip(ends, words, strict=True) if said == word and found is not None), None)
             owner, screw = f"{label} of axis {output}", self._leadscrew(output)
-            acts = self.activity.beside_leadscrew(owner, switches, screw, word, place, self.notes)
+            dumped = place is not None and place.number not in {row.number for row in places["cross_value"]}
+            acts = self.activity.beside_leadscrew(owner, switches, screw, word, place, self.notes, dumped=dumped)
             if acts is None:
                 acts = self.activity.settle(owner, switches, word, place, self.notes)
             else:
@@ -392,17 +393,17 @@ class _CecReader:
             self._fault(f"axis {output}", "corrections between axes in inch are not read (MD32711)", metric, expected="1: metric")
         return acts
 
-    def _leadscrew(self, address: str) -> str:
-        """Return how the files end of a leadscrew table that is not zero: ``yes``, ``no``, ``unsaid``; empty without one."""
+    def _leadscrew(self, address: str) -> Leadscrew:
+        """Return what the files say of the leadscrew tables of an axis."""
         fields = [self.definition.bindings[quantity].field for quantity in curves(self.definition)]
-        words = {
-            self._switch_of(address, system)
-            for (owner, system), rows in self.gathered.rows.items()
-            if owner == address
-            and system
-            and any(Decimal(row.occurrence.tokens[name].text) != 0 for row in rows for name in fields)
+        tables = {system: rows for (owner, system), rows in self.gathered.rows.items() if owner == address and system}
+        on = {system: self._switch_of(address, system) for system in tables}
+        written = {
+            on[system]
+            for system, rows in tables.items()
+            if any(Decimal(row.occurrence.tokens[name].text) != 0 for row in rows for name in fields)
         }
-        return next((word for word in ("yes", "unsaid", "no") if word in words), "")
+        return Leadscrew("yes" in on.values(), next((word for word in ("yes", "unsaid", "no") if word in written), ""))
 
     def _switch_of(self, address: str, system: str) -> str:
         found = self._last("enabled", self.gathered.singles.get((address, system), {}))
