@@ -102,7 +102,7 @@ def added(
         nodes = np.arange(first - 1, last + 1) - r
         sums = np.concatenate([[0], np.cumsum([points.get(n, 0) for n in range(first, last + 1)])])
         sums = sums - np.interp(0, nodes, sums)
-        place = np.mod(x, 360.0) if axis == 4 else x
+        place = np.mod(x, 360.0) if said(parameters, 1006, axis)[-2:] == "01" else x
         total = k * unit * sums[np.clip(np.floor(place / interval + 0.5) - nodes[0], 0, sums.size - 1).astype(int)]
     backlash = int(said(parameters, 1852 if rapid else 1851, axis)) * unit
     return total if sign > 0 else total - backlash
@@ -266,6 +266,59 @@ def test_without_files_the_first_free_number_is_asked_for(tmp_path: Path, capsys
     assert int(said(y, 3621, 2)) == int(said(x, 3622, 1)) + 1
 
 
+NO_NUMBERS = {(number, "1"): "0" for number in (3620, 3621, 3622, 3623)}
+
+
+def test_numbers_of_which_no_file_speaks_are_not_free(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A pitch file that ends at number 399, X without numbers of its own: what 400 and on hold only the control knows."""
+    bench = Bench(tmp_path, NO_NUMBERS)
+    file = tmp_path / "PITCH.TXT"
+    file.write_text("\n".join(line for line in file.read_text().splitlines() if not line.startswith(("N104", "N105", "N11"))))
+    cut = file.read_text()
+    assert bench.run("X") == 0
+    parameters, points = bench.written()
+    assert int(said(parameters, 3622, 1)) < 400 or int(said(parameters, 3621, 1)) >= 600
+    written = data(cut).keys()
+    assert points.keys() == written
+
+
+def test_without_pitch_data_an_axis_without_numbers_asks(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    bench = Bench(tmp_path, {**OFF, **NO_NUMBERS}, points=None)
+    assert bench.run("X") == 2
+    assert "first_point" in capsys.readouterr().err
+    assert bench.run("X", options=", options: {first_point: 700}") == 0
+    assert bench.left("X") < SMALL
+
+
+def test_old_numbers_of_another_axis_of_the_job_stay_its_own(tmp_path: Path) -> None:
+    """X needs more numbers than it has; those that Y leaves hold Y's old table until Y's new one is loaded."""
+    bench = Bench(tmp_path)
+    assert bench.run("X", "Y", "B", axes=dict.fromkeys("XY", "table: {spacing: 10}")) == 0
+    parameters, _ = bench.written()
+    x = set(range(int(said(parameters, 3621, 1)), int(said(parameters, 3622, 1)) + 1))
+    y = set(range(int(said(parameters, 3621, 2)), int(said(parameters, 3622, 2)) + 1))
+    assert not x & {*range(101, 142), *range(300, 313)}
+    assert not y & {*range(1, 42), *range(300, 313)}
+
+
+def test_the_direction_of_the_reference_return_is_read(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """1006#5 = 1: towards -. Two sets hang on it; with one set the job is followed and the contradiction named."""
+    minus = {(1006, "1"): "00100000"}
+    bench = Bench(tmp_path, {**minus, (3605, "1"): "00000001", (3626, "1"): "700", (3627, "1"): "5"})
+    assert bench.run("X") == 3
+    assert "1006#5" in capsys.readouterr().err
+    (tmp_path / "one").mkdir()
+    bench, tmp_path = Bench(tmp_path / "one", minus), tmp_path / "one"
+    assert bench.run("X", axes={"X": "table: {mode: bidirectional}"}) == 4
+    assert "1006#5" in capsys.readouterr().err
+    assert bench.run("X") == 0
+    assert "CW-S044" in capsys.readouterr().out
+    words = ["--from", str(tmp_path / "CNC-PARA.TXT"), "--from", str(tmp_path / "PITCH.TXT"), "--format", "fanuc-30i"]
+    assert compwright(["new", *words, "--out", str(tmp_path / "new.yaml")]) == 0
+    text = (tmp_path / "new.yaml").read_text()
+    assert 'reference_return: "-"' in text[text.index("\n  X:") :].partition("before:")[0]
+
+
 # Detection unit -----------------------------------------------------------------------------------------------------------
 
 
@@ -297,9 +350,12 @@ def test_the_unit_follows_multiplier_system_and_inch(edits: Edits, unit: float, 
 
 
 def test_a_coding_that_is_not_known_is_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    bench = Bench(tmp_path, {(1820, "1"): "102"})
-    assert bench.run("X") == 2
-    assert "detection_unit" in capsys.readouterr().err
+    for number, coded in ((1013, "00001000"), (1820, "102")):
+        bench = Bench(tmp_path, {(number, "1"): coded})
+        assert bench.run("X") == 2
+        told = capsys.readouterr().err
+        assert "detection_unit" in told
+        assert f"parameter {number} of axis 1 = {coded}" in told
     assert bench.run("X", options=f", options: {{detection_unit: {UNIT}}}") == 0
 
 
@@ -367,6 +423,13 @@ def test_the_endless_axis_of_the_backup(tmp_path: Path) -> None:
 def test_the_error_of_an_endless_axis_repeats_whatever_the_travel(travel: str, first: int, tmp_path: Path) -> None:
     bench = Bench(tmp_path)
     assert bench.run("B", axes={"B": f"travel: {travel}"}, targets=first + np.arange(0.0, 361.0, 30.0)) == 0
+    assert bench.left("B") < 0.0008
+
+
+def test_a_rotary_axis_with_ends_need_not_close(tmp_path: Path) -> None:
+    """1006 = 3: a turn from 0 to 360 whose increments add up to 10 is a table as any other."""
+    bench = Bench(tmp_path, {(1006, "4"): "00000011"}, points=POINTS | {311: 0})
+    assert bench.run("B", axes={"B": "modulo: -"}) == 0
     assert bench.left("B") < 0.0008
 
 

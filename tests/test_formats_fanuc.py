@@ -496,7 +496,7 @@ def test_the_number_of_lines_that_stay() -> None:
 def test_missing_point_records_are_put_in_their_place_and_style() -> None:
     own = files(P__TXT=PARAMETERS, Q__TXT=PITCH.replace("Q0P", "Q0 P"))
     steps = list(range(-6, 7))
-    new = write(table(steps, steps, spacing=30.0), own=own)
+    new = write(table(steps, steps, spacing=30.0), own=own, first_point=30)
     lines = new[1].content.decode().split()
     assert lines[0] == lines[-1] == "%"
     assert re.findall(r"N(\d+)Q0 P(-?\d+)\n", new[1].content.decode()) == [(str(10_035 + k), "1") for k in range(12)]
@@ -588,9 +588,9 @@ def test_an_axis_keeps_its_reference_number_where_the_table_still_fits() -> None
 
 def test_no_room_is_refused_with_the_longest_gap() -> None:
     own = backup(highest=1535)
-    # The longest row between and behind Y (100 .. 104), B (200 .. 208) and Z (300 .. 310): 311 .. 1535.
+    # The longest row between and behind Y (100 .. 104), B (200 .. 208) and Z (300 .. 310): 311 .. 1535, one section each.
     said = refusal(table(list(range(1300)), [0] * 1300, spacing=1.0), own=own)
-    assert f"at most {1535 - 310}, found 1300" in said
+    assert f"at most {1535 - 310 + 1}, found 1300" in said
     both_sets = table(list(range(700)), [0] * 700, [4] * 700, spacing=1.0)
     said = refusal(both_sets, own=own)
     assert "needs 1400 point numbers in a row" in said
@@ -623,10 +623,10 @@ def test_a_number_that_one_axis_leaves_and_another_takes_is_written_once() -> No
 
 def test_files_of_an_earlier_run_are_patched_too() -> None:
     first = write(table([0, 1, 2], [0, 3, -1], backlash=2 * UM))
-    second = write(table([0, 1, 2, 3], [0, 1, 2, 4], spacing=30.0), own=first)
+    second = write(table([0, 1, 2, 3], [0, 1, 2, 4], spacing=30.0), own=first, first_point=0)
     assert [file.name for file in second] == [file.name for file in first]
     np.testing.assert_allclose(both(second, axis()).state.axes["1"].positive, np.array([0, 0, 1, 2, 4]) * UM, atol=EXACT)
-    back = write(table([0, 1, 2], [0, 3, -1], backlash=2 * UM), own=second)
+    back = write(table([0, 1, 2], [0, 3, -1], backlash=2 * UM), own=second, first_point=0)
     assert {key: text for key, text in values(back).items() if text != "0"} == {
         key: text for key, text in values(first).items() if text != "0"
     }
@@ -648,7 +648,7 @@ def test_two_sets_written_and_read_back(home: Direction) -> None:
         positive, negative = negative, positive
     where = axis(reference_return=home)
     meant = table(steps, positive, negative, reference_return=home)
-    new = write(meant, axes=[where], own=own)
+    new = write(meant, axes=[where], own=own, first_point=0)
     said = values(new)
     assert said["3605A1"] == "00000001"
     assert said["3605A2"] == said["3605A3"] == "00000000"
@@ -739,7 +739,7 @@ def test_the_typed_sheet_says_the_same_as_the_tables(case: str, format_id: str) 
         where, meant = axis(**ENDLESS), turn([0, 1, -1, 0, 3, 2, 1, -1, 0])
     if format_id == "fanuc-0i-16i":
         own = [ControlFile(file.name, without_q(file.content.decode()).encode()) for file in own]
-    (sheet,) = forms(meant, where, own, format_id)
+    (sheet,) = forms(meant, where, own, format_id, first_point=0)
     assert sheet.name == f"entry_{where.name}.csv"
     read = both([sheet], where, format_id=format_id)
     assert read.judge is not None

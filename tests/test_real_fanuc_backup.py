@@ -24,15 +24,6 @@ from virtual_fanuc import Floats, NotKnownError, VirtualFanuc, accuracy, loaded
 
 needs_backup = pytest.mark.skipif(not FOLDER.is_dir(), reason="the real FANUC backup is not beside the project")
 UM = 1e-3
-#: Found by this judge and open: family and seed, and what is wrong. An entry goes with its mend; the demand stays as it is.
-OPEN = {
-    ("other_increment_system", 0): "1004#1 = 1 beside 1013 = 0, and no word on it",
-    ("pitch_in_part", 0): "numbers above those of the pitch file are taken, and lines are added to the file",
-    ("shared_numbers", 0): "the refusal names no parameter",
-    ("reference_elsewhere", 0): "1240 is not 0, and no word on it",
-    ("odd_neighbour", 101): "3622 = 2000 on another axis stops this one",
-    ("rotary_without_wrap", 100): "the sum of a turn is asked of an axis that does not wrap",
-}
 
 
 def good(outcome: Outcome) -> None:
@@ -49,20 +40,12 @@ DEALT = deal(ROUND)
 @needs_backup
 @pytest.mark.parametrize("share", range(SHARES))
 def test_no_random_job_does_harm(share: int, tmp_path: Path) -> None:
-    dealt = [pair for pair in DEALT[share * ROUND // SHARES : (share + 1) * ROUND // SHARES] if pair not in OPEN]
+    dealt = DEALT[share * ROUND // SHARES : (share + 1) * ROUND // SHARES]
     outcomes = [play(make(name, seed), tmp_path / f"{name}-{seed}") for name, seed in dealt]
     faulty = [str(outcome) for outcome in outcomes if outcome.faults]
     assert not faulty, "\n".join(faulty)
     written = sum(len(outcome.written) == len(outcome.job.axes) for outcome in outcomes)
     assert written >= 0.6 * len(outcomes), [(outcome.job.title, outcome.code) for outcome in outcomes if not outcome.written]
-
-
-@needs_backup
-@pytest.mark.parametrize(("name", "seed"), OPEN, ids=str)
-def test_what_is_still_open(name: str, seed: int, tmp_path: Path) -> None:
-    outcome = play(make(name, seed), tmp_path)
-    if outcome.faults:
-        pytest.xfail(f"{OPEN[name, seed]}: {outcome}")
 
 
 # --- the named cases ----------------------------------------------------------------------------------------------------------
@@ -183,16 +166,13 @@ def test_5_the_backup_as_it_is_takes_tables_of_all_axes(tmp_path: Path) -> None:
     job = replace(make("as_it_is", 0), names=(), axes=tuple(axis_job(rng, n) for n in (1, 2, 3, 4)))
     outcome = play(job, tmp_path)
     assert outcome.written == ["X", "Y", "Z", "B"]
-    if all("numbers" in fault and "taken" in fault for fault in outcome.faults):
-        pytest.xfail("old numbers of another axis of the same job are taken")
     good(outcome)
 
 
 @needs_backup
 @pytest.mark.parametrize("seed", range(100, 104))
 def test_5_an_odd_neighbour_stops_nothing(seed: int, tmp_path: Path) -> None:
-    if ("odd_neighbour", seed) not in OPEN:
-        good(play(make("odd_neighbour", seed), tmp_path))
+    good(play(make("odd_neighbour", seed), tmp_path))
 
 
 @needs_backup
@@ -205,8 +185,7 @@ def test_5_the_letter_of_an_interval_stays(name: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("seed", [100, 101])
 @pytest.mark.parametrize("name", ["wraps_by_file_only", "wraps_by_job_only", "rotary_without_wrap", "second_path"])
 def test_6_wrap_and_rapid_backlash_are_honoured_or_refused(name: str, seed: int, tmp_path: Path) -> None:
-    if (name, seed) not in OPEN:
-        good(play(make(name, seed), tmp_path))
+    good(play(make(name, seed), tmp_path))
 
 
 # --- the judge notices --------------------------------------------------------------------------------------------------------

@@ -209,7 +209,7 @@ def _check_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
     for (first, second), numbers in clashes.items():
         _clash(loader, grids[first], grids[second], numbers)
     for axis in set(loader.memory.axes()) - set(grids):
-        low, high = loader.memory.whole(3621, axis), loader.memory.whole(3622, axis)
+        low, high = (loader.whole_if_sound(number, axis) for number in (3621, 3622))
         if low is not None and high is not None and low < high and any(low <= number <= high for number in owners):
             loader.note(axis, f"its points {low} to {high}, not in use, meet those of another axis")
     idle = [n for n, value in loader.memory.increments.items() if value != 0 and n not in owners]
@@ -227,7 +227,7 @@ def _clash(loader: AxisLoader, first: Grid, second: Grid, numbers: Sequence[int]
     else:
         loader.memory.faults.append(
             loader.memory.setting(3621, second.axis).fault(
-                f"points {shared} belong to axis {first.axis} and to axis {second.axis}",
+                f"points {shared} belong to axis {first.axis} and to axis {second.axis} (3621, 3622, 3626)",
                 expected="ranges that do not overlap",
                 found=shared,
             )

@@ -75,6 +75,13 @@ class AxisLoader:
             self.note(axis, f"is odd and left alone: {odd[0].message}")
         return None if odd else grid
 
+    def whole_if_sound(self, number: int, axis: int) -> int | None:
+        """Return a whole number of an axis; None where it is wrong, which is told elsewhere or stops nothing."""
+        before = len(self.memory.faults)
+        value = self.memory.whole(number, axis)
+        del self.memory.faults[before:]
+        return value
+
     def grid(self, axis: int, options: Options) -> Grid | None:
         """Return the grid of an axis, None when the control compensates nothing by points (or a fault says why not)."""
         before = len(self.memory.faults)
@@ -141,10 +148,11 @@ class AxisLoader:
         return PitchTable(first=first, interval=grid.interval, turn=grid.turn, positive=positive, negative=negative)
 
     def backlash(self, axis: int) -> int:
-        """Return 1851 in detection units, 0 where the files do not hold it."""
-        backlash = self.memory.whole(1851, axis)
+        """Return 1851 in detection units, 0 where the files do not hold it, or hold a wrong one of an axis nobody asks for."""
+        whole = self.memory.whole if self.asked(axis) else self.whole_if_sound
+        backlash = whole(1851, axis)
         if self.memory.machine.bit(1800, 4, axis):
-            rapid = self.memory.whole(1852, axis)
+            rapid = whole(1852, axis)
             if rapid is not None and rapid != (backlash or 0):
                 self.note(axis, f"1800#4 = 1: at rapid traverse 1852 = {rapid} acts; judged at cutting feed with 1851")
         if not self.memory.given(1851, axis):
@@ -184,6 +192,12 @@ class AxisLoader:
         covered = (grid.highest - grid.reference) * grid.interval
         behind = grid.lowest == grid.reference + 1
         fits = (behind or grid.lowest == grid.reference) and abs(covered - turn) <= _WHOLE_TURN * turn
+        if self.memory.machine.goes_round(grid.axis) is False:
+            if modulo is not None:
+                self._fault(
+                    grid.axis, f"axis {grid.axis} has ends (1006#1 = 1) but was said to be endless", "no modulo", f"{modulo:g}"
+                )
+            return grid
         if modulo is not None and abs(modulo - turn) > _WHOLE_TURN * turn:
             self._fault(grid.axis, f"turn of axis {grid.axis} (3625, 0 means 360)", f"{modulo:g} deg", f"{turn:g} deg")
         elif fits:

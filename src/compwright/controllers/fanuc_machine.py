@@ -109,7 +109,7 @@ class Machine:
             return None
         if not 2 <= int(coded.text) <= 96 or (kind is not None and kind.bit(3) and not rotary):
             return None
-        decimals = {0b0000: 3, 0b0001: 2, 0b0010: 4, 0b0100: 5, 0b1000: 6}
+        decimals = {0b0000: 3, 0b0001: 2, 0b0010: 4}
         mask = 0b1111 if system.number == 1013 else 0b0011
         place = decimals.get(int(system.text, 2) & mask) if re.fullmatch("[01]{8}", system.text) else None
         if place is None:

@@ -131,11 +131,10 @@ def detection_unit(parameters: Parameters, address: str, kind: AxisKind) -> Dete
         return None
     if kind is AxisKind.LINEAR and bits is not None and bits.bit(3):
         return None
-    powers = {(): -3, (0,): -2, (1,): -4, (2,): -5, (3,): -6}
-    said = tuple(bit for bit in range(4 if system.number == known.SYSTEM else 2) if system.bit(bit))
-    if said not in powers:
+    power = _power(system)
+    if power is None:
         return None
-    least = Decimal(1).scaleb(powers[said])
+    least = Decimal(1).scaleb(power)
     unit = kind.unit
     machine = parameters.axis(known.INCH, address)
     inch = kind is AxisKind.LINEAR and machine is not None and machine.bit(0)
@@ -148,6 +147,34 @@ def detection_unit(parameters: Parameters, address: str, kind: AxisKind) -> Dete
         f"(least command increment {least.normalize():f} {unit}{', inch machine by 1001#0' if inch else ''})"
     )
     return DetectionUnit(float(size), evidence)
+
+
+def _power(system: Value) -> int | None:
+    """Return the power of ten of the least command increment by 1013 or 1004; None for a system that no page at hand explains."""
+    said = tuple(bit for bit in range(4 if system.number == known.SYSTEM else 2) if system.bit(bit))
+    return {(): -3, (0,): -2, (1,): -4}.get(said)
+
+
+def unread_unit(parameters: Parameters, address: str) -> Value | None:
+    """Return the parameter because of which the files do not tell the detection unit although they hold its coding."""
+    multiplier = parameters.axis(known.MULTIPLIER, address)
+    system = parameters.axis(known.SYSTEM, address) or parameters.axis(known.SYSTEM_OF_MACHINE, address)
+    if system is not None and _power(system) is None:
+        return system
+    if multiplier is not None and not 2 <= multiplier.whole <= _LARGEST_MULTIPLIER:
+        return multiplier
+    bits = parameters.axis(known.KIND, address)
+    return bits if bits is not None and bits.bit(3) and multiplier is not None and system is not None else None
+
+
+def two_systems(parameters: Parameters, address: str) -> str:
+    """Return in words that 1013 and 1004 name different increment systems; empty where they do not. 1013 is the one that counts."""
+    own, older = parameters.axis(known.SYSTEM, address), parameters.axis(known.SYSTEM_OF_MACHINE, address)
+    if own is None or older is None or _power(own) == _power(older) or not any(older.bit(bit) for bit in (0, 1)):
+        return ""
+    return (
+        f"1004 = {older.text} names another increment system than 1013 = {own.text}; 1013 is counted (1004 is that of older series)"
+    )
 
 
 Wraps = Literal["yes", "no"]

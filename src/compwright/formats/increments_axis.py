@@ -18,7 +18,7 @@ from compwright.formats.notes import Notes
 from compwright.formats.options import DETECTION_UNIT, REFERENCE, REFERENCE_RETURN, axis_options
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Choice, Definition
-from compwright.foundations.errors import Fault
+from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, Interpolation
 
@@ -141,6 +141,14 @@ class IncrementReader:
             if self.axis is not None and given is None:  # a contradiction comes before a question
                 self._check_diameter(self.axis.kind)
                 silent = bool(self.notes.faults)
+                odd = acting.unread_unit(self.parameters, self.address)
+                if odd is not None and not silent:
+                    raise UsageError(
+                        odd.fault(
+                            f"{self.label}: the detection unit cannot be told from this value; give the option {DETECTION_UNIT}",
+                            "mm or deg, such as 0.001; read are 1820 = 2 to 96 with IS-A, IS-B or IS-C in 1013 and 1006#3 = 0",
+                        )
+                    )
             return axis_options(self.definition, {**options, DETECTION_UNIT: 1.0} if silent else options, self.axis)
         if given is None:
             self.notes.assume(
@@ -178,7 +186,33 @@ class IncrementReader:
         wraps = acting.wraps(self.parameters, self.address)
         if wraps is not None:
             facts |= {"endless": wraps, "turn": self._turn(kind)}
+        home = self._home()
+        if home is not None:
+            facts["reference_return"] = home.value
         return facts
+
+    def _home(self) -> Direction | None:
+        """Return the direction of the reference return that the files say (1006#5); None where 1006 is not in them."""
+        bits = self.parameters.axis(known.KIND, self.address)
+        return None if bits is None else Direction.NEGATIVE if bits.bit(5) else Direction.POSITIVE
+
+    def _check_return(self, *, two: bool) -> None:
+        """Hold 1006#5 against the job. It decides the sign of 3627, so two sets are refused; one set differs by a constant only."""
+        home, job = self._home(), None if self.axis is None else self.axis.reference_return
+        bits = self.parameters.axis(known.KIND, self.address)
+        if home is None or bits is None or job is None or home is job:
+            return
+        message = f"{self.label}: the reference return is towards {home.value} by 1006#5, towards {job.value} in the job"
+        if two:
+            expected = f'reference_return: "{home.value}" in the job: with two sets it decides what 3627 means'
+            self.notes.faults.append(bits.fault(message, expected))
+            return
+        self.notes.find(
+            "CW-S044",
+            "warning",
+            f"{message}; with one set of data it only moves the zero by the backlash, so the job is followed; "
+            "two sets are refused until they agree",
+        )
 
     def _in_inches(self, key: str) -> bool:
         """Whether a length is in inches: M metric, I inch, P the machine's unit."""
@@ -239,10 +273,14 @@ class IncrementReader:
         self.notes.faults.extend(acting.refusals(self.parameters, self.address, self.label))
         for remark in acting.remarks(self.parameters, self.address, self.label):
             self.notes.find("CW-S040", "warning", remark)
+        systems = acting.two_systems(self.parameters, self.address)
+        if systems:
+            self.notes.find("CW-S043", "warning", f"{self.label}: {systems}; check the detection unit")
         self._check_wrapping(kind)
         backlash = self._backlash(kind)
         numbers = self._numbers(kind)
         self._check_reference(kind, has_table=numbers is not None)
+        self._check_return(two=numbers is not None and numbers.negative is not None)
         self._check_diameter(kind)
         if numbers is None:
             none = np.empty(0)
@@ -304,7 +342,7 @@ class IncrementReader:
             self.notes.find(
                 "CW-S018",
                 "warning",
-                f"{self.label}: the reference position is not machine zero; the points are counted from the position "
+                f"{self.label}: the reference position is not machine zero (1240); the points are counted from the position "
                 f"{self._reference():g} (reference), which is unconfirmed: check the correction at two positions",
             )
 
@@ -364,8 +402,11 @@ class IncrementReader:
         return 360.0 if self.axis is None or self.axis.modulo is None else float(self.axis.modulo)
 
     def _repeats(self, kind: AxisKind, numbers: Numbers) -> bool:
-        """Whether the axis is endless: the job says so, or the table of a rotary axis starts at the reference and spans a turn."""
-        if kind is not AxisKind.ROTARY or numbers.negative is not None:
+        """Whether the axis is endless: the job says so, or the table of a rotary axis starts at the reference and spans a turn.
+
+        Not where the files say that it has ends (1006#1): there a turn need not close.
+        """
+        if kind is not AxisKind.ROTARY or numbers.negative is not None or acting.wraps(self.parameters, self.address) == "no":
             return False
         if self.axis is not None and self.axis.modulo is not None:
             return True
@@ -463,7 +504,9 @@ class IncrementReader:
         return numbers
 
     def _wrong(self, quantity: str, message: str, expected: str, found: str = "") -> None:
-        self.notes.faults.append(fault_at(self.said[quantity], f"{self.label}: {message}", expected, found))
+        name = self.name(quantity)
+        named = message if name in f"{message} {expected}" else f"{message} (parameter {name})"
+        self.notes.faults.append(fault_at(self.said[quantity], f"{self.label}: {named}", expected, found))
 
     def _negative_first(self, first: int, last: int, highest: int) -> int | None:
         """Return the first number of the set for travel in -, None with one set (or without its number: then there is a fault)."""

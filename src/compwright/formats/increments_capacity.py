@@ -13,15 +13,19 @@ from compwright.formats.options import axis_options
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Definition
 from compwright.formats.section_increments import used_numbers
+from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity, Lattice
 from compwright.records.correction import Assumption, ControlState
+
+#: A table has two sections or more.
+MIN_SECTIONS = 2
 
 
 def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None) -> Capacity:
     """Return the limits of one axis' table in mm or deg; ``options`` are the controller's, resolved.
 
-    Raises UsageError for a wrong option of the axis, or where nobody says its detection unit.
+    Raises UsageError for a wrong option of the axis, or where nobody says its detection unit or which numbers are free.
     """
     own = axis_options(definition, options, axis)
     address, assumption = normal_address(definition, axis)
@@ -33,6 +37,9 @@ def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str
     said = facts.get(address, {})
     gap = longest_gap(highest, used_numbers(state, [address]), first_point(own))
     assumed = [assumption] if assumption is not None else []
+    unread = said.get("unread_numbers")
+    if unread:
+        _check_free(axis, gap, str(unread), assumed)
     least, reason = _least_spacing(definition, axis, own, said, assumed)
     bound = 10.0 if axis.kind.unit == "mm" else 1.0
     return Capacity(
@@ -46,8 +53,8 @@ def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str
         backlash_quantum=scale.quantum("backlash"),
         backlash_range=scale.range("backlash"),
         min_points=definition.limit_number("min_points") or 2,
-        # sections, not nodes, have numbers; one more may be needed where the travel starts or ends at the reference
-        max_points=max(2, gap),
+        # sections, not nodes, have numbers; one more is needed where the table starts or ends at the reference
+        max_points=max(2, gap + (axis.travel[0] < axis.reference < axis.travel[1])),
         shared_points=True,
         lattice=Lattice(
             unit=unit,
@@ -64,6 +71,27 @@ def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str
         below=definition.layout.below,
         above=definition.layout.above,
         assumed=tuple(assumed),
+    )
+
+
+def _check_free(axis: Axis, gap: int, unread: str, assumed: list[Assumption]) -> None:
+    """Numbers of which no file says what they hold are not free: say how many are left, or ask where there are none.
+
+    Raises UsageError.
+    """
+    if gap >= MIN_SECTIONS:
+        evidence = f"no file says what the numbers {unread} hold; give all of the control's pitch data, or first_point"
+        assumed.append(Assumption(f"axis {axis.name}: point numbers for its table", f"at most {gap} in a row", evidence))
+        return
+    raise UsageError(
+        Fault(
+            message=f"axis {axis.name}: no file says which point numbers are free for its table; nobody knows what the numbers "
+            f"{unread} hold",
+            place="first_point",
+            expected="the control's whole pitch data among the files of the state, or the first free number "
+            "(look at 3621 and 3622 of all axes)",
+            found="nothing",
+        )
     )
 
 

@@ -58,8 +58,8 @@ def all_entries(
     Raises UsageError where nobody says which numbers are free, CapacityError with everything that the control cannot hold.
     """
     facts = state.facts if state is not None else {}
-    used = used_numbers(state, [address for address, _, _ in pairs])
-    others = list(used)
+    others = used_numbers(state, [address for address, _, _ in pairs])
+    given: list[range] = []
     stated = [first_point(axis.options) for _, axis, _ in pairs if axis.options.get("first_point") is not None]
     start = first_point(options) if options.get("first_point") is not None else min(stated, default=0)
     ask_first_point(definition, [axis for _, axis, _ in pairs], options, state)
@@ -68,6 +68,8 @@ def all_entries(
     for address, axis, compensation in pairs:
         try:
             own = axis_options(definition, options, axis)
+            # The old numbers of another axis of the job stay its own: tables may be loaded one by one.
+            used = [*used_numbers(state, [address]), *given]
             entry = _Axis(definition, address, axis, compensation, own, facts).entries(used, start)
         except NotHeld as error:
             faults.append(Fault(message=f"axis {axis.name} ({address}): {error}"))
@@ -75,7 +77,7 @@ def all_entries(
         except CapacityError as error:
             faults.extend(error.faults)
             continue
-        used = [*used, *entry.place.ranges]
+        given.extend(entry.place.ranges)
         entries.append(entry)
     raise_all(CapacityError, faults)
     taken = {number for entry in entries for number in entry.points}
@@ -147,6 +149,12 @@ class _Axis:
         own, other = (self._counts(self.compensation.curve(side)) for side in (home, home.opposite))
         two = not np.array_equal(own, other)
         self._check_pair(own, steps, two=two)
+        said = self.facts.get("reference_return")
+        if two and said is not None and said != home.value:
+            raise NotHeld(
+                f"two tables need the direction of the reference return, which decides what 3627 means: the control's files say "
+                f"{said} (1006#5), the job {home.value}"
+            )
         sets = [own, other] if two else [own]
         magnification = self._magnification([np.diff(counts) for counts in sets])
         place = self._place(int(steps[0]), int(steps[-1]), used, start, two=two)

@@ -48,7 +48,7 @@ def find_place(low: int, high: int, *, highest: int, used: Sequence[range], two:
     gap = longest_gap(highest, used, start)
     raise NoRoom(
         f"the table needs {length * (2 if two else 1)} point numbers in a row; the longest row that no other axis uses has {gap} "
-        f"(numbers {start} to {highest}); a wider spacing or a shorter table would help"
+        f"(numbers {start} to {highest}); a wider spacing or a shorter table would help, or files that say what more numbers hold"
     )
 
 

@@ -73,6 +73,9 @@ def read_increments(
     _check_partners(axes, facts, parameters, notes)
     raise_all(InputError, notes.faults)
     _overlaps(facts, definition.limit_number("max_number") or 0, notes)
+    unknown = _unknown(points, definition.limit_number("max_number") or 0, resolved, axes)
+    if unknown:
+        facts = {one: {**said, "unread_numbers": _spans(unknown)} for one, said in facts.items()}
     if any(axis is None for axis in wanted.values()) or not wanted:
         notes.assume(REFERENCE, f"{resolved[REFERENCE]:g}", "option or its default")
         notes.assume(REFERENCE_RETURN, str(resolved[REFERENCE_RETURN]), "option or its default")
@@ -82,7 +85,7 @@ def read_increments(
         facts=facts,
         assumed=tuple(notes.assumed),
         findings=tuple(dict.fromkeys(notes.findings)),
-        reserved=_reserved(points, parameters),
+        reserved=_reserved(points, parameters) | unknown,
     )
 
 
@@ -90,6 +93,22 @@ def _reserved(points: Mapping[int, Found], parameters: Parameters) -> frozenset[
     """Return the numbers that hold data, or to which another function points: none of them is free for a new table."""
     filled = {number for number, row in points.items() if row.occurrence.tokens["value"].text.strip("-0")}
     return pointed_numbers(parameters) | filled
+
+
+def _unknown(points: Mapping[int, Found], highest: int, options: Mapping[str, object], axes: Sequence[Axis]) -> frozenset[int]:
+    """Return the numbers of which no file says what they hold, below the first free one that the user states.
+
+    A pitch file that was cut, or not given, does not make numbers free.
+    """
+    stated = [axis.options.get("first_point") for axis in axes] + [options.get("first_point")]
+    first = min((int(str(one)) for one in stated if one is not None), default=highest + 1)
+    return frozenset(number for number in range(first) if number not in points)
+
+
+def _spans(numbers: Iterable[int]) -> str:
+    """Return the first and the last number of a set, and how many they are."""
+    ordered = sorted(numbers)
+    return f"{ordered[0]} to {ordered[-1]} ({len(ordered)} of them)"
 
 
 def _left_alone(address: str, said: Mapping[str, Fact], notes: Notes) -> list[Finding]:

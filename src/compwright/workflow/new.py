@@ -149,6 +149,13 @@ def _name(definition: Definition, address: str, facts: Facts) -> str:
     return f"axis {address}" if address.isdigit() else address
 
 
+def _returning(facts: Facts, said: str) -> Prefilled:
+    home = facts.get("reference_return")
+    return (
+        Prefilled("+", "CHECK: direction in which the reference is approached") if home is None else Prefilled(home, f"from {said}")
+    )
+
+
 def _values(address: str, axis: AxisCompensation, facts: Facts) -> Iterator[tuple[str, Prefilled]]:
     said = "the control's files"
     known = "rotary" in facts
@@ -172,7 +179,7 @@ def _values(address: str, axis: AxisCompensation, facts: Facts) -> Iterator[tupl
         yield "reference", Prefilled(float(reference), f"from {said}")
     else:
         yield "reference", Prefilled(0.0, "CHECK: machine coordinate of the reference position")
-    yield "reference_return", Prefilled("+", "CHECK: direction in which the reference is approached")
+    yield "reference_return", _returning(facts, said)
     encoder: dict[str, object] = {}
     if facts.get("absolute_encoder") in ("yes", "no"):
         encoder["type"] = "absolute" if facts["absolute_encoder"] == "yes" else "incremental"
