@@ -283,7 +283,16 @@ def judged(state: DecodedState, address: str, positions: FloatArray, direction: 
     return state.judge.correction(address, positions, direction)
 
 
-def with_detection_units(job: Job, states: Mapping[str, DecodedState]) -> Job:
+def settled_by_files(job: Job, states: Mapping[str, DecodedState], as_found: str) -> Job:
+    """Return the job with what it leaves to the control's own files: detection units, and the measuring systems in use.
+
+    ``states``: all that were read; ``as_found``: the name of the one that is in the control now.
+    """
+    job = _with_detection_units(job, states)
+    return _with_systems_in_use(job, states[as_found].state) if as_found in states else job
+
+
+def _with_detection_units(job: Job, states: Mapping[str, DecodedState]) -> Job:
     """Return the job with the detection unit of every axis for which nobody gave one and the control's own files say it."""
 
     def settled(entry: AxisJob) -> AxisJob:
@@ -365,7 +374,7 @@ def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fau
     return faults
 
 
-def with_systems_in_use(job: Job, state: ControlState) -> Job:
+def _with_systems_in_use(job: Job, state: ControlState) -> Job:
     """Return the job with the measuring system that the control's files show to be in use, where the job names none."""
     axes = {}
     for name, entry in job.axes.items():

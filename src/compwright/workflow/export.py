@@ -61,7 +61,9 @@ def export_plan(
             continue
         asked = addresses.get(name, entry.axis.address if plan.format == format_id else name)
         address, assumption = normal_address(control.definition, replace(entry.axis, address=asked))
-        axis = replace(entry.axis, address=address)
+        # Options are a control's own; those of the plan's control, read from its files or stated, say nothing of another.
+        own = entry.axis.options if plan.format == format_id else {}
+        axis = replace(entry.axis, address=address, options=own)
         assumed.extend([assumption] if assumption else [])
         try:
             one_curve = entry.request.mode == "single"

@@ -46,8 +46,7 @@ from compwright.workflow.control import (
     named_axes,
     open_control,
     origin_of,
-    with_detection_units,
-    with_systems_in_use,
+    settled_by_files,
 )
 from compwright.workflow.cross import plan_cross
 from compwright.workflow.cross_tables import CrossOutcome, write_planned
@@ -146,9 +145,7 @@ def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool) -> _
     control = open_control(job.format, job.options, origin_of(job))
     job, renamed = named_axes(job, control)
     inputs, tests = _inputs(job, control, folder)
-    job = with_detection_units(job, inputs.states)
-    if AS_FOUND in inputs.states:
-        job = with_systems_in_use(job, inputs.states[AS_FOUND].state)
+    job = settled_by_files(job, inputs.states, AS_FOUND)
     axes = {name: entry.axis for name, entry in job.axes.items()}
     measured = [(test, request.measured_in) for test, request in zip(tests, job.circles, strict=True)]
     refuse_own_output(job, inputs, measured, folder, out)

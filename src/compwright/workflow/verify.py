@@ -40,6 +40,7 @@ from compwright.workflow.control import (
     open_control,
     probe_positions,
     read_files,
+    settled_by_files,
 )
 from compwright.workflow.inputs import read_measurement, read_test
 from compwright.workflow.outlook import DRAWS, Change, accepted_index, predict
@@ -99,15 +100,16 @@ def verify_job(
     control = open_control(plan.format, plan.options, Origin(str(plan_file), "format", "options."))
     raise_all(InputError, _other_format(job, plan, str(plan_file)))
     job, _ = named_axes(job, control)
+    known = [entry.axis for entry in plan.axes.values()]
+    states = {name: decode(control, files, known, active=plan.active.get(name)) for name, files in plan.states.items()}
+    job = settled_by_files(job, states, AS_FOUND)
     raise_all(InputError, stale_plan(job, plan, str(plan_file)))
     others, circle_files = split_after(plan, after)
     tests = _after_tests(job, plan, others) if others or not circle_files else []
-    known = [entry.axis for entry in plan.axes.values()]
-    as_found = decode(control, plan.states.get(AS_FOUND, ()), known, active=plan.active.get(AS_FOUND))
+    as_found = states.get(AS_FOUND) or decode(control, (), known)
     read_back = decode(control, read_files(loaded), [entry.axis for entry in plan.axes.values()]) if loaded else None
     twice = copies(tests)
     axes = {test.axis: _verify_axis(job, plan.axes[test.axis], test, as_found, read_back, twice.get(test.axis)) for test in tests}
-    states = _circle_states(control, plan, circle_files)
     circles = verify_circles(plan, circle_files, as_found, states)
     squareness = squareness_decisions(circles)
     # Without a positioning test only squareness says whether the tables act.
@@ -371,13 +373,6 @@ def _compare_loaded(planned: PlannedAxis, read_back: DecodedState | None) -> tup
             f"Axis {axis.name}: what was read back from the control differs from the plan by up to {worst * factor:.2f} {unit}.",
         ),
     )
-
-
-def _circle_states(control: Control, plan: Plan, circles: Mapping[str, Sequence[Path]]) -> dict[str, DecodedState]:
-    """Return the states in which the repeated circles were measured."""
-    names = {plan.circles[name].measured_in for name in circles}
-    axes = [entry.axis for entry in plan.axes.values()]
-    return {name: decode(control, plan.states[name], axes, active=plan.active.get(name)) for name in names if name in plan.states}
 
 
 def _files(
