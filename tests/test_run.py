@@ -541,3 +541,11 @@ def test_contributors_in_um_say_nothing_of_a_rotary_axis(tmp_path: Path, rotary:
     accept = document(tmp_path / "job" / "prediction.json")["axes"]["C"]["accept"]["A"]
     assert accept["U"] == (None if U is None else pytest.approx(U))
     assert accept["decision"] == ("undecided" if U is None else "accept")
+
+
+def test_a_longer_test_beside_it_does_not_cover_for_the_test_of_the_table(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The table is made from the first test: 150 of 800 mm are a guess for the rest, whatever a second test measured."""
+    write_test(folder / "short.csv", Machine(high=150.0))
+    assert compwright(["run", str(job(folder, "before: [short.csv, x.csv]"))]) == 3
+    assert "less than half" in capsys.readouterr().err
+    assert compwright(["run", str(job(folder, "before: [x.csv, short.csv]")), "--out", str(folder / "out")]) == 0

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -87,14 +86,15 @@ def measured_error(test: PositioningTest, axis: Axis, active: AxisCompensation |
     return MeasuredError(estimate_axis(bare, travel=axis.travel, periods=axis.screw_pitch, turn=axis.modulo), active)
 
 
-def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> None:
-    """Raise InputError where the targets of all tests of an axis cover less than half of its travel.
+def check_coverage(file: str, axis: Axis, test: PositioningTest) -> None:
+    """Raise InputError where the targets of the test from which the table is made cover less than half of the axis' travel.
 
-    What nobody measured is continued by guess: over half the travel that is no table. Of an endless axis the turn less the largest
-    gap between neighbouring targets counts, against the travel as far as that is within one turn.
+    What this test did not measure is continued by guess, whatever other tests show: over half the travel that is no table. Of an
+    endless axis the turn less the largest gap between neighbouring targets counts, against the travel as far as that is within one
+    turn.
     """
     low, high = axis.travel
-    targets = np.unique(np.concatenate([test.targets for test in tests]))
+    targets = test.targets
     if axis.modulo is not None:
         travel = min(high - low, axis.modulo)
         around = np.unique(np.mod(targets, axis.modulo))
@@ -107,7 +107,8 @@ def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> N
     unit = axis.kind.unit
     raise InputError(
         Fault(
-            message=f"the targets of axis {axis.name} cover less than half of its travel; what nobody measured would be guessed",
+            message=f"the targets of test {test.name}, from which the table of axis {axis.name} is made, cover less than half of "
+            "its travel; the rest would be guessed",
             file=file,
             place=f"axes.{axis.name}.travel",
             expected=f"the travel that was measured, or targets over at least half of {travel:g} {unit}",

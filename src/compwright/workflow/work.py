@@ -94,7 +94,7 @@ def start_axis(job: Job, entry: AxisJob, inputs: JobInputs) -> AxisWork:
     """
     axis = entry.axis
     tests = inputs.tests[axis.name]
-    check_coverage(job.file, axis, [planned.test for planned in tests])
+    check_coverage(job.file, axis, tests[0].test)
     results = tuple(
         evaluate(
             planned.test,
