@@ -203,3 +203,32 @@ def test_two_axes_with_readings_of_their_own_pass(tmp_path: Path) -> None:
     write(tmp_path / "y.csv", *readings(seed=2), axis="Y")
     assert run(tmp_path, axes="  Y: {travel: [0, 1200], address: AX2, before: [y.csv]}\n") == 0
     assert doubts(tmp_path) == []
+
+
+@pytest.mark.parametrize("travel", ["[0, 31.5]", "[0, 700]", "[-800, 0]"])
+def test_targets_where_the_axis_cannot_go_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], travel: str) -> None:
+    """An axis does not leave its travel: the travel is that of another axis, or in inches, or the offset is missing."""
+    machine = Machine()
+    targets = machine.targets(count=17)
+    write(tmp_path / "x.csv", targets, machine.measure(targets, 1))
+    words = ["--format", "linuxcnc", "--axis", "X", f"--travel={travel[1:-1].replace(', ', ':')}", "--state", "none"]
+    assert compwright(["run", str(tmp_path / "x.csv"), *words, "--out", str(tmp_path / "out")]) == 3
+    assert "travel" in capsys.readouterr().err
+    assert not (tmp_path / "out").exists()
+
+
+def test_targets_a_little_outside_the_travel_are_a_doubt(tmp_path: Path) -> None:
+    """12 mm beyond the travel at intervals of 48 mm: a rounded travel perhaps, an offset perhaps."""
+    targets, values = readings()
+    write(tmp_path / "x.csv", targets - targets[0] - 12.0, values)
+    assert run(tmp_path) == 0
+    assert "CW-T007" in doubts(tmp_path)
+
+
+def test_a_test_of_another_axis_with_another_zero_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Readings that agree to the last digit but for one constant: one measurement, two zeros of the instrument."""
+    targets, values = readings()
+    write(tmp_path / "x.csv", targets, values)
+    write(tmp_path / "y.csv", targets, {sign: block + 0.0003 for sign, block in values.items()}, "Y")
+    assert run(tmp_path, axes="  Y: {travel: [0, 1200], address: AX2, before: [y.csv]}\n") == 3
+    assert "the same readings twice" in capsys.readouterr().err

@@ -149,3 +149,11 @@ def test_one_axis_that_was_not_loaded_keeps_its_test(folder: Path) -> None:
     (folder / "control" / "joint_0.ini").write_text("[JOINT_0]\nBACKLASH = 0\n")
     assert run(folder, "--out", str(folder / "two"), as_found="[control]", axes="X", name="two") == 0
     assert run(folder, "--out", str(folder / "two"), "--force", as_found="[control]", axes="Y", name="two") == 2
+
+
+def test_the_old_test_less_a_row_is_still_the_old_test(folder: Path) -> None:
+    """A row deleted in a spreadsheet makes no new measurement: 169 of 170 readings to the last digit are no chance."""
+    state = copied(folder)
+    rows = (folder / "x.csv").read_text().splitlines()
+    (folder / "x.csv").write_text("\n".join(rows[:-1]) + "\n")
+    assert run(folder, "--force", as_found=state, axes="X", name="next") == 2

@@ -282,3 +282,54 @@ def test_false_alarms_of_the_noise_rule() -> None:
 @pytest.mark.parametrize(("s", "word"), [(0.1, "quiet"), (10.0, "loud"), (0.0, "quiet")])
 def test_the_noise_rule_sees_a_factor_of_ten(s: float, word: str) -> None:
     assert noise_odds(s, 40, 1.0, 40) == word
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.00003])
+def test_a_neighbours_test_with_another_zero_is_a_copy(two: Path, noise: float) -> None:
+    """Y was not measured: its sheet is that of X with another constant, and perhaps with 0.03 µm of noise on top (X: 0.4 µm)."""
+    rng = np.random.default_rng(5)
+    now = honest(two)
+    (two / "x2.csv").write_text(csv_of(TARGETS, now))
+    made = {sign: block + 0.0003 + rng.normal(0.0, 1.0, block.shape) * noise for sign, block in now.items()}
+    (two / "y2.csv").write_text(csv_of(TARGETS, made, "Y"))
+    code, document = verify(two, "x2.csv", "y2.csv")
+    assert (code, document["verdict"]) == (1, "undecided")
+    assert document["axes"]["Y"]["loading"]["of"] == "copied"
+
+
+def test_a_job_whose_state_was_edited_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The plan was made for an empty control; the job now says that a table was in it."""
+    (folder / "after.csv").write_text(csv_of(TARGETS, honest(folder)))
+    shutil.copytree(folder / "job" / "tables" / "siemens-840d-sl", folder / "control")
+    path = folder / "job.yaml"
+    path.write_text(path.read_text().replace("as_found: none", "as_found: [control]"))
+    assert verify(folder, "after.csv")[0] == 3
+    assert "states.as_found" in capsys.readouterr().err
+
+
+def test_two_targets_prove_nothing_although_the_first_test_had_no_more(tmp_path: Path) -> None:
+    """ISO 230-2, 4.3.2: five targets at least. Between two targets 800 mm apart anything may be."""
+    targets = np.array([5.0, 795.0])
+    (tmp_path / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
+    (tmp_path / "job.yaml").write_text(JOB)
+    assert compwright(["run", str(tmp_path / "job.yaml")]) in (0, 1)
+    code, document = after(tmp_path, honest(tmp_path, targets=targets), targets)
+    assert (code, document["verdict"]) == (1, "undecided")
+    assert "CW-V020" in codes(document)
+
+
+WARM = "uncertainty: {U_theta: 0.5}\nthermal: {alpha_m: 11.5, T_m: 20.0}\n"
+
+
+@pytest.mark.parametrize("slope", [-3e-6, 3e-6])
+def test_a_hall_as_warm_as_the_job_says_leaves_the_table_loaded(tmp_path: Path, slope: float) -> None:
+    """0.26 K of difference is 3 µm/m of steel; the job declares 0.5 K (k = 2) for each of the two tests."""
+    machine = replace(MACHINE, slope=45e-6)
+    (tmp_path / "x.csv").write_text(csv_of(TARGETS, machine.measure(TARGETS, 1)))
+    (tmp_path / "job.yaml").write_text(JOB + WARM)
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
+    now = honest(tmp_path, machine=machine)
+    code, document = after(tmp_path, {sign: block + slope * TARGETS[:, np.newaxis] for sign, block in now.items()})
+    assert (code, document["verdict"]) == (0, "good")
+    never = machine.measure(TARGETS, 8)
+    assert after(tmp_path, never)[1]["axes"]["X"]["loading"]["verdict"] == "not_active"

@@ -10,10 +10,11 @@ from typing import Final
 
 import numpy as np
 
-from compwright.evaluation.readings import position_text, sign_text, text_of
+from compwright.evaluation.copies import same_runs_findings
+from compwright.evaluation.readings import position_text, text_of
 from compwright.evaluation.statistics import count_readings, mean_deviation, standard_deviation
 from compwright.foundations.findings import Finding
-from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.axis import AxisKind, Direction
 from compwright.records.positioning import PositioningTest
 
 #: Readings that all lie within this per metre (and within a tenth of it on short axes) are no machine in air: 0.01 K changes
@@ -105,7 +106,7 @@ def _smaller(test: PositioningTest) -> str:
 
 def plausibility_findings(test: PositioningTest) -> list[Finding]:
     """Return what may be wrong with the unit, the origin or the directions of a test: CW-T030 to CW-T033."""
-    return [*_small(test), *_copied_runs(test), *_turned(test), *_inches(test)]
+    return [*_small(test), *same_runs_findings(test), *_turned(test), *_inches(test)]
 
 
 def _small(test: PositioningTest) -> list[Finding]:
@@ -119,45 +120,6 @@ def _small(test: PositioningTest) -> list[Finding]:
         return []
     message = f"All readings lie within {text_of(spread, test)}: few machines are that good. Is the unit right?"
     return [Finding("CW-T030", "warning", message)]
-
-
-def same_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
-    """Return for each direction the groups of columns (two or more) that hold the same readings at three targets or more."""
-    found: dict[Direction, list[list[int]]] = {}
-    for direction in _DIRECTIONS:
-        block = test.deviations(direction)
-        groups: list[list[int]] = []
-        for column in range(block.shape[1]):
-            group = next((group for group in groups if _same(block[:, group[0]], block[:, column])), None)
-            if group is None:
-                groups.append([column])
-            else:
-                group.append(column)
-        found[direction] = [group for group in groups if len(group) > 1]
-    return found
-
-
-def _same(one: FloatArray, other: FloatArray) -> bool:
-    both = np.isfinite(one) & np.isfinite(other)
-    return bool(np.count_nonzero(both) >= 3 and np.any(one[both]) and np.max(np.abs(one[both] - other[both])) <= _ROUNDING)
-
-
-def _copied_runs(test: PositioningTest) -> list[Finding]:
-    """CW-T031: runs that agree to the last digit, in one direction or between the two."""
-    parts = []
-    for direction, groups in same_runs(test).items():
-        runs = test.runs_positive if direction is Direction.POSITIVE else test.runs_negative
-        for group in groups:
-            names = [str(runs[column]) if column < len(runs) else str(column + 1) for column in group]
-            parts.append(f"runs {', '.join(names[:-1])} and {names[-1]} in {sign_text(direction)}")
-    if test.positive.shape == test.negative.shape and all(map(_same, test.positive.T, test.negative.T)) and test.positive.size:
-        parts.append("the runs in + and those in −")
-    if not parts:
-        return []
-    message = (
-        f"The same readings to the last digit: {'; '.join(parts)}. Was one run copied, or are the readings rounded too coarsely?"
-    )
-    return [Finding("CW-T031", "warning", f"{message} Repeatability and noise cannot be told from them.")]
 
 
 def _turned(test: PositioningTest) -> list[Finding]:

@@ -6,6 +6,7 @@ medians pooled over the targets. Nothing is dropped: each finding shows the resu
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import permutations
@@ -13,6 +14,7 @@ from typing import Final
 
 import numpy as np
 
+from compwright.evaluation.statistics import standard_deviation
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import Direction, FloatArray
@@ -31,6 +33,10 @@ READING_LIMIT: Final = 8.0
 #: Factors that make the median absolute deviation of n normal readings unbiased, beside 1.4826 (Croux and Rousseeuw, 1992).
 _MAD_FACTORS: Final = {2: 1.196, 3: 1.495, 4: 1.363, 5: 1.206, 6: 1.200, 7: 1.140, 8: 1.129, 9: 1.107}
 _SHOWN: Final = 5
+#: Rows of exact zeros that scattering readings show less often than this are no measurement.
+_BY_CHANCE: Final = 1e-5
+#: Scatter below this is rounding of binary numbers, not a measurement: 1 pm, 1e-9 deg.
+_ROUNDING: Final = 1e-9
 _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
@@ -100,28 +106,56 @@ def missing_readings(test: PositioningTest) -> list[Finding]:
 
 
 def zero_traverses(test: PositioningTest) -> list[Finding]:
-    """Return a finding for each traverse whose readings are all exactly zero, over at least two targets (CW-T011).
+    """Return a finding for each traverse of zeros (two targets or more), and one for rows of zeros within a traverse (CW-T011).
 
-    A file that was read with this finding of its own (CW-R010) does not get it twice.
+    A file that was read with this finding of its own (CW-R010) does not get the first one twice.
     """
-    if any(finding.code == "CW-R010" for finding in test.findings):
-        return []
-    findings = []
+    told = any(finding.code == "CW-R010" for finding in test.findings)
+    findings, filled = [], []
+    chance = _chance_of_zero(test)
     for direction in _BOTH:
         deviations = test.deviations(direction)
         for column in range(deviations.shape[1]):
             values = deviations[:, column][np.isfinite(deviations[:, column])]
+            name = f"{_run_number(test, direction, column)} in {sign_text(direction)}"
             if values.size > 1 and not np.any(values):
-                findings.append(
-                    Finding(
-                        "CW-T011",
-                        "warning",
-                        f"Traverse {_run_number(test, direction, column)} in {sign_text(direction)} is exactly zero at all "
-                        f"{values.size} targets: "
-                        "probably not measured. It is part of the result as it stands.",
-                    )
-                )
+                message = f"Traverse {name} is exactly zero at all {values.size} targets: probably not measured."
+                findings += [] if told else [Finding("CW-T011", "warning", f"{message} It is part of the result as it stands.")]
+            elif (row := _longest_row_of_zeros(values)) > 1 and values.size * chance**row < _BY_CHANCE:
+                filled.append((name, row))
+    if filled:
+        names = ", ".join(name for name, _ in filled[:_SHOWN]) + (
+            f" and {len(filled) - _SHOWN} more" if len(filled) > _SHOWN else ""
+        )
+        message = (
+            f"Up to {max(row for _, row in filled)} targets side by side are exactly zero in traverse {names}, while the other "
+            "readings scatter: probably not measured, and filled up with zeros. They are part of the result as it stands."
+        )
+        findings.append(Finding("CW-T011", "warning", message))
     return findings
+
+
+def _chance_of_zero(test: PositioningTest) -> float:
+    """Return how often a reading that scatters about zero is exactly zero: the step of the digits by the width of the scatter.
+
+    Scatter: the median of s over the targets that show one, so that the zeros themselves do not count.
+    """
+    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
+    steps = np.diff(np.unique(values[np.isfinite(values)]))
+    steps = steps[steps > _ROUNDING]
+    s = np.concatenate([standard_deviation(test.deviations(direction)) for direction in _BOTH])
+    s = s[np.isfinite(s) & (s > _ROUNDING)]
+    if not steps.size or not s.size:
+        return 1.0
+    return min(float(steps.min()) / (float(np.median(s)) * math.sqrt(2.0 * math.pi)), 1.0)
+
+
+def _longest_row_of_zeros(values: FloatArray) -> int:
+    longest = row = 0
+    for value in values:
+        row = row + 1 if value == 0.0 else 0
+        longest = max(longest, row)
+    return longest
 
 
 def drift(test: PositioningTest) -> list[Finding]:

@@ -34,11 +34,19 @@ def same_measurement(one: Named, other: Named) -> bool:
 
 
 def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
-    """Return whether two tests agree reading by reading; readings without any scatter may do so by chance and do not count."""
+    """Return whether two tests agree reading by reading, but for one constant: another zero of the instrument.
+
+    Readings without any scatter may do so by chance and do not count.
+    """
     if one.kind is not other.kind or pooled_scatter(one)[0] <= _SAME:
         return False
     pairs = ((one.targets, other.targets), (one.positive, other.positive), (one.negative, other.negative))
-    return all(a.shape == b.shape and np.allclose(a, b, rtol=0.0, atol=_SAME, equal_nan=True) for a, b in pairs)
+    if any(a.shape != b.shape for a, b in pairs) or not np.allclose(one.targets, other.targets, rtol=0.0, atol=_SAME):
+        return False
+    gaps = np.concatenate([(a - b).ravel() for a, b in pairs[1:]])
+    made = np.concatenate([(np.isfinite(a) == np.isfinite(b)).ravel() for a, b in pairs[1:]])
+    known = gaps[np.isfinite(gaps)]
+    return bool(made.all() and known.size and np.ptp(known) <= _SAME)
 
 
 def with_repeats(results: Sequence[PositioningResult]) -> list[PositioningResult]:

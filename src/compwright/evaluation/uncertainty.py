@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
-from compwright.records.axis import AxisKind, Direction
+from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.job import Thermal, UncertaintyBudget
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import ExpandedUncertainty, TargetColumns
@@ -46,6 +47,21 @@ def length_uncertainty(test: PositioningTest, budget: UncertaintyBudget, thermal
             terms.append(thermal.alpha_d * length * budget.U_theta)
             terms.append(abs(thermal.T_d - 20.0) * length * budget.U_alpha)
     return math.hypot(*terms)
+
+
+def temperature_between(test: PositioningTest, budget: UncertaintyBudget | None, thermal: Thermal | None) -> FloatArray:
+    """Return the covariance (2m, 2m, + then -, mm²) that the declared uncertainty of temperature puts between two tests.
+
+    Each test has an unknown temperature of its own: its slope over the positions is uncertain, twice (U_theta and U_alpha, k = 2).
+    Zero without a budget, and for angles, which do not expand.
+    """
+    along = np.tile(test.targets, 2)
+    length = float(test.targets[-1] - test.targets[0])
+    if budget is None or test.kind is AxisKind.ROTARY or length <= 0.0:
+        return np.zeros((along.size, along.size))
+    of_temperature = replace(budget, device=0.0, device_per_m=0.0, misalignment_mm=0.0)
+    slope = math.sqrt(2.0) * length_uncertainty(test, of_temperature, thermal) / COVERAGE / 1000.0 / length
+    return np.asarray(slope**2 * np.outer(along, along))
 
 
 def expanded_uncertainties(

@@ -17,7 +17,7 @@ Severity = Literal["info", "warning", "error"]
 #: whoever loads the table or signs the verdict has to settle them first.
 DOUBTS: Final = frozenset(
     {
-        *("CW-R008", "CW-R009", "CW-R010", "CW-R011", "CW-T011"),
+        *("CW-R008", "CW-R009", "CW-R010", "CW-R011", "CW-T007", "CW-T011"),
         "CW-P131",
         *("CW-T030", "CW-T031", "CW-T032", "CW-T033", "CW-T034"),
         "CW-E011",
@@ -38,6 +38,6 @@ class Finding:
 
 
 def doubts_of(findings: Iterable[Finding]) -> tuple[Finding, ...]:
-    """Return those of ``findings`` that have to be settled before the result is used, each once, the errors first."""
-    told = dict.fromkeys(finding for finding in findings if finding.code in DOUBTS)
+    """Return those of ``findings`` that have to be settled before the result is used, each once, the errors first; no infos."""
+    told = dict.fromkeys(finding for finding in findings if finding.code in DOUBTS and finding.severity != "info")
     return tuple(sorted(told, key=lambda finding: finding.severity != "error"))

@@ -13,11 +13,12 @@ from typing import Final, Literal
 
 import numpy as np
 
-from compwright.evaluation.plausibility import certain_fault, pooled_scatter, same_runs, spread_of, wrong_target_unit
+from compwright.evaluation.copies import same_runs
+from compwright.evaluation.plausibility import certain_fault, pooled_scatter, spread_of, wrong_target_unit
 from compwright.evaluation.readings import position_text, text_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.foundations.findings import Finding
-from compwright.records.axis import Direction, FloatArray
+from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 from compwright.records.verification import MeasurementFault
 from compwright.verification.loading import normal_score
@@ -35,6 +36,8 @@ _ENOUGH: Final = 15
 _SAME: Final = 1e-9
 #: How much wider than the widest gap of the first test's targets a gap may be: targets dithered by 0.3 of an interval give 1.6.
 _GAP: Final = 2.0
+#: Fewer targets than any edition asks for, whatever the length, say nothing of what lies between them (4.3.2, 4.3.4).
+_FEWEST: Final = {AxisKind.LINEAR: 5, AxisKind.ROTARY: 3}
 _THOUSAND: Final = 1000.0
 
 
@@ -76,8 +79,8 @@ def _copied(after: PositioningTest, first: PositioningTest) -> str:
     every = all(len(groups[side]) == 1 and len(groups[side][0]) == after.deviations(side).shape[1] for side in _measured(after))
     if every and not any(same_runs(first).values()) and after.positive.shape[0] > 3:
         return "All runs hold the same readings: one run was copied."
-    correlation, dof = _scatter_alike(after, first)
-    if dof >= _ENOUGH and correlation > _COPIED:
+    correlation = copied_scatter(after, first)
+    if correlation is not None:
         return (
             f"The scatter of the readings is that of the test {first.name} run by run (correlation {correlation:.2f}): "
             "the test was made from it."
@@ -98,6 +101,12 @@ def _shifted(after: PositioningTest, first: PositioningTest, positive: FloatArra
     gaps = np.concatenate([(after.positive - positive).ravel(), (after.negative - negative).ravel()])
     known = gaps[np.isfinite(gaps)]
     return bool(known.size > 3 and np.ptp(known) <= _SAME)
+
+
+def copied_scatter(one: PositioningTest, other: PositioningTest) -> float | None:
+    """Return the correlation of the scatter of two tests where it proves that one was made from the other, else None."""
+    correlation, dof = _scatter_alike(one, other)
+    return correlation if dof >= _ENOUGH and correlation > _COPIED else None
 
 
 def _scatter_alike(after: PositioningTest, first: PositioningTest) -> tuple[float, int]:
@@ -170,7 +179,11 @@ def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Findin
     interval = float(first.targets[-1] - first.targets[0]) / max(first.targets.size - 1, 1)
     widest = float(np.max(np.diff(first.targets), initial=interval))
     lacks = []
-    if after.targets.size < first.targets.size:
+    fewest = _FEWEST[after.kind]
+    if after.targets.size < fewest:
+        lacks.append(f"it has {after.targets.size} targets, and the standard asks for {fewest} at least")
+        wanted = f"{max(fewest, first.targets.size)} targets from {_ends(first)}"
+    elif after.targets.size < first.targets.size:
         lacks.append(f"it has {after.targets.size} targets")
     if after.targets[0] > first.targets[0] + interval or after.targets[-1] < first.targets[-1] - interval:
         lacks.append(f"it covers {_ends(after)}")

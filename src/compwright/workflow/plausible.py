@@ -8,12 +8,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations
+from typing import Final
 
 from compwright.evaluation.plausibility import certain_fault, wrong_target_unit
 from compwright.evaluation.repeats import Named, same_measurement
 from compwright.foundations.errors import Fault
+from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import Job
 from compwright.records.plan import PlannedTest
+from compwright.records.positioning import PositioningTest
+
+_TURN: Final = 360.0 - 1e-6
 
 
 def impossible_tests(job: Job, tests: Mapping[str, Sequence[PlannedTest]]) -> list[Fault]:
@@ -39,6 +44,31 @@ def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[F
         span = f"{test.targets[-1] - test.targets[0]:.6g} mm of {travel[1] - travel[0]:.6g} mm of travel"
         message = f"the targets are in {unit}: taken for mm they span {span}, taken for {unit} they fit it"
         yield Fault(message=message, file=file, place="targets", expected="target positions in mm")
+    else:
+        yield from _outside(job.axes[axis].axis, test, file)
+
+
+def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
+    """Yield the fault of targets where the axis cannot go: a table would be made for places that are not those that were measured.
+
+    Half an interval of the targets (or a tenth of the travel) is left to travels that were rounded; it is a doubt (CW-T007).
+    Axes that turn endlessly go everywhere.
+    """
+    low, high = axis.travel
+    if axis.kind is AxisKind.ROTARY and (axis.modulo is not None or high - low >= _TURN):
+        return
+    first, last = float(test.targets[0]), float(test.targets[-1])
+    interval = (last - first) / max(test.targets.size - 1, 1)
+    if max(low - first, last - high) <= min(0.5 * interval, 0.1 * (high - low)):
+        return
+    unit = axis.kind.unit
+    yield Fault(
+        message=f"the targets lie where the axis cannot go, outside its travel of {low:.10g} to {high:.10g} {unit}",
+        file=file,
+        place="targets",
+        expected="targets within the travel in machine coordinates (position_map: {sense, offset}), or the true travel",
+        found=f"{first:.10g} to {last:.10g} {unit}",
+    )
 
 
 def given_twice(named: Iterable[Named]) -> list[Fault]:

@@ -15,6 +15,7 @@ from compwright.documents.plan import read_plan
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis, VerifiedCircle, verification_document
 from compwright.evaluation.decision import decide
 from compwright.evaluation.standards import evaluate
+from compwright.evaluation.uncertainty import temperature_between
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, collect, raise_all
 from compwright.foundations.findings import Finding
@@ -257,7 +258,7 @@ def _verify_axis(
     if fault is not None:
         loading = LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
     else:
-        loading = _judge(after.test, posterior, change, Change(unchanged, active.at))
+        loading = _judge(job, after.test, posterior, change, Change(unchanged, active.at))
     if planned.fitted is None and fault is None:
         loading = replace(loading, verdict="undecided", message="The plan holds no table for this axis: nothing was to be loaded.")
     proof = () if fault else (*proof_lacking(after.test, before_test), *doubted(result, before, guarded=_guarded(job)))
@@ -291,7 +292,7 @@ def _expected(result: PositioningResult, posterior: MeasuredError, change: Chang
     return ExpectedMeans(positions=targets, positive=positive, negative=negative, s=estimate.noise)
 
 
-def _judge(test: PositioningTest, posterior: MeasuredError, loaded: Change, inactive: Change) -> LoadingVerdict:
+def _judge(job: Job, test: PositioningTest, posterior: MeasuredError, loaded: Change, inactive: Change) -> LoadingVerdict:
     draws = posterior.draw(test.targets, DRAWS, np.random.default_rng(0))
     estimate = posterior.summary(test.targets)
     expected = {
@@ -308,7 +309,8 @@ def _judge(test: PositioningTest, posterior: MeasuredError, loaded: Change, inac
         expected[Direction.NEGATIVE][0],
         expected[Direction.POSITIVE][1],
         expected[Direction.NEGATIVE][1],
-        np.cov(np.hstack([draws.positive, draws.negative]), rowvar=False),
+        np.cov(np.hstack([draws.positive, draws.negative]), rowvar=False)
+        + temperature_between(test, job.budget(test.kind), job.thermal),
         posterior.noise,
         noise_dof=posterior.noise_dof,
         positions=test.targets,

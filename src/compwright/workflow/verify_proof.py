@@ -24,9 +24,10 @@ from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
-from compwright.verification.measurement import NamedFault
+from compwright.verification.measurement import NamedFault, copied_scatter
 from compwright.workflow.control import Control, open_control
 from compwright.workflow.inputs import read_test
+from compwright.workflow.work import AS_FOUND
 
 #: Warnings that only say that values are larger than those of a quiet machine, or that an assumption was stated: they leave the
 #: verdict.
@@ -58,7 +59,7 @@ class AfterTest:
 
 def stale_plan(job: Job, plan: Plan, file: str) -> list[Fault]:
     """Return how the job differs from what the plan was made of: axes, options, tests and circles; not its limits."""
-    told = [*_axes_differ(job, plan), *_options_differ(job, plan)]
+    told = [*_axes_differ(job, plan), *_options_differ(job, plan), *_states_differ(job, plan)]
     circles = {circle.name for circle in job.circles}
     if circles != set(plan.circles):
         told.append(("circles", ", ".join(sorted(circles)) or "none", ", ".join(sorted(plan.circles)) or "none"))
@@ -120,6 +121,15 @@ def _options_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
         mine, theirs = control.options.get(name), plan.options.get(name)
         if _plain(mine) != _plain(theirs):
             yield f"controller.options.{name}", _text(mine), _text(theirs)
+
+
+def _states_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
+    """Yield the states that the job names otherwise than its run; the contents of the files are the plan's own copies."""
+    for name in sorted({AS_FOUND, *job.states} & {AS_FOUND, *plan.states}):
+        mine, theirs = job.states.get(name), plan.states.get(name)
+        if (mine is None) != (theirs is None) or bool(mine) != bool(theirs):
+            was, now = ("not given" if state is None else "files" if state else "none" for state in (theirs, mine))
+            yield f"states.{name}", now, was
 
 
 def _plain(value: Any) -> Any:
@@ -228,7 +238,8 @@ def copies(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
         if len({source.sha256 for source in entry.test.sources}) < len(entry.test.sources)
     }
     for one, other in combinations(every, 2):
-        if same_measurement(*(Named(entry.axis, entry.test.sources, entry.test) for entry in (one, other))):
+        same = same_measurement(*(Named(entry.axis, entry.test.sources, entry.test) for entry in (one, other)))
+        if same or copied_scatter(one.test, other.test) is not None:
             message = f"Axis {one.axis} and axis {other.axis} were given the same measurement. Give each axis its own."
             found |= {entry.axis: NamedFault("copied", message) for entry in (one, other)}
     return found

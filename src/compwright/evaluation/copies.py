@@ -1,0 +1,151 @@
+"""Runs that are copies of each other: to the last digit, or with a little noise on top (CW-T031).
+
+Repeated runs of a machine differ at every target by their noise. Two runs that agree ten times better than the runs of the same
+test do are one run. Where the digits of the instrument are coarser than the noise, runs may be the same by chance.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+from typing import Final
+
+import numpy as np
+
+from compwright.evaluation.readings import sign_text, text_of
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.positioning import PositioningTest
+
+#: Scatter below this is rounding of binary numbers, not a measurement: 1 pm, 1e-9 deg.
+_ROUNDING: Final = 1e-9
+_DIRECTIONS: Final = (Direction.POSITIVE, Direction.NEGATIVE)
+#: Two runs that differ by less than this of what the runs of a test differ by are one run. With eight targets (six degrees
+#: of freedom) honest runs do so once in 200 000 pairs.
+_COPY: Final = 0.1
+_TARGETS: Final = 8
+#: Of the differences of the pairs this one stands for the noise: above most copies, below a run that lies far off.
+_QUANTILE: Final = 0.75
+#: Differences within this many steps of the instrument's last digit are made by the rounding.
+_STEPS: Final = 1.5
+#: Two runs are the same by chance where this many such pairs are expected in a test.
+_CHANCE: Final = 1e-3
+#: Copies named in a message; the others are counted.
+_NAMED: Final = 4
+
+
+def same_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
+    """Return for each direction the groups of columns (two or more) that hold the same readings at three targets or more."""
+    found: dict[Direction, list[list[int]]] = {}
+    for direction in _DIRECTIONS:
+        block = test.deviations(direction)
+        groups: list[list[int]] = []
+        for column in range(block.shape[1]):
+            group = next((group for group in groups if _same(block[:, group[0]], block[:, column])), None)
+            if group is None:
+                groups.append([column])
+            else:
+                group.append(column)
+        found[direction] = [group for group in groups if len(group) > 1]
+    return found
+
+
+def same_runs_findings(test: PositioningTest) -> list[Finding]:
+    """Return the finding CW-T031: runs that agree to the last digit, or nearly so, in one direction or between the two."""
+    exact = [] if _by_chance(test) else _exact(test)
+    if exact:
+        message = (
+            f"The same readings to the last digit: {'; '.join(exact)}. Was one run copied, or are the readings rounded too "
+            "coarsely? Repeatability and noise cannot be told from them."
+        )
+        return [Finding("CW-T031", "warning", message)]
+    near, noise = _near(test)
+    if not near:
+        return []
+    more = f" and {len(near) - _NAMED} more pairs" if len(near) > _NAMED else ""
+    message = (
+        f"Nearly the same readings: {'; '.join(near[:_NAMED])}{more}, while runs of this test differ by {text_of(noise, test)}. "
+        "Was one run copied and changed a little? Repeatability and noise cannot be told from them."
+    )
+    return [Finding("CW-T031", "warning", message)]
+
+
+def _exact(test: PositioningTest) -> list[str]:
+    parts = []
+    for direction, groups in same_runs(test).items():
+        for group in groups:
+            names = [_number(test, direction, column) for column in group]
+            parts.append(f"runs {', '.join(names[:-1])} and {names[-1]} in {sign_text(direction)}")
+    if test.positive.shape == test.negative.shape and all(map(_same, test.positive.T, test.negative.T)) and test.positive.size:
+        parts.append("the runs in + and those in −")
+    return parts
+
+
+def _by_chance(test: PositioningTest) -> bool:
+    """Return whether digits this coarse make runs the same by chance.
+
+    Of the pairs of runs that are not the same, the share p of targets at which they agree tells how often two readings are the
+    same; all m targets agree with the chance p^m for each pair.
+    """
+    agree, count, pairs = 0.0, 0, 0
+    for direction in _DIRECTIONS:
+        for one, other in combinations(test.deviations(direction).T, 2):
+            both = np.isfinite(one) & np.isfinite(other)
+            pairs += 1
+            if np.any(both) and not _same(one, other):
+                agree += float(np.mean(np.abs(one[both] - other[both]) <= _ROUNDING))
+                count += 1
+    return count > 0 and pairs * (agree / count) ** test.targets.size > _CHANCE
+
+
+def _near(test: PositioningTest) -> tuple[list[str], float]:
+    """Return the pairs of runs that are nearly the same, in words, and what the runs of a direction differ by (mm or deg, rms)."""
+    traverses = [
+        (direction, column, values) for direction in _DIRECTIONS for column, values in enumerate(test.deviations(direction).T)
+    ]
+    apart = {
+        (one[:2], other[:2]): gap for one, other in combinations(traverses, 2) if (gap := _apart(one[2], other[2])) is not None
+    }
+    within = [gap for (one, other), gap in apart.items() if one[0] is other[0]]
+    noise = float(np.quantile(within, _QUANTILE)) if within else 0.0
+    if noise <= _STEPS * _step(test):
+        return [], noise
+    near = [
+        f"{_name(test, *one)} and {_name(test, *other)} ({text_of(gap, test)})"
+        for (one, other), gap in apart.items()
+        if gap < _COPY * noise
+    ]
+    return near, noise
+
+
+def _apart(one: FloatArray, other: FloatArray) -> float | None:
+    """Return by how much two runs differ, rms, but for a constant and a drift along the run; None with too few targets."""
+    known = np.isfinite(one) & np.isfinite(other)
+    count = int(np.count_nonzero(known))
+    if count < _TARGETS:
+        return None
+    along = np.linspace(-1.0, 1.0, one.size)[known]
+    gap = (one - other)[known]
+    left = gap - np.polyval(np.polyfit(along, gap, 1), along)
+    return float(np.sqrt(np.sum(left**2) / (count - 2)))
+
+
+def _step(test: PositioningTest) -> float:
+    """Return the smallest step between two different readings, mm or deg."""
+    values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
+    steps = np.diff(np.unique(values[np.isfinite(values)]))
+    steps = steps[steps > _ROUNDING]
+    return float(steps.min()) if steps.size else 0.0
+
+
+def _same(one: FloatArray, other: FloatArray) -> bool:
+    both = np.isfinite(one) & np.isfinite(other)
+    return bool(np.count_nonzero(both) >= 3 and np.any(one[both]) and np.max(np.abs(one[both] - other[both])) <= _ROUNDING)
+
+
+def _number(test: PositioningTest, direction: Direction, column: int) -> str:
+    runs = test.runs_positive if direction is Direction.POSITIVE else test.runs_negative
+    return str(runs[column]) if column < len(runs) else str(column + 1)
+
+
+def _name(test: PositioningTest, direction: Direction, column: int) -> str:
+    return f"run {_number(test, direction, column)} in {sign_text(direction)}"
