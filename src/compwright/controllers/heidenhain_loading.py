@@ -308,13 +308,19 @@ class Loader:
 
     def _nonlinear(self, address: str, *, tabled: bool) -> bool:
         """Return whether the tables of an axis act, and not its linear error."""
+        unsaid = tabled and not self.cmas if self.generation is not ITNC530 else tabled
+        answer = self.request.active if unsaid else None  # where the files leave it open
         if self.generation is not ITNC530:
-            return tabled
+            return tabled and answer is not False
         bit = self._parameter(address, Quantity.NONLINEAR)
         if bit is None:
+            if answer is not None:
+                return answer
             if tabled:
                 self.assumed.append(Assumption(f"MP730 of {address}", "1", "not in the files: counted as selected"))
             return tabled
+        if bit.value == 0.0 and answer is True:
+            return True
         if tabled and bit.value == 0.0:
             self.notes.append(f"{address}: the bit of MP730 is 0: its tables do not act")
         elif not tabled and bit.value == 1.0:

@@ -50,7 +50,7 @@ def read_state(
     if definition.layout.shape == "section_increments":
         return read_increments(definition, files, options, axes, address=address)
     if definition.layout.shape == "user_tables":
-        return read_user_tables(definition, files, options, axes, address=address)
+        return read_user_tables(definition, files, options, axes, address=address, activity=activity)
     return _StateReader(definition, resolve_options(definition, options), axes, address, activity).read(files)
 
 

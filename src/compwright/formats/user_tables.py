@@ -11,15 +11,16 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from compwright.formats.activity import Activity
 from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.axis_reading import Fact
-from compwright.formats.gathering import same_value
+from compwright.formats.gathering import Found, same_value
 from compwright.formats.notes import Notes
 from compwright.formats.options import REFERENCE, REFERENCE_RETURN, resolve_options
 from compwright.formats.scale import Scale, in_range
 from compwright.formats.schema import Definition
 from compwright.formats.user_tables_sources import PARAMETERS, Given, Sources, find_sources, parameter_name
-from compwright.formats.user_tables_text import POSITION, SECOND
+from compwright.formats.user_tables_text import POSITION, SECOND, is_number
 from compwright.formats.user_tables_values import TableValues
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
@@ -33,6 +34,7 @@ def read_user_tables(
     axes: Sequence[Axis] = (),
     *,
     address: str | None = None,
+    activity: Activity = Activity(),  # noqa: B008 - frozen
 ) -> ControlState:
     """Return what a control does with ``files``; arguments and errors as `reading.read_state`.
 
@@ -41,7 +43,7 @@ def read_user_tables(
     """
     if not files:
         raise UsageError("no file of the control was given; expected its own files, or the state `none`")
-    return _StateReader(definition, files, resolve_options(definition, options), axes, address).read()
+    return _StateReader(definition, files, resolve_options(definition, options), axes, address, activity).read()
 
 
 class _StateReader:
@@ -52,8 +54,10 @@ class _StateReader:
         options: Mapping[str, object],
         axes: Sequence[Axis],
         address: str | None,
+        activity: Activity,
     ) -> None:
         self.definition = definition
+        self.activity = activity
         self.options = options
         self.notes = Notes()
         self.axes = {normal_address(definition, axis)[0]: axis for axis in axes}
@@ -81,7 +85,9 @@ class _StateReader:
         if not compensations and not cross and not sources.idle and not self.notes.faults:
             names = ", ".join(file.name for file in self.files)
             self.notes.faults.append(Fault(message="the files say nothing about the compensation of an axis", file=names))
+        self.notes.ask_contradicted()
         raise_all(InputError, self.notes.faults)
+        raise_all(UsageError, self.notes.questions)
         self._general(compensations)
         return ControlState(
             format=self.definition.id,
@@ -104,8 +110,7 @@ class _StateReader:
                 if positions is None or values is None:
                     continue
                 nodes, curve, period = self.values.turned(moving, np.array([float(one) for one in positions]), values, table.file)
-                bits = self.sources.given.get((output, "enabled"), [])
-                if bits and bits[0].text == "0":  # no table acts on this axis; the column is there all the same
+                if self._off(output):  # no table acts on this axis; the column is there all the same
                     curve = np.zeros(nodes.size)
                 found.append(
                     CrossCompensation(
@@ -122,6 +127,13 @@ class _StateReader:
                     )
                 )
         return tuple(found)
+
+    def _off(self, address: str) -> bool:
+        """Whether the files, or the job where these leave it open, say that no table acts on an axis."""
+        bits = self.sources.given.get((address, "enabled"), [])
+        if bits:
+            return bits[0].text == "0" and self.activity.said is not True
+        return self.activity.said is False and not self.sources.starred
 
     def _general(self, compensations: Mapping[str, AxisCompensation]) -> None:
         """Note what concerns all axes: what was not given, what is not active, and what had to be assumed."""
@@ -147,6 +159,7 @@ class _AxisReader:
     def __init__(self, reader: _StateReader, address: str) -> None:
         self.values = reader.values
         self.asked = reader.asked
+        self.activity = reader.activity
         self.zero = reader.options
         self.sources: Sources = reader.sources
         self.definition = reader.definition
@@ -293,19 +306,51 @@ class _AxisReader:
         return given[0] if given else None
 
     def _enabled(self) -> bool:
-        """Return whether the table acts: by the parameter, else whether there is one."""
-        if "enabled" not in self.definition.bindings:
-            return self.curves is not None
-        found = self._found("enabled")
-        if found is None:
-            return self.curves is not None
-        name = parameter_name(self.definition, "enabled")
-        if found.text == "1" and self.curves is None and not self.notes.faults:
-            message = f"{self.label}: {name} says that a table acts, but no file holds it"
+        """Return whether the table acts: by the parameter or the active line, else by what the job says of it."""
+        found = self._found("enabled") if "enabled" in self.definition.bindings else None
+        if found is not None and found.text == "1" and self.curves is None and not self.notes.faults:
+            message = f"{self.label}: {self._switch} says that a table acts, but no file holds it"
             self.values.fault(found.file, found.place, message, "the table too", "none")
-        if found.text == "0" and self.curves is not None:
-            self.notes.switched_off(self.label, f"{name} switches the table off")
-        return found.text == "1"
+        if found is not None and found.text == "0" and self.activity.said is not True:
+            if self.curves is not None:
+                self.notes.switched_off(self.label, f"{self._switch} switches the table off")
+            return False
+        if self.curves is None:
+            if found is None and self._others_act():
+                self._answer(None, None)
+            return found is not None and found.text == "1"
+        if found is None and self.points:
+            return self.activity.said is not False  # a sheet is what was typed in
+        if not (np.any(self.curves[1]) or np.any(self.curves[2]) or self._others_act()):
+            return True  # zeros: nothing hangs on it
+        word = "yes" if self.sources.starred else None if found is None else "yes" if found.text == "1" else "no"
+        return self._answer(word, found)
+
+    @property
+    def _switch(self) -> str:
+        known = "enabled" in self.definition.bindings
+        return parameter_name(self.definition, "enabled") if known else "the active line of the .CMA"
+
+    def _answer(self, word: str | None, found: Given | None) -> bool:
+        """Return whether tables that are not zero act: what the files say (``word``), else the job; listed where nobody does."""
+        place = Found(found.text, found.occurrence, 0) if found is not None and found.occurrence is not None else None
+        acts = self.activity.settle(self.label, self._switch, word, place, self.notes)
+        if acts is None:
+            evidence = f"{self._switch} is not in the files: a table that was given counts"
+            self.notes.assume(f"{self.label}: its table", "acts", evidence)
+        return acts is not False
+
+    def _others_act(self) -> bool:
+        """Whether the motion of another axis corrects this one: the same bit selects such a column."""
+        column = self.sources.column_of(self.address)
+        cells = [
+            row.cells[column].text
+            for moving, table in self.sources.tables.items()
+            if moving != self.address
+            for row in table.rows
+            if column in row.cells
+        ]
+        return self.address in self.asked and any(not is_number(text) or float(text) != 0 for text in cells)
 
     def _parameter(self, quantity: str, scale: Scale) -> float:
         found = self._found(quantity)
@@ -326,6 +371,8 @@ class _AxisReader:
     def _slope(self, scale: Scale, kind: AxisKind, *, enabled: bool) -> float:
         slope = self._parameter("slope", Scale(self.definition, AxisKind.LINEAR, scale.options, scale.choices))
         why = "it has a table" if enabled else "it is a rotary axis" if kind is AxisKind.ROTARY else ""
+        if not why and self._found("slope") is None:
+            self.notes.counted_as(self.label, parameter_name(self.definition, "slope"), "0")
         if slope and why:
             name = parameter_name(self.definition, "slope")
             self.notes.ignored(self.label, name, why)

@@ -100,6 +100,11 @@ class Sources:
         """Whether columns are named by axis numbers on an equally spaced grid; else by axis names, with listed positions."""
         return "datum" in self.definition.statements[VALUES].fields
 
+    @property
+    def starred(self) -> bool:
+        """Whether a mark in the table of assignments says that its tables act; where axes have numbers a parameter says it."""
+        return not self.numbered and self.active is not None
+
     def column_of(self, address: str) -> str:
         """Return the name of an axis' column in a table of values."""
         return f"{self.numbers.number(address)}=F()" if self.numbered else address

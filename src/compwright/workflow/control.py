@@ -223,7 +223,7 @@ def decode(
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
-    if active is False and "enabled" not in control.definition.bindings:
+    if active is False and "enabled" not in control.definition.bindings and control.definition.layout.shape != "user_tables":
         raise UsageError(
             Fault(
                 message=f"active: no is said of a state, but nothing in the files of {control.id} leaves open whether a table acts",
