@@ -360,6 +360,8 @@ def new(
     _print_lines([str(outcome.path)])
     for line in outcome.open:
         _tell(f"fill in: {line}")
+    for line in outcome.left_out:
+        _tell(f"note: {line}")
     return 0
 
 

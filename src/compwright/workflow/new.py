@@ -24,10 +24,11 @@ Facts = Mapping[str, float | int | str | bool]
 
 @dataclass(frozen=True, slots=True)
 class NewOutcome:
-    """The job file that was written, and what the user still has to fill in, one line each."""
+    """The job file that was written, what the user still has to fill in, and which axes it leaves out, one line each."""
 
     path: Path
     open: tuple[str, ...]
+    left_out: tuple[str, ...]
 
 
 def new_job(files: Sequence[Path], format_id: str, options: dict[str, object], out: Path, *, force: bool = False) -> NewOutcome:
@@ -55,7 +56,7 @@ def new_job(files: Sequence[Path], format_id: str, options: dict[str, object], o
         given[DETECTION_UNIT] = Prefilled(None, "mm or deg per pulse, such as 0.001; nothing in the files says it")
     text = job_text(format_id, given, [storage.relative(path, out.parent) for path in files], drafts)
     storage.write_file(out, encoded(text), force=force)
-    return NewOutcome(out, (*_open(given, drafts), *left_out, *_idle(control, state, drafts)))
+    return NewOutcome(out, tuple(_open(given, drafts)), (*left_out, *_idle(control, state, drafts)))
 
 
 def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState, tuple[str, ...]]:
@@ -127,15 +128,13 @@ def _partners(address: str, name: str, facts: Facts) -> list[str]:
 def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) -> Iterator[str]:
     """Say which axes of the files the job does not hold: nothing acts on them."""
     held = {str(entry.value) for draft in drafts for key, entry in draft.values.items() if key in ("address", "gantry")}
-    left = [address for address in state.axes if address not in held]
+    names = {address: _name(control.definition, address, state.facts.get(address, {})) for address in state.axes}
+    # Where the control's files name its axes, those without a name are places for axes that the machine does not have.
+    named = [address for address, facts in state.facts.items() if isinstance(facts.get("axis_name"), str)]
+    left = [address for address in state.axes if address not in held and (not named or address in named)]
     if left:
-        named = ", ".join(
-            f"{address} ({name})"
-            if (name := _name(control.definition, address, state.facts.get(address, {}))) != address
-            else address
-            for address in left
-        )
-        yield f"left out, because nothing in the files acts on them: {named}; add those that were measured"
+        told = ", ".join(address if names[address] == address else f"{address} ({names[address]})" for address in left)
+        yield f"left out, because nothing in the files acts on them: {told}; add those that were measured"
 
 
 def _name(definition: Definition, address: str, facts: Facts) -> str:
