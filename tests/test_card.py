@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.formats.card import card_steps, card_steps_of_all, card_values
+from compwright.formats.card import card_steps, card_steps_of_all, card_values, loading_order
 from compwright.records.axis import Axis, AxisKind
 from compwright.reporting.card import card_html
 from compwright.workflow.card import check_positions
-from format_samples import DEFINITIONS, SIEMENS, axis_of, table
+from format_samples import DEFINITIONS, SIEMENS, axis_of, files, table
 from places import PROJECT
 from reporting_samples import sample_card
 
@@ -150,3 +150,14 @@ def test_no_number_on_the_card_has_an_exponent() -> None:
     axis = axis_of("AX1")
     new = table("AX1", [0.0, 50.0], [0.0, 0.001], backlash=0.000076)
     assert card_values(SIEMENS, axis, new, {})["backlash"] == "0.000076"
+
+
+@pytest.mark.parametrize("cec", ["", "$MA_CEC_ENABLE[AX1]=1\nN41300 $SN_CEC_TABLE_ENABLE[9]=1\n"])
+def test_values_are_loaded_before_the_switches_that_protect_them(cec: str) -> None:
+    """SINUMERIK takes no value of a table that MD32700 (SD41300, MD32710) has on: machine data that say 1 are loaded behind."""
+    given = files(
+        MD__INI=f"N32700 $MA_ENC_COMP_ENABLE[0,AX1]=1\n{cec}M17\n",
+        NC_CEC__INI="$AN_CEC[9,0]=0.001\nM17\n",
+        AX_EEC__INI="$AA_ENC_COMP[0,0,AX1]=0.001\nM17\n",
+    )
+    assert loading_order(SIEMENS, given) == ["NC_CEC.INI", "AX_EEC.INI", "MD.INI"]

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from compwright.documents.decode import assumed_documents
-from compwright.formats.card import card_steps_of_all, card_values, file_names
+from compwright.formats.card import card_steps_of_all, card_values, file_names, loading_order
 from compwright.formats.diff import compare_files
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.foundations.utf8 import encoded
@@ -206,7 +206,7 @@ def _steps(control: Control, written: Mapping[str, AxisWork], loaded: DecodedSta
 
 def _named_files(control: Control, axis: Axis, loaded: DecodedState | None) -> dict[str, str]:
     """Return the names of the definition's files as they were written; what went into the control's own files names these."""
-    written = [file.name for file in loaded.files] if loaded else []
+    written = loading_order(control.definition, loaded.files) if loaded else []
     fresh = {f"file_{number}": name for number, name in enumerate(file_names(control.definition, axis), start=1)}
     own = ", ".join(name for name in written if name not in fresh.values())
     return {key: f"your own {own}, as patched" for key, name in fresh.items() if name not in written and own}
@@ -217,5 +217,5 @@ def _restore(control: Control, inputs: JobInputs) -> list[str]:
     if not files:
         off = "switch the compensation of these axes off (an empty table, backlash 0), restart and reference"
         return [f"The job says that nothing was active. To go back: {off}."]
-    names = ", ".join(file.name for file in files)
+    names = ", ".join(loading_order(control.definition, files))
     return [f"Load the untouched copies in rollback/{control.id}/ ({names}) the same way, restart and reference."]
