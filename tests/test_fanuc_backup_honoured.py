@@ -470,6 +470,41 @@ def test_1852_stays_where_it_does_not_act(tmp_path: Path) -> None:
     assert (1852, "A1") not in bench.changed()
 
 
+# The card, the sheet and the program ----------------------------------------------------------------------------------------
+
+
+def test_the_synchronised_axis_gets_its_sheet_its_program_and_its_row_on_the_card(tmp_path: Path) -> None:
+    """A table that is typed in, or entered by a program, on the leading axis alone racks the bridge."""
+    bench = Bench(tmp_path)
+    assert bench.run("X", options=", options: {program: g10}", axes={"X": "gantry: 3"}) == 0
+    parameters, points = bench.written()
+    first, last = (int(said(parameters, number, 3)) for number in (3621, 3622))
+    card = tmp_path / "job" / "card"
+    typed = dict(re.findall(r"^1(\d{4}),[^,]*,(-?\d+),pulse", (card / "entry_X_3.csv").read_text(), re.MULTILINE))
+    assert {int(number): int(value) for number, value in typed.items()} == {n: points[n] for n in range(first, last + 1)}
+    leading, partner = ((card / f"G10_{axis}.NC").read_text() for axis in (1, 3))
+    assert f"N3620P3R{said(parameters, 3620, 3)}\n" in partner
+    assert leading.split()[1] != partner.split()[1]
+    text = (card / "card.md").read_text()
+    assert re.search(rf"\| X \(3\) \| {said(parameters, 3620, 3)} ", text)
+
+
+def test_a_gantry_of_a_linear_and_a_rotary_axis_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert Bench(tmp_path).run("X", axes={"X": "gantry: 4"}) == 3
+    assert "1006#0" in capsys.readouterr().err
+
+
+def test_the_card_says_all_that_has_to_be_set(tmp_path: Path) -> None:
+    bench = Bench(tmp_path, {(1815, "1"): "00100000"})
+    assert bench.run("X", axes={"X": "table: {mode: bidirectional}"}) == 0
+    parameters, _ = bench.written()
+    text = (tmp_path / "job" / "card" / "card.md").read_text()
+    for number in (3620, 3621, 3622, 3626, 3627, 1851, 1852):
+        assert f"{number} = {said(parameters, number, 1)}" in text
+    assert "3605#0 = 1" in text
+    assert "Absolute encoder: no reference return" in text
+
+
 # Coverage -------------------------------------------------------------------------------------------------------------------
 
 

@@ -152,6 +152,7 @@ def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
     files = {f"file_{number}": name for number, name in enumerate(file_names(definition, axis), start=1)}
     return {
         "name": axis.name,
+        "sheet": axis.name,
         "address": address,
         "system": str(axis.encoder.system),
         "index": str(axis.encoder.system - 1),
@@ -197,11 +198,27 @@ def _increment_values(
     values["unit"] = unit
     values["detection_unit"] = f"{scale.quantum('value'):g} {unit}"
     values["backlash"] = scale.write("backlash", compensation.backlash)
+    values["further"] = _further(axis, facts)
+    if facts.get("absolute_encoder") == "yes":  # by 1815#5, whatever the job takes it for
+        values["referencing"] = _REFERENCING["absolute"]
     values["other_sign"] = "'+'" if options.get("pitch_sign") == "-" else "'-'"
     positions = compensation.positions
     if positions.size > 1:
         values["spacing"] = f"{(positions[-1] - positions[0]) / (positions.size - 1):.10g}"
     return values
+
+
+def _further(axis: Axis, facts: Mapping[str, Fact]) -> str:
+    """Return what has to be set beside the grid and 1851: second set, turn, backlash at rapid traverse."""
+    two = facts.get("bidirectional") == "yes"
+    said = [f"3605#0 = {int(two)}"]
+    if two:
+        said += [f"3626 = {facts.get('negative_first', UNKNOWN)}", f"3627 = {facts.get('negative_offset', UNKNOWN)}"]
+    if axis.modulo is not None:
+        said.append(f"3625 = {axis.modulo:g}")
+    if facts.get("separate_rapid") == "yes" and "backlash_rapid" in facts:
+        said.append(f"1852 = {facts['backlash_rapid']}")
+    return ", ".join(said)
 
 
 #: What has to be done so that the control knows where the axis is, by the kind of encoder.

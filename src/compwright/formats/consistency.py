@@ -231,5 +231,5 @@ def _writing(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
         if "{axis}" not in file.name or not _FILE_NAME.fullmatch(file.name):
             yield (*path, "name"), "must be a plain file name that contains {axis}"
         for line in (file.name, *file.header, *file.footer):
-            if set(field_names(line)) - {"axis", "system"}:
-                yield path, f"only {{axis}} and {{system}} can stand in {line}"
+            if set(field_names(line)) - {"axis", "system", "program"}:
+                yield path, f"only {{axis}}, {{system}} and {{program}} can stand in {line}"

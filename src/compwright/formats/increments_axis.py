@@ -221,7 +221,7 @@ class IncrementReader:
     def facts(self) -> dict[str, Fact]:
         """Return what the files say of this axis, by neutral name."""
         facts: dict[str, Fact] = {}
-        for quantity in ("reference_number", "first_number", "last_number", "magnification", "negative_first"):
+        for quantity in ("reference_number", "first_number", "last_number", "magnification", "negative_first", "negative_offset"):
             value = self.integer(quantity)
             if value is not None:
                 facts[quantity] = value

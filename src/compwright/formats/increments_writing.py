@@ -189,7 +189,8 @@ def _fresh(definition: Definition, entry: Entries, left: Entries, taken: Collect
 
 def _file(definition: Definition, file: WrittenFile, entry: Entries, lines: Sequence[str]) -> ControlFile:
     newline = definition.dialect.newline
-    named = {"axis": entry.address, "name": entry.name}
+    # Each axis' program has a number of its own: of two with one number the control keeps one.
+    named = {"axis": entry.address, "name": entry.name, "program": f"91{int(entry.address):02d}"}
     text = "".join(print_form(line, named) + newline for line in (*file.header, *lines, *file.footer))
     return ControlFile(print_form(file.name, named), text.encode("ascii", "replace"))
 

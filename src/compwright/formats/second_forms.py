@@ -10,7 +10,7 @@ from compwright.formats.increments_entries import all_entries
 from compwright.formats.increments_writing import sheet_rows, write_programs
 from compwright.formats.options import resolve_options
 from compwright.formats.schema import Definition
-from compwright.formats.writing import write_tables
+from compwright.formats.writing import with_partners, write_tables
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -32,11 +32,14 @@ def second_forms(
     if definition.layout.shape != "section_increments":
         return ()
     resolved = resolve_options(definition, options, state)
-    pairs = [(normal_address(definition, axis)[0], axis, table) for axis, table in zip(axes, compensations, strict=True)]
+    own = [(normal_address(definition, axis)[0], axis, table) for axis, table in zip(axes, compensations, strict=True)]
+    pairs = with_partners(definition, own)
+    names = {address: axis.name for address, axis, _ in own}
+    leaders = {axis.gantry: axis.name for _, axis, _ in own if axis.gantry is not None}
     entries = all_entries(definition, pairs, resolved, state)
     sheets = [
         write_sheet(
-            f"entry_{entry.name}.csv",
+            f"entry_{names.get(entry.address) or f'{leaders[entry.address]}_{entry.address}'}.csv",
             (
                 ("axis", entry.name),
                 ("address", entry.address),

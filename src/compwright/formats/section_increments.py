@@ -126,6 +126,16 @@ def _check_partners(axes: Sequence[Axis], facts: Mapping[str, Mapping[str, Fact]
         if axis.gantry is None or axis.gantry not in facts:
             continue
         notes.faults.extend(refusals(parameters, axis.gantry, f"axis {axis.gantry}"))
+        rotary = facts[axis.gantry].get("rotary")
+        if rotary is not None and rotary != axis.kind.value:
+            notes.faults.append(
+                Fault(
+                    message=f"axis {axis.gantry} is no partner of a gantry with axis {axis.address}: their kinds differ (1006#0)",
+                    place=f"axes.{axis.name}.gantry",
+                    expected=f"a {axis.kind.value} axis",
+                    found=f"{axis.gantry}, {rotary}",
+                )
+            )
         own, partner = (facts.get(one, {}).get(DETECTION_UNIT) for one in (axis.address, axis.gantry))
         if own is not None and partner is not None and own != partner:
             notes.faults.append(

@@ -44,7 +44,7 @@ def write_tables(
     pairs = _pairs(definition, compensations, axes)
     if definition.layout.shape == "user_tables" and files:  # what they hold is the limit, whatever was known before
         state = read_user_tables(definition, files, options, [axis for _, axis, _ in pairs])
-    pairs = _with_partners(definition, pairs)
+    pairs = with_partners(definition, pairs)
     faults = [fault for _, axis, compensation in pairs for fault in check_limits(definition, axis, compensation, resolved, state)]
     sound = [pair for pair in pairs if pair[2].positions.size >= 2 and not _unsound(pair[2])]
     if definition.layout.shape == "section_increments":
@@ -58,7 +58,7 @@ def write_tables(
     return written
 
 
-def _with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[AxisTable]:
+def with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[AxisTable]:
     """Return the tables with those of gantry partners, which are the same: on one axis alone a table racks the bridge."""
     result = {address: (address, axis, compensation) for address, axis, compensation in pairs}
     for _, axis, compensation in pairs:

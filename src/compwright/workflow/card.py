@@ -12,6 +12,7 @@ import numpy as np
 from compwright.documents.decode import assumed_documents
 from compwright.formats.card import card_steps_of_all, card_values, file_names, loading_order
 from compwright.formats.diff import compare_files
+from compwright.formats.gantry import partner_of
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.foundations.utf8 import encoded
 from compwright.records.axis import Axis, Direction, FloatArray
@@ -198,6 +199,11 @@ def _steps(control: Control, written: Mapping[str, AxisWork], loaded: DecodedSta
         where = check_positions(work, correction_of(loaded, axis))
         values = card_values(control.definition, axis, fitted.compensation, control.options, facts, where) if fitted else {}
         axes.append((axis, {**values, **_named_files(control, axis, loaded)}))
+        if axis.gantry is not None and fitted and loaded and control.definition.layout.shape == "section_increments":
+            partner = partner_of(axis, axis.gantry)  # the same table, on numbers of its own
+            facts = loaded.state.facts.get(axis.gantry, {})
+            values = card_values(control.definition, partner, fitted.compensation, control.options, facts, where)
+            axes.append((partner, values | {"sheet": f"{axis.name}_{axis.gantry}"}))
     return [
         {"title": step.title, "text": step.text, "evidence": step.evidence, "heads": step.heads, "rows": step.rows}
         for step in card_steps_of_all(control.definition, axes)
