@@ -30,11 +30,12 @@ def table(control: str, values: Floats) -> str:
     return f"BEGIN X      .COM MM DATUM:-50 DIST:50\nNR   1=F()     2=F()\n{rows}END   X      .COM\n"
 
 
-def run(folder: Path, control: str, answer: str = "", values: Floats = OLD, **files: str) -> int:
+def run(folder: Path, control: str, answer: str = "", values: Floats = OLD, files: dict[str, str] | None = None) -> int:
     targets = MACHINE.targets()
     (folder / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
     (folder / "X.COM").write_text(table(control, values))
     names = {"cma": "CONFIG.CMA", "mp": "MP.TXT"}
+    files = files or {}
     for key, text in files.items():
         (folder / names[key]).write_text(text)
     given = ", ".join(["X.COM", *(names[key] for key in files)])
@@ -59,7 +60,7 @@ def without_answer(control: str) -> list[dict[str, str]]:
 @pytest.mark.parametrize("control", [ITNC, NCK])
 def test_files_that_leave_it_open_are_asked_about(tmp_path: Path, control: str, capsys: pytest.CaptureFixture[str]) -> None:
     for files in without_answer(control):
-        assert run(tmp_path, control, **files) == 2
+        assert run(tmp_path, control, files=files) == 2
         said = capsys.readouterr().err
         assert "its table is not zero" in said
         assert "active: yes" in said
@@ -81,12 +82,12 @@ def test_the_answer_decides_what_the_new_table_holds(tmp_path: Path, control: st
     ("control", "files"), [(ITNC, {"mp": "MP710.0 : 0.0\nMP730 : %00001\n"}), (NCK, {"cma": STAR})], ids=["bit", "star"]
 )
 def test_files_that_say_it_need_no_answer_and_bear_no_other(tmp_path: Path, control: str, files: dict[str, str]) -> None:
-    assert run(tmp_path, control, **files) == 0
-    assert run(tmp_path, control, ", active: no", **files) == 2
+    assert run(tmp_path, control, files=files) == 0
+    assert run(tmp_path, control, ", active: no", files=files) == 2
 
 
 def test_a_bit_of_0_is_an_answer(tmp_path: Path) -> None:
-    assert run(tmp_path, ITNC, mp="MP710.0 : 0.0\nMP720.0 : 0.0\nMP730 : %00000\n") == 0
+    assert run(tmp_path, ITNC, files={"mp": "MP710.0 : 0.0\nMP720.0 : 0.0\nMP730 : %00000\n"}) == 0
     slept = errors(tmp_path, ITNC)
     assert run(tmp_path, ITNC, ", active: no") == 0
     np.testing.assert_allclose(slept, errors(tmp_path, ITNC), atol=1e-9)
@@ -98,5 +99,5 @@ def test_a_table_of_zeros_asks_nothing(tmp_path: Path, control: str) -> None:
 
 
 def test_a_slope_that_no_file_says_is_named_where_it_would_act(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(tmp_path, ITNC, mp="MP710.0 : 0.0\nMP730 : %00000\n") == 0
+    assert run(tmp_path, ITNC, files={"mp": "MP710.0 : 0.0\nMP730 : %00000\n"}) == 0
     assert "MP720 is not in the files" in capsys.readouterr().out

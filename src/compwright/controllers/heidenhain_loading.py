@@ -175,6 +175,12 @@ class Loader:
     def _sign(self, com: Com, moving: str) -> float:
         """Return the factor from a table's value to the correction."""
         chosen = self._choice("table_values", ("error", "correction"), moving)
+        sheet = next((one for one in self.sheets if one.address == moving and not one.nodes.size), None)
+        if sheet is not None:  # the parameters beside the table say it
+            self.assumed.append(
+                Assumption(f"values of {com.name}.COM", "error" if sheet.errors else "correction", str(sheet.place))
+            )
+            return -1.0 if sheet.errors else 1.0
         evidence = "option" if "table_values" in self.request.options_of(moving) else "default, unconfirmed"
         self.assumed.append(Assumption(f"values of {com.name}.COM", chosen, evidence))
         return -1.0 if chosen == "error" else 1.0

@@ -17,6 +17,8 @@ REFERENCE = "reference"
 REFERENCE_RETURN = "reference_return"
 #: The option that says how long a pulse is: asked for, never assumed.
 DETECTION_UNIT = "detection_unit"
+#: What the values of a table mean, where no manual says it; an entry sheet says it of its axis.
+TABLE_VALUES = "table_values"
 #: Options that hold for the control as a whole: an axis cannot have one of its own.
 WHOLE_CONTROL = frozenset({"units", "cec_sign", "straightness", "program"})
 #: The option that names the measuring system to read where no job does.

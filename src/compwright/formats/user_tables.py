@@ -16,7 +16,7 @@ from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.axis_reading import Fact
 from compwright.formats.gathering import Found, same_value
 from compwright.formats.notes import Notes
-from compwright.formats.options import REFERENCE, REFERENCE_RETURN, resolve_options
+from compwright.formats.options import REFERENCE, REFERENCE_RETURN, TABLE_VALUES, resolve_options
 from compwright.formats.scale import Scale, in_range
 from compwright.formats.schema import Definition
 from compwright.formats.user_tables_sources import PARAMETERS, Given, Sources, find_sources, parameter_name
@@ -172,6 +172,8 @@ class _AxisReader:
         self.points = self.sources.points.get(address, ())
         self.facts: dict[str, Fact] = {"enabled": False, "own_column": self.column is not None}
         self.facts["second_column"] = self.table is not None and self.table.column(SECOND) is not None
+        if address in self.sources.sheets:
+            self.facts[TABLE_VALUES] = self.sources.sheets[address].comments["value"]
         self.curves = self._curves()
 
     @property

@@ -8,7 +8,7 @@ from decimal import Decimal
 import numpy as np
 
 from compwright.formats.notes import Notes
-from compwright.formats.options import axis_options
+from compwright.formats.options import TABLE_VALUES, axis_options
 from compwright.formats.scale import Scale, in_range
 from compwright.formats.schema import Definition
 from compwright.formats.user_tables_sources import Sources
@@ -60,9 +60,11 @@ class TableValues:
         self.notes = notes
 
     def own_options(self, address: str) -> Mapping[str, object]:
-        """Return the options of an axis: its own over the controller's."""
+        """Return the options of an axis: its own over the controller's; what its entry sheet says of values goes over both."""
         axis = self.axes.get(address)
-        return self.options if axis is None else axis_options(self.definition, self.options, axis)
+        options = self.options if axis is None else axis_options(self.definition, self.options, axis)
+        sheet = self.sources.sheets.get(address)
+        return options if sheet is None else {**options, TABLE_VALUES: sheet.comments["value"]}
 
     def kind(self, address: str) -> AxisKind:
         """Return whether an axis is linear or rotary: by the job, by the units of its sheet, else by its letter."""

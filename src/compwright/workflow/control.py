@@ -18,7 +18,7 @@ from compwright.formats.activity import Activity
 from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.cec import CEC_TABLES
 from compwright.formats.definitions import definitions_from
-from compwright.formats.options import DETECTION_UNIT, ENCODER_SYSTEM, resolve_options
+from compwright.formats.options import DETECTION_UNIT, ENCODER_SYSTEM, TABLE_VALUES, resolve_options
 from compwright.formats.reading import read_state
 from compwright.formats.schema import Definition
 from compwright.foundations import storage
@@ -235,6 +235,8 @@ def decode(
     options = {**control.options, "cec_sign": "correction"} if shown else control.options
     state = read_state(control.definition, files, options, axes, address=address, activity=activity)
     state = _with_sign_unknown(state) if shown else state
+    if asking or not axes:
+        _check_meaning(control, state, axes)
     named = [(each, axis) for axis in axes for each in (axis.address, axis.gantry) if each is not None]
     alone = address or (axes[0].address if len(axes) == 1 else None)
     judge = virtual_control(
@@ -252,6 +254,28 @@ def decode(
     )
     raise_all(CompwrightError if written else InputError, _disagreements(state, judge))
     return DecodedState(files=tuple(files), state=state, judge=judge)
+
+
+def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) -> None:
+    """A control takes the values of an axis in one meaning: the option and an entry sheet of it must not say two."""
+    own = {axis.address: axis.options.get(TABLE_VALUES) for axis in axes}
+    faults = []
+    for address, facts in state.facts.items():
+        said, given = facts.get(TABLE_VALUES), own.get(address) or control.given.get(TABLE_VALUES)
+        if None in (said, given) or said == given:
+            continue
+        faults.append(
+            Fault(
+                message=f"axis {address}: the option {TABLE_VALUES} contradicts the entry sheet among the control's files; if the "
+                "check of the sign showed the opposite of what the sheet says, change its line `# value`, or take "
+                "the table out of the control first",
+                place=control.origin.before_option + TABLE_VALUES,
+                file=control.origin.file,
+                expected=str(said),
+                found=str(given),
+            )
+        )
+    raise_all(UsageError, faults)
 
 
 def _with_sign_unknown(state: ControlState) -> ControlState:
@@ -284,26 +308,27 @@ def judged(state: DecodedState, address: str, positions: FloatArray, direction: 
 
 
 def settled_by_files(job: Job, states: Mapping[str, DecodedState], as_found: str) -> Job:
-    """Return the job with what it leaves to the control's own files: detection units, and the measuring systems in use.
+    """Return the job with what it leaves to the control's own files: detection units, what tables mean, measuring systems.
 
     ``states``: all that were read; ``as_found``: the name of the one that is in the control now.
     """
-    job = _with_detection_units(job, states)
+    for name in (DETECTION_UNIT, TABLE_VALUES):
+        job = _with_option(job, states, name)
     return _with_systems_in_use(job, states[as_found].state) if as_found in states else job
 
 
-def _with_detection_units(job: Job, states: Mapping[str, DecodedState]) -> Job:
-    """Return the job with the detection unit of every axis for which nobody gave one and the control's own files say it."""
+def _with_option(job: Job, states: Mapping[str, DecodedState], name: str) -> Job:
+    """Return the job with an option of every axis for which nobody gave it and the control's own files say it."""
 
     def settled(entry: AxisJob) -> AxisJob:
-        if DETECTION_UNIT in entry.axis.options or job.options.get(DETECTION_UNIT) is not None:
+        if name in entry.axis.options or job.options.get(name) is not None:
             return entry
-        said = [decoded.state.facts.get(entry.axis.address, {}).get(DETECTION_UNIT) for decoded in states.values()]
-        unit = next((one for one in said if one is not None), None)
-        options = entry.axis.options if unit is None else {**entry.axis.options, DETECTION_UNIT: unit}
+        said = [decoded.state.facts.get(entry.axis.address, {}).get(name) for decoded in states.values()]
+        found = next((one for one in said if one is not None), None)
+        options = entry.axis.options if found is None else {**entry.axis.options, name: found}
         return replace(entry, axis=replace(entry.axis, options=options))
 
-    return replace(job, axes={name: settled(entry) for name, entry in job.axes.items()})
+    return replace(job, axes={key: settled(entry) for key, entry in job.axes.items()})
 
 
 def _judges(judge: VirtualControl, address: str) -> bool:
