@@ -14,9 +14,12 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
+from compwright.documents.plan import read_plan
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.verification.measurement import noise_odds
+from compwright.workflow.jobs import read_job_file
+from compwright.workflow.verify_proof import stale_plan
 from loop import Floats, Machine, csv_of
 
 MACHINE = Machine()
@@ -313,6 +316,7 @@ def test_two_targets_prove_nothing_although_the_first_test_had_no_more(tmp_path:
     (tmp_path / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
     (tmp_path / "job.yaml").write_text(JOB)
     assert compwright(["run", str(tmp_path / "job.yaml")]) in (0, 1)
+    assert "CW-T035" in codes(json.loads((tmp_path / "job" / "prediction.json").read_text()))
     code, document = after(tmp_path, honest(tmp_path, targets=targets), targets)
     assert (code, document["verdict"]) == (1, "undecided")
     assert "CW-V020" in codes(document)
@@ -333,3 +337,24 @@ def test_a_hall_as_warm_as_the_job_says_leaves_the_table_loaded(tmp_path: Path, 
     assert (code, document["verdict"]) == (0, "good")
     never = machine.measure(TARGETS, 8)
     assert after(tmp_path, never)[1]["axes"]["X"]["loading"]["verdict"] == "not_active"
+
+
+def test_a_decision_rule_that_was_edited_after_the_run_leaves_it_undecided(tmp_path: Path) -> None:
+    """Run as guarded, and read as simple because guarded was not good enough."""
+    (tmp_path / "x.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 1)))
+    path = tmp_path / "job.yaml"
+    path.write_text(JOB + "decision_rule: guarded\nuncertainty: {device: {U: 7.5}}\n")
+    assert compwright(["run", str(path)]) == 1
+    assert after(tmp_path, honest(tmp_path))[1]["axes"]["X"]["accept"]["A"]["decision"] == "undecided"
+    path.write_text(path.read_text().replace("guarded", "simple"))
+    code, document = after(tmp_path, honest(tmp_path))
+    assert (code, document["verdict"], codes(document)) == (1, "undecided", ["CW-V022"])
+
+
+def test_an_answer_whether_the_state_acted_that_was_edited_is_refused(folder: Path) -> None:
+    """The plan was made for a table that acted; the job now says that it slept."""
+    job = read_job_file(folder / "job.yaml")
+    plan = read_plan((folder / "job" / "plan.json").read_bytes(), "plan.json")
+    assert not stale_plan(job, plan, "plan.json")
+    told = stale_plan(replace(job, active={"as_found": False}), replace(plan, active={"as_found": True}), "plan.json")
+    assert [fault.place for fault in told] == ["states.as_found.active"]

@@ -35,6 +35,7 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         "format": plan.format,
         "options": dict(plan.options),
         "standard": plan.standard,
+        "decision_rule": plan.decision_rule,
         "machine": dict(plan.machine),
         "axes": {name: _axis_out(axis) for name, axis in plan.axes.items()},
         "states": {
@@ -86,6 +87,7 @@ def _plan_in(data: Mapping[str, Any]) -> Plan:
         format=str(data["format"]),
         options=dict(data["options"]),
         standard=str(data["standard"]),
+        decision_rule=str(data.get("decision_rule", "")),
         machine=dict(data["machine"]),
         axes={str(name): _axis_in(axis) for name, axis in data["axes"].items()},
         states={

@@ -100,7 +100,10 @@ def _by_chance(test: PositioningTest) -> bool:
 def _near(test: PositioningTest) -> tuple[list[str], float]:
     """Return the pairs of runs that are nearly the same, in words, and what the runs of a direction differ by (mm or deg, rms)."""
     traverses = [
-        (direction, column, values) for direction in _DIRECTIONS for column, values in enumerate(test.deviations(direction).T)
+        (direction, column, values)
+        for direction in _DIRECTIONS
+        for column, values in enumerate(test.deviations(direction).T)
+        if np.any(np.nan_to_num(values))  # zeros have a finding of their own
     ]
     apart = {
         (one[:2], other[:2]): gap for one, other in combinations(traverses, 2) if (gap := _apart(one[2], other[2])) is not None

@@ -39,6 +39,8 @@ _SURE: Final = 4.0
 _INCH: Final = 25.4
 #: Targets in inches with four decimals are whole millimetres to within this, mm.
 _WHOLE: Final = 2e-3
+#: The fewest targets that any edition asks for.
+FEWEST_TARGETS: Final = {AxisKind.LINEAR: 5, AxisKind.ROTARY: 3}
 _DIRECTIONS: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
@@ -105,8 +107,8 @@ def _smaller(test: PositioningTest) -> str:
 
 
 def plausibility_findings(test: PositioningTest) -> list[Finding]:
-    """Return what may be wrong with the unit, the origin or the directions of a test: CW-T030 to CW-T033."""
-    return [*_small(test), *same_runs_findings(test), *_turned(test), *_inches(test)]
+    """Return what may be wrong with the unit, the origin or the directions of a test: CW-T030 to CW-T033, CW-T035."""
+    return [*_small(test), *same_runs_findings(test), *_turned(test), *_inches(test), *_few(test)]
 
 
 def _small(test: PositioningTest) -> list[Finding]:
@@ -160,6 +162,16 @@ def _inches(test: PositioningTest) -> list[Finding]:
             f"The targets, {first} to {last}, are whole millimetres when they are taken for inches: are they in inches?",
         )
     ]
+
+
+def _few(test: PositioningTest) -> list[Finding]:
+    """CW-T035: fewer targets than any edition asks for, whatever the length (4.3.2, 4.3.4)."""
+    count, fewest = test.targets.size, FEWEST_TARGETS[test.kind]
+    if count >= fewest:
+        return []
+    targets = "target" if count == 1 else "targets"
+    message = f"{count} {targets}, where the standard asks for {fewest} at least: of what lies between them nothing is known."
+    return [Finding("CW-T035", "warning", f"{message} Parameters and limits speak of these {targets} alone.")]
 
 
 #: Factors between the unit of the targets and mm, by name of the unit that was taken for mm.

@@ -81,7 +81,8 @@ class Plan:
 
     ``active``: by state, what the job answered to whether compensation acted. ``cross``: what is wanted between axes, written or
     not; ``circles``: the circular tests by name. ``results``: the other files of the run by their relative names, with the SHA-256
-    of each: by it the next run tells them from what the user has put or changed there.
+    of each: by it the next run tells them from what the user has put or changed there. ``decision_rule``: how the limits were
+    decided; empty where the plan of an older version does not say.
     """
 
     version: str
@@ -97,3 +98,4 @@ class Plan:
     cross: tuple[PlannedCross, ...] = ()
     circles: Mapping[str, PlannedCircle] = field(default_factory=dict)
     results: Mapping[str, str] = field(default_factory=dict)
+    decision_rule: str = ""

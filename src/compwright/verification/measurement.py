@@ -14,11 +14,11 @@ from typing import Final, Literal
 import numpy as np
 
 from compwright.evaluation.copies import same_runs
-from compwright.evaluation.plausibility import certain_fault, pooled_scatter, spread_of, wrong_target_unit
+from compwright.evaluation.plausibility import FEWEST_TARGETS, certain_fault, pooled_scatter, spread_of, wrong_target_unit
 from compwright.evaluation.readings import position_text, text_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.foundations.findings import Finding
-from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.axis import Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 from compwright.records.verification import MeasurementFault
 from compwright.verification.loading import normal_score
@@ -36,8 +36,6 @@ _ENOUGH: Final = 15
 _SAME: Final = 1e-9
 #: How much wider than the widest gap of the first test's targets a gap may be: targets dithered by 0.3 of an interval give 1.6.
 _GAP: Final = 2.0
-#: Fewer targets than any edition asks for, whatever the length, say nothing of what lies between them (4.3.2, 4.3.4).
-_FEWEST: Final = {AxisKind.LINEAR: 5, AxisKind.ROTARY: 3}
 _THOUSAND: Final = 1000.0
 
 
@@ -179,7 +177,7 @@ def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Findin
     interval = float(first.targets[-1] - first.targets[0]) / max(first.targets.size - 1, 1)
     widest = float(np.max(np.diff(first.targets), initial=interval))
     lacks = []
-    fewest = _FEWEST[after.kind]
+    fewest = FEWEST_TARGETS[after.kind]
     if after.targets.size < fewest:
         lacks.append(f"it has {after.targets.size} targets, and the standard asks for {fewest} at least")
         wanted = f"{max(fewest, first.targets.size)} targets from {_ends(first)}"

@@ -333,6 +333,7 @@ def _plan(finished: _Finished) -> Plan:
         format=job.format,
         options=finished.control.options,
         standard=job.standard,
+        decision_rule=job.decision_rule,
         axes={**{name: work.planned for name, work in finished.works.items()}, **finished.scales},
         states={name: decoded.files for name, decoded in finished.inputs.states.items()},
         active={name: job.active[name] for name in finished.inputs.states if name in job.active},

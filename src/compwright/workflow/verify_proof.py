@@ -130,6 +130,8 @@ def _states_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
         if (mine is None) != (theirs is None) or bool(mine) != bool(theirs):
             was, now = ("not given" if state is None else "files" if state else "none" for state in (theirs, mine))
             yield f"states.{name}", now, was
+        elif job.active.get(name) != plan.active.get(name):
+            yield f"states.{name}.active", _text(job.active.get(name)), _text(plan.active.get(name))
 
 
 def _plain(value: Any) -> Any:
@@ -142,9 +144,11 @@ def _text(value: Any) -> str:
 
 
 def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
-    """Yield a finding for limits and standard that are not those of the run (CW-V022)."""
+    """Yield a finding for limits, standard and decision rule that are not those of the run (CW-V022)."""
     if job.standard != plan.standard:
         yield _changed(f"the standard was {plan.standard}, now it is {job.standard}")
+    if plan.decision_rule and job.decision_rule != plan.decision_rule:
+        yield _changed(f"the decision rule was {plan.decision_rule}, now it is {job.decision_rule}")
     for name, entry in plan.axes.items():
         mine = job.axes[name].accept if name in job.axes else None
         if mine != entry.accept:
