@@ -528,3 +528,65 @@ def test_a_new_job_says_what_the_backup_says(tmp_path: Path) -> None:
     assert "travel: [0.0, 360.0]" in rotary
     assert "modulo: 360.0" in rotary
     assert text.count('"detection_unit": 0.0001') == 4
+
+
+# Paths of which nobody says whose they are ---------------------------------------------------------------------------------
+
+WITHOUT_981 = re.compile(r"^N00981Q1.*\n", re.MULTILINE)
+
+
+def paths(parameters: str, edits: Edits) -> str:
+    """The parameters with other values by path, in the place of their lines."""
+    for number in {number for number, _ in edits}:
+        usual = BY_PATH.get(number, "00000000")
+        row = "".join(f"L{k}P{edits.get((number, f'L{k}'), usual)}" for k in (1, 2))
+        parameters = re.sub(rf"^N{number:05d}Q1.*$", f"N{number:05d}Q1{row}", parameters, flags=re.MULTILINE)
+    return parameters
+
+
+def without_981(bench: Bench) -> Bench:
+    bench.parameters = WITHOUT_981.sub("", bench.parameters)
+    (bench.folder / "CNC-PARA.TXT").write_text(bench.parameters)
+    return bench
+
+
+@pytest.mark.parametrize(
+    ("edits", "told"),
+    [
+        ({(1001, "L2"): "00000001"}, "1001#0 = 0 of path 1; 1001#0 = 1 of path 2"),
+        ({(1001, "L1"): "00000001"}, "1001#0 = 1 of path 1; 1001#0 = 0 of path 2"),
+        ({(1800, "L2"): "00001000"}, "1800#4 = 1 of path 1; 1800#4 = 0 of path 2"),
+        ({(3602, "L1"): "00000000", (3602, "L2"): "00000001"}, "3602#0 = 1"),
+    ],
+)
+def test_paths_that_differ_need_981(edits: Edits, told: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Which path an axis belongs to is said by 981 only: without it nobody knows whether X counts in inches."""
+    bench = without_981(Bench(tmp_path))
+    bench.parameters = paths(bench.parameters, edits)
+    (tmp_path / "CNC-PARA.TXT").write_text(bench.parameters)
+    assert bench.run("X") == 3
+    error = capsys.readouterr().err
+    assert told in error
+    assert "parameter 981 of axis 1" in error
+
+
+@pytest.mark.parametrize(
+    ("axis", "edits"),
+    [
+        ("X", {}),
+        ("X", {(1001, "L2"): "00000010", (1800, "L2"): "00011001"}),  # other bits, which nothing here hangs on
+        ("B", {(1001, "L2"): "00000001"}),  # a rotary axis knows no inches
+    ],
+)
+def test_without_981_paths_that_agree_stop_nothing(axis: str, edits: Edits, tmp_path: Path) -> None:
+    bench = without_981(Bench(tmp_path, edits))
+    assert bench.run(axis) == 0
+    assert bench.left(axis) < SMALL * (5 if axis == "B" else 1)
+
+
+def test_what_a_second_path_says_of_unknown_axes_acts_on_every_axis_without_981(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    edits = {(5711, "L2"): "2", (5721, "L2"): "3", (5731, "L2"): "900", (5761, "L2"): "5"}
+    assert without_981(Bench(tmp_path, edits)).run("X") == 3
+    assert "5711 of path 2" in capsys.readouterr().err

@@ -6,7 +6,7 @@ Sources: ``increments_parameters`` and docs/controllers/fanuc.md.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from decimal import Decimal
 from typing import Literal
@@ -188,6 +188,26 @@ def wraps(parameters: Parameters, address: str) -> Wraps | None:
     return "no" if bits.bit(1) else "yes"
 
 
-def unclaimed(points: Collection[int], claimed: Collection[range]) -> frozenset[int]:
-    """Return the numbers among ``points`` that no axis claims."""
-    return frozenset(number for number in points if not any(number in taken for taken in claimed))
+def unclear_path(parameters: Parameters, address: str, label: str, kind: AxisKind) -> Iterator[Fault]:
+    """Yield a fault for each parameter of a path that the axis' table hangs on, where the paths differ and 981 is in no file.
+
+    Inches (1001#0) decide lengths and detection unit of a linear axis, the increment system (1004) that of an axis without 1013;
+    1800#4 decides whether 1852 acts, where that is in the files.
+    """
+    asked: list[tuple[int, tuple[int, ...]]] = []
+    if kind is AxisKind.LINEAR:
+        asked.append((known.INCH, (0,)))
+    if parameters.axis(known.BACKLASH_RAPID, address) is not None:
+        asked.append((known.BACKLASH_BITS, (4,)))
+    if parameters.axis(known.SYSTEM, address) is None:
+        asked.append((known.SYSTEM_OF_MACHINE, (0, 1)))
+    asked.append((known.TOTALS, tuple(range(8))))
+    for number, bits in asked:
+        rivals = parameters.rivals(number, bits, address)
+        if rivals:
+            odd = [bit for bit in bits if len({value.bit(bit) for value in rivals}) > 1]
+            told = "; ".join(
+                ", ".join(f"{number}#{bit} = {int(value.bit(bit))}" for bit in odd) + f" of path {value.index}" for value in rivals
+            )
+            message = f"{label}: the paths differ ({told}), and no file says to which of them the axis belongs (parameter 981)"
+            yield rivals[-1].fault(message, f"the line of parameter 981 of axis {address} among the files")

@@ -271,6 +271,8 @@ class IncrementReader:
         """Return what acts on the axis; None where something is wrong (then the notes have faults)."""
         kind = self.kind()
         self.notes.faults.extend(acting.refusals(self.parameters, self.address, self.label))
+        if self.axis is not None or self._does_anything():
+            self.notes.faults.extend(acting.unclear_path(self.parameters, self.address, self.label, kind))
         for remark in acting.remarks(self.parameters, self.address, self.label):
             self.notes.find("CW-S040", "warning", remark)
         systems = acting.two_systems(self.parameters, self.address)

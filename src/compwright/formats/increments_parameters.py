@@ -105,7 +105,8 @@ class Parameters:
     def axis(self, number: int, address: str) -> Value | None:
         """Return the value that holds for an axis: its own, else that of its path, else the machine's; None where nothing says it.
 
-        Without 981 the axis is taken to be in the first path, as in a control that has only one.
+        Without 981 the axis is taken to be in the first path, as in a control that has only one; where the paths differ in what an
+        axis' table hangs on, `rivals` tells it and the axis is refused.
         """
         values = self.values.get(number, [])
         for owner, index in (("A", _index(address)), ("L", self.path(address) or 1), ("", 0)):
@@ -114,11 +115,13 @@ class Parameters:
                 return found[-1]
         return None
 
-    def rivals(self, number: int, address: str) -> list[Value]:
-        """Return the values that could hold for an axis whose path nobody says; empty where it is known or they all agree."""
-        values = [value for value in self.values.get(number, []) if value.owner == "L"]
+    def rivals(self, number: int, bits: Sequence[int], address: str) -> list[Value]:
+        """Return the values of paths that could hold for an axis whose path nobody says (981) and whose ``bits`` differ."""
+        values = {value.index: value for value in self.values.get(number, []) if value.owner == "L"}
         own = any(value.owner == "A" and value.index == _index(address) for value in self.values.get(number, []))
-        return [] if own or self.path(address) is not None else values
+        if own or self.path(address) is not None or len({tuple(map(value.bit, bits)) for value in values.values()}) < 2:
+            return []
+        return [values[index] for index in sorted(values)]
 
     def path(self, address: str) -> int | None:
         """Return the path that an axis belongs to (981); None where the files do not say it."""
@@ -126,10 +129,15 @@ class Parameters:
         return (values[-1].whole or None) if values else None
 
     def names(self, value: Value, address: str) -> bool:
-        """Whether an axis number that stands in ``value`` means the axis: counted over the machine, or within its own path."""
+        """Whether an axis number that stands in ``value`` means the axis: counted over the machine, or within its own path.
+
+        Whose path a further one is stands in 981 only: without it what the path says may mean any axis.
+        """
         if value.whole == _index(address):
             return True
         path = value.index if value.owner == "L" else None
+        if path is not None and path > 1 and PATH_OF_AXIS not in self.values:
+            return True
         mates = sorted(one.index for one in self.values.get(PATH_OF_AXIS, []) if one.owner == "A" and one.whole == path)
         return path is not None and 0 < value.whole <= len(mates) and mates[value.whole - 1] == _index(address)
 
