@@ -81,6 +81,30 @@ def test_names_that_no_list_tells_apart_are_refused(address: str, other: str, na
     assert both_readers(f"{names}\n{eec(address)}$MA_BACKLASH[0,Y1]=0\n" if names else eec(address), axis_of(address)).axes
 
 
+@pytest.mark.parametrize(
+    "quiet",
+    [
+        "$MA_BACKLASH[0,SP1]=0",
+        "$MA_BACKLASH[0,SP1]=0.0\n$MA_ENC_COMP_ENABLE[0,SP1]=0",
+        "$MA_NUM_ENCS[SP1]=1\n$MA_POS_LIMIT_MINUS[SP1]=-500\n$MA_IS_ROT_AX[SP1]=1",
+        eec("SP1", values=(0.0, 0.0, 0.0), on="0"),
+    ],
+)
+def test_another_name_that_holds_nothing_stops_nothing(quiet: str) -> None:
+    """Files of single axes without MD10000: whatever SP1 is, nothing acts under that name that could act on AX1 too."""
+    state = both_readers(f"{eec()}$MA_BACKLASH[0,AX1]=0.003\n{quiet}\n", axis_of("AX1"))
+    assert state.axes["AX1"].positive.tolist() == [0, -0.004, 0]
+
+
+@pytest.mark.parametrize(
+    "acting",
+    ["$MA_BACKLASH[1,SP1]=-0.002", "$MA_ENC_COMP_ENABLE[0,SP1]=1", "$MA_CEC_ENABLE[SP1]=TRUE", "$AA_ENC_COMP[0,3,SP1]=0.001"],
+)
+def test_another_name_that_acts_says_the_way_out(acting: str) -> None:
+    with pytest.raises(InputError, match=r"SP1.*MD10000.*among the files, or address: SP1"):
+        both_readers(f"{eec()}{acting}\n", axis_of("AX1"))
+
+
 # Units ------------------------------------------------------------------------------------------------------------------------
 
 

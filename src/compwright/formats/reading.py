@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from decimal import Decimal
 
 from compwright.formats.activity import Activity
 from compwright.formats.addresses import normal_address, normal_text
@@ -28,6 +29,9 @@ from compwright.formats.user_tables import read_user_tables
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+
+#: What corrects an axis, or switches that on, where it is not zero.
+_ACTING = ("backlash", "enabled", "cross_axis_enabled", "dynamic_backlash", "temperature_slope")
 
 
 def read_state(
@@ -159,20 +163,22 @@ class _StateReader:
         )
 
     def _one_axis(self, gathered: Gathered, address: str, axis: Axis | None) -> None:
-        """Refuse an axis that other lines may mean too: X1 beside AX1, and no list that says which of them are one."""
-        spoken_of = dict.fromkeys(name for name, _ in (*gathered.singles, *gathered.rows) if name is not None)
-        others = gathered.names.unplaced(address, spoken_of) if "machine_axis" in self.definition.bindings else []
-        if axis is None or not others:
+        """Refuse an axis on which lines of another name may act too: X1 beside AX1, and no list says which of them are one."""
+        if axis is None or "machine_axis" not in self.definition.bindings:
             return
-        places = {name: found[-1] for (name, _), said in gathered.singles.items() for found in said.values()}
-        places |= {name: rows[-1] for (name, _), rows in gathered.rows.items()}
+        acting = _acting_lines(gathered)
+        others = gathered.names.unplaced(address, acting)
+        if not others:
+            return
+        names = ", ".join(others)
         self.notes.refuse(
             f"axis {address}",
-            f"the files speak of {', '.join(others)} too, which may be the same axis: no list of names is among them "
-            "(MD10000 $MN_AXCONF_MACHAX_NAME_TAB)",
-            places[others[0]],
-            expected="the machine data with MD10000 among the files",
-            found=", ".join(others),
+            f"the files speak of {names} too, with something that acts and may be meant for the same axis: no list of names is "
+            "among them (MD10000 $MN_AXCONF_MACHAX_NAME_TAB)",
+            acting[others[0]],
+            expected="the machine data with MD10000 among the files, or address: "
+            f"{' or '.join(others)} in the job where that is the axis",
+            found=names,
         )
 
     def _same_systems(self, facts: Mapping[str, Mapping[str, Fact]]) -> None:
@@ -335,3 +341,17 @@ class _StateReader:
         if any(axis is None for axis in self.wanted.values()) or not self.wanted:
             self.notes.assume(REFERENCE, f"{self.options[REFERENCE]:g}", "option or its default")
             self.notes.assume(REFERENCE_RETURN, str(self.options[REFERENCE_RETURN]), "option or its default")
+
+
+def _acting_lines(gathered: Gathered) -> dict[str, Found]:
+    """Return, by the name that they give to the axis, a line that corrects something: a value that is not zero, or a switch on."""
+    lines: dict[str, Found] = {}
+    for (name, _), rows in gathered.rows.items():
+        acting = [row for row in rows if Decimal(row.occurrence.tokens["value"].text) != 0]
+        if name is not None and acting:
+            lines[name] = acting[-1]
+    for (name, _), said in gathered.singles.items():
+        acting = [place for quantity in _ACTING for place in said.get(quantity, ()) if Decimal(place.text) != 0]
+        if name is not None and acting:
+            lines[name] = acting[-1]
+    return lines
