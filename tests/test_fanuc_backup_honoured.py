@@ -349,6 +349,18 @@ def test_the_unit_follows_multiplier_system_and_inch(edits: Edits, unit: float, 
     assert f"{unit:g} mm" in json.dumps(plan)
 
 
+@pytest.mark.parametrize("line", ["N01820Q1A1P2", "N00981Q1A1P2", "N01800Q1L1P00000000", "N01420Q1A1P99000.0"])
+def test_a_parameter_that_stands_there_twice_is_refused(line: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Two saves in one file, or a second file: which of the values the control has nobody can tell."""
+    bench = Bench(tmp_path)
+    file = tmp_path / "CNC-PARA.TXT"
+    file.write_text(bench.parameters.replace("N01851", f"{line}\nN01851"))
+    assert bench.run("X") == 3
+    assert f"parameter {int(line[1:6])}" in capsys.readouterr().err
+    file.write_text(bench.parameters.replace("N01851", f"{line.replace('A1', 'A2').replace('L1', 'L9')}\nN01851"))
+    assert bench.run("X") == 0
+
+
 def test_a_coding_that_is_not_known_is_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for number, coded in ((1013, "00001000"), (1820, "102")):
         bench = Bench(tmp_path, {(number, "1"): coded})
@@ -452,6 +464,31 @@ def test_job_and_files_that_disagree_are_refused(what: str, tmp_path: Path, caps
     assert named in capsys.readouterr().err
 
 
+def test_a_travel_where_the_axis_cannot_go_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Limits -1000 to 1 (1321, 1320): targets told from the other end, 0 to 1000, are no machine coordinates."""
+    there = {"X": "travel: [0, 1000]"}
+    assert Bench(tmp_path).run("X", axes=there, targets=np.linspace(10, 990, 12)) == 3
+    assert "1320, 1321" in capsys.readouterr().err
+    assert Bench(tmp_path).run("X", axes={"X": "travel: [-1100, 0]"}) == 0
+    said_first = capsys.readouterr().out
+    assert "CW-S045" in said_first
+    (tmp_path / "off").mkdir()
+    off = Bench(tmp_path / "off", {(1320, "1"): "-1.0", (1321, "1"): "1.0"})  # 1320 below 1321: no limits are set
+    assert off.run("X", axes=there, targets=np.linspace(10, 990, 12)) == 0
+
+
+def test_diameter_is_refused_where_no_file_says_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    bench = Bench(tmp_path)
+    file = tmp_path / "CNC-PARA.TXT"
+    file.write_text(re.sub("N01006.*\n", "", bench.parameters))
+    assert bench.run("X", axes={"X": "programmed: diameter"}) == 2
+    assert "1006#3" in capsys.readouterr().err
+    bench.state = "none"
+    options = f", options: {{detection_unit: {UNIT}, first_point: 1}}"
+    assert bench.run("X", options=options, axes={"X": "programmed: diameter"}) == 2
+    assert "axes.X.programmed" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize("rapid", [False, True])
 @pytest.mark.parametrize("path", ["1", "2"])
 def test_backlash_at_rapid_traverse_changes_as_1851_does(rapid: bool, path: str, tmp_path: Path) -> None:
@@ -487,6 +524,17 @@ def test_the_synchronised_axis_gets_its_sheet_its_program_and_its_row_on_the_car
     assert leading.split()[1] != partner.split()[1]
     text = (card / "card.md").read_text()
     assert re.search(rf"\| X \(3\) \| {said(parameters, 3620, 3)} ", text)
+
+
+def test_the_sheet_is_read_where_1852_acts(tmp_path: Path) -> None:
+    """1800#4 = 1 as on the real machine: the sheet names 1852 too, and what is typed in from it is the plan's table."""
+    assert Bench(tmp_path).run("X") == 0
+    card = tmp_path / "job" / "card"
+    assert re.search("^1852,", (card / "entry_X.csv").read_text(), re.MULTILINE)
+    plan = str(tmp_path / "job" / "plan.json")
+    assert compwright(["compare", plan, "--loaded", str(card / "entry_X.csv")]) == 0
+    decode = ["decode", str(card / "entry_X.csv"), "--format", "fanuc-30i", "--option", f"detection_unit={UNIT}"]
+    assert compwright(decode) == 0
 
 
 def test_a_gantry_of_a_linear_and_a_rotary_axis_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

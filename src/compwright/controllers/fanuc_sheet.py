@@ -17,7 +17,7 @@ from compwright.records.correction import ControlFile
 
 #: Parameter (number, bit) -> units that its value may carry.
 PARAMETERS: dict[tuple[int, int | None], frozenset[str]] = {
-    **{(number, None): frozenset({"", "pulse"}) for number in (1851, 3620, 3621, 3622, 3623, 3626, 3627)},
+    **{(number, None): frozenset({"", "pulse"}) for number in (1851, 1852, 3620, 3621, 3622, 3623, 3626, 3627)},
     **{(number, None): frozenset({"mm", "deg"}) for number in (3624, 3625)},
     (3605, 0): frozenset({""}),
 }

@@ -30,6 +30,8 @@ _BY_PATH = {"length_unit": (known.INCH, 0, ("mm", "inch")), "separate_rapid": (k
 _SAME_UNIT = 1e-4
 #: Two positions are the same below this many mm or deg: a control counts in 0.0001 at the finest.
 _SAME_PLACE = 1e-6
+#: Part of the travel that may lie outside the control's limits without a word, and that is not enough inside: travels are rounded.
+_OUTSIDE = 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -270,6 +272,7 @@ class IncrementReader:
     def read(self) -> AxisCompensation | None:
         """Return what acts on the axis; None where something is wrong (then the notes have faults)."""
         kind = self.kind()
+        self.notes.faults.extend(self.parameters.contradictions(self.address))
         self.notes.faults.extend(acting.refusals(self.parameters, self.address, self.label))
         if self.axis is not None or self._does_anything():
             self.notes.faults.extend(acting.unclear_path(self.parameters, self.address, self.label, kind))
@@ -279,6 +282,7 @@ class IncrementReader:
         if systems:
             self.notes.find("CW-S043", "warning", f"{self.label}: {systems}; check the detection unit")
         self._check_wrapping(kind)
+        self._check_travel(kind)
         backlash = self._backlash(kind)
         numbers = self._numbers(kind)
         self._check_reference(kind, has_table=numbers is not None)
@@ -348,6 +352,33 @@ class IncrementReader:
                 f"{self._reference():g} (reference), which is unconfirmed: check the correction at two positions",
             )
 
+    def _check_travel(self, kind: AxisKind) -> None:
+        """Hold 1321 and 1320, the limits of the stroke, against the job's travel; where 1320 is not above 1321 none are set."""
+        if self.axis is None or (kind is AxisKind.ROTARY and acting.wraps(self.parameters, self.address) != "no"):
+            return
+        told = [self.found(name) for name in ("limit_low", "limit_high")]
+        if any(one is None or "." not in one.text for one in told):
+            return
+        said = [self.length(name, kind) for name in ("limit_low", "limit_high")]
+        if said[0] is None or said[1] is None or not said[0] < said[1]:
+            return
+        low, high = float(said[0]), float(said[1])
+        start, end = self.axis.travel
+        if min(end, high) - max(start, low) <= _OUTSIDE * (end - start):
+            self._wrong(
+                "limit_high",
+                "the travel of the job lies where the axis cannot go by its limits (1320, 1321)",
+                f"{low:g} to {high:g}: travel and targets in machine coordinates",
+                f"{start:g} to {end:g}",
+            )
+        elif (outside := max(low - start, 0.0) + max(end - high, 0.0)) > _OUTSIDE * (end - start):
+            self.notes.find(
+                "CW-S045",
+                "warning",
+                f"{self.label}: {outside:g} {kind.unit} of the travel lie outside its limits of {low:g} to {high:g} (1320, 1321): "
+                "are travel and targets in machine coordinates?",
+            )
+
     def _check_diameter(self, kind: AxisKind) -> None:
         """An axis in diameter programming: the job and 1006#3 must agree, else everything may be wrong by 2."""
         if kind is AxisKind.ROTARY:
@@ -361,6 +392,15 @@ class IncrementReader:
             self._wrong("diameter", "1006#3 says radius programming, the job diameter", "programmed: radius in the job", "diameter")
         if said != "yes" and job != "diameter":
             return
+        if said is None:
+            raise UsageError(
+                Fault(
+                    message=f"{self.label}: no file says whether the control counts the axis in diameter (1006#3)",
+                    place="programmed",
+                    expected="the parameter file with 1006, or radius, in which everything of a job counts",
+                    found="diameter",
+                )
+            )
         self.notes.find(
             "CW-S019",
             "warning",

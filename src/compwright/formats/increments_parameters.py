@@ -8,7 +8,7 @@ acts and how sure that is: docs/controllers/fanuc.md.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -80,6 +80,10 @@ class Value:
         """The value without decimals."""
         return int(Decimal(self.text))
 
+    def same(self, other: Value) -> bool:
+        """Whether another value of the parameter says the same."""
+        return self.text == other.text or Decimal(self.text) == Decimal(other.text)
+
     def bit(self, bit: int) -> bool:
         """Return one bit of eight, 0 the rightmost; a value that is no eight bits has none."""
         return bool(_BITS.fullmatch(self.text)) and self.text[7 - bit] == "1"
@@ -114,6 +118,16 @@ class Parameters:
             if found:
                 return found[-1]
         return None
+
+    def contradictions(self, address: str) -> Iterator[Fault]:
+        """Yield a fault for each parameter that holds for an axis and stands in the files twice with different values."""
+        owners = {("A", _index(address)), ("L", self.path(address) or 1), ("", 0)}
+        for values in self.values.values():
+            first: dict[tuple[str, int], Value] = {}
+            for value in values:
+                known = first.setdefault((value.owner, value.index), value)
+                if (value.owner, value.index) in owners and not value.same(known):
+                    yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
 
     def rivals(self, number: int, bits: Sequence[int], address: str) -> list[Value]:
         """Return the values of paths that could hold for an axis whose path nobody says (981) and whose ``bits`` differ."""

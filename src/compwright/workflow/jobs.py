@@ -41,19 +41,20 @@ def wrong_control(data: Mapping[str, Any]) -> Iterator[Contradiction]:
     states = data.get("states")
     files = isinstance(states, dict) and any(state and state != "none" for state in states.values())
     yield from _wrong_axis_options(data.get("axes"), control, unit_needed=not files)
-    yield from _unknown_diameter(data.get("axes"), control)
+    yield from _unknown_diameter(data.get("axes"), control, files=files)
     for name in (REFERENCE, REFERENCE_RETURN):
         if name in options:
             yield Contradiction(("controller", "options", name), "belongs to an axis", f"axes.NAME.{name}", "a controller's option")
 
 
-def _unknown_diameter(axes: object, control: Control) -> Iterator[Contradiction]:
+def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterator[Contradiction]:
     """Diameter programming is refused where nobody knows whether the control's tables then count in radius or in diameter.
 
     Everything in a job counts in radius, as the machine moves. A control whose files say how the axis is programmed checks the job
-    against them; LinuxCNC looks its table up at the position of the joint, which no diameter mode changes.
+    against them, without ``files`` there is nothing to check; LinuxCNC looks its table up at the position of the joint, which
+    no diameter mode changes.
     """
-    if "diameter" in control.definition.bindings or control.id.startswith("linuxcnc"):
+    if (files and "diameter" in control.definition.bindings) or control.id.startswith("linuxcnc"):
         return
     for name, section in axes.items() if isinstance(axes, dict) else ():
         if isinstance(section, dict) and section.get("programmed") == "diameter" and section.get("kind", "linear") == "linear":
