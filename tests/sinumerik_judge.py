@@ -271,8 +271,9 @@ def load_by_card(control: VirtualSinumerik, outcome: Outcome) -> None:
             reserve(control, outcome, register, points)
         place = re.search(r"\bLoad\b", text)
         if place is not None:
-            named = [name for name in texts if re.search(rf"(?<![\w/.]){re.escape(name)}", text)]
-            events += [(place.start(), name) for name in named or kinds(title + text, texts)]
+            named = {name: found.start() for name in texts if (found := re.search(rf"(?<![\w/.]){re.escape(name)}", text))}
+            kind = [] if named else kinds(title + text, texts)
+            events += [(at, name) for name, at in named.items()] + [(place.start(), name) for name in kind]
         for _, event in sorted(events, key=lambda e: e[0]):
             control.load(texts.get(event, event))
             left.pop(event, None)

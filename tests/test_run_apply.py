@@ -239,3 +239,33 @@ def test_the_bit_of_an_axis_is_not_changed_where_the_table_of_another_axis_hangs
     assert word in said
     assert "MP730" in said
     assert "Y.COM" in said
+
+
+# --- tables between axes that differ between the states
+
+
+@pytest.mark.parametrize(("step", "stated", "code"), [(250, False, 3), (250, True, 1), (300, True, 3), (300, False, 3)])
+def test_a_circle_taken_with_other_tables_between_the_axes_is_no_word_on_what_is_there_now(
+    folder: Path, step: int, stated: bool, code: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The control's table bends Y over X by 100 µm; the circle was taken with another one: without the sign of CEC values, and with
+    a table that is no curve (its range no multiple of STEP), nobody can take the one out and put the other in.
+    """
+
+    def written(value: str) -> str:
+        values = "".join(f"$AN_CEC[3,{n}]={value if n == 1 else 0}\n" for n in range(5))
+        grid = f"$AN_CEC_STEP[3]={step}\n$AN_CEC_MIN[3]=0\n$AN_CEC_MAX[3]=1000\n"
+        pair = "$AN_CEC_INPUT_AXIS[3]=(AX1)\n$AN_CEC_OUTPUT_AXIS[3]=(AX2)\n$AN_CEC_DIRECTION[3]=0\n$SN_CEC_TABLE_ENABLE[3]=1\n"
+        return f"$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\n$MA_CEC_ENABLE[AX2]=1\n{values}{pair}{grid}M17\n"
+
+    (folder / "NOW.INI").write_text(written("0.1"))
+    (folder / "THEN.INI").write_text(written("0"))
+    sign = "{cec_sign: error}" if stated else "{}"
+
+    def tried(then: str) -> int:
+        circles = f"[{{file: xy.csv, name: xy-150, centre: [400, -250], measured_in: {then}}}]"
+        return run(folder, SIEMENS, options=sign, apply="{}", states="[NOW.INI], then: [THEN.INI]", circles=circles)
+
+    assert tried("then") == code
+    assert ("cannot be counted with" in capsys.readouterr().err) is (code == 3)
+    assert tried("as_found") == 0

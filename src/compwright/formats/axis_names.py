@@ -51,9 +51,13 @@ class AxisNames:
         return [name for name in spoken_of if _PLACE.fullmatch(name) and name not in named]
 
     def machine_name(self, address: str) -> str | None:
-        """Return what the machine calls the axis at an address; None where the files do not say it."""
+        """Return what people call the axis at an address; None where the files do not say it.
+
+        The channel's letter where there is one (X), which measurement files have too, else the machine's name (X1).
+        """
         one = self.address(address)
-        return next((name for name in self.places if self.address(name) == one and not _PLACE.fullmatch(name)), None)
+        names = [name for name in self.places if self.address(name) == one and not _PLACE.fullmatch(name)]
+        return next((name for name in names if len(name) == 1), names[0] if names else None)
 
 
 def axis_names(definition: Definition, texts: Iterable[ReadText], asked: Sequence[str] = ()) -> AxisNames:

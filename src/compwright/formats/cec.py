@@ -6,6 +6,7 @@ that act on one pair of axes add up; one that is multiplied by another is not re
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
@@ -32,6 +33,8 @@ DATA = (*_NEEDED, "cross_multiplier", "cross_repeats")
 CEC_TABLES, CEC_RESERVED = "cec_tables", "cec_reserved"
 #: The indices of an axis' own two tables (+ first), and the limit of the sum of all corrections on it, mm or deg.
 CEC_PAIR, CEC_MAX_SUM = "cec_pair", "cec_max_sum"
+#: The tables between axes that act and of which nobody knows what they do (no sign, no curve), each with a print of its values.
+CEC_UNTOLD = "cec_untold"
 #: What the tables that cannot be read add to an axis at most, mm or deg.
 CEC_ODD_SUM = "cec_odd_sum"
 
@@ -83,7 +86,7 @@ class Cec:
     """Everything that the files say about such tables. ``reserved``: points by index; ``max_sum``: by output axis, mm or deg.
 
     ``occupied``: input and output axis by index, of tables that are left out of ``tables`` too. ``odd``: those that act, or may
-    act, and cannot be read.
+    act, and cannot be read. ``prints``: by index eight characters that change with what the files say of a table.
     """
 
     tables: tuple[CecTable, ...] = ()
@@ -91,6 +94,14 @@ class Cec:
     occupied: Mapping[int, Pair] = field(default_factory=dict)
     reserved: Mapping[int, int] = field(default_factory=dict)
     max_sum: Mapping[str, float] = field(default_factory=dict)
+    prints: Mapping[int, str] = field(default_factory=dict)
+
+    def untold(self, address: str, *, sign_known: bool) -> str:
+        """Return the tables from other axes that act on one and cannot be counted with, in words that change with their values."""
+        acting: list[CecTable | OddTable] = [table for table in self.odd if table.largest]
+        acting += [] if sign_known else [table for table in self.tables if table.active and table.values.any()]
+        mine = sorted((table for table in acting if table.output == address != table.input), key=lambda table: table.index)
+        return ", ".join(f"CEC table {table.index} over {table.input} ({self.prints[table.index]})" for table in mine)
 
     def own_axes(self) -> list[str]:
         """Return the axes with tables over themselves, switched on or not."""
@@ -153,6 +164,16 @@ def is_zero(places: Mapping[str, Sequence[Found]]) -> bool:
     return all(Decimal(row.text) == 0 for row in places.get("cross_value", ()))
 
 
+def _print(places: Mapping[str, Sequence[Found]]) -> str:
+    """Return eight characters that change with a table's values, grid, axes, direction and weight."""
+    said = [
+        f"{name} {found.occurrence.tokens.get('index', found).text} {found.text}"
+        for name in (*DATA, "cross_weight")
+        for found in places.get(name, ())
+    ]
+    return hashlib.sha256("\n".join(said).encode("utf-8", "surrogatepass")).hexdigest()[:8]
+
+
 def read_cec(
     gathered: Gathered,
     options: Mapping[str, object],
@@ -182,6 +203,7 @@ def read_cec(
             if (found := reader.one("cross_max_points", places[index], f"CEC table {index}")) is not None
         },
         max_sum=reader.max_sums(),
+        prints={index: _print(found) for index, found in places.items()},
     )
 
 

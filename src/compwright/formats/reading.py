@@ -14,7 +14,7 @@ from compwright.formats.activity import Activity
 from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.axis_reading import AxisReader, Fact
 from compwright.formats.beside import beside, check_unit
-from compwright.formats.cec import check_sums, cross_tables, read_cec, sign_question, with_own_tables
+from compwright.formats.cec import CEC_UNTOLD, check_sums, cross_tables, read_cec, sign_question, with_own_tables
 from compwright.formats.consistency import curves
 from compwright.formats.gantry import find_partners, partner_of
 from compwright.formats.gathering import Found, Gathered, gather
@@ -132,6 +132,8 @@ class _StateReader:
             reading = reader_of.read()
             compensations[address] = with_own_tables(cec, reading.compensation)
             more = beside(gathered, address, axis, self.partners, self.notes)
+            untold = cec.untold(address, sign_known=self.options.get("cec_sign") is not None)
+            more |= {CEC_UNTOLD: untold} if untold else {}
             if "units" in self.definition.options:  # limits in machine units: the axis' own reading has them in mm
                 more = {name: fact for name, fact in more.items() if name not in reading.facts}
             facts[address] = {**reading.facts, **cec.facts(address), **more}

@@ -8,12 +8,14 @@ from pathlib import Path
 
 from compwright.evaluation.expansion import remove_differential_expansion
 from compwright.formats.beside import BESIDE
+from compwright.formats.cec import CEC_UNTOLD
 from compwright.formats.options import ENCODER_SYSTEM
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, collect, raise_all
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.plausibility import skipped_finding
 from compwright.instruments.reading import read_positioning
+from compwright.jobs.consistency import AS_FOUND
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import PlannedTest
@@ -58,7 +60,15 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
             asked.extend(error.faults)
     raise_all(InputError, collect(errors))
     raise_all(UsageError, asked)
-    raise_all(InputError, [*_missing_axes(job, states), *_other_neighbours(job, states), *_other_joints(job, states)])
+    raise_all(
+        InputError,
+        [
+            *_missing_axes(job, states),
+            *_other_neighbours(job, states),
+            *_other_tables_between(job, states),
+            *_other_joints(job, states),
+        ],
+    )
     return JobInputs(tests=tests, states=states)
 
 
@@ -129,6 +139,26 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
                     )
                 )
     return faults
+
+
+def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
+    """Yield where tables between axes that cannot be counted with differ between a circle's state and what is in the control."""
+    now = states.get(AS_FOUND)
+    measured = {request.measured_in for request in job.circles} | {request.measured_in for request in job.cross}
+    for name, entry in job.axes.items():
+        for state in sorted((measured & states.keys()) - {AS_FOUND}):
+            if now is None:
+                continue
+            said = [str(one.state.facts.get(entry.axis.address, {}).get(CEC_UNTOLD, "none")) for one in (now, states[state])]
+            if said[0] != said[1]:
+                yield Fault(
+                    message=f"tables from other axes act on axis {name}, differ between the states, and cannot be counted with: a "
+                    f"circle or a cross measurement in {state} says nothing of what is in the control",
+                    file=job.file,
+                    place=f"states.{state}",
+                    expected="cec_sign in controller.options (tables that are curves), or a measurement in as_found",
+                    found=f"{AS_FOUND}: {said[0]}; {state}: {said[1]}",
+                )
 
 
 def _other_joints(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
