@@ -313,3 +313,25 @@ def test_an_endless_axis_is_endless_for_job_and_control() -> None:
         both_readers(text, axis_of("AX4", kind=AxisKind.ROTARY))
     with pytest.raises(InputError, match="MD30330"):
         both_readers(text, axis_of("AX4", kind=AxisKind.ROTARY, modulo=180.0))
+
+
+@pytest.mark.parametrize(
+    ("head", "tail", "active"), [("1", "", None), ("0", "", True), ("1", "1", None), ("0\n$MA_ENC_COMP_ENABLE[0,AX1]=1", "0", True)]
+)
+def test_a_file_with_switch_and_values_is_off_before_the_values_and_on_behind_them(
+    head: str, tail: str, active: bool | None
+) -> None:
+    """MD32700 = 1 protects a table (function manual K3): of a file that says so first the control takes none of the values."""
+    switch = "$MA_ENC_COMP_ENABLE[0,AX1]="
+    text = f"$MA_BACKLASH[0,AX1]=0\n{switch}{head}\n{eec(on=tail)}"
+    state = both_readers(text, axis_of("AX1"), active=active)
+    wanted = table("AX1", [0.0, 400.0, 800.0, 1200.0], [0.0, 0.001, 0.0, 0.002])
+    (new,) = write_tables(SIEMENS, [wanted], [axis_of("AX1")], {}, state, files(A__INI=text + "M17\n"))
+    on = {"ENABLE": 0, "values": 0}
+    for line in new.content.decode().splitlines():
+        if line.startswith(switch):
+            on["ENABLE"] = int(line.removeprefix(switch))
+        elif line.startswith("$AA_ENC_COMP"):
+            assert on["ENABLE"] == 0, line
+            on["values"] += 1
+    assert on == {"ENABLE": 1, "values": 4 + 4}

@@ -82,6 +82,12 @@ class OwnFiles:
             if not self.put(quantity, places.singles.get(quantity, ()), text):
                 self.inserted[(anchor.number, anchor.occurrence.line)].append(self._single(places, quantity, text))
 
+    def put_behind(self, places: TablePlaces, number: int, quantity: str, text: str) -> None:
+        """Put a single value on a line of its own behind everything of a table in one file."""
+        lines = [found for group in (*places.rows.values(), *places.singles.values()) for found in group if found.number == number]
+        anchor = max(lines, key=lambda found: found.occurrence.line)
+        self.inserted.setdefault((number, anchor.occurrence.line), []).append(self._single(places, quantity, text))
+
     def clear_rows(self, places: TablePlaces) -> None:
         """Set all values of a table to zero."""
         for founds in places.rows.values():

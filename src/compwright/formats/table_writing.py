@@ -143,7 +143,7 @@ class _Writer:
         rows = rows_by_index(self.own.gathered.rows.get((address, text.named["system"]), ()))
         singles = {name: said[name] for name in names if name in said}
         places = TablePlaces(rows, singles, value, {**text.named, "axis": _spelled(rows, singles, address)})
-        self._switch_on(said.get("enabled", ()))
+        self._switch_on(said.get("enabled", ()), places)
         self._reserve(said.get("max_points", ()), len(text.rows))
         if not places.anywhere:
             return placed
@@ -151,10 +151,25 @@ class _Writer:
         self.own.put_table(places, [row[field] for row in text.rows], {name: text.singles[name] for name in names})
         return placed | {value, *names}
 
-    def _switch_on(self, places: Sequence[Found]) -> None:
-        """Make the table act where the files end with it switched off; a load sequence counts by its last value."""
-        if self.own is not None and places:
-            self.own.put("enabled", places, word_text(self.definition, "enabled", "yes"))
+    def _switch_on(self, switches: Sequence[Found], table: TablePlaces) -> None:
+        """Make the table act where the files end with it switched off; a load sequence counts by its last value.
+
+        In a file that holds the values too the switch is off before them, as in a maker's program, and on behind them: a table that
+        is on is protected, and the control would take none of the values.
+        """
+        if self.own is None or not switches:
+            return
+        first: dict[int, int] = {}
+        for found in (found for group in table.rows.values() for found in group):
+            first[found.number] = min(first.get(found.number, found.occurrence.line), found.occurrence.line)
+        before = [switch for switch in switches if switch.occurrence.line < first.get(switch.number, 0)]
+        behind = [switch for switch in switches if switch not in before]
+        self.own.put("enabled", behind, word_text(self.definition, "enabled", "yes"))
+        for number in dict.fromkeys(switch.number for switch in before):
+            last = [switch for switch in before if switch.number == number][-1:]
+            self.own.put("enabled", last, word_text(self.definition, "enabled", "no"))
+            if number not in {switch.number for switch in behind}:
+                self.own.put_behind(table, number, "enabled", word_text(self.definition, "enabled", "yes"))
 
     def _reserve(self, places: Sequence[Found], count: int) -> None:
         """Reserve the points where the files say fewer than the table has: what the option promises, or where none were reserved
