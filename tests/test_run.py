@@ -549,3 +549,54 @@ def test_a_longer_test_beside_it_does_not_cover_for_the_test_of_the_table(folder
     assert compwright(["run", str(job(folder, "before: [short.csv, x.csv]"))]) == 3
     assert "less than half" in capsys.readouterr().err
     assert compwright(["run", str(job(folder, "before: [x.csv, short.csv]")), "--out", str(folder / "out")]) == 0
+
+
+@pytest.mark.parametrize(
+    ("pitch", "limit", "decision", "code"), [("5", 9, "undecided", 1), ("5", 0.5, "reject", 1), ("", 9, "accept", 0)]
+)
+def test_a_known_wave_that_the_targets_show_as_a_longer_one_leaves_a_limit_undecided(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], pitch: str, limit: float, decision: str, code: int
+) -> None:
+    """Every 25.4 mm a wave of 5 mm looks like one of 317.5 mm (1/5 - 5/25.4 per mm).
+
+    No test at these targets tells whether the table fits it."""
+    targets = 25.4 * np.arange(32)
+    (tmp_path / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
+    words = f"before: [x.csv], accept: {{A: {limit}}}" + (f", screw_pitch: {pitch}" if pitch else "")
+    assert compwright(["run", str(job(tmp_path, words))]) == code
+    said = capsys.readouterr().out
+    prediction = document(tmp_path / "job" / "prediction.json")
+    assert prediction["axes"]["X"]["accept"]["A"]["decision"] == decision
+    assert [doubt["code"] for doubt in prediction["doubts"]] == (["CW-E010"] if pitch else [])
+    if pitch:
+        assert said.index("CW-E010") < said.index("axis X")
+        card = (tmp_path / "job" / "card" / "card.md").read_text(encoding="utf-8")
+        assert card.index("Settle first") < card.index("looks like a wave of 31") < card.index("\n1. ")
+
+
+@pytest.mark.parametrize(
+    ("axis", "extra", "told"),
+    [
+        ("kind: rotary, travel: [0, 360]", "uncertainty: {device: {U: 5}}\n", "give uncertainty.rotary"),
+        ("kind: linear, travel: [0, 360]", "uncertainty: {device: {U: 5}}\nstandard: vdi3441\n", "decision_rule: simple"),
+    ],
+)
+def test_a_guarded_decision_that_lacks_its_uncertainty_says_what_to_give(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], axis: str, extra: str, told: str
+) -> None:
+    machine = Machine(high=360.0, slope=0.0, bow=0.003, lost=0.001, noise=0.0002)
+    targets = np.linspace(0.0, 350.0, 15)
+    rotary = "rotary" in axis
+    (tmp_path / "c.csv").write_text(csv_of(targets, machine.measure(targets, 1), "C", "deg" if rotary else "mm"))
+    (tmp_path / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: none}\ndecision_rule: guarded\n"
+        f"{extra}axes:\n  C: {{{axis}, address: AX4, before: [c.csv], accept: {{{'A' if rotary else 'P'}: 100}}}}\n"
+    )
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 1
+    said = " ".join(capsys.readouterr().out.split())
+    assert f"CW-P132 Axis C: no uncertainty U of {'A' if rotary else 'P'} is known" in said
+    assert told in said
+    assert told in (tmp_path / "job" / "report.html").read_text(encoding="utf-8")
+    arguments = ["verify", str(tmp_path / "job.yaml"), "--after", f"c={tmp_path / 'c.csv'}"]
+    compwright(arguments)
+    assert told in " ".join(capsys.readouterr().out.split())

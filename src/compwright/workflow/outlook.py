@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 
 from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.prediction.positioning import decide_prediction, dithered_targets, predict_test
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
@@ -85,11 +86,12 @@ def why_not_better(
 
 
 def accept_decisions(
-    entry: AxisJob, predictions: tuple[TestPrediction, ...], rule: Literal["simple", "guarded"]
+    entry: AxisJob, predictions: tuple[TestPrediction, ...], rule: Literal["simple", "guarded"], *, folded: bool = False
 ) -> Mapping[str, AcceptDecision]:
     """Return the decision about each tolerance of the job from the predicted values (limits in µm or arcsec).
 
-    ``guarded``: with the uncertainty of the measured test as guard band; undecided where it has none.
+    ``guarded``: with the uncertainty of the measured test as guard band; undecided where it has none. ``folded``: the targets
+    show a known period as a longer wave, which the table follows: nothing is accepted, because no test at these targets shows it.
     """
     accept = entry.accept
     if accept is None:
@@ -99,15 +101,29 @@ def accept_decisions(
     decisions = {}
     for name, limit in accept.limits.items():
         quantiles = magnitude(prediction.predicted[name])
-        if rule == "simple":
-            decision = decide_prediction(quantiles, limit / factor)
-            decisions[name] = AcceptDecision(limit=limit, decision=decision, test=accept.test)
-            continue
-        stated = (prediction.before.uncertainty or {}).get(name)
-        decision = "undecided" if stated is None else decide_prediction(quantiles, limit / factor, stated.U)
+        stated = (prediction.before.uncertainty or {}).get(name) if rule == "guarded" else None
+        lacking = rule == "guarded" and stated is None
+        decision = "undecided" if lacking else decide_prediction(quantiles, limit / factor, 0.0 if stated is None else stated.U)
+        if folded and decision == "accept":
+            decision = "undecided"
         U = None if stated is None else stated.U * factor
         decisions[name] = AcceptDecision(limit=limit, decision=decision, U=U, test=accept.test, rule=rule)
     return decisions
+
+
+def lacking_guard(axis: Axis, standard: str, names: Iterable[str]) -> tuple[Finding, ...]:
+    """Return what to give for guarded decisions about the parameters ``names``, which have no uncertainty (CW-P132)."""
+    lacking = ", ".join(names)
+    if not lacking:
+        return ()
+    if standard == "vdi3441":
+        give = "no uncertainty is stated for VDI/DGQ 3441; give decision_rule: simple, or another standard"
+    elif axis.kind is AxisKind.ROTARY:
+        give = "give uncertainty.rotary in the job (U of the instrument in arcsec, setup, E_VE), or decision_rule: simple"
+    else:
+        give = "give uncertainty in the job (device.U in µm and what else is known), or decision_rule: simple"
+    message = f"Axis {axis.name}: no uncertainty U of {lacking} is known, and the decision is guarded: undecided; {give}."
+    return (Finding("CW-P132", "warning", message),)
 
 
 def magnitude(quantiles: Quantiles) -> Quantiles:

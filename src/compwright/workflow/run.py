@@ -350,9 +350,9 @@ def _plan(finished: _Finished) -> Plan:
 
 def _findings(finished: _Finished) -> tuple[Finding, ...]:
     state = [finding for decoded in finished.inputs.states.values() for finding in decoded.state.findings]
-    works = (finding for work in finished.works.values() for finding in work.findings)
+    axes = (finding for prediction in finished.predictions.values() for finding in prediction.findings)
     worse = worse_circles(finished.circle_predictions)
-    return (*finished.job.findings, *state, *works, *finished.findings, *worse)
+    return (*finished.job.findings, *state, *axes, *finished.findings, *worse)
 
 
 def _doubts(finished: _Finished) -> tuple[Finding, ...]:

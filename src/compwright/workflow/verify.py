@@ -44,7 +44,7 @@ from compwright.workflow.control import (
     settled_by_files,
 )
 from compwright.workflow.inputs import read_measurement, read_test
-from compwright.workflow.outlook import DRAWS, Change, accepted_index, predict
+from compwright.workflow.outlook import DRAWS, Change, accepted_index, lacking_guard, predict
 from compwright.workflow.planning import MeasuredError, measured_error
 from compwright.workflow.verify_circles import split_after, squareness_decisions, verify_circles
 from compwright.workflow.verify_proof import (
@@ -262,7 +262,10 @@ def _verify_axis(
     if planned.fitted is None and fault is None:
         loading = replace(loading, verdict="undecided", message="The plan holds no table for this axis: nothing was to be loaded.")
     proof = () if fault else (*proof_lacking(after.test, before_test), *doubted(result, before, guarded=_guarded(job)))
-    findings = (*loading.findings, *_named(loading), *proof, *_compare_loaded(planned, read_back))
+    accept = _accept(job, planned, result, believed=loading.verdict != "measurement")
+    lacking = [name for name, entry in accept.items() if _guarded(job) and entry.U is None]
+    guard = lacking_guard(axis, result.standard, lacking)
+    findings = (*loading.findings, *_named(loading), *proof, *guard, *_compare_loaded(planned, read_back))
     return VerifiedAxis(
         before=before,
         predicted=predict(result, posterior, change, axis).predicted,
@@ -277,7 +280,7 @@ def _verify_axis(
             "margin": loading.margin,
             "message": loading.message,
         },
-        accept=_accept(job, planned, result, believed=loading.verdict != "measurement"),
+        accept=accept,
         findings=findings,
     )
 

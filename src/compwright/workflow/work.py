@@ -33,6 +33,7 @@ from compwright.workflow.outlook import (
     Correction,
     accept_decisions,
     check_limits,
+    lacking_guard,
     predict,
     predict_new_targets,
     why_not_better,
@@ -252,13 +253,16 @@ def predict_axis(work: AxisWork, loaded: DecodedState | None, rule: Literal["sim
     fitted = work.planned.fitted
     new = work.as_found if fitted is None else correction_of(loaded, axis)
     tests = tuple(predict(result, work.posterior, Change(new, work.active), axis) for result in work.results)
+    folded = any(finding.code == "CW-E010" for finding in work.posterior.findings)
+    accept = accept_decisions(work.entry, tests, rule, folded=folded)
+    lacking = [name for name, entry in accept.items() if entry.rule == "guarded" and entry.U is None]
     return AxisPrediction(
         tests=tests,
         table=loaded.state.axes[axis.address] if fitted is not None and loaded is not None else None,
         quantum=work.capacity.quantum if work.capacity is not None else None,
         limits=fitted.limits if fitted is not None else (),
-        accept=accept_decisions(work.entry, tests, rule),
-        findings=work.findings,
+        accept=accept,
+        findings=(*work.findings, *lacking_guard(axis, work.results[0].standard, lacking)),
     )
 
 
