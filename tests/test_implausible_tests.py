@@ -232,3 +232,50 @@ def test_a_test_of_another_axis_with_another_zero_is_refused(tmp_path: Path, cap
     write(tmp_path / "y.csv", targets, {sign: block + 0.0003 for sign, block in values.items()}, "Y")
     assert run(tmp_path, axes="  Y: {travel: [0, 1200], address: AX2, before: [y.csv]}\n") == 3
     assert "the same readings twice" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("fault", ["sign", "directions", "inches", "corrected", "axis"])
+def test_a_second_test_that_contradicts_the_first_is_a_doubt(tmp_path: Path, fault: str) -> None:
+    """Both are of one axis in one state; whichever is right, the table is made from the first."""
+    targets, values = readings()
+    write(tmp_path / "x.csv", targets, values)
+    targets = MACHINE.targets(count=13, seed=8)
+    other = Machine(high=1200.0, slope=-60e-6, bow=-0.004)
+    fresh = (other if fault == "axis" else MACHINE).measure(targets, 7)
+    if fault == "sign":
+        fresh = {sign: -block for sign, block in fresh.items()}
+    if fault == "corrected":
+        fresh = {sign: block - MACHINE.error(targets, sign)[:, np.newaxis] for sign, block in fresh.items()}
+    if fault == "directions":
+        fresh = {sign: fresh[-sign] for sign in fresh}
+    write(tmp_path / "x2.csv", targets / 25.4 if fault == "inches" else targets, fresh)
+    run(tmp_path, before="[x.csv, x2.csv]")
+    assert "CW-T036" in doubts(tmp_path)
+
+
+@pytest.mark.parametrize("slope", [-4e-6, 4e-6])
+def test_a_second_test_on_a_warmer_day_is_no_doubt(tmp_path: Path, slope: float) -> None:
+    """4 µm/m, a third of a degree, beside an error of 25 µm/m, at other targets and with another zero."""
+    targets, values = readings()
+    write(tmp_path / "x.csv", targets, values)
+    targets = MACHINE.targets(count=13, seed=8)
+    fresh = {sign: block + slope * targets[:, np.newaxis] for sign, block in MACHINE.measure(targets, 7).items()}
+    write(tmp_path / "x2.csv", targets, fresh)
+    assert run(tmp_path, before="[x.csv, x2.csv]") == 0
+    assert doubts(tmp_path) == []
+
+
+def test_an_endless_axis_may_be_counted_from_anywhere(tmp_path: Path) -> None:
+    """Targets from -180 to 150 on a table of 0 to 360: the same places."""
+    targets = np.arange(-180.0, 180.0, 30.0) + np.random.default_rng(2).uniform(-5.0, 5.0, 12).round(1)
+    rng = np.random.default_rng(1)
+    wave = (8.0 * np.sin(np.radians(targets)))[:, None] / 3600.0
+    values = {sign: wave - sign * 1.5 / 3600.0 + rng.normal(0, 0.3 / 3600.0, (12, 5)) for sign in (1, -1)}
+    (tmp_path / "c.csv").write_text(csv_of(targets, values, "C", "deg"))
+    path = tmp_path / "job.yaml"
+    path.write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: none}\n"
+        "axes:\n  C: {kind: rotary, travel: [0, 360], modulo: 360, address: AX4, before: [c.csv]}\n"
+    )
+    assert compwright(["run", str(path)]) == 0
+    assert doubts(tmp_path) == []

@@ -223,18 +223,21 @@ def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
 
 
 def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -> list[Finding]:
-    """CW-T007: targets outside the travel, or more than one mean interval of travel at an end without a target."""
+    """CW-T007: targets outside the travel, or more than one mean interval of travel at an end without a target.
+
+    An axis of a full turn may be counted from anywhere.
+    """
     if travel is None:
         return []
+    full_turn = test.kind is AxisKind.ROTARY and travel[1] - travel[0] >= 360.0 - 1e-6
     first, last = float(test.targets[0]), float(test.targets[-1])
-    if first < travel[0] - 1e-6 or last > travel[1] + 1e-6:
+    if not full_turn and (first < travel[0] - 1e-6 or last > travel[1] + 1e-6):
         message = (
             f"Targets {position_text(first, test)} to {position_text(last, test)} lie outside the travel "
             f"{position_text(travel[0], test)} to "
             f"{position_text(travel[1], test)}: check the offset and the sense of the positions."
         )
         return [Finding("CW-T007", "warning", message)]
-    full_turn = test.kind is AxisKind.ROTARY and travel[1] - travel[0] >= 360.0 - 1e-6
     if _is_long(test, travel) or full_turn or test.targets.size < 2:
         return []
     interval = (last - first) / (test.targets.size - 1)

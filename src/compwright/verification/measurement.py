@@ -18,7 +18,7 @@ from compwright.evaluation.plausibility import FEWEST_TARGETS, certain_fault, po
 from compwright.evaluation.readings import position_text, text_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.foundations.findings import Finding
-from compwright.records.axis import Direction, FloatArray
+from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 from compwright.records.verification import MeasurementFault
 from compwright.verification.loading import normal_score
@@ -183,7 +183,8 @@ def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Findin
         wanted = f"{max(fewest, first.targets.size)} targets from {_ends(first)}"
     elif after.targets.size < first.targets.size:
         lacks.append(f"it has {after.targets.size} targets")
-    if after.targets[0] > first.targets[0] + interval or after.targets[-1] < first.targets[-1] - interval:
+    ends = after.targets[0] > first.targets[0] + interval or after.targets[-1] < first.targets[-1] - interval
+    if ends and not (_full_turn(after) and _full_turn(first)):
         lacks.append(f"it covers {_ends(after)}")
     elif np.max(np.diff(after.targets), initial=0.0) > _GAP * widest:
         lacks.append(f"{position_text(float(np.max(np.diff(after.targets))), after)} of the travel are without a target")
@@ -194,6 +195,12 @@ def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Findin
     if lacks:
         message = f"The test after loading does not cover what the first one did: {'; '.join(lacks)}. Measure {wanted}, as before."
         yield Finding("CW-V020", "warning", message)
+
+
+def _full_turn(test: PositioningTest) -> bool:
+    """Return whether the targets go all around: then it does not matter from where they are counted."""
+    span = float(test.targets[-1] - test.targets[0])
+    return test.kind is AxisKind.ROTARY and span + 2.0 * span / max(test.targets.size - 1, 1) >= 360.0
 
 
 def _ends(test: PositioningTest) -> str:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
 from compwright.estimation.reach import longer_tests
+from compwright.evaluation.agreement import disagreeing_test
 from compwright.evaluation.standards import evaluate
 from compwright.fitting.beyond import beyond_limits
 from compwright.fitting.fit import fit_table
@@ -22,7 +23,7 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AxisJob, Job
-from compwright.records.plan import PlannedAxis
+from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.prediction import AxisPrediction
 from compwright.records.result import PositioningResult
 from compwright.workflow.changes import changed_neighbours
@@ -61,6 +62,7 @@ class AxisWork:
     as_found: Correction
     capacity: Capacity | None = None
     refused: str = ""
+    disagreeing: tuple[Finding, ...] = ()
 
     @property
     def active(self) -> Correction:
@@ -79,6 +81,7 @@ class AxisWork:
         first, *others = (result.test for result in self.results)
         own = (
             *longer_tests(first, others),
+            *self.disagreeing,
             *self.planned.estimate.findings,
             *self.posterior.findings,
             *(fitted.findings if fitted else ()),
@@ -126,7 +129,27 @@ def start_axis(job: Job, entry: AxisJob, inputs: JobInputs) -> AxisWork:
         posterior=posterior,
         planned=planned,
         as_found=correction_of(inputs.states.get(AS_FOUND), axis),
+        disagreeing=tuple(_disagreeing(tests, inputs, axis, posterior)),
     )
+
+
+def _disagreeing(tests: Sequence[PlannedTest], inputs: JobInputs, axis: Axis, posterior: MeasuredError) -> Iterator[Finding]:
+    """Yield the doubts of tests that contradict the first, each in the state that it was measured in."""
+    first, *others = tests
+    before = _compensation(inputs.states.get(first.measured_in), axis)
+    for other in others:
+        now = _compensation(inputs.states.get(other.measured_in), axis)
+        if other.measured_in != first.measured_in and (now is None or before is None):
+            continue
+        targets = other.test.targets
+        estimate = posterior.summary(targets)
+        expected = {direction: estimate.mean(direction) for direction in Direction}
+        if now is not None and before is not None and other.measured_in != first.measured_in:
+            expected = {side: mean + now.at(targets, side) - before.at(targets, side) for side, mean in expected.items()}
+        std = {Direction.POSITIVE: estimate.std_positive, Direction.NEGATIVE: estimate.std_negative}
+        finding = disagreeing_test(other.test, expected, std, estimate.noise, first.test.name)
+        if finding is not None:
+            yield finding
 
 
 def _compensation(decoded: DecodedState | None, axis: Axis) -> AxisCompensation | None:
