@@ -87,3 +87,88 @@ def test_the_joints_of_a_gantry_get_one_table_each(tmp_path: Path) -> None:
     names = sorted(path.name for path in (tmp_path / "job" / "tables" / "linuxcnc").iterdir())
     assert names == ["joint_1.comp", "joint_1.ini", "joint_2.comp", "joint_2.ini"]
     assert "BACKLASH becomes 0" in (tmp_path / "job" / "card" / "card.md").read_text(encoding="utf-8")
+
+
+# --- what decides a unit, and whether a table can act at all (LinuxCNC documentation, ini-config: LINEAR_UNITS, WRAPPED_ROTARY)
+
+
+def write_job(folder: Path, axis: str, *, states: str, options: str = "{}") -> int:
+    (folder / "job.yaml").write_text(
+        f"compwright: 1\ncontroller: {{format: linuxcnc, options: {options}}}\nstates: {{as_found: {states}}}\naxes:\n  {axis}\n"
+    )
+    return compwright(["run", str(folder / "job.yaml"), "--force"])
+
+
+def measured(folder: Path, seed: int = 1) -> None:
+    targets = MACHINE.targets()
+    (folder / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, seed)))
+
+
+X = 'X: {address: "0", travel: [0, 200], before: [x.csv]}'
+
+
+def test_a_table_in_inches_is_not_read_as_mm_because_nobody_repeats_the_unit(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    measured(tmp_path)
+    assert write_job(tmp_path, X, states="none", options="{units: inch}") == 0
+    loaded = tmp_path / "loaded"
+    loaded.mkdir()
+    for file in (tmp_path / "job" / "tables" / "linuxcnc").iterdir():
+        (loaded / file.name).write_bytes(file.read_bytes())
+    measured(tmp_path, 2)
+    capsys.readouterr()
+    assert write_job(tmp_path, X, states="[loaded]") == 2
+    said = capsys.readouterr().err
+    assert "controller.options.units" in said
+    assert "nobody says the machine's unit" in said
+    assert write_job(tmp_path, X, states="[loaded]", options="{units: inch}") == 0
+
+
+def test_a_unit_that_the_ini_contradicts_is_refused_even_where_it_is_the_default(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    measured(tmp_path)
+    (tmp_path / "machine.ini").write_text(INI)  # inch
+    assert write_job(tmp_path, X, states="[machine.ini]", options="{units: mm}") == 2
+    assert "controller.options.units" in capsys.readouterr().err
+
+
+def rotary(folder: Path, ini: str, more: str = "") -> int:
+    turn = Machine(low=0.0, high=360.0, slope=0.0, bow=0.003, lost=0.002)  # deg
+    targets = turn.targets()
+    rows = [
+        f"{x},{'+' if sign > 0 else '-'},{run},{3600 * value:.4f}\n"
+        for sign, block in turn.measure(targets, 1).items()
+        for x, readings in zip(targets, block, strict=True)
+        for run, value in enumerate(readings, start=1)
+    ]
+    (folder / "a.csv").write_text("target_deg,direction,run,deviation_arcsec\n" + "".join(rows))
+    (folder / "machine.ini").write_text(ini)
+    axis = f'A: {{kind: rotary, address: "1", travel: [0, 360], before: [a.csv]{more}}}'
+    return write_job(folder, axis, states="[machine.ini]")
+
+
+@pytest.mark.parametrize(("word", "code"), [("WRAPPED_ROTARY = 1", 3), ("WRAPPED_ROTARY = 0", 0), ("", 0)])
+def test_a_wrapped_rotary_axis_gets_no_table(tmp_path: Path, word: str, code: int, capsys: pytest.CaptureFixture[str]) -> None:
+    """The joint counts on past 360; a table holds its end value there (seen in runs of LinuxCNC 2.9)."""
+    ini = (
+        "[KINS]\nKINEMATICS = trivkins coordinates=XA\n[TRAJ]\nLINEAR_UNITS = mm\nANGULAR_UNITS = degree\n"
+        f"[AXIS_A]\n{word}\n[AXIS_X]\nWRAPPED_ROTARY = 0\n[JOINT_0]\nBACKLASH = 0\n[JOINT_1]\nTYPE = ANGULAR\nBACKLASH = 0\n"
+    )
+    assert rotary(tmp_path, ini) == code
+    assert ("[AXIS_A] WRAPPED_ROTARY" in capsys.readouterr().err) == (code == 3)
+
+
+def test_a_table_that_no_joint_names_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    measured(tmp_path)
+    (tmp_path / "machine.ini").write_text(
+        "[TRAJ]\nLINEAR_UNITS = mm\n[JOINT_0]\nBACKLASH = 0.001\n[JOINT_1]\nCOMP_FILE = comp/y.comp\n"
+    )
+    rows = "0 0 0\n200 200.005 200.006\n"
+    (tmp_path / "old.comp").write_text(rows)
+    (tmp_path / "y.comp").write_text(rows)
+    assert write_job(tmp_path, X, states="[machine.ini, old.comp, y.comp]") == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "old.comp is not named by any axis" in said
+    assert "y.comp is not named" not in said

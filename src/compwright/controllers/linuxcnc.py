@@ -160,6 +160,7 @@ class _Loader:
         numbers = {number for ini in self.inis for number in ini.joints()}
         orphans = self._orphans(numbers)
         self._kinematics()
+        self._wrapped(numbers | set(orphans))
         found = {number: self._from_ini(number) for number in numbers}
         found |= {number: self._from_orphan(number, name) for number, name in orphans.items()}
         if not found and not self.faults:
@@ -176,6 +177,23 @@ class _Loader:
             if value is not None and value.text.split()[0].lower() in _MIXING:
                 message = "[KINS] KINEMATICS: an axis moves several joints here, and a table acts on one joint"
                 self.faults.append(value.fault(message, expected="trivkins, where each joint is an axis"))
+
+    def _wrapped(self, numbers: set[int]) -> None:
+        """A wrapped rotary axis counts on past its turn, where the end of a table holds: no table can serve it."""
+        for ini in self.inis if self.request.reference else ():
+            kinematics = ini.find("KINS", "KINEMATICS")
+            said = re.search("coordinates=([A-Za-z]+)", kinematics.text) if kinematics is not None else None
+            letters = said.group(1).upper() if said is not None else _LETTERS
+            for number in sorted(numbers):
+                if number >= len(letters) or not self.request.asks_for(str(number)):
+                    continue
+                value = ini.find(f"AXIS_{letters[number]}", "WRAPPED_ROTARY")
+                if value is not None and leading_number(value.text) not in (None, 0.0):
+                    message = (
+                        f"[AXIS_{letters[number]}] WRAPPED_ROTARY: the axis counts on past its turn, and a table of joint {number} "
+                        "does not repeat: beyond its last row its end value acts"
+                    )
+                    self.faults.append(value.fault(message, expected="WRAPPED_ROTARY = 0 and an axis with ends"))
 
     def _orphans(self, numbers: set[int]) -> dict[int, str]:
         """Return the tables that no INI names, by the joint that is taken to load them."""

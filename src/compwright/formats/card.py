@@ -159,13 +159,14 @@ def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
         "reference": f"{axis.reference:.10g}",
         "reference_return": axis.reference_return.value,
         "unit": axis.kind.unit,
-        "gantry": _gantry(axis),
+        "gantry": gantry_words(axis),
         "referencing": _REFERENCING[axis.encoder.type],
         **files,
     }
 
 
-def _gantry(axis: Axis) -> str:
+def gantry_words(axis: Axis) -> str:
+    """Return what the card says of the synchronised axis of a gantry."""
     if axis.gantry is None:
         return (
             f"Axis {axis.name} leads no gantry as far as the job says. If it does, stop: a table on the leading axis alone "

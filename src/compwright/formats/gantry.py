@@ -19,8 +19,8 @@ SAME_TABLE = 1e-6
 
 
 def partner_of(axis: Axis, address: str) -> Axis:
-    """Return the synchronised axis of a gantry: everything but its address is as the leading axis has it."""
-    return replace(axis, name=f"{axis.name} ({address})", address=address, gantry=None)
+    """Return the synchronised axis of a gantry: everything but its address and its number is as the leading axis has it."""
+    return replace(axis, name=f"{axis.name} ({address})", address=address, gantry=None, axis_number=None)
 
 
 def find_partners(

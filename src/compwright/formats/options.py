@@ -25,11 +25,14 @@ WHOLE_CONTROL = frozenset({"units", "cec_sign", "straightness", "program"})
 ENCODER_SYSTEM = "encoder_system"
 
 
-def resolve_options(definition: Definition, given: Mapping[str, object], state: ControlState | None = None) -> Mapping[str, object]:
+def resolve_options(
+    definition: Definition, given: Mapping[str, object], state: ControlState | None = None, *, strict: bool = False
+) -> Mapping[str, object]:
     """Return a value for every option: the given one, converted, or the default.
 
     ``given`` may hold text from the command line (``"0.001"``, ``"3,4"``). With a ``state``, an option that the control's own files
-    answer for all axes alike (such as the unit) takes that answer. Raises UsageError with every fault: unknown option, a value of
+    answer for all axes alike (such as the unit) takes that answer. ``strict``: every one of ``given`` was said
+    by somebody, not taken from defaults. Raises UsageError with every fault: unknown option, a value of
     the wrong kind, a choice that is not built yet, a value that contradicts the control's files.
     """
     faults: list[Fault] = []
@@ -53,7 +56,7 @@ def resolve_options(definition: Definition, given: Mapping[str, object], state: 
     if values[REFERENCE_RETURN] not in ("+", "-"):
         faults.append(_wrong(REFERENCE_RETURN, definition, "+ or -", values[REFERENCE_RETURN]))
     if state is not None:
-        _settle_shared(definition, values, given, state, faults)
+        _settle_shared(definition, values, given, state, faults, strict=strict)
     raise_all(UsageError, faults)
     return Required(values, section="options", file=definition.file)
 
@@ -123,7 +126,13 @@ def settled_number(definition: Definition, name: str, options: Mapping[str, obje
 
 
 def _settle_shared(
-    definition: Definition, values: dict[str, object], given: Mapping[str, object], state: ControlState, faults: list[Fault]
+    definition: Definition,
+    values: dict[str, object],
+    given: Mapping[str, object],
+    state: ControlState,
+    faults: list[Fault],
+    *,
+    strict: bool,
 ) -> None:
     for name, rule in definition.options.items():
         if rule.settled_by is None or rule.option_wins:
@@ -132,7 +141,7 @@ def _settle_shared(
         if len(said) != 1:
             continue
         fact = said.pop()
-        if name in given and values[name] not in (fact, rule.default):
+        if name in given and values[name] not in ((fact,) if strict else (fact, rule.default)):
             faults.append(
                 Fault(
                     message=f"the option of {definition.id} contradicts the control's own files",

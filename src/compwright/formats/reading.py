@@ -329,8 +329,15 @@ class _StateReader:
 
     def _after(self, texts: Sequence[ReadText]) -> None:
         """Note what concerns the files as a whole."""
+        binding = self.definition.bindings.get("table_file")
+        named = {
+            re.split(r"[/\\\\]", occurrence.tokens[binding.field].text.strip())[-1]
+            for text in texts
+            for occurrence in text.occurrences
+            if binding is not None and occurrence.statement == binding.statement and binding.field is not None
+        }
         for text in self._table_texts(texts):
-            if text.number not in self.used_files and not self.wanted:
+            if text.number not in self.used_files and (not self.wanted or text.file not in named):
                 self.notes.idle_file(f"{text.file} is not named by any axis: the control does not load it")
         for text in texts:
             variants = [occurrence.line for occurrence in text.occurrences if occurrence.variant]

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from compwright.documents.decode import assumed_documents
-from compwright.formats.card import card_steps_of_all, card_values, file_names, loading_order
+from compwright.formats.card import card_steps_of_all, card_values, file_names, gantry_words, loading_order
 from compwright.formats.diff import compare_files
 from compwright.formats.gantry import partner_of
 from compwright.foundations.units import outside_factor, outside_unit
@@ -192,19 +192,22 @@ def changes_csv(changes: Mapping[str, Any]) -> bytes:
 
 def _steps(control: Control, written: Mapping[str, AxisWork], loaded: DecodedState | None) -> list[dict[str, Any]]:
     """Return the steps in the order of the definition; what is the same for all axes stands once."""
-    axes = []
+    axes, both = [], []
+    tells = any("{gantry}" in rule.text for rule in control.definition.card)
     for work in written.values():
         axis, fitted = work.planned.axis, work.planned.fitted
         facts = loaded.state.facts.get(axis.address, {}) if loaded else {}
         where = check_positions(work, correction_of(loaded, axis))
         values = card_values(control.definition, axis, fitted.compensation, control.options, facts, where) if fitted else {}
         axes.append((axis, {**values, **_named_files(control, axis, loaded)}))
-        if axis.gantry is not None and fitted and loaded and control.definition.layout.shape == "section_increments":
-            partner = partner_of(axis, axis.gantry)  # the same table, on numbers of its own
+        if axis.gantry is not None and fitted and loaded and not tells:
+            partner = partner_of(axis, axis.gantry)  # the same table, on numbers and in files of its own
             facts = loaded.state.facts.get(axis.gantry, {})
             values = card_values(control.definition, partner, fitted.compensation, control.options, facts, where)
-            axes.append((partner, values | {"sheet": f"{axis.name}_{axis.gantry}"}))
-    return [
+            sheet = axis.gantry if control.definition.layout.shape == "user_tables" else f"{axis.name}_{axis.gantry}"
+            axes.append((partner, {**values, **_named_files(control, partner, loaded), "sheet": sheet}))
+            both.append({"title": f"{axis.name} and {axis.gantry} together", "text": gantry_words(axis), "evidence": "inferred"})
+    return [{**step, "heads": (), "rows": ()} for step in both] + [
         {"title": step.title, "text": step.text, "evidence": step.evidence, "heads": step.heads, "rows": step.rows}
         for step in card_steps_of_all(control.definition, axes)
     ]

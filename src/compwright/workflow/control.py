@@ -90,7 +90,7 @@ class Control:
         Raises UsageError where an option that was given contradicts the files.
         """
         try:
-            return replace(self, options=resolve_options(self.definition, self.given, state))
+            return replace(self, options=resolve_options(self.definition, self.given, state, strict=True))
         except UsageError as error:
             raise self.origin.named(error) from error
 

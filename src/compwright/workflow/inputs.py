@@ -12,6 +12,7 @@ from compwright.formats.cec import CEC_UNTOLD
 from compwright.formats.options import ENCODER_SYSTEM
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, collect, raise_all
+from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.plausibility import skipped_finding
 from compwright.instruments.reading import read_positioning
@@ -25,6 +26,8 @@ from compwright.workflow.measurement_files import measurement_files
 
 #: Letters of axes: an axis of the job that bears another name says nothing of the control's own letters.
 _LETTERS = "XYZABCUVW"
+#: A table over the travel, read in the wrong unit, is 25.4 times too short or long; it may reach over 0.8 of the travel only.
+_SAME_RANGE = 1.25
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +72,7 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
             *_other_joints(job, states),
         ],
     )
+    raise_all(UsageError, list(_unsaid_units(job, control, states)))
     return JobInputs(tests=tests, states=states)
 
 
@@ -184,6 +188,30 @@ def _other_joints(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Faul
                     place=f"{place}.gantry",
                     expected=" or ".join(f'gantry: "{other}"' for other in others),
                     found=said,
+                )
+
+
+def _unsaid_units(job: Job, control: Control, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
+    """Yield where nobody says the machine's unit, and a table as read is as much too short or long as inches read as mm are."""
+    rule = control.definition.options.get("units")
+    if rule is None or "units" in control.given:
+        return
+    for name, decoded in states.items():
+        for entry in job.axes.values():
+            axis, found = entry.axis, decoded.state.axes.get(entry.axis.address)
+            facts = decoded.state.facts.get(axis.address, {})
+            if found is None or found.positions.size < 2 or axis.kind is not AxisKind.LINEAR or rule.settled_by in facts:
+                continue
+            ratio = (axis.travel[1] - axis.travel[0]) / float(found.positions[-1] - found.positions[0])
+            if max(ratio, 1 / ratio) > MILLIMETRES_PER_INCH / _SAME_RANGE:
+                yield Fault(
+                    message=f"axis {axis.name}: nobody says the machine's unit, and its table in the state {name}, read in "
+                    f"{control.options['units']}, does not fit the travel",
+                    file=job.file,
+                    place="controller.options.units",
+                    expected=" or ".join(rule.choices) + ", or the whole INI file with LINEAR_UNITS among the files",
+                    found=f"a table from {found.positions[0]:g} to {found.positions[-1]:g} mm, a travel from "
+                    f"{axis.travel[0]:g} to {axis.travel[1]:g} mm",
                 )
 
 
