@@ -335,3 +335,13 @@ def test_a_file_with_switch_and_values_is_off_before_the_values_and_on_behind_th
             assert on["ENABLE"] == 0, line
             on["values"] += 1
     assert on == {"ENABLE": 1, "values": 4 + 4}
+
+
+@pytest.mark.parametrize("before", ["$SN_CEC_TABLE_ENABLE[20]=1\n", "$MA_CEC_ENABLE[AX1]=1\n"])
+def test_a_file_that_has_a_cec_table_on_before_its_values_is_not_written(before: str) -> None:
+    """SD41300 and MD32710 protect a table like MD32700 (function manual K3); values first, then the switches, is written."""
+    values = cec(20, ("AX1", "AX1"), value="0", step=85) + cec(21, ("AX1", "AX1"), value="0", step=85)
+    on = "$SN_CEC_TABLE_ENABLE[20]=1\n$SN_CEC_TABLE_ENABLE[21]=1\n$MA_CEC_ENABLE[AX1]=1\n"
+    with pytest.raises(CapacityError, match="before its values"):
+        pair_into(before + eec() + values + on.replace(before, ""))
+    assert "$AN_CEC[20,1]=" in pair_into(eec() + values + on)

@@ -150,6 +150,7 @@ class CecWriter:
                     )
                 )
                 continue
+            self._protected(index, address, faults)
             self.own.clear_rows(self._table_places(index))
 
     def _quiet(self, index: int) -> bool:
@@ -237,10 +238,33 @@ class CecWriter:
                 singles = self._spelled(entry, places)
                 if "cross_table_enabled" not in places.singles:  # the control's own file says what it says of the switch
                     singles.pop("cross_table_enabled", None)
+                self._protected(entry.index, pair[1], faults)
                 self.own.put_table(places, entry.rows, singles)
             self._switch_on(entry.index)
         self._switch_on_sum(pair[1], faults)
         return left
+
+    def _protected(self, index: int, output: str, faults: list[Fault]) -> None:
+        """Refuse a file that has a table switched on before its values: the control would take none of them when it is loaded."""
+        on_axis = self.own.gathered.singles.get((output, None), {}) if self.own is not None else {}
+        first: dict[int, int] = {}
+        for row in self.places[index].get("cross_value", ()):
+            first[row.number] = min(first.get(row.number, row.occurrence.line), row.occurrence.line)
+        for switches in (self.places[index].get("cross_table_enabled", ()), on_axis.get("cross_axis_enabled", ())):
+            for number, line in first.items():
+                mine = [switch for switch in switches if switch.number == number]
+                before = [switch for switch in mine if switch.occurrence.line < line]
+                if not before or (before[-1] is not mine[-1] and same_value(before[-1].text, "0")):
+                    continue
+                fault = Fault(
+                    message=f"CEC table {index}: this file has it switched on (SD41300, MD32710) before its values, which are "
+                    "protected then: the control would take none of them",
+                    file=before[-1].occurrence.file,
+                    place=before[-1].occurrence.place,
+                    expected="the values before the switch, or in a file of their own, as the control exports them (NC_CEC.INI)",
+                    found=f"the first value in line {line}",
+                )
+                faults.append(fault)
 
     def _table_places(self, index: int) -> TablePlaces:
         places = self.places.get(index, {})
