@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import re
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from functools import wraps
@@ -14,6 +15,7 @@ import click
 
 from compwright import __version__
 from compwright.foundations.command_inputs import start_command
+from compwright.foundations.command_words import Form, spread
 from compwright.foundations.errors import CompwrightError, Fault, StorageError, UsageError
 from compwright.foundations.processors import use_one_thread
 
@@ -38,16 +40,48 @@ class _PathType(click.ParamType[Path]):
         return Path(str(value))
 
 
+class _Command(click.Command):
+    """A command whose options take several values at once where their value ends in ``...``; see `command_words`."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        forms = {
+            name: Form(flag=param.is_flag or param.count, several=param.multiple, more=_MORE.get(name, _another))
+            for param in self.get_params(ctx)
+            if isinstance(param, click.Option)
+            for name in param.opts
+        }
+        files = [param for param in self.params if isinstance(param, click.Argument)]
+        many = any(param.nargs < 0 for param in files)
+        return super().parse_args(ctx, spread(args, forms, needed=sum(param.required for param in files), many=many))
+
+
+class _Group(click.Group):
+    command_class = _Command
+    group_class = type
+
+
+_STANDARD_ID = re.compile(r"(iso[0-9-]+|gost[0-9]+):[0-9]{4}|vdi[0-9]+")
+
+
+def _another(value: str, word: str) -> bool:  # noqa: ARG001 - any word may be one more file, except behind `none`
+    return value != "none"
+
+
+#: What one more value of these options looks like; of the others any word.
+_MORE: Mapping[str, Callable[[str, str], bool]] = {
+    "--option": lambda _, word: "=" in word,
+    "--standard": lambda _, word: _STANDARD_ID.fullmatch(word.lower()) is not None,
+}
 _PATH = _PathType()
 _json = click.option(
     "--json", "json_path", type=_PATH, metavar="PATH|-", help="Write the answer as JSON to a file, or with - to standard output."
 )
 _force = click.option("--force", is_flag=True, help="Replace files that exist already.")
 _option = click.option(
-    "--option", "options", multiple=True, metavar="K=V", help="An option of the control; see compwright formats show ID."
+    "--option", "options", multiple=True, metavar="K=V...", help="An option of the control; see compwright formats show ID."
 )
 _state = click.option(
-    "--state", "states", multiple=True, metavar="none|FILE", help="What is active in the control: none, or each of its files."
+    "--state", "states", multiple=True, metavar="none|FILE...", help="What is active in the control: none, or its files."
 )
 
 
@@ -162,7 +196,7 @@ def _json_file(json_path: Path | None) -> Path | None:
     return None if _on_output(json_path) else json_path
 
 
-@click.group(context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.group(cls=_Group, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
 @click.version_option(__version__, prog_name="compwright")
 def compwright() -> None:
     """Bring a machine axis back to accuracy: evaluate tests, fit and export compensation tables, predict, verify."""
@@ -170,7 +204,7 @@ def compwright() -> None:
 
 @compwright.command()
 @click.argument("paths", nargs=-1, required=True, metavar="FILE|FOLDER...", type=_PATH)
-@click.option("--standard", "standards", multiple=True, metavar="ID", help=f"One per kind of test: {_STANDARDS}.")
+@click.option("--standard", "standards", multiple=True, metavar="ID...", help=f"One per kind of test: {_STANDARDS}.")
 @click.option(
     "--spread", type=click.Choice(["std", "range"]), default="std", help="How s is estimated (range: 1988 and GOST only)."
 )
@@ -312,8 +346,8 @@ def decode(
     multiple=True,
     required=True,
     type=_PATH,
-    metavar="FILE",
-    help="What was read back from the control; file or folder.",
+    metavar="FILE...",
+    help="What was read back from the control; files or folders.",
 )
 @_json
 @_force
@@ -339,7 +373,13 @@ def compare(
 
 @compwright.command()
 @click.option(
-    "--from", "files", multiple=True, required=True, type=_PATH, metavar="FILE", help="A file of the control, or a folder of them."
+    "--from",
+    "files",
+    multiple=True,
+    required=True,
+    type=_PATH,
+    metavar="FILE...",
+    help="Files of the control, or a folder of them.",
 )
 @click.option("--format", "format_id", required=True, metavar="ID", help="The control, see compwright formats list.")
 @_option
@@ -367,9 +407,9 @@ def new(
 
 @compwright.command()
 @click.argument("job_file", metavar="JOB.yaml", type=_PATH)
-@click.option("--after", multiple=True, required=True, metavar="[TEST=]FILE", help="A test made after loading.")
+@click.option("--after", multiple=True, required=True, metavar="[TEST=]FILE...", help="Tests made after loading.")
 @click.option("--plan", type=_PATH, help="Folder of the run, or its plan.json; default: where run puts it.")
-@click.option("--loaded", multiple=True, type=_PATH, metavar="FILE", help="What was read back from the control.")
+@click.option("--loaded", multiple=True, type=_PATH, metavar="FILE...", help="What was read back from the control.")
 @click.option("--out", type=_PATH, help="Folder for the results; default: that of the run.")
 @_json
 @_force

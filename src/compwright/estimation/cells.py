@@ -207,8 +207,8 @@ def _folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) -
         longer = "a constant" if np.isinf(wave) else f"a wave of {wave:.4g} {unit}"
         message = (
             f"At these targets, {interval:.4g} {unit} apart, an error of period {period:g} {unit} looks like {longer}: the two "
-            "cannot be told apart, the period is not fitted, and no limit is accepted. Measure at targets with random offsets to see "
-            "it"
+            "cannot be told apart, the period is not fitted, and no limit is accepted. Measure at targets with random "
+            "offsets to see it"
         )
         found.append(Finding("CW-E010", "warning", message))
     return found
