@@ -361,6 +361,26 @@ def test_a_parameter_that_stands_there_twice_is_refused(line: str, tmp_path: Pat
     assert bench.run("X") == 0
 
 
+@pytest.mark.parametrize("newline", ["\r\n", "\n\r\r"])
+def test_other_line_ends_are_read_and_kept(newline: str, tmp_path: Path) -> None:
+    """Backups with LF CR CR are known from the field; 1820, 1013 and 1006 stand in lines that begin behind a CR there."""
+    bench = Bench(tmp_path)
+    for name in ("CNC-PARA.TXT", "PITCH.TXT"):
+        path = tmp_path / name
+        path.write_bytes(path.read_text().replace("\n", newline).encode())
+    assert bench.run("X") == 0
+    written = (tmp_path / "job" / "tables" / "fanuc-30i" / "CNC-PARA.TXT").read_bytes()
+    assert written.count(newline.encode()) == bench.parameters.count("\n") == written.count(b"\n")
+
+
+def test_a_reference_beside_machine_zero_is_said_first(tmp_path: Path) -> None:
+    """No page says whether the grid hangs on machine zero or on the reference position: the table hangs on it."""
+    bench = Bench(tmp_path, {(1240, "1"): "-500.0"})
+    assert bench.run("X", axes={"X": "reference: -500"}) == 0
+    doubts = json.loads((tmp_path / "job" / "prediction.json").read_text())["doubts"]
+    assert any(doubt["code"] == "CW-S018" and "1240" in doubt["message"] for doubt in doubts)
+
+
 def test_a_coding_that_is_not_known_is_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     for number, coded in ((1013, "00001000"), (1820, "102")):
         bench = Bench(tmp_path, {(number, "1"): coded})

@@ -41,7 +41,7 @@ _KEPT = {*_MACHINE, *(number for numbers in (*_BY_AXIS.values(), *_BY_NAME.value
 #: From here on a number may be that of a point.
 _POINTS_FROM = 10000
 
-_ROW = re.compile(rb"^[ \t]*N[ \t]*([0-9]{3,6})(?![0-9])[ \t]*(?:Q[ \t]*([0-9]+))?([^\r\n]*)", re.MULTILINE)
+_ROW = re.compile(rb"(?<![^\r\n])[ \t]*N[ \t]*([0-9]{3,6})(?![0-9])[ \t]*(?:Q[ \t]*([0-9]+))?([^\r\n]*)")
 _GROUP = re.compile(r"(?:([AL])\s*([0-9]+)\s*)?([PMI])\s*(-?[0-9.]+)")
 
 
