@@ -65,7 +65,7 @@ def user_tables_capacity(definition: Definition, axis: Axis, options: Mapping[st
         period=TURN if endless else None,
         line=step if line else None,
         nodes=None if fixed is None else tuple(float(node) for node in fixed),
-        cover=0 if endless or line else 1,
+        cover=0 if endless or line or axis.kind is AxisKind.ROTARY else 1,  # of a turn only 0 to 360 degrees are used
         below=definition.layout.below,
         above=definition.layout.above,
         assumed=tuple(_assumed(definition, axis, own, second=second)),
