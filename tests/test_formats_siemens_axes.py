@@ -124,7 +124,7 @@ def test_a_pair_of_a_turn_repeats_too() -> None:
     options = {"cec": "available", "cec_tables": [0, 1], "cec_sign": "correction"}
     new = closed([0.0, 0.002, 0.0], [0.001, -0.002, 0.001])
     written = write_tables(SIEMENS, [new], [ROUND], options)
-    assert written[-1].content.decode().count("IS_MODULO[0]=1\n") == 1
+    assert written[0].content.decode().count("IS_MODULO[0]=1\n") == 1
     back = decode(open_control("siemens-840d-sl", options), written, [ROUND]).state.axes["AX4"]
     where = np.array([-300.0, 45.0, 359.9, 700.0])
     for direction in Direction:

@@ -273,7 +273,6 @@ $AN_CEC_STEP[4]=400.000000
 $AN_CEC_DIRECTION[4]=1
 $AN_CEC_MULT_BY_TABLE[4]=0
 $AN_CEC_IS_MODULO[4]=0
-$SN_CEC_TABLE_ENABLE[4]=1
 $AN_CEC[7,0]=-0.004000
 $AN_CEC[7,1]=-0.001000
 $AN_CEC[7,2]=-0.006500
@@ -285,18 +284,19 @@ $AN_CEC_STEP[7]=400.000000
 $AN_CEC_DIRECTION[7]=-1
 $AN_CEC_MULT_BY_TABLE[7]=0
 $AN_CEC_IS_MODULO[7]=0
-$SN_CEC_TABLE_ENABLE[7]=1
 M17
 """
 
 
+def on(*tables: int) -> str:
+    return "; by hand: $MA_CEC_ENABLE[AX1]=1\n" + "".join(f"$SN_CEC_TABLE_ENABLE[{index}]=1\n" for index in tables)
+
+
 def test_two_curves_go_into_a_pair_and_nothing_else_acts() -> None:
     written = texts(write_tables(SIEMENS, [TWO], [axis_of("AX1", system=2)], CEC))
-    assert list(written) == ["AX1_MD.INI", "AX1_CEC.INI"]
+    assert list(written) == ["AX1_CEC.INI", "AX1_MD.INI"]
     assert written["AX1_CEC.INI"] == WRITTEN
-    assert written["AX1_MD.INI"] == (
-        "CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.000000\n$MA_ENC_COMP_ENABLE[1,AX1]=0\n$MA_CEC_ENABLE[AX1]=1\nM17\n"
-    )
+    assert written["AX1_MD.INI"] == (f"CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.000000\n$MA_ENC_COMP_ENABLE[1,AX1]=0\n{on(4, 7)}M17\n")
     turned = texts(write_tables(SIEMENS, [TWO], [axis_of("AX1")], {**CEC, "cec_sign": "error"}))
     assert "$AN_CEC[7,2]=0.006500\n" in turned["AX1_CEC.INI"]
 
@@ -347,14 +347,15 @@ def test_free_tables_are_taken_in_their_order_and_others_never() -> None:
     written = patch(RAMP + MD + "M17\n", TWO, {"cec": "available", "cec_tables": [0, 9, 3, 5], "cec_sign": "correction"})
     assert set(written) == {"A.INI", "AX1_MD.INI", "AX1_CEC.INI"}
     assert written["A.INI"] == RAMP + MD + "M17\n"
-    assert written["AX1_MD.INI"] == "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n$MA_CEC_ENABLE[AX1]=1\nM17\n"
+    assert written["AX1_MD.INI"] == f"CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n{on(9, 3)}M17\n"
     assert written["AX1_CEC.INI"] == WRITTEN.replace("[4", "[9").replace("[7", "[3")
 
 
 def test_reserved_memory_is_filled_in_place() -> None:
     blank = cec(4, [0.0, 0.0], (0, 0, 0), ("AX2", "AX2")) + "$SN_CEC_TABLE_ENABLE[4]=0\n$SN_CEC_TABLE_WEIGHT[4]=0.5\n"
     written = patch(blank + MD + "$MA_CEC_ENABLE[AX1]=0\n$MA_ENC_COMP_ENABLE[0,AX1]=0\nM17\n", TWO, CEC)
-    assert set(written) == {"A.INI", "AX1_CEC.INI"}
+    assert set(written) == {"A.INI", "AX1_CEC.INI", "AX1_MD.INI"}
+    assert written["AX1_MD.INI"] == "CHANDATA(1)\n$SN_CEC_TABLE_ENABLE[7]=1\nM17\n"
     for line in (
         "$AN_CEC[4,2]=-0.0015000",
         "$AN_CEC_INPUT_AXIS[4]=(AX1)",
@@ -385,7 +386,7 @@ def test_the_leadscrew_table_is_switched_off_where_a_pair_is_written() -> None:
     assert "$MA_ENC_COMP_ENABLE[0,AX1]=0\n" in written["A.INI"]
     assert written["A.INI"].startswith(EEC)
     silent = patch(EEC + "$MA_BACKLASH[0,AX1]=0.012\nM17\n", TWO, CEC)
-    assert silent["AX1_MD.INI"] == "CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n$MA_CEC_ENABLE[AX1]=1\nM17\n"
+    assert silent["AX1_MD.INI"] == f"CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n{on(4, 7)}M17\n"
 
 
 def test_an_old_pair_is_emptied_where_one_curve_is_written() -> None:
@@ -502,7 +503,7 @@ def test_squareness_is_a_ramp_of_two_points() -> None:
 
 def test_straightness_by_direction_takes_a_pair_of_free_tables_and_adds_up() -> None:
     bow = cross([0.0, 0.003, 0.0], [0.001, 0.004, 0.001])
-    given = files(A__INI=RAMP + PAIR + MD + "M17\n")
+    given = files(A__INI=RAMP + PAIR + MD + "$MA_CEC_ENABLE[AX2]=1\nM17\n")
     state = read_state(SIEMENS, given, {"cec_sign": "correction"})
     options = {"cec": "available", "cec_tables": [0, 4, 5, 6], "cec_sign": "correction"}
     written = write_cross(SIEMENS, [bow], options, state, given)
@@ -552,7 +553,9 @@ def test_cross_tables_need_the_option_free_memory_and_room() -> None:
         write_cross(
             SIEMENS, [cross([0.0, 0.1], axes=("AX1", "ax1"))], {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}
         )
-    given = files(A__INI=f"{RAMP}$MA_CEC_MAX_SUM[AX2]=0.02\n$MN_MM_CEC_MAX_POINTS[1]=2\n$MA_BACKLASH[0,AX2]=0\nM17\n")
+    given = files(
+        A__INI=f"{RAMP}$MA_CEC_ENABLE[AX2]=1\n$MA_CEC_MAX_SUM[AX2]=0.02\n$MN_MM_CEC_MAX_POINTS[1]=2\n$MA_BACKLASH[0,AX2]=0\nM17\n"
+    )
     state = read_state(SIEMENS, given, {"cec_sign": "correction"})
     options = {"cec": "available", "cec_tables": [1], "cec_sign": "correction"}
     assert write_cross(SIEMENS, [cross([0.0, 0.004])], options, state, given)

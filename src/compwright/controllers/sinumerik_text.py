@@ -78,6 +78,8 @@ _CYLINDER = re.compile(r"SN_CEC_(?!TABLE)\w+")
 _MENTION = re.compile(r"ENC_COMP|BACKLASH|\$\s*\w*CEC|(?:AN|MA|MN|MM|SN)_CEC", re.IGNORECASE)
 _NAME = re.compile(r"\$\s*([A-Za-z]\w*)")
 _HEADER = re.compile(r"%_N_", re.IGNORECASE)
+#: A comment in files of compwright: what the card has somebody set by hand after loading them.
+_BY_HAND = re.compile(r"; by hand: (?=\$)")
 _PATH = re.compile(r"\$PATH\s*=", re.IGNORECASE)
 _END = re.compile(r"(?:N\d+\s*)?M(?:17|30|0?2)(?!\d)", re.IGNORECASE)
 _ASSIGNMENT = re.compile(
@@ -177,7 +179,7 @@ def read_file(file: ControlFile) -> FileContent:
     program = _Program()
     for number, raw in enumerate(re.split(r"\r\n|\n|\r", file.content.decode("latin-1")), start=1):
         line = raw.lstrip("\xef\xbb\xbf") if number == 1 else raw
-        code = line.lstrip()
+        code = _BY_HAND.sub("", line, count=1) if line.startswith("; by hand: ") else line.lstrip()
         if _HEADER.match(code):
             _note_end(program, file.name, found, last=False)
             program = _Program(number, len(found.assignments))

@@ -36,6 +36,7 @@ from compwright.formats.scale import Scale
 from compwright.formats.schema import Choice, Definition, When
 from compwright.formats.statements import print_form
 from compwright.formats.tables import write_table
+from compwright.formats.texts import BY_HAND
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState, CrossCompensation
@@ -209,8 +210,6 @@ class CecWriter:
             "cross_multiplier": "0",
             "cross_repeats": word_text(self.definition, "cross_repeats", "no" if curve.period is None else "yes"),
         }
-        if direction is not None and pair[0] == pair[1]:  # so that the files say that the pair acts
-            singles["cross_table_enabled"] = word_text(self.definition, "cross_table_enabled", "yes")
         self._reserve(index, len(table.rows), faults)
         return Entry(index, tuple(row[field] for row in table.rows), singles)
 
@@ -235,11 +234,8 @@ class CecWriter:
             if self.own is None or not held:  # a switch alone is no place for a table
                 left.append(entry)
             else:
-                singles = self._spelled(entry, places)
-                if "cross_table_enabled" not in places.singles:  # the control's own file says what it says of the switch
-                    singles.pop("cross_table_enabled", None)
                 self._protected(entry.index, pair[1], faults)
-                self.own.put_table(places, entry.rows, singles)
+                self.own.put_table(places, entry.rows, self._spelled(entry, places))
             self._switch_on(entry.index)
         self._switch_on_sum(pair[1], faults)
         return left
@@ -270,7 +266,7 @@ class CecWriter:
         places = self.places.get(index, {})
         return TablePlaces(
             rows_by_index(places.get("cross_value", ())),
-            {name: places[name] for name in (*DATA, "cross_table_enabled") if name in places and name != "cross_value"},
+            {name: places[name] for name in DATA if name in places and name != "cross_value"},
             "cross_value",
             {"table": str(index)},
         )
@@ -294,16 +290,21 @@ class CecWriter:
                 self.own.put(quantity, self.places.get(index, {}).get(quantity, ()), "1")
 
     def _switch_on_sum(self, output: str, faults: list[Fault]) -> None:
-        """Switch the sum on an axis on where the files switch it off, unless that would wake tables that are not ours."""
+        """Switch the sum on an axis on where the files switch it off, unless that would wake tables that are not ours.
+
+        Where no file says whether it is on, somebody will switch it on by hand: the same tables must not sleep there either.
+        """
         if self.own is None:
             return
         on_axis = self.own.gathered.singles.get((output, None), {})
         self._check_shared(output, on_axis, faults)
         places = on_axis.get("cross_axis_enabled", ())
-        if not places or not same_value(places[-1].text, "0"):
-            return  # what no file switches off counts as on, and that is listed
+        if places and not same_value(places[-1].text, "0"):
+            return
         others = [index for index in self.places if self._may_wake(index, output)]
-        if others:
+        if not places:
+            self._check_unsaid(output, [index for index in others if self.in_use[index] != (output, output)], faults)
+        elif others:
             faults.append(
                 Fault(
                     message=f"axis {output}: its CEC tables are switched off together (MD32710 $MA_CEC_ENABLE); switching them on "
@@ -316,6 +317,21 @@ class CecWriter:
             )
         else:
             self.own.put("cross_axis_enabled", places, "1")
+
+    def _check_unsaid(self, output: str, others: Sequence[int], faults: list[Fault]) -> None:
+        if not others:
+            return
+        place = next(found for found in self.places[others[0]]["cross_output"])
+        faults.append(
+            Fault(
+                message=f"axis {output}: no file says whether its CEC tables are on (MD32710 $MA_CEC_ENABLE); if they are off, "
+                f"switching ours on would wake others too: {', '.join(map(str, others))}",
+                file=place.occurrence.file,
+                place=place.occurrence.place,
+                expected=f"MD32710 of {output} among the files, or SD41300 = 0 for the other tables on this axis",
+                found="in no file",
+            )
+        )
 
     def _may_wake(self, index: int, output: str) -> bool:
         """Whether a table that is not ours begins to correct ``output`` when MD32710 is switched on."""
@@ -361,8 +377,19 @@ class CecWriter:
             for index, text in enumerate(entry.rows):
                 lines.append(self._line("cross_value", entry.index, text, index=str(index)))
             lines += [self._line(quantity, entry.index, text) for quantity, text in entry.singles.items()]
+        if when == "cross":  # no file of the set holds their switches
+            lines += [f"{self._comment()}{BY_HAND}{line}" for line in self.switches(entries)]
         lines += [print_form(line, named) for line in file.footer]
         return ControlFile(print_form(file.name, named), "".join(line + newline for line in lines).encode("ascii"))
+
+    def _comment(self) -> str:
+        return next(kind.comment_marks[0] for kind in self.definition.texts.values() if kind.comment_marks)
+
+    def switches(self, entries: Sequence[Entry]) -> list[str]:
+        """Return the lines that switch new tables on where the control's own files say nothing of it: they come last."""
+        on = word_text(self.definition, "cross_table_enabled", "yes")
+        unsaid = [entry.index for entry in entries if not self.places.get(entry.index, {}).get("cross_table_enabled")]
+        return [self._line("cross_table_enabled", index, on) for index in unsaid]
 
     def _line(self, quantity: str, table: int, text: str, **more: str) -> str:
         binding = self.definition.bindings[quantity]

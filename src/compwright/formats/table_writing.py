@@ -86,6 +86,7 @@ class _Writer:
     def write(self, address: str, axis: Axis, compensation: AxisCompensation, faults: list[Fault]) -> list[ControlFile]:
         """Put one axis into the control's own files and return new files with what has no place there."""
         fresh: list[ControlFile] = []
+        switches: list[str] = []
         self.options = axis_options(self.definition, self.shared, axis)
         compensation = self._turned(address, axis, compensation, faults)
         self.cec.allow(self.options)
@@ -93,12 +94,13 @@ class _Writer:
         if text.when == "two_curves":
             left = self.cec.own_pair(address, axis, compensation, faults)
             fresh = [self.cec.new_file("two_curves", address, left)] if left else []
+            switches = self.cec.switches(left)
         if has_cross(self.definition):
             self.cec.empty_own(address, axis.name, faults)
         placed = self._put(address, text)
         files = [file for file in self.definition.writing if file.when in ("always", text.when) and not self._pair_file(file)]
-        made = [_file(self.definition, file, text, placed, faults) for file in files if not file.optional]
-        return [*(file for file in made if file is not None), *fresh]
+        made = [_file(self.definition, file, text, placed, switches, faults) for file in files if not file.optional]
+        return [*fresh, *(file for file in made if file is not None)]  # what switches tables on is loaded last
 
     def _turned(self, address: str, axis: Axis, compensation: AxisCompensation, faults: list[Fault]) -> AxisCompensation:
         """Return the table of an endless axis over the control's own range: from its beginning, once around."""
@@ -208,10 +210,13 @@ def _spelled(rows: Mapping[int, Sequence[Found]], singles: Mapping[str, Sequence
     return found[0].occurrence.tokens["axis"].text if found and "axis" in found[0].occurrence.tokens else address
 
 
-def _file(definition: Definition, file: WrittenFile, text: _Text, placed: set[str], faults: list[Fault]) -> ControlFile | None:
+def _file(
+    definition: Definition, file: WrittenFile, text: _Text, placed: set[str], switches: Sequence[str], faults: list[Fault]
+) -> ControlFile | None:
     """Return one file: the skeleton of the definition with its single values set and the rows put in.
 
-    ``placed``: quantities that stand in the control's own files and are left out; None when nothing is left.
+    ``placed``: quantities that stand in the control's own files and are left out; None when nothing is left. ``switches``: lines
+    before the end of a file without rows.
     """
     newline = definition.dialect.newline
     header = "".join(print_form(line, text.named) + newline for line in file.header)
@@ -220,6 +225,10 @@ def _file(definition: Definition, file: WrittenFile, text: _Text, placed: set[st
     skeleton = (header + "".join(footer)).encode("ascii")
     changes: list[Change] = []
     left = 0
+    if switches and file.rows is None:
+        end = len(header) + sum(len(line) for line in footer[:-1])
+        changes.append(Change(end, end, "".join(line + newline for line in switches).encode("ascii")))
+        left += 1
     if file.rows is not None and curves(definition)[0] not in placed:
         form = definition.statements[file.rows].form
         rows = [print_form(form, {**text.named, **row}) for row in text.rows]

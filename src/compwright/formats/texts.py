@@ -19,6 +19,8 @@ from compwright.records.correction import ControlFile
 _BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]")
 _OPEN = "("
 _ENCLOSED = re.compile(r"\([^()]*\)")
+#: Stands behind a comment mark, before a statement that compwright leaves to somebody at the control: it counts as said.
+BY_HAND = " by hand: "
 _UTF8_MARK = "\xef\xbb\xbf"  # the byte order mark, seen as single bytes
 
 
@@ -131,6 +133,9 @@ class _KindReader:
         """Return the line up to its comment."""
         if not self.kind.comment_marks:
             return line.text
+        for mark in self.kind.comment_marks:
+            if line.text.startswith(mark + BY_HAND):  # places stay as they are
+                return line.text.replace(mark + BY_HAND, " " * len(mark + BY_HAND), 1)
         if not self.kind.comments_anywhere:
             return "" if line.text.lstrip(" \t").startswith(self.kind.comment_marks) else line.text
         if self.kind.comment_marks == (_OPEN,):  # such a comment has an end; places stay as they are

@@ -96,7 +96,7 @@ def write_planned(
         files=files,
         after=after,
         totals=_totals(planned, after, axes),
-        steps=tuple(_written_step(entry, new, after) for entry in planned),
+        steps=tuple(step for entry in planned for step in _written_steps(entry, new, before, after)),
     )
 
 
@@ -355,34 +355,53 @@ def _matrixkins(entry: PlannedCross) -> str:
     )
 
 
-def _loading(entry: PlannedCross, new: Sequence[ControlFile], after: DecodedState) -> str:
-    """Return how the tables between two axes get into a SINUMERIK, in the order of a builder's own programs."""
-    pair = (entry.added.input, entry.added.output)
-    tables = ", ".join(str(index) for index, axes in sorted(tables_in(after.state.facts).items()) if axes == pair)
-    named = ", ".join(file.name for file in new)
-    return (
-        f"MD18342 $MN_MM_CEC_MAX_POINTS of table {tables} must be at least {entry.added.positions.size}. "
-        f"Set MD32710 $MA_CEC_ENABLE[{pair[1]}] = 0 and SD41300 $SN_CEC_TABLE_ENABLE = 0 for it, NEW CONF; load {named}. "
-        f"Check the sign before the table acts: with 0.1 in every point of it a dial gauge on {pair[1]} must show + for "
-        "cec_sign: correction, - for cec_sign: error; else load nothing and run again with the other one. "
-        "Then MD32710 = 1, NEW CONF, SD41300 = 1, NEW CONF, NCK reset. "
-    )
+def _written_steps(
+    entry: PlannedCross, new: Sequence[ControlFile], before: DecodedState | None, after: DecodedState
+) -> list[dict[str, str]]:
+    """Return how the new tables between two axes get into a SINUMERIK: sign first, then the data, the switches last.
 
-
-def _written_step(entry: PlannedCross, new: Sequence[ControlFile], after: DecodedState) -> dict[str, str]:
+    Tables of the same axes that were there before are none of ours, and stay as they are.
+    """
     added = entry.added
-    factor, unit = outside_factor(added.output_kind.unit), shown_unit(added.output_kind.unit)
+    pair = (added.input, added.output)
+    others = {} if before is None else tables_in(before.state.facts)
+    mine = [str(index) for index, axes in sorted(tables_in(after.state.facts).items()) if axes == pair and index not in others]
+    tables = " and ".join(mine)
+    which = f"table {tables}" if len(mine) == 1 else f"tables {tables}"
+    each = "it" if len(mine) == 1 else "each of them"
+    named = " and ".join(file.name for file in new)
+    own_unit = added.output_kind.unit
+    factor, unit = outside_factor(own_unit), shown_unit(own_unit)
     ends = ", ".join(
         f"{value * factor:+.2f} {unit} at {entry.input} {position:g}"
         for position, value in zip(added.positions[[0, -1]], added.positive[[0, -1]], strict=True)
     )
-    return {
-        "title": f"{entry.output} over {entry.input}",
-        "text": (
-            f"{_loading(entry, new, after)}"
-            f"{_label(entry)}: {entry.output} is moved by {ends}, 0 at the reference of {entry.input}. "
-            f"Work offsets of {entry.output} shift with {entry.input}: probe them again. "
-            "Check the sign with a square or a dial gauge before production."
+    enable, switch = f"MD32710 $MA_CEC_ENABLE[{pair[1]}]", "SD41300 $SN_CEC_TABLE_ENABLE"
+    label = f"{entry.output} over {entry.input}"
+    texts = {
+        "reserve and switch off": (
+            f"MD18342 $MN_MM_CEC_MAX_POINTS must be at least {added.positions.size} for {which}. Set {enable} = 0 and {switch} = 0 "
+            f"for {which}, NEW CONF. Note what MD32710 was before: if it was 0, find out what else sleeps on axis {pair[1]} (every "
+            "other table with this output axis and a value that is not 0), and switch it off (SD41300 = 0) before anything else. "
+            "MD32710 would wake it."
         ),
-        "evidence": "inferred",
+        "check the sign": (
+            f"Before {named} is loaded: write 0.1 {own_unit} into every point of {which} and switch {each} on for this check: "
+            f"MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial gauge on {pair[1]} must show +0.1 {own_unit} for cec_sign: "
+            f"correction, -0.1 {own_unit} for cec_sign: error. If it does not: load nothing, and run again with the other one. "
+            "Write 0 again and switch off as in the step before."
+        ),
+        "load": (
+            f"Load {named}. {_capital(_label(entry))}: {entry.output} is moved by {ends}, 0 at the reference of {entry.input}."
+        ),
+        "switch on": (
+            f"If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {pair[1]}, first. Set {enable} = 1, NEW CONF, then "
+            f"{switch} = 1 for {which}, NEW CONF, NCK reset. Work offsets of {entry.output} shift with {entry.input}: probe them "
+            "again. Hold the result against a square or a dial gauge before production."
+        ),
     }
+    return [{"title": f"{label}: {title}", "text": text, "evidence": "inferred"} for title, text in texts.items()]
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
