@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import pytest
 
+from compwright.formats.diff import compare_files
 from compwright.formats.reading import read_state
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
@@ -345,3 +346,11 @@ def test_a_file_that_has_a_cec_table_on_before_its_values_is_not_written(before:
     with pytest.raises(CapacityError, match="before its values"):
         pair_into(before + eec() + values + on.replace(before, ""))
     assert "$AN_CEC[20,1]=" in pair_into(eec() + values + on)
+
+
+def test_an_entry_is_named_in_full() -> None:
+    """What stands between the brackets of an input axis is its value; the entry is the name before."""
+    old, new = cec(3, ("AX1", "AX1")) + NAMES, cec(3, ("AX3", "AX1")) + NAMES.replace("Y1", "Y2")
+    changes = compare_files(SIEMENS, files(A__INI=old), files(A__INI=new)).changes
+    told = {(change.entry, change.old, change.new) for change in changes}
+    assert told == {("$AN_CEC_INPUT_AXIS[3]", "AX1", "AX3"), ("$MN_AXCONF_MACHAX_NAME_TAB[1]", "Y1", "Y2")}

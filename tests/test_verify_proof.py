@@ -358,3 +358,30 @@ def test_an_answer_whether_the_state_acted_that_was_edited_is_refused(folder: Pa
     assert not stale_plan(job, plan, "plan.json")
     told = stale_plan(replace(job, active={"as_found": False}), replace(plan, active={"as_found": True}), "plan.json")
     assert [fault.place for fault in told] == ["states.as_found.active"]
+
+
+@pytest.mark.parametrize(
+    ("before", "edited", "told"),
+    [
+        ("travel: [0, 800]", "travel: [0, 801.5]", "axis X: travel: {}; expected [0, 801.5], found [0, 800]"),
+        ("before:", "encoder: {type: absolute, system: 2}, before:", "axis X: encoder.system: {}; expected 2, found 1"),
+        ("before:", "encoder: {type: absolute}, before:", "axis X: encoder.type: {}; expected absolute, found incremental"),
+        ("before:", "table: {spacing: 25}, before:", "axis X: table.spacing: {}; expected 25, found not given"),
+        ("before:", "screw_pitch: [10, 5], before:", "axis X: screw_pitch: {}; expected [10, 5], found []"),
+        ("before:", 'reference_return: "-", before:', "axis X: reference_return: {}; expected -, found +"),
+        ("before:", "options: {points: 40}, before:", "axis X: options.points: {}; expected 40, found not given"),
+    ],
+)
+def test_what_was_edited_is_said_in_the_words_of_the_job(
+    folder: Path, capsys: pytest.CaptureFixture[str], before: str, edited: str, told: str
+) -> None:
+    (folder / "after.csv").write_text(csv_of(TARGETS, honest(folder)))
+    path = folder / "job.yaml"
+    text = path.read_text()
+    assert before in text
+    path.write_text(text.replace(before, edited, 1))
+    assert verify(folder, "after.csv")[0] == 3
+    said = capsys.readouterr().err
+    message = "the plan was made for another job, or before the job was edited; run the job again, or name its own plan with --plan"
+    assert told.format(message) in said
+    assert not any(mark in said for mark in ("Encoder", "(", "Direction", "None", "{"))

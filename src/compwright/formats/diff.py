@@ -116,7 +116,7 @@ def _label(statement: Statement, occurrence: Occurrence, field: str) -> str:
     values = {name: token.text for name, token in occurrence.tokens.items()}
     marked = {**values, **{name: "\0" for name in statement.fields if name not in _IDENTITY}}
     text = print_form(statement.form, {name: marked.get(name, "") for name in (*statement.fields, *marked)})
-    label = text.split("\0")[0].rstrip("PMI= ")
+    label = text.split("\0")[0].rstrip('PMI=( "')
     kind = statement.fields.get(field)
     if kind == "bit":
         return f"{label} bit {field[1:]}"

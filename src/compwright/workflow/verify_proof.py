@@ -8,7 +8,7 @@ already; warnings that can only make the values larger (drift, a traverse or a r
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, is_dataclass
 from itertools import combinations
 from pathlib import Path
 from typing import Any, Final
@@ -19,7 +19,6 @@ from compwright.documents.verification import VerifiedAxis, VerifiedCircle
 from compwright.evaluation.repeats import Named, same_measurement
 from compwright.foundations.errors import CompwrightError, Fault
 from compwright.foundations.findings import Finding
-from compwright.records.axis import Axis
 from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.records.positioning import PositioningTest
@@ -79,13 +78,25 @@ def _axes_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
         yield "axes", ", ".join(sorted(names)), ", ".join(sorted(planned))
     for name in sorted(names & planned):
         mine, theirs = job.axes[name], plan.axes[name]
-        for field in fields(Axis):
-            one, other = getattr(mine.axis, field.name), getattr(theirs.axis, field.name)
-            if one != other:
-                yield f"axis {name}: {field.name}", _text(one), _text(other)
-        if mine.table != theirs.request:
-            yield f"axis {name}: table", _text(mine.table), _text(theirs.request)
+        yield from _differences(f"axis {name}: ", mine.axis, theirs.axis)
+        yield from _differences(f"axis {name}: table.", mine.table, theirs.request)
         yield from _tests_differ(job, mine, theirs)
+
+
+def _differences(place: str, mine: Any, theirs: Any) -> Iterator[tuple[str, str, str]]:
+    """Yield what two records of one kind say otherwise, each by the name of its key in the job."""
+    for field in fields(mine):
+        one, other = getattr(mine, field.name), getattr(theirs, field.name)
+        if not field.compare or one == other:
+            continue
+        if is_dataclass(one):
+            yield from _differences(f"{place}{field.name}.", one, other)
+        elif isinstance(one, Mapping):
+            for key in sorted({*one, *other}):
+                if _plain(one.get(key)) != _plain(other.get(key)):
+                    yield f"{place}{field.name}.{key}", _text(one.get(key)), _text(other.get(key))
+        else:
+            yield f"{place}{field.name}", _text(one), _text(other)
 
 
 def _tests_differ(job: Job, mine: AxisJob, theirs: PlannedAxis) -> Iterator[tuple[str, str, str]]:
@@ -140,6 +151,13 @@ def _plain(value: Any) -> Any:
 
 
 def _text(value: Any) -> str:
+    """Return a value as a job writes it."""
+    if value is None:
+        return "not given"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_text, value))}]"
     return f"{value:g}" if isinstance(value, float) else str(value)
 
 
