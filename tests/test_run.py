@@ -600,3 +600,31 @@ def test_a_guarded_decision_that_lacks_its_uncertainty_says_what_to_give(
     arguments = ["verify", str(tmp_path / "job.yaml"), "--after", f"c={tmp_path / 'c.csv'}"]
     compwright(arguments)
     assert told in " ".join(capsys.readouterr().out.split())
+
+
+@pytest.mark.parametrize("moved", [False, True])
+def test_export_to_another_control_reads_its_state_by_the_new_addresses(
+    folder: Path, capsys: pytest.CaptureFixture[str], moved: bool
+) -> None:
+    """The plan is of a FANUC, axis 1; the SINUMERIK calls the axis AX1 and has an EEC table of +2 µm errors in it."""
+    (folder / "fanuc.yaml").write_text(
+        "compwright: 1\ncontroller: {format: fanuc-30i, options: {detection_unit: 0.001, first_point: 100}}\n"
+        "states: {as_found: none}\naxes:\n  X: {travel: [0, 800], address: 1, before: [x.csv]}\n"
+    )
+    assert compwright(["run", str(folder / "fanuc.yaml")]) == 0
+    lines = [f"$AA_ENC_COMP[0,{n},AX1]={value}" for n, value in enumerate((0.0, 0.002, 0.0))]
+    lines += ["$AA_ENC_COMP_STEP[0,AX1]=400", "$AA_ENC_COMP_MIN[0,AX1]=0", "$AA_ENC_COMP_MAX[0,AX1]=800"]
+    lines += ["$AA_ENC_COMP_IS_MODULO[0,AX1]=0", "$MA_ENC_COMP_ENABLE[0,AX1]=1", "$MA_BACKLASH[0,AX1]=0.001", "M17"]
+    (folder / "E.INI").write_text("\n".join(lines) + "\n")
+    words = ["export", str(folder / "fanuc" / "plan.json"), "--format", "siemens-840d-sl", "--state", str(folder / "E.INI")]
+    address = ["--option", "address.X=AX1"] if moved else ["--option", "address.X=AX2"]
+    code = compwright([*words, *address, "--out", str(folder / "other")])
+    said = capsys.readouterr()
+    if moved:
+        assert code == 0, said.err
+        written = (folder / "other" / "E.INI").read_text()
+        assert "$AA_ENC_COMP_STEP[0,AX1]" in written
+        assert "$MA_BACKLASH[0,AX1]=0.001" not in written
+    else:
+        assert code == 3
+        assert "no file says anything about axis AX2" in said.err

@@ -50,25 +50,21 @@ def export_plan(
     raise_all(UsageError, _unknown(addresses, plan, str(path)))
     given = {**plan.options, **options} if plan.format == format_id else options
     control = open_control(format_id, given)
-    state = _state(plan, control, states, str(path), active=active)
+    moved, taken = _axes_here(plan, control, addresses)
+    state = _state(plan, control, list(moved.values()), states, str(path), active=active)
     refuse_added_again(plan, path, state)
     control = control.in_state(state.state)
     fitted = []
     errors: list[CompwrightError] = []
-    assumed: list[Assumption] = [*control.assumed(state.state), *state.state.assumed]
+    assumed: list[Assumption] = [*control.assumed(state.state), *state.state.assumed, *taken]
     for name, entry in plan.axes.items():
         if entry.wanted is None or entry.fitted is None:
             continue
-        asked = addresses.get(name, entry.axis.address if plan.format == format_id else name)
-        address, assumption = normal_address(control.definition, replace(entry.axis, address=asked))
-        # Options are a control's own; those of the plan's control, read from its files or stated, say nothing of another.
-        own = entry.axis.options if plan.format == format_id else {}
-        axis = replace(entry.axis, address=address, options=own)
-        assumed.extend([assumption] if assumption else [])
+        axis = moved[name]
         try:
             one_curve = entry.request.mode == "single"
             capacity = capacity_for(control.definition, axis, control.options, state.state, one_curve=one_curve)
-            fitted.append((axis, fit_within(entry.wanted, capacity, entry.request, address=address)))
+            fitted.append((axis, fit_within(entry.wanted, capacity, entry.request, address=axis.address)))
         except CapacityError as error:
             errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))
     raise_all(CapacityError, collect(errors))
@@ -84,7 +80,7 @@ def export_plan(
     files, _ = write_fitted(control, fitted, state)
     axes = {axis.name: axis for axis, _ in fitted}
     tabled = [axis.name for axis, table in fitted if table.compensation.positions.size]
-    cross = write_planned(control, [_addressed(entry, axes) for entry in plan.cross], files, state, axes, tabled)
+    cross = write_planned(control, [_addressed(entry, moved) for entry in plan.cross], files, state, axes, tabled)
     written = storage.write_files(
         out,
         {file.name: file.content for file in cross.files},
@@ -92,6 +88,26 @@ def export_plan(
         known=lambda _name, content: not any(file.content == content for files in plan.states.values() for file in files),
     )
     return ExportOutcome(files=tuple(written), assumed=tuple(dict.fromkeys(assumed)), missing=missing, findings=cross.findings)
+
+
+def _axes_here(plan: Plan, control: Control, addresses: Mapping[str, str]) -> tuple[dict[str, Axis], list[Assumption]]:
+    """Return the axes of the plan as this control names them, and what had to be assumed for it.
+
+    Of the plan's own control all of them; of another one those that get something, or whose name the user gives. Options are a
+    control's own: those of the plan's control, read from its files or stated, say nothing of another.
+    """
+    same = plan.format == control.id
+    crossing = {name for entry in plan.cross for name in (entry.input, entry.output)}
+    axes: dict[str, Axis] = {}
+    assumed = []
+    for name, entry in plan.axes.items():
+        if not (same or entry.fitted is not None or name in addresses or name in crossing):
+            continue
+        asked = addresses.get(name, entry.axis.address if same else name)
+        address, assumption = normal_address(control.definition, replace(entry.axis, address=asked))
+        axes[name] = replace(entry.axis, address=address, options=entry.axis.options if same else {})
+        assumed += [assumption] if assumption is not None and entry.fitted is not None else []
+    return axes, assumed
 
 
 def _addressed(entry: PlannedCross, axes: Mapping[str, Axis]) -> PlannedCross:
@@ -118,8 +134,10 @@ def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]
     ]
 
 
-def _state(plan: Plan, control: Control, states: Sequence[str], file: str, *, active: bool | None) -> DecodedState:
-    axes = [entry.axis for entry in plan.axes.values()]
+def _state(
+    plan: Plan, control: Control, axes: Sequence[Axis], states: Sequence[str], file: str, *, active: bool | None
+) -> DecodedState:
+    """Return what is in the control, by its files; ``axes`` as this control names them."""
     if list(states) == ["none"]:
         return decode(control, (), axes)
     if "none" in states:
