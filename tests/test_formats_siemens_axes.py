@@ -97,7 +97,8 @@ def test_a_turn_from_a_reference_is_told_from_the_beginning_of_the_range() -> No
     """Whether a control finds its way into a table of 90 to 450 deg is not known: the same turn is written as 0 to 360."""
     axis = replace(ROUND, reference=90.0)
     new = closed([0.0, -0.0025, 0.001, 0.0004, 0.0], start=90.0)
-    written = write_tables(SIEMENS, [new], [axis], {})
+    state = siemens(TURN.replace("M17", "$MA_ROT_IS_MODULO[AX4]=1\nM17"), axis)
+    written = write_tables(SIEMENS, [new], [axis], {}, state)
     text = written[0].content.decode()
     for line in ("MIN[0,AX4]=0.000000", "MAX[0,AX4]=360.000000", "[0,0,AX4]=-0.000400", "[0,1,AX4]=0.000000", "[0,2,AX4]=0.002500"):
         assert f"{line}\n" in text
@@ -105,7 +106,7 @@ def test_a_turn_from_a_reference_is_told_from_the_beginning_of_the_range() -> No
     where = np.array([-300.0, 45.0, 90.0, 359.9, 700.0])
     np.testing.assert_allclose(back.at(where, POSITIVE), new.at(where, POSITIVE), rtol=0, atol=1e-12)  # deg
     with pytest.raises(CapacityError, match="MD30340"):  # no node at 0
-        write_tables(SIEMENS, [closed([0.0, -0.0025, 0.0], start=90.0)], [axis], {})
+        write_tables(SIEMENS, [closed([0.0, -0.0025, 0.0], start=90.0)], [axis], {}, state)
 
 
 def test_a_turn_is_patched_into_the_own_file() -> None:

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 import pytest
 
+from compwright.formats.capacity import capacity_for
 from compwright.formats.diff import compare_files
 from compwright.formats.reading import read_state
 from compwright.formats.writing import write_tables
@@ -354,3 +355,43 @@ def test_an_entry_is_named_in_full() -> None:
     changes = compare_files(SIEMENS, files(A__INI=old), files(A__INI=new)).changes
     told = {(change.entry, change.old, change.new) for change in changes}
     assert told == {("$AN_CEC_INPUT_AXIS[3]", "AX1", "AX3"), ("$MN_AXCONF_MACHAX_NAME_TAB[1]", "Y1", "Y2")}
+
+
+@pytest.mark.parametrize("word", ["HX", "ON", "B12"])
+def test_a_mask_that_cannot_be_read_is_no_zero(word: str) -> None:
+    with pytest.raises(InputError, match="MD32750"):
+        both_readers(f"{eec()}$MA_TEMP_COMP_TYPE[AX1]={word}\n", axis_of("AX1"))
+
+
+def test_a_basic_system_that_no_file_says_is_listed() -> None:
+    noted = {note.fact: note for note in both_readers(eec(), axis_of("AX1")).assumed}
+    assert "AX1" in noted["basic system (MD10240)"].evidence
+    for line in ("METRIC\n", "$MN_SCALING_SYSTEM_IS_METRIC=1\n"):
+        assert "basic system (MD10240)" not in {note.fact for note in both_readers(line + eec(), axis_of("AX1")).assumed}
+
+
+def test_the_limit_of_the_sum_is_listed_where_no_file_says_it() -> None:
+    def said(text: str) -> bool:
+        state = read_state(SIEMENS, files(A__INI=text + "M17\n"), OPTIONS, [axis_of("AX1")])
+        return any("MD32720" in note.fact for note in capacity_for(SIEMENS, axis_of("AX1"), OPTIONS, state).assumed)
+
+    assert said(eec())
+    assert not said(eec() + "$MA_CEC_MAX_SUM[AX1]=1\n")
+
+
+ROUND = replace(axis_of("AX4", kind=AxisKind.ROTARY, modulo=360.0), reference=90.0)
+TURN_TABLE = replace(
+    table("AX4", [90.0, 180.0, 270.0, 360.0, 450.0], [0.0, 0.001, 0.0, 0.002, 0.0], kind=AxisKind.ROTARY), period=360.0
+)
+
+
+def test_a_turn_that_no_file_says_needs_its_reference_at_the_start() -> None:
+    with pytest.raises(CapacityError, match=r"MD30310.*MD30340"):
+        write_tables(SIEMENS, [TURN_TABLE], [ROUND], {})
+    at_zero = replace(ROUND, reference=0.0)
+    facts = [note.fact for note in capacity_for(SIEMENS, at_zero, {}, None).assumed]
+    assert [number for fact in facts for number in ("MD30310", "MD30340") if number in fact] == ["MD30310", "MD30340"]
+    given = eec("AX4", values=(0.0, 0.0, 0.0)) + "$MA_ROT_IS_MODULO[AX4]=1\n$MA_MODULO_RANGE_START[AX4]=0\n"
+    state = both_readers(given, ROUND)
+    assert not [note for note in capacity_for(SIEMENS, ROUND, {}, state).assumed if "MD303" in note.fact]
+    assert b"$AA_ENC_COMP[0,0,AX4]=-0.002" in write_tables(SIEMENS, [TURN_TABLE], [ROUND], {}, state)[0].content

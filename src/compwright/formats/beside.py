@@ -28,6 +28,12 @@ def check_unit(gathered: Gathered, wanted: Mapping[str, Axis | None], notes: Not
     words = gathered.singles.get((None, None), {}).get("unit_word", [])
     inch = [found for found in metric if Decimal(found.text) == 0] + [found for found in words if found.text.upper() == "INCH"]
     known = [axis for axis in wanted.values() if axis is not None]
+    if not inch and not metric and not words and "metric_system" in gathered.definition.bindings:
+        spoken = list(wanted) or gathered.addresses()
+        linear = [name for name in spoken if (axis := wanted.get(name)) is None or axis.kind is not AxisKind.ROTARY]
+        if linear:
+            evidence = f"unconfirmed: neither MD10240 nor a line METRIC or INCH; the values of {', '.join(linear)} are taken as mm"
+            notes.assume("basic system (MD10240)", "metric", evidence)
     if not inch or (wanted and len(known) == len(wanted) and all(axis.kind is AxisKind.ROTARY for axis in known)):
         return
     mm = [found for found in metric if Decimal(found.text) != 0] + [found for found in words if found.text.upper() == "METRIC"]
@@ -125,6 +131,12 @@ class _Beside:
         said = []
         kind, slope = self.last("temperature_type"), self.number("temperature_slope")
         bits = _mask(kind.text) if kind is not None else 0
+        if bits is None:
+            expected = "a bit mask, such as 'H1'"
+            self.notes.refuse(
+                f"axis {self.address}", "its temperature compensation (MD32750) cannot be read", kind, expected=expected
+            )
+            bits = 0
         if bits & 2 and slope:
             said.append(f"temperature compensation with a slope (MD32750, SD43910 = {slope:g})")
         for (address, system), places in sorted(self.gathered.singles.items(), key=str):
@@ -144,8 +156,8 @@ class _Beside:
         return "; ".join(said)
 
 
-def _mask(text: str) -> int:
-    """Return a bit mask as the control writes it (``'H3'``, ``'B11'``, 3); 0 for anything else."""
+def _mask(text: str) -> int | None:
+    """Return a bit mask as the control writes it (``'H3'``, ``'B11'``, 3); None for anything else."""
     word = text.strip("'\"").upper()
     for letter, base in (("H", 16), ("B", 2)):
         if word.startswith(letter):
@@ -156,4 +168,4 @@ def _mask(text: str) -> int:
     try:
         return int(word, radix)
     except ValueError:
-        return 0
+        return None

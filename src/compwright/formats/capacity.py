@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from compwright.formats.addresses import normal_address
-from compwright.formats.beside import MODULO_START, RANGE_START
+from compwright.formats.beside import MODULO_START, RANGE_START, RANGE_START_SAID
 from compwright.formats.cec_capacity import cec_available, with_cec
 from compwright.formats.consistency import curves, grid
 from compwright.formats.increments_capacity import increments_capacity
@@ -57,6 +57,7 @@ def capacity_for(
     assumed = [assumption] if assumption is not None else []
     scale = scale_for_writing(definition, axis, resolved)
     facts = state.facts.get(address, {}) if state is not None else {}
+    assumed += _turn_unsaid(definition, axis, facts)
     value, node = curves(definition)[0], grid(definition)[0]
     beside = "backlash" in definition.bindings and definition.limit("no_backlash_beside_table") is None
     capacity = Capacity(
@@ -87,6 +88,15 @@ def _period(definition: Definition, axis: Axis) -> float | None:
     if definition.layout.shape != "values_by_index" or definition.limit("no_endless_axis") is not None:
         return None
     return axis.modulo if axis.kind is AxisKind.ROTARY else None
+
+
+def _turn_unsaid(definition: Definition, axis: Axis, facts: Mapping[str, object]) -> list[Assumption]:
+    """Return what is taken for granted of the turn of an endless axis: that the control wraps it, and where its turn begins."""
+    if _period(definition, axis) is None or RANGE_QUANTITY not in definition.bindings or facts.get(RANGE_START_SAID):
+        return []
+    unsaid = [] if RANGE_START in facts else [("that the control wraps it (MD30310)", "yes")]
+    unsaid.append(("where its turn begins (MD30340)", f"{MODULO_START:g} deg"))
+    return [Assumption(f"axis {axis.name}: {fact}", value, "unconfirmed: in no file") for fact, value in unsaid]
 
 
 def _spacings(definition: Definition, axis: Axis, quantum: float, facts: Mapping[str, object]) -> tuple[float, ...] | None:

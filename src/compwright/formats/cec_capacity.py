@@ -61,6 +61,14 @@ def with_cec(
                 evidence="unconfirmed: the control's files do not say it",
             )
         )
+    if "cross_max_sum" in definition.bindings and CEC_MAX_SUM not in facts.get(address, {}):
+        assumed.append(
+            Assumption(
+                fact=f"axis {axis.name}: limit of the sum of its CEC tables (MD32720)",
+                value=f"not reached (default 1 {axis.kind.unit})",
+                evidence="unconfirmed: in no file, its default from memory",
+            )
+        )
     return replace(
         capacity,
         curves=2,

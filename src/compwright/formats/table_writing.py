@@ -22,7 +22,7 @@ from compwright.formats.patching import Change, apply_changes, set_field
 from compwright.formats.scale import NotHeld, Scale
 from compwright.formats.schema import Choice, Definition, When, WrittenFile
 from compwright.formats.statements import Occurrence, print_form
-from compwright.formats.tables import WrittenTable, write_table
+from compwright.formats.tables import SAME_TURN, WrittenTable, write_table
 from compwright.formats.texts import TextReader
 from compwright.formats.turns import RANGE_QUANTITY, in_range_of
 from compwright.foundations.errors import Fault, InputError, raise_all
@@ -107,6 +107,15 @@ class _Writer:
         if compensation.period is None or RANGE_QUANTITY not in self.definition.bindings:
             return compensation
         said = self.facts.get(address, {}).get(RANGE_START)
+        ahead = float(np.mod(axis.reference - MODULO_START, compensation.period))
+        if said is None and min(ahead, compensation.period - ahead) > SAME_TURN:
+            message = (
+                f"axis {axis.name}: no file says that the control wraps this axis (MD30310) and where its turn begins (MD30340), "
+                f"and its reference is at {axis.reference:g} deg: whether the control finds its way into the table is not known"
+            )
+            expected = "the machine data of the axis with MD30310 and MD30340 among the files of the state"
+            faults.append(Fault(message=message, expected=expected, found="in no file"))
+            return compensation
         return in_range_of(compensation, float(said) if isinstance(said, (int, float)) else MODULO_START, axis.name, faults)
 
     def _pair_file(self, file: WrittenFile) -> bool:
