@@ -310,11 +310,6 @@ def _known_results(out: Path) -> storage.Known:
     return lambda name, content: "/" not in name or listed.get(encoded(name).decode()) == fingerprint(content)
 
 
-def _first_on_card(prediction: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what the card says before its steps: doubts and limits."""
-    return {"doubts": prediction["doubts"], "limits": prediction["axes"]}
-
-
 def _second_forms(finished: _Finished) -> tuple[ControlFile, ...]:
     planned = [work.planned for work in finished.works.values() if work.planned.fitted is not None]
     return second_forms(
