@@ -9,7 +9,7 @@ import numpy as np
 
 from compwright.evaluation.plausibility import pooled_scatter
 from compwright.foundations.findings import Finding
-from compwright.foundations.provenance import Source
+from compwright.foundations.provenance import Source, share_a_file
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
 
@@ -28,7 +28,7 @@ class Named:
 
 def same_measurement(one: Named, other: Named) -> bool:
     """Return whether two tests share a file by its content, or hold the same scattering readings at the same targets."""
-    if {source.sha256 for source in one.sources} & {source.sha256 for source in other.sources}:
+    if share_a_file(one.sources, other.sources):
         return True
     return one.test is not None and other.test is not None and same_readings(one.test, other.test)
 

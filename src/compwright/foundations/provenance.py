@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 
@@ -22,3 +23,8 @@ def fingerprint(content: bytes) -> str:
 def source_of(file: str, content: bytes) -> Source:
     """Return the provenance record of ``content``."""
     return Source(file=file, sha256=fingerprint(content))
+
+
+def share_a_file(one: Iterable[Source], other: Iterable[Source]) -> bool:
+    """Return whether two records come from one file, by its content: its name may have changed."""
+    return not {source.sha256 for source in one}.isdisjoint(source.sha256 for source in other)

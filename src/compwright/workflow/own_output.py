@@ -15,7 +15,7 @@ import numpy as np
 from compwright.documents.plan import read_plan
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.foundations.provenance import Source, fingerprint
+from compwright.foundations.provenance import fingerprint, share_a_file
 from compwright.records.axis import Axis, Direction
 from compwright.records.circular import CircularTest
 from compwright.records.job import Job
@@ -121,7 +121,7 @@ def _counted_twice(job: Job, inputs: JobInputs, circles: Sequence[tuple[Circular
                 yield _fault(job, f"axes.{name}.before", planned.test.name, planned.measured_in, earlier)
     for test, measured_in in circles:
         state = inputs.states.get(measured_in)
-        known = any(_shared(test.sources, old.test.sources) for old in plan.circles.values())
+        known = any(share_a_file(test.sources, old.test.sources) for old in plan.circles.values())
         if state is not None and known and any(fingerprint(file.content) in earlier.made for file in state.files):
             yield _fault(job, "circles", test.name, measured_in, earlier)
 
@@ -131,7 +131,7 @@ def _same(test: PositioningTest, old: PositioningTest) -> bool:
 
     Rows that were deleted or added make no new measurement. A test with the new table loaded shows other readings.
     """
-    if _shared(test.sources, old.sources):
+    if share_a_file(test.sources, old.sources):
         return True
     mine, theirs = _readings(test), _readings(old)
     known = mine.keys() & theirs.keys()
@@ -148,10 +148,6 @@ def _readings(test: PositioningTest) -> dict[tuple[Direction, float, int], float
             run = int(runs[column]) if column < len(runs) else int(column) + 1
             found[direction, round(float(test.targets[row]), 6), run] = float(block[row, column])
     return found
-
-
-def _shared(mine: Sequence[Source], theirs: Sequence[Source]) -> bool:
-    return bool({source.sha256 for source in mine} & {source.sha256 for source in theirs})
 
 
 def _acts_again(planned: PlannedAxis, state: DecodedState, axis: Axis, *, made: bool) -> bool:

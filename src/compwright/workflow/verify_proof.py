@@ -19,6 +19,7 @@ from compwright.documents.verification import VerifiedAxis, VerifiedCircle
 from compwright.evaluation.repeats import Named, same_measurement
 from compwright.foundations.errors import CompwrightError, Fault
 from compwright.foundations.findings import Finding
+from compwright.foundations.provenance import share_a_file
 from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.records.positioning import PositioningTest
@@ -270,7 +271,6 @@ def copies(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
 def old_circles(plan: Plan, circles: Mapping[str, VerifiedCircle]) -> Iterator[Finding]:
     """Yield circles that are those from before loading, by the content of their files (CW-V025)."""
     for name, circle in circles.items():
-        before, after = ({source.sha256 for source in test.sources} for test in (plan.circles[name].test, circle.after.test))
-        if before & after:
+        if share_a_file(plan.circles[name].test.sources, circle.after.test.sources):
             message = f"The circle {name} given as measured after loading is the one from before. Measure it again."
             yield Finding("CW-V025", "warning", message)
