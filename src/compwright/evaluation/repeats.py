@@ -10,11 +10,8 @@ import numpy as np
 from compwright.evaluation.plausibility import pooled_scatter
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source, share_a_file
-from compwright.records.positioning import PositioningTest
+from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.result import PositioningResult
-
-#: Two readings are the same below this, mm or deg: rounding of binary numbers.
-_SAME = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,15 +35,15 @@ def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
 
     Readings without any scatter may do so by chance and do not count.
     """
-    if one.kind is not other.kind or pooled_scatter(one)[0] <= _SAME:
+    if one.kind is not other.kind or pooled_scatter(one)[0] <= SAME_READING:
         return False
     pairs = ((one.targets, other.targets), (one.positive, other.positive), (one.negative, other.negative))
-    if any(a.shape != b.shape for a, b in pairs) or not np.allclose(one.targets, other.targets, rtol=0.0, atol=_SAME):
+    if any(a.shape != b.shape for a, b in pairs) or not np.allclose(one.targets, other.targets, rtol=0.0, atol=SAME_READING):
         return False
     gaps = np.concatenate([(a - b).ravel() for a, b in pairs[1:]])
     made = np.concatenate([(np.isfinite(a) == np.isfinite(b)).ravel() for a, b in pairs[1:]])
     known = gaps[np.isfinite(gaps)]
-    return bool(made.all() and known.size and np.ptp(known) <= _SAME)
+    return bool(made.all() and known.size and np.ptp(known) <= SAME_READING)
 
 
 def with_repeats(results: Sequence[PositioningResult]) -> list[PositioningResult]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import Final, Literal
 
 import numpy as np
 
@@ -14,6 +14,10 @@ from compwright.foundations.provenance import Source
 from compwright.records.axis import AxisKind, Direction, FloatArray, PositionMap
 
 Cycle = Literal["standard", "step"]
+
+#: Two readings or targets are the same below this, mm or deg: no instrument resolves a picometre, and what remains of one decimal
+#: number after conversions of units is far smaller.
+SAME_READING: Final = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

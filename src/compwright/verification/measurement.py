@@ -19,7 +19,7 @@ from compwright.evaluation.readings import position_text, text_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
-from compwright.records.positioning import PositioningTest
+from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.verification import MeasurementFault
 from compwright.verification.loading import normal_score
 
@@ -33,7 +33,6 @@ _ROUNDED: Final = 0.5
 #: freedom, it was copied.
 _COPIED: Final = 0.95
 _ENOUGH: Final = 15
-_SAME: Final = 1e-9
 #: How much wider than the widest gap of the first test's targets a gap may be: targets dithered by 0.3 of an interval give 1.6.
 _GAP: Final = 2.0
 _THOUSAND: Final = 1000.0
@@ -50,7 +49,7 @@ class NamedFault:
 def measurement_fault(after: PositioningTest, first: PositioningTest, travel: tuple[float, float]) -> NamedFault | None:
     """Return the fault that the test after loading shows for certain against the ``first`` test of the axis, or None."""
     spread = spread_of(after)
-    if spread <= _SAME or any(finding.code == "CW-R009" for finding in after.findings):
+    if spread <= SAME_READING or any(finding.code == "CW-R009" for finding in after.findings):
         return NamedFault("zeros", "Every reading of the test is the same: nothing was measured. Measure the axis.")
     copy = _copied(after, first)
     if copy:
@@ -98,7 +97,7 @@ def _shifted(after: PositioningTest, first: PositioningTest, positive: FloatArra
         return False
     gaps = np.concatenate([(after.positive - positive).ravel(), (after.negative - negative).ravel()])
     known = gaps[np.isfinite(gaps)]
-    return bool(known.size > 3 and np.ptp(known) <= _SAME)
+    return bool(known.size > 3 and np.ptp(known) <= SAME_READING)
 
 
 def copied_scatter(one: PositioningTest, other: PositioningTest) -> float | None:
@@ -143,7 +142,7 @@ def _thousand(after: PositioningTest, first: PositioningTest) -> str:
     if certain:
         return f"This cannot be right: {certain}."
     (s, dof), (s_first, dof_first) = pooled_scatter(after), pooled_scatter(first)
-    if min(s, s_first) <= _SAME:
+    if min(s, s_first) <= SAME_READING:
         return ""
     for factor, words in ((_THOUSAND, "small (mm read as µm)"), (1.0 / _THOUSAND, "large (µm read as mm)")):
         if noise_odds(s, dof, s_first, dof_first) and not noise_odds(s * factor, dof, s_first, dof_first):
@@ -227,5 +226,5 @@ def _step(test: PositioningTest) -> float:
     """Return the smallest step between two different readings, mm or deg."""
     values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
     steps = np.diff(np.unique(values[np.isfinite(values)]))
-    steps = steps[steps > _SAME]
+    steps = steps[steps > SAME_READING]
     return float(steps.min()) if steps.size else 0.0

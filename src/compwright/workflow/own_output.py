@@ -20,7 +20,7 @@ from compwright.records.axis import Axis, Direction
 from compwright.records.circular import CircularTest
 from compwright.records.job import Job
 from compwright.records.plan import Plan, PlannedAxis
-from compwright.records.positioning import PositioningTest
+from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.verification.read_back import SAME
 from compwright.workflow.control import DecodedState, judged, probe_positions
 from compwright.workflow.inputs import JobInputs
@@ -32,7 +32,6 @@ _MADE = ("tables", "rollback", "card")
 _LEVELS_UP = 3
 #: Of two tests that agree in so many readings to the last digit one was made from the other.
 _NEARLY_ALL = 0.9
-_ROUNDING = 1e-9
 _AGAIN = "its correction would be added a second time"
 
 
@@ -135,7 +134,7 @@ def _same(test: PositioningTest, old: PositioningTest) -> bool:
         return True
     mine, theirs = _readings(test), _readings(old)
     known = mine.keys() & theirs.keys()
-    same = sum(abs(mine[key] - theirs[key]) <= _ROUNDING for key in known)
+    same = sum(abs(mine[key] - theirs[key]) <= SAME_READING for key in known)
     return len(known) > 0 and same >= _NEARLY_ALL * min(len(mine), len(theirs))
 
 

@@ -22,7 +22,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import share_a_file
 from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import Plan, PlannedAxis
-from compwright.records.positioning import PositioningTest
+from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.result import PositioningResult
 from compwright.verification.measurement import NamedFault, copied_scatter
 from compwright.workflow.control import Control, open_control
@@ -124,7 +124,7 @@ def _read_again(job: Job, entry: AxisJob, request: TestRequest) -> PositioningTe
 
 def _same(one: PositioningTest, other: PositioningTest) -> bool:
     pairs = ((one.targets, other.targets), (one.positive, other.positive), (one.negative, other.negative))
-    return all(a.shape == b.shape and np.allclose(a, b, rtol=0.0, atol=1e-9, equal_nan=True) for a, b in pairs)
+    return all(a.shape == b.shape and np.allclose(a, b, rtol=0.0, atol=SAME_READING, equal_nan=True) for a, b in pairs)
 
 
 def _options_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
