@@ -148,7 +148,13 @@ STYLES = {
     "one file": ("fanuc-30i", files(ALL__TXT=PARAMETERS.removesuffix("%\n") + PITCH.removeprefix("%\n"))),
     "pitch data first": ("fanuc-30i", files(Q__TXT=PITCH, P__TXT=PARAMETERS)),
     "four digits": ("fanuc-30i", files(P__TXT=PARAMETERS.replace("N0", "N"), Q__TXT=PITCH)),
-    "two paths": ("fanuc-30i", files(P__TXT=PARAMETERS.replace("L1P00000000", "L1P00000000L2P00000001"), Q__TXT=PITCH)),
+    "two paths": (
+        "fanuc-30i",
+        files(
+            P__TXT=PARAMETERS.replace("L1P00000000", "L1P00000000L2P00000001").replace("%\n", "%\nN00981Q1A1P1A2P1A3P1\n", 1),
+            Q__TXT=PITCH,
+        ),
+    ),
     "P for a length": ("fanuc-30i", files(P__TXT=PARAMETERS.replace("M50.0", "P50.0"), Q__TXT=PITCH)),
     "no Q at the points": ("fanuc-30i", files(P__TXT=PARAMETERS, Q__TXT=PITCH.replace("Q0", ""))),
     "CNCID": ("fanuc-30i", files(P__TXT=PARAMETERS.replace("%", "%(CNCID=01234567,89ABCDEF)", 1), Q__TXT=PITCH)),
