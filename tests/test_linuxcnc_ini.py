@@ -172,3 +172,17 @@ def test_a_table_that_no_joint_names_is_said(tmp_path: Path, capsys: pytest.Capt
     said = " ".join(capsys.readouterr().out.split())
     assert "old.comp is not named by any axis" in said
     assert "y.comp is not named" not in said
+
+
+def joint(limits: str, tmp_path: Path) -> int:
+    return run(tmp_path, "X: {address: 0, ", INI.replace("MIN_LIMIT = -1.0\nMAX_LIMIT = 20\n", limits))
+
+
+def test_a_travel_outside_the_limits_of_the_joint_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Travel 0 to 200 mm; 1 in = 25.4 mm: -20 to 0 in is the other side of machine zero, 0 to 7 in ends at 177.8 mm."""
+    assert joint("MIN_LIMIT = -20\nMAX_LIMIT = 0\n", tmp_path) == 3
+    assert "(MIN_LIMIT, MAX_LIMIT)" in capsys.readouterr().err
+    assert joint("MIN_LIMIT = 0\nMAX_LIMIT = 7\n", tmp_path) == 0
+    assert "CW-S045  axis 0: 22.2 mm of the travel lie outside" in capsys.readouterr().out
+    assert joint("MIN_LIMIT = 0\nMAX_LIMIT = 8\n", tmp_path) == 0
+    assert "CW-S045" not in capsys.readouterr().out

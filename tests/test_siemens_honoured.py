@@ -309,6 +309,19 @@ def test_what_stays_beside_the_table_is_named() -> None:
     assert "CW-S053" not in codes(both_readers(text.replace("H3", "H1"), axis_of("AX1")))
 
 
+def test_a_travel_outside_the_software_limits_is_refused() -> None:
+    """MD36100 and MD36110: with limits of -800 and 0 a travel of 0 to 800 is told from the other end."""
+
+    def limited(low: int, high: int) -> ControlState:
+        text = f"{eec()}$MA_POS_LIMIT_MINUS[AX1]={low}\n$MA_POS_LIMIT_PLUS[AX1]={high}\n"
+        return both_readers(text, replace(axis_of("AX1"), travel=(0.0, 800.0)))
+
+    with pytest.raises(InputError, match=r"POS_LIMIT_MINUS, \$MA_POS_LIMIT_PLUS"):
+        limited(-800, 0)
+    assert "CW-S045" in codes(limited(0, 700))
+    assert "CW-S045" not in codes(limited(-5, 790))
+
+
 def test_an_endless_axis_is_endless_for_job_and_control() -> None:
     text = eec("AX4", values=(0.0, 0.0, 0.0)) + "$MA_ROT_IS_MODULO[AX4]=1\n$MA_MODULO_RANGE[AX4]=360\n"
     with pytest.raises(InputError, match="MD30310"):

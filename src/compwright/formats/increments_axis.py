@@ -18,6 +18,7 @@ from compwright.formats.notes import Notes
 from compwright.formats.options import DETECTION_UNIT, REFERENCE, REFERENCE_RETURN, axis_options
 from compwright.formats.scale import Scale
 from compwright.formats.schema import Choice, Definition
+from compwright.formats.travel_limits import check_travel
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, Interpolation
@@ -30,8 +31,6 @@ _BY_PATH = {"length_unit": (known.INCH, 0, ("mm", "inch")), "separate_rapid": (k
 _SAME_UNIT = 1e-4
 #: Two positions are the same below this many mm or deg: a control counts in 0.0001 at the finest.
 _SAME_PLACE = 1e-6
-#: Part of the travel that may lie outside the control's limits without a word, and that is not enough inside: travels are rounded.
-_OUTSIDE = 0.05
 
 
 @dataclass(frozen=True, slots=True)
@@ -360,24 +359,10 @@ class IncrementReader:
         if any(one is None or "." not in one.text for one in told):
             return
         said = [self.length(name, kind) for name in ("limit_low", "limit_high")]
-        if said[0] is None or said[1] is None or not said[0] < said[1]:
+        if said[0] is None or said[1] is None:
             return
-        low, high = float(said[0]), float(said[1])
-        start, end = self.axis.travel
-        if min(end, high) - max(start, low) <= _OUTSIDE * (end - start):
-            self._wrong(
-                "limit_high",
-                "the travel of the job lies where the axis cannot go by its limits (1320, 1321)",
-                f"{low:g} to {high:g}: travel and targets in machine coordinates",
-                f"{start:g} to {end:g}",
-            )
-        elif (outside := max(low - start, 0.0) + max(end - high, 0.0)) > _OUTSIDE * (end - start):
-            self.notes.find(
-                "CW-S045",
-                "warning",
-                f"{self.label}: {outside:g} {kind.unit} of the travel lie outside its limits of {low:g} to {high:g} (1320, 1321): "
-                "are travel and targets in machine coordinates?",
-            )
+        limits = float(said[0]), float(said[1])
+        check_travel(self.axis, limits, self.label, "1320, 1321", self.notes, lambda *words: self._wrong("limit_high", *words))
 
     def _check_diameter(self, kind: AxisKind) -> None:
         """An axis in diameter programming: the job and 1006#3 must agree, else everything may be wrong by 2."""

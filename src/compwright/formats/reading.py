@@ -25,6 +25,7 @@ from compwright.formats.section_increments import read_increments
 from compwright.formats.statements import field_matches
 from compwright.formats.tables import SAME_TURN
 from compwright.formats.texts import ReadText, TextReader
+from compwright.formats.travel_limits import check_limits
 from compwright.formats.user_tables import read_user_tables
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind
@@ -137,6 +138,7 @@ class _StateReader:
             if "units" in self.definition.options:  # limits in machine units: the axis' own reading has them in mm
                 more = {name: fact for name, fact in more.items() if name not in reading.facts}
             facts[address] = {**reading.facts, **cec.facts(address), **more}
+            check_limits(gathered, address, axis, facts[address], self.partners, self.notes)
             if axis is not None:
                 self._check_turn(axis, compensations[address])
         self._same_systems(facts)
