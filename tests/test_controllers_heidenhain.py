@@ -563,6 +563,7 @@ WRONG_ITNC = {
     "no colon": ("MP710.0 0.004\n", "parameter cannot be read"),
     "axis 19": ("MP710.18 : 0.004\n", "parameter cannot be read"),
     "bad mask": ("MP730 : %0002\n", "MP730"),
+    "eleven, or the first two axes": ("MP730 : 11\n", "MP730: .*%"),
     "micrometres as mm": ("MP710.0 : 4.0\n", "-1 to 1"),
     "linear out of range": ("MP720.0 : -1.5\n", "-1 to 1"),
     "two values": ("MP710.0 : 0.004\nMP710.0 : 0.005\n", "contradicts"),

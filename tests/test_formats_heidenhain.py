@@ -646,6 +646,18 @@ def test_one_bit_and_one_index_of_the_parameters() -> None:
     assert "MP710.0 : +.00400 ;" in text_of(same, "MP.TXT")  # an equal number keeps its characters
     decimal = write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("MP.TXT", MP.replace("%00010", "18"))])
     assert "MP730 : 19\n" in text_of(decimal, "MP.TXT")
+    other = table("Y", [0, 100], [0, 0.001])
+    eleven = write_tables(ITNC, [other], [axis_of("Y")], {}, files=[file("MP.TXT", MP.replace("%00010", "9"))])
+    assert "MP730 : %1011\n" in text_of(eleven, "MP.TXT")  # 11 could be the first two axes
+
+
+def test_bits_without_their_mark_that_could_be_a_decimal_number_are_refused() -> None:
+    """MP730 : 11 is X and Y, or X, Y and the fourth axis; 0 and 18 are what they are."""
+    for text in ("11", "00101", "10"):
+        with pytest.raises(InputError, match="MP730 is a mask or a decimal number"):
+            itnc(file("MP.TXT", MP.replace("%00010", text)), axes=(axis_of("X"),))
+    for text in ("0", "18"):
+        assert itnc(file("MP.TXT", MP.replace("%00010", text)), axes=(axis_of("X"),)).axes["X"].backlash == 0.004
 
 
 def test_two_axes_change_one_mask_and_two_tables() -> None:

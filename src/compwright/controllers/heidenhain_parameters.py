@@ -60,6 +60,9 @@ def _read(code: str, place: Place, found: ParameterLines) -> None:
 def _mask(text: str, place: Place, found: ParameterLines) -> list[Parameter]:
     """Return the bits of MP730 that are written, bit 0 = first axis: all digits of ``%00011``, all axes of a decimal number."""
     bits = text[1:][::-1] if _BITS.fullmatch(text) else ""
+    if len(text.lstrip("0")) > 1 and not set(text) - {"0", "1"}:
+        found.faults.append(place.fault("MP730: bits or a decimal number", expected=f"%{text} or %{int(text):b}", found=repr(text)))
+        return []
     if _DECIMAL.fullmatch(text) and int(text) < 1 << MOST_AXES:
         bits = f"{int(text):0{MOST_AXES}b}"[::-1]
     if not bits:

@@ -271,6 +271,13 @@ def _take_parameters(sources: Sources, reader: TextReader, file: ControlFile, nu
 def _take_mask(sources: Sources, place: Occurrence, faults: list[Fault]) -> None:
     text = place.tokens["value"].text
     mask = mask_of(text)
+    if ambiguous(text):
+        name = parameter_name(sources.definition, "enabled")
+        message = f"{name} is a mask or a decimal number: with these digits it can be read in two ways"
+        faults.append(
+            Fault(message=message, file=place.file, place=place.place, expected=f"%{text}, or %{int(text):b}", found=text[:60])
+        )
+        return
     if mask is None:
         faults.append(
             Fault(message="the bits cannot be read", file=place.file, place=place.place, expected="%00011, or 3", found=text[:60])
@@ -279,6 +286,11 @@ def _take_mask(sources: Sources, place: Occurrence, faults: list[Fault]) -> None
     for number, address in sources.numbers.by_number.items():
         bit = str(mask >> (number - 1) & 1)
         sources.given.setdefault((address, "enabled"), []).append(Given(bit, place.file, place.place, place))
+
+
+def ambiguous(text: str) -> bool:
+    """Whether bits without ``%`` could be meant as bits or as a decimal number, and these differ (``11``: 3 or 11)."""
+    return re.fullmatch("[01]{1,32}", text) is not None and int(text, 2) != int(text)
 
 
 def mask_of(text: str) -> int | None:

@@ -19,7 +19,7 @@ from compwright.formats.scale import EXACTNESS, NotHeld
 from compwright.formats.schema import Definition
 from compwright.formats.statements import Occurrence, print_form
 from compwright.formats.user_tables_capacity import by_line, slope_scale, spacings, user_scale
-from compwright.formats.user_tables_sources import PARAMETERS, Sources, find_sources, mask_of, parameter_name
+from compwright.formats.user_tables_sources import PARAMETERS, Sources, ambiguous, find_sources, mask_of, parameter_name
 from compwright.formats.user_tables_text import POSITION, ROW_NUMBER, SECOND, Row, UserTable, cell_changes, is_number, set_cell
 from compwright.formats.user_tables_values import MOST_DOUBLINGS, SMALLEST_SPACING, TURN, TableValues
 from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
@@ -129,7 +129,8 @@ class _Patcher:
             return
         self._woken(address, awake=text == "1")
         changed = mask ^ 1 << (number - 1)
-        self.masks[key] = (place, f"%{changed:0{len(known) - 1}b}" if known.startswith("%") else str(changed))
+        new = f"%{changed:0{len(known) - 1}b}" if known.startswith("%") else str(changed)
+        self.masks[key] = (place, f"%{changed:b}" if ambiguous(new) else new)
 
     def _woken(self, address: str, *, awake: bool) -> None:
         """Refuse to change the bit of an axis on which tables of other axes act, or would.
