@@ -104,7 +104,8 @@ def start_of(name: str, folder: Path, machine: Machine) -> list[str]:
         rows = "".join(f"{k:<3d} {x:<+10g} +0.0000    +0.00{10 + k}\n" for k, x in enumerate(places))
         table = f"BEGIN X.COM MM\nNR  AXISPOS    X          Y\n{rows}[END]\n"
         lines = "BEGIN CONFIG.CMA MM\nNR  ACTIVE  X      Y\n0   *       X.COM\n[END]\n"
-        files = {"X.COM": table, "CONFIG.CMA": lines}
+        play = "# axis: X\n# value: error\npoint,position,value,unit\nbackLash,,0.0000,mm\n"
+        files = {"X.COM": table, "CONFIG.CMA": lines, "entry_X.csv": play}
     else:
         rows = "".join(f"{k:<4d} +0         +0.00{10 + k}\n" for k in range(count))
         head = f"BEGIN X      .COM MM DATUM:{machine.low:g} DIST:{step:g}\nNR   1=F()      2=F()\n"

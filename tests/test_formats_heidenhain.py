@@ -756,7 +756,8 @@ def test_what_is_filled_in_is_read_back(data: st.DataObject) -> None:
     wanted = table("X", list(nodes), list(values), backlash=data.draw(COUNTS) * 1e-4)
     template = data.draw(st.sampled_from([None, ALONE if numbered else NCK_ALONE]))
     newline = data.draw(st.sampled_from(["\n", "\r\n"]))
-    given_files = [] if template is None else [file("X.COM", template.replace("\n", newline))]
+    play = SHEET.split("0,-100", maxsplit=1)[0] + f"{'MP710' if numbered else 'backLash'},,0,mm\n"
+    given_files = [] if template is None else [file("X.COM", template.replace("\n", newline)), file("entry_X.csv", play)]
     options = {"table_values": data.draw(st.sampled_from(["error", "correction"]))}
     axis = axis_of("X", returns=data.draw(st.sampled_from(list(Direction))))
     files = write_tables(definition, [wanted], [axis], options, files=given_files)

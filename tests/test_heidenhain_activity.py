@@ -22,6 +22,9 @@ STAR = "BEGIN CONFIG.CMA MM\nNR  ACTIVE  X\n0   *       X.COM\n[END]\n"
 LINE = "BEGIN CONFIG .CMA MM\nNR   1         2\n0    X\nEND   CONFIG .CMA\n"
 
 
+PLAY = "# axis: X\n# value: error\npoint,position,value,unit\n{},,0.0000,mm\n"
+
+
 def table(control: str, values: Floats) -> str:
     if control == NCK:
         rows = "".join(f"{k:<4d}{x:<+11.4f}{value:+.4f}\n" for k, (x, value) in enumerate(zip(NODES, values, strict=True)))
@@ -30,20 +33,30 @@ def table(control: str, values: Floats) -> str:
     return f"BEGIN X      .COM MM DATUM:-50 DIST:50\nNR   1=F()     2=F()\n{rows}END   X      .COM\n"
 
 
-def run(folder: Path, control: str, answer: str = "", values: Floats = OLD, files: dict[str, str] | None = None) -> int:
+def run_without_backlash(
+    folder: Path, control: str, answer: str = "", values: Floats = OLD, files: dict[str, str] | None = None
+) -> int:
     targets = MACHINE.targets()
     (folder / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
     (folder / "X.COM").write_text(table(control, values))
     names = {"cma": "CONFIG.CMA", "mp": "MP.TXT"}
     files = files or {}
     for key, text in files.items():
-        (folder / names[key]).write_text(text)
-    given = ", ".join(["X.COM", *(names[key] for key in files)])
+        (folder / names.get(key, key)).write_text(text)
+    given = ", ".join(["X.COM", *(names.get(key, key) for key in files)])
     (folder / "job.yaml").write_text(
         f"compwright: 1\ncontroller: {{format: {control}}}\nstates: {{as_found: {{files: [{given}]{answer}}}}}\n"
         "axes:\n  X: {travel: [0, 800], before: [x.csv], table: {start: -50, end: 850, spacing: 50}}\n"
     )
     return compwright(["run", str(folder / "job.yaml"), "--force"])
+
+
+def run(folder: Path, control: str, answer: str = "", values: Floats = OLD, files: dict[str, str] | None = None) -> int:
+    """The same with a backlash of 0 in the files, where no other is."""
+    files = dict(files or {})
+    if "MP710" not in files.get("mp", ""):
+        files["play.csv"] = PLAY.format("backLash" if control == NCK else "MP710")
+    return run_without_backlash(folder, control, answer, values, files)
 
 
 def errors(folder: Path, control: str) -> Floats:
@@ -101,3 +114,15 @@ def test_a_table_of_zeros_asks_nothing(tmp_path: Path, control: str) -> None:
 def test_a_slope_that_no_file_says_is_named_where_it_would_act(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(tmp_path, ITNC, files={"mp": "MP710.0 : 0.0\nMP730 : %00000\n"}) == 0
     assert "MP720 is not in the files" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("control", "name"), [(ITNC, "MP710"), (NCK, "backLash")])
+def test_a_backlash_that_is_written_over_is_asked_for(
+    tmp_path: Path, control: str, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A value that stands in the control is part of what was measured with; written over unseen, it is lost from the total."""
+    files = {"cma": STAR} if control == NCK else {"mp": "MP730 : %00001\n"}
+    assert run_without_backlash(tmp_path, control, files=files) == 2
+    assert f"axis X (X): {name} is in no file of the state" in capsys.readouterr().err
+    assert not (tmp_path / "job" / "tables").exists()
+    assert run_without_backlash(tmp_path, control, files={**files, "play.csv": PLAY.format(name)}) == 0

@@ -22,7 +22,7 @@ from compwright.formats.user_tables_capacity import by_line, slope_scale, spacin
 from compwright.formats.user_tables_sources import PARAMETERS, Sources, ambiguous, find_sources, mask_of, parameter_name
 from compwright.formats.user_tables_text import POSITION, ROW_NUMBER, SECOND, Row, UserTable, cell_changes, is_number, set_cell
 from compwright.formats.user_tables_values import MOST_DOUBLINGS, SMALLEST_SPACING, TURN, TableValues
-from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
+from compwright.foundations.errors import CapacityError, Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, FloatArray
 from compwright.records.correction import AxisCompensation, ControlFile
 
@@ -37,8 +37,10 @@ def write_user_tables(
 
     The user's own ``files`` come back patched, all of them but old entry sheets, so that the set is complete; for what they have no
     place for there is one entry sheet per axis. Raises InputError for files that cannot be read, CapacityError with everything
-    that cannot be written exactly.
+    that cannot be written exactly, UsageError where a value that would be replaced is in no file.
     """
+    if files:
+        _refuse_unsaid_backlash(definition, pairs, options, files)
     own = [file for file in files if not is_entry_sheet(file)]
     patcher = _Patcher(definition, {address: axis for address, axis, _ in pairs}, options, own)
     faults: list[Fault] = []
@@ -54,6 +56,31 @@ def write_user_tables(
             sheets += [] if sheet is None else [sheet]
     raise_all(CapacityError, faults)
     return (*patcher.files(), *sheets)
+
+
+def _refuse_unsaid_backlash(
+    definition: Definition,
+    pairs: Sequence[tuple[str, Axis, AxisCompensation]],
+    options: Mapping[str, object],
+    files: Sequence[ControlFile],
+) -> None:
+    """A backlash is written over what stands in the control: where no file says that, it would be lost from the total."""
+    given = find_sources(definition, files, [axis for _, axis, _ in pairs], []).given
+    name = parameter_name(definition, "backlash")
+    asked = [
+        Fault(
+            message=f"axis {axis.name} ({address}): {name} is in no file of the state, and the new table writes it: a value that "
+            "stands in the control would be lost from the total",
+            place="states",
+            expected=f"{name} as it stands in the control among the files: an entry sheet of {address} with the line "
+            f"{name},,0.0000,{axis.kind.unit} where it is 0",
+            found="no value",
+        )
+        for address, axis, compensation in pairs
+        if (address, "backlash") not in given
+        and Decimal(user_scale(definition, axis, axis_options(definition, options, axis)).write("backlash", compensation.backlash))
+    ]
+    raise_all(UsageError, asked)
 
 
 class _Patcher:
