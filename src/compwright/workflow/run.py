@@ -50,6 +50,7 @@ from compwright.workflow.control import (
 )
 from compwright.workflow.cross import plan_cross
 from compwright.workflow.cross_tables import CrossOutcome, write_planned
+from compwright.workflow.idle_keys import without_effect
 from compwright.workflow.inputs import JobInputs, read_job_inputs
 from compwright.workflow.own_output import refuse_own_output
 from compwright.workflow.plausible import given_twice, impossible_tests, named_tests
@@ -144,6 +145,7 @@ def run_job(
 def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool) -> _Finished:
     control = open_control(job.format, job.options, origin_of(job))
     job, renamed = named_axes(job, control)
+    idle = without_effect(job, control.definition)
     inputs, tests = _inputs(job, control, folder)
     job = settled_by_files(job, inputs.states, AS_FOUND)
     axes = {name: entry.axis for name, entry in job.axes.items()}
@@ -155,7 +157,8 @@ def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool) -> _
     loaded: DecodedState | None = None
     by_scale: dict[str, PlannedAxis] = {}
     cross = CrossOutcome(files=())
-    findings = [finding for work in circles for finding in (*work.findings, *checked_axes(work, axes))]
+    findings = idle
+    findings += [finding for work in circles for finding in (*work.findings, *checked_axes(work, axes))]
     checks = Checks(job, works, {name: acting(decoded, axes) for name, decoded in inputs.states.items()})
     findings += checks.findings(circles)
     works, taken = checks.with_circle_backlash(circles)

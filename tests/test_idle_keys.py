@@ -1,0 +1,30 @@
+"""Keys of an axis that a control has no place for are named, those that act are not."""
+
+from __future__ import annotations
+
+import pytest
+
+from compwright.jobs.reading import read_job
+from compwright.workflow.control import open_control
+from compwright.workflow.idle_keys import without_effect
+
+
+@pytest.mark.parametrize(
+    ("control", "idle"),
+    [
+        ("linuxcnc", ["encoder.system: 2", "axis_number: 3"]),
+        ("fanuc-30i", ["encoder.system: 2", "axis_number: 3"]),
+        ("heidenhain-nck", ["encoder.system: 2", "axis_number: 3"]),
+        ("heidenhain-itnc530", ["encoder.system: 2"]),  # its columns and parameters have the number of the axis
+        ("siemens-840d-sl", ["axis_number: 3"]),  # its lines have the index of the measuring system
+    ],
+)
+def test_keys_without_effect_are_named(control: str, idle: list[str]) -> None:
+    text = (
+        f"compwright: 1\ncontroller: {{format: {control}}}\naxes:\n"
+        "  X: {travel: [0, 100], before: [x.csv], encoder: {system: 2}, axis_number: 3}\n"
+    )
+    job = read_job(text.encode(), "job.yaml", lambda _: iter(()))
+    found = without_effect(job, open_control(control, {}).definition)
+    assert [finding.message for finding in found] == [f"axes.X.{key} has no effect on this control ({control})" for key in idle]
+    assert {finding.code for finding in found} == {"CW-J020"}
