@@ -59,3 +59,21 @@ def test_the_measuring_system_in_use_is_no_edit_of_the_job(tmp_path: Path, capsy
     assert compwright(["verify", str(tmp_path / "job.yaml"), "--after", f"x={tmp_path / 'again.csv'}"]) == 1
     document = json.loads((tmp_path / "job" / "verification.json").read_text())
     assert document["axes"]["X"]["loading"]["verdict"] == "not_active"
+
+
+def test_a_backlash_that_no_file_says_stands_first(tmp_path: Path) -> None:
+    """The table's file alone: a backlash in the control is counted as zero, and would be lost from the total if it is not."""
+    targets = MACHINE.targets()
+    (tmp_path / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
+    values = "".join(f"$AA_ENC_COMP[0,{n},AX1]=0.0\n" for n in range(21))
+    grid = "".join(
+        f"$AA_ENC_COMP_{name}[0,AX1]={value}\n" for name, value in (("STEP", 40), ("MIN", 0), ("MAX", 800), ("IS_MODULO", 0))
+    )
+    (tmp_path / "EEC.INI").write_text(f"METRIC\n{values}{grid}M17\n")
+    (tmp_path / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: [EEC.INI]}\n"
+        "axes:\n  X: {travel: [0, 800], address: AX1, before: [x.csv]}\n"
+    )
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
+    doubts = json.loads((tmp_path / "job" / "prediction.json").read_text())["doubts"]
+    assert any(doubt["code"] == "CW-S005" and "BACKLASH" in doubt["message"] for doubt in doubts)
