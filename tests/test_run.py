@@ -628,3 +628,18 @@ def test_export_to_another_control_reads_its_state_by_the_new_addresses(
     else:
         assert code == 3
         assert "no file says anything about axis AX2" in said.err
+
+
+def test_a_wave_that_the_targets_show_as_a_longer_one_is_not_verified_at_the_same_targets(tmp_path: Path) -> None:
+    """The table follows the wave of 317.5 mm that 5 mm looks like every 25.4 mm; a test at the same targets shows nothing of it."""
+    targets = np.asarray(25.4 * np.arange(32), dtype=np.float64)
+    (tmp_path / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
+    path = job(tmp_path, "before: [x.csv], accept: {A: 12}, screw_pitch: 5")
+    assert compwright(["run", str(path)]) == 1
+    acting = sinumerik(tmp_path / "job" / "tables" / "siemens-840d-sl")
+    (tmp_path / "after.csv").write_text(csv_of(targets, MACHINE.measure(targets, 2, acting)))
+    assert compwright(["verify", str(path), "--after", str(tmp_path / "after.csv")]) == 1
+    verification = document(tmp_path / "job" / "verification.json")
+    assert verification["verdict"] == "undecided"
+    assert verification["axes"]["X"]["accept"]["A"]["decision"] == "undecided"
+    assert "CW-E010" in [doubt["code"] for doubt in verification["doubts"]]

@@ -171,7 +171,7 @@ def findings_of(
     if cells.data.dof == 0:
         message = "One approach per target and direction: the noise is inferred from the scatter between neighbouring targets."
         found.append(Finding("CW-E002", "warning", message))
-    found += _folded_findings(cells.targets, periods, unit)
+    found += folded_findings(cells.targets, periods, unit)
     found += [
         Finding(
             "CW-E003",
@@ -196,7 +196,7 @@ def findings_of(
     return tuple(found)
 
 
-def _folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) -> list[Finding]:
+def folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) -> list[Finding]:
     """Return the periods that these targets show as longer waves (CW-E010); those that they do not show at all are CW-E003's."""
     found = []
     for period in map(float, periods):

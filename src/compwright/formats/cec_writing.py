@@ -253,8 +253,8 @@ class CecWriter:
                 if not before or (before[-1] is not mine[-1] and same_value(before[-1].text, "0")):
                     continue
                 fault = Fault(
-                    message=f"CEC table {index}: this file has it switched on (SD41300, MD32710) before its values, which are "
-                    "protected then: the control would take none of them",
+                    message=f"CEC table {index}: its switch (SD41300, MD32710) stands in this file before its values; switched on "
+                    "there, they would be protected, and the control would take none of them",
                     file=before[-1].occurrence.file,
                     place=before[-1].occurrence.place,
                     expected="the values before the switch, or in a file of their own, as the control exports them (NC_CEC.INI)",

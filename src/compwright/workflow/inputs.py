@@ -121,7 +121,8 @@ def _check_axis(axis: Axis, test: PositioningTest) -> None:
             )
         )
     if test.axis and test.axis.upper() != axis.name.upper():
-        faults.append(Fault(message="is a test of another axis", file=file, place="key axis", expected=axis.name, found=test.axis))
+        expected = f"{axis.name}, or the axis of the job under the name that the test gives it"
+        faults.append(Fault(message="is a test of another axis", file=file, place="key axis", expected=expected, found=test.axis))
     raise_all(InputError, faults)
 
 

@@ -13,6 +13,7 @@ from compwright.documents.decode import finding_documents
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import read_plan
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis, VerifiedCircle, verification_document
+from compwright.estimation.cells import folded_findings
 from compwright.evaluation.decision import decide
 from compwright.evaluation.standards import evaluate
 from compwright.evaluation.uncertainty import temperature_between
@@ -61,7 +62,7 @@ from compwright.workflow.view import evaluations, verify_view
 from compwright.workflow.work import AS_FOUND
 
 #: Findings of an axis that say what its test does not prove: the verdict is undecided.
-_LACKING = frozenset({"CW-V020", "CW-V021", "CW-V024"})
+_LACKING = frozenset({"CW-V020", "CW-V021", "CW-V024", "CW-E010"})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -262,10 +263,11 @@ def _verify_axis(
     if planned.fitted is None and fault is None:
         loading = replace(loading, verdict="undecided", message="The plan holds no table for this axis: nothing was to be loaded.")
     proof = () if fault else (*proof_lacking(after.test, before_test), *doubted(result, before, guarded=_guarded(job)))
-    accept = _accept(job, planned, result, believed=loading.verdict != "measurement")
+    waves = folded_findings(after.test.targets, axis.screw_pitch, axis.kind.unit)
+    accept = _accept(job, planned, result, believed=loading.verdict != "measurement", folded=bool(waves))
     lacking = [name for name, entry in accept.items() if _guarded(job) and entry.U is None]
     guard = lacking_guard(axis, result.standard, lacking)
-    findings = (*loading.findings, *_named(loading), *proof, *guard, *_compare_loaded(planned, read_back))
+    findings = (*loading.findings, *_named(loading), *proof, *waves, *guard, *_compare_loaded(planned, read_back))
     return VerifiedAxis(
         before=before,
         predicted=predict(result, posterior, change, axis).predicted,
@@ -330,10 +332,13 @@ def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
     return (Finding("CW-V026", "warning", loading.message),) if loading.verdict == "measurement" else ()
 
 
-def _accept(job: Job, planned: PlannedAxis, result: PositioningResult, *, believed: bool) -> dict[str, AcceptDecision]:
+def _accept(
+    job: Job, planned: PlannedAxis, result: PositioningResult, *, believed: bool, folded: bool
+) -> dict[str, AcceptDecision]:
     """Decide about each tolerance of the job from the after test; a guarded decision needs the budget of the job.
 
-    Of readings that are not ``believed`` nothing is decided.
+    Of readings that are not ``believed`` nothing is decided, and nothing is accepted where a known period is ``folded``: these
+    targets show it as a longer wave, which the table follows.
     """
     entry = job.axes[planned.axis.name]
     if entry.accept is None:
@@ -353,6 +358,8 @@ def _accept(job: Job, planned: PlannedAxis, result: PositioningResult, *, believ
             if outside is None or not believed or (_guarded(job) and U is None)
             else decide(abs(outside), limit, U, job.decision_rule)
         )
+        if folded and decision == "accept":
+            decision = "undecided"
         decisions[name] = AcceptDecision(limit=limit, value=outside, U=U, decision=decision)
     return decisions
 
