@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from compwright.formats.capacity import capacity_for
 from compwright.formats.card import UNKNOWN, card_steps, card_values
-from compwright.formats.cec import Cec, cross_tables
+from compwright.formats.cec import Cec
+from compwright.formats.cec_sums import cross_tables
 from compwright.formats.cec_writing import write_cross
 from compwright.formats.reading import read_state
 from compwright.formats.writing import write_tables

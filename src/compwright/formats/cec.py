@@ -7,11 +7,9 @@ that act on one pair of axes add up; one that is multiplied by another is not re
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
-
-import numpy as np
 
 from compwright.formats.activity import Activity, Leadscrew
 from compwright.formats.consistency import curves, has_cross
@@ -22,7 +20,6 @@ from compwright.formats.schema import Choice, Definition
 from compwright.formats.tables import Table, TableSource, read_table
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
-from compwright.records.correction import AxisCompensation, CrossCompensation
 
 #: Quantities of one table, by the names that a table on one axis has.
 AS_TABLE = {"cross_value": "value", "cross_start": "table_start", "cross_end": "table_end", "cross_spacing": "table_spacing"}
@@ -500,95 +497,6 @@ def sign_question(address: str, tables: Sequence[CecTable]) -> Fault:
 def with_some_sign(options: Mapping[str, object]) -> Mapping[str, object]:
     """Return options with which the structure of tables can be read where their sign is not known."""
     return options if options.get("cec_sign") is not None else {**options, "cec_sign": "correction"}
-
-
-def check_sums(cec: Cec, notes: Notes, wanted: Iterable[str] = ()) -> None:
-    """A control whose sum of corrections runs into its limit stands in alarm: such a state cannot be read as curves.
-
-    ``wanted``: the axes that are asked for (none: all); others are left alone.
-    """
-    asked = tuple(wanted)
-    for output, limit in cec.max_sum.items():
-        if asked and output not in asked:
-            continue
-        pairs = dict.fromkeys(table.pair for table in cec.tables if table.output == output and table.active)
-        low = high = 0.0
-        for pair in pairs:
-            curves = [curve for _, _, *both in _merged(cec.acting(pair)) for curve in both]
-            low += min(float(np.min(curve)) for curve in curves)
-            high += max(float(np.max(curve)) for curve in curves)
-        if max(high, -low) > limit * (1 + 1e-9):
-            notes.faults.append(
-                Fault(
-                    message=f"axis {output}: its CEC tables together reach beyond CEC_MAX_SUM, where the control cuts them off",
-                    expected=f"at most {limit:g}",
-                    found=f"{low:g} .. {high:g}",
-                )
-            )
-
-
-def _merged(tables: Sequence[CecTable]) -> list[tuple[float | None, FloatArray, FloatArray, FloatArray]]:
-    """Return period, nodes and the sum of all tables by direction, for tables without a period and for each period and start.
-
-    The sum of curves that are straight between their nodes is straight between the nodes of all of them.
-    """
-    groups: dict[tuple[float | None, float | None], list[CecTable]] = {}
-    for table in tables:
-        start = None if table.period is None else float(table.positions[0])
-        groups.setdefault((table.period, start), []).append(table)
-    merged = []
-    for (period, _), members in groups.items():
-        nodes: FloatArray = np.unique(np.concatenate([table.positions for table in members]))
-        curves = []
-        for direction in Direction:
-            acting = [np.interp(nodes, table.positions, table.values) for table in members if direction in table.directions]
-            curves.append(np.sum(acting, axis=0) if acting else np.zeros(nodes.size))
-        merged.append((period, nodes, curves[0], curves[1]))
-    return merged
-
-
-def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensation:
-    """Return what acts on an axis together with its tables over itself: they are its table where it has no other one."""
-    own = [
-        replace(
-            compensation,
-            positions=nodes,
-            positive=positive,
-            negative=negative,
-            backlash=0.0,
-            period=period,
-            below="hold",
-            above="hold",
-        )
-        for period, nodes, positive, negative in _merged(cec.acting((compensation.address, compensation.address)))
-    ]
-    if not own:
-        return compensation
-    if compensation.positions.size == 0:
-        return replace(own[0], backlash=compensation.backlash, others=tuple(own[1:]))
-    return replace(compensation, others=tuple(own))
-
-
-def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
-    """Return what one axis does to another, in the order of the indices; tables of one pair that repeat differently stand apart."""
-    unknown = {(table.input, table.output) for table in cec.odd if table.largest}
-    pairs = [
-        pair for pair in dict.fromkeys(table.pair for table in cec.tables if table.input != table.output) if pair not in unknown
-    ]
-    return tuple(
-        CrossCompensation(
-            input=pair[0],
-            output=pair[1],
-            input_kind=kind(pair[0]),
-            output_kind=kind(pair[1]),
-            positions=nodes,
-            positive=positive,
-            negative=negative,
-            period=period,
-        )
-        for pair in pairs
-        for period, nodes, positive, negative in _merged(cec.acting(pair))
-    )
 
 
 def tables_in(facts: Mapping[str, Mapping[str, object]]) -> dict[int, Pair]:

@@ -14,7 +14,8 @@ from compwright.formats.activity import Activity
 from compwright.formats.addresses import normal_address, normal_text
 from compwright.formats.axis_reading import AxisReader, Fact
 from compwright.formats.beside import beside, check_unit
-from compwright.formats.cec import CEC_UNTOLD, check_sums, cross_tables, read_cec, sign_question, with_own_tables
+from compwright.formats.cec import CEC_UNTOLD, read_cec, sign_question
+from compwright.formats.cec_sums import check_sums, cross_tables, with_own_tables
 from compwright.formats.consistency import curves
 from compwright.formats.gantry import find_partners, partner_of
 from compwright.formats.gathering import Found, Gathered, gather

@@ -9,6 +9,7 @@ would hide a fault in the backlash.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -109,9 +110,13 @@ def judge_loading(
             verdict="undecided", margin=0.0, message="Cannot tell: the after test has fewer than 3 measured means."
         )
     sigma, dof = _after_noise(after_positive, after_negative, noise, noise_dof)
-    compared = _compare_readings(after_positive, after_negative, loaded, inactive, covariance, sigma, dof)
+
+    def compare(up: FloatArray, down: FloatArray) -> _Comparison:
+        return _compare_readings(up, down, loaded, inactive, covariance, sigma, dof)
+
+    compared = compare(after_positive, after_negative)
     verdict = _verdict(compared, _Words(np.flatnonzero(used), after_positive.shape[0], positions, unit))
-    turned = _turned(after_positive, after_negative, loaded, inactive, covariance, sigma, dof)
+    turned = _turned(after_positive, after_negative, compare)
     return verdict if turned is None else _turned_verdict(verdict, *turned)
 
 
@@ -133,13 +138,7 @@ def _compare_readings(
 
 
 def _turned(
-    positive: FloatArray,
-    negative: FloatArray,
-    loaded: FloatArray,
-    inactive: FloatArray,
-    covariance: FloatArray,
-    sigma: float,
-    dof: float,
+    positive: FloatArray, negative: FloatArray, compare: Callable[[FloatArray, FloatArray], _Comparison]
 ) -> tuple[MeasurementFault, float] | None:
     """Return what was turned in the readings, and by which log-likelihood the loaded table explains them better turned back.
 
@@ -148,7 +147,7 @@ def _turned(
     """
 
     def likelihood(up: FloatArray, down: FloatArray) -> tuple[float, bool]:
-        compared = _compare_readings(up, down, loaded, inactive, covariance, sigma, dof)
+        compared = compare(up, down)
         # Without the factor 1 of the loaded table nothing else may be turned: the size of the effect counts in the likelihood.
         return compared.log_likelihood(1.0), compared.fits(1.0)
 
