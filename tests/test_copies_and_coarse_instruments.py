@@ -10,6 +10,7 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.evaluation.copies import same_runs_findings
+from compwright.instruments.reading import read_positioning
 from compwright.workflow.inputs import read_measurement
 from loop import Floats, Machine, csv_of
 
@@ -99,3 +100,19 @@ def test_zeros_of_a_coarse_display_are_no_doubt(tmp_path: Path) -> None:
     near_zero = {sign: np.round(rng.normal(0.0, 0.0003, (TARGETS.size, 5)) / 1e-3) * 1e-3 for sign in (1, -1)}
     far = {sign: block + np.where(TARGETS > 600.0, 0.004, 0.0)[:, np.newaxis] for sign, block in near_zero.items()}
     assert "CW-T011" not in doubts(tmp_path, far)
+
+
+def test_a_run_of_zeros_on_a_coarse_display_is_no_run_that_was_not_made() -> None:
+    """A display of 1 µm shows a good axis (0.4 µm of noise) as 0 in eight readings of ten: a whole run of nine zeros is common."""
+    rng = np.random.default_rng(4)
+    shown = np.round(rng.normal(0.0, 0.4, (9, 10)))
+    shown[:, 3] = 0.0
+    rows = [f"{50.0 * k}," + ",".join(f"{value:g}" for value in row) for k, row in enumerate(shown)]
+    head = "# unit: um\ntarget_mm," + ",".join(f"{sign}{run}" for run in range(1, 6) for sign in "+-") + "\n"
+    coarse = read_positioning((head + "\n".join(rows) + "\n").encode(), "coarse.csv")
+    assert "CW-R010" not in [finding.code for finding in coarse.findings]
+    fine = np.round(rng.normal(0.0, 4.0, (9, 10)), 1)
+    fine[:, 3] = 0.0
+    rows = [f"{50.0 * k}," + ",".join(f"{value:g}" for value in row) for k, row in enumerate(fine)]
+    filled = read_positioning((head + "\n".join(rows) + "\n").encode(), "filled.csv")
+    assert "CW-R010" in [finding.code for finding in filled.findings]
