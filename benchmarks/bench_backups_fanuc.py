@@ -1,8 +1,10 @@
-"""Random jobs on variations of the real FANUC backup by the hundred, judged by the virtual FANUC of the tests.
+"""Random jobs on variations of the real FANUC backup by the hundred, judged by the virtual FANUC of
+the tests.
 
-``python benchmarks/bench_backups_fanuc.py [JOBS] [FIRST]``: 300 jobs by default, FIRST skips as many of the deal; every fifth job
-has the whole backup, the others the part of it that matters. Prints every fault, then how many jobs were written, refused and
-faulty, and jobs a minute. Exit 1 where one is faulty or less than 60 % are written.
+``python benchmarks/bench_backups_fanuc.py [JOBS] [FIRST]``: 300 jobs by default, FIRST skips as
+many of the deal; every fifth job has the whole backup, the others the part of it that matters.
+Prints every fault, then how many jobs were written, refused and faulty, and jobs a minute. Exit 1
+where one is faulty or less than 60 % are written.
 """
 
 from __future__ import annotations
@@ -36,7 +38,10 @@ def main(count: int, first: int) -> int:
             faulty += 1
             print(outcome, flush=True)
     speed = 60 * count / (time.perf_counter() - start)
-    print(f"{count} jobs: {written} written, {count - written} refused, {faulty} faulty; {speed:.0f} jobs a minute")
+    print(
+        f"{count} jobs: {written} written, {count - written} refused, {faulty} faulty; {speed:.0f}"
+        " jobs a minute"
+    )
     return int(faulty > 0 or written < 0.6 * count)
 
 

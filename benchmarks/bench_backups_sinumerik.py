@@ -1,8 +1,10 @@
-"""Some hundred jobs on variations of a real SINUMERIK archive, before a virtual control that shares nothing with the package.
+"""Some hundred jobs on variations of a real SINUMERIK archive, before a virtual control that shares
+nothing with the package.
 
 python benchmarks/bench_backups_sinumerik.py [COUNT]        (default 300)
 
-Prints every harm, and how many were written and refused. Exit 1: a job did harm, a plain one was refused, or below 60 % written.
+Prints every harm, and how many were written and refused. Exit 1: a job did harm, a plain one was
+refused, or below 60 % written.
 """
 
 from __future__ import annotations
@@ -31,9 +33,13 @@ def run(arguments: list[str]) -> tuple[int, str]:
 
 
 def whole() -> Case:
-    """The machine data as they stand, 38 000 lines; temperature compensation is on for X, Y and Z (MD32750): a rotary axis."""
+    """The machine data as they stand, 38 000 lines; temperature compensation is on for X, Y and Z
+    (MD32750): a rotary axis.
+    """
     case = named(nothing, axis="AX5")
-    case.md = put(member("INITIAL.INI").decode("latin-1"), "$MA_MM_ENC_COMP_MAX_POINTS[1,AX5]", "61")
+    case.md = put(
+        member("INITIAL.INI").decode("latin-1"), "$MA_MM_ENC_COMP_MAX_POINTS[1,AX5]", "61"
+    )
     return case
 
 
@@ -54,7 +60,10 @@ def main(count: int) -> int:
     written = sum(number for (_, what), number in tally.items() if what == "written")
     for (mark, what), number in sorted(tally.items()):
         print(f"{mark:12} {what:8} {number:4}")
-    print(f"{len(cases)} jobs, {written} written ({100 * written / len(cases):.0f} %), {harms} with harm")
+    print(
+        f"{len(cases)} jobs, {written} written ({100 * written / len(cases):.0f} %), {harms} with"
+        " harm"
+    )
     return int(harms > 0 or written < 0.6 * len(cases))
 
 

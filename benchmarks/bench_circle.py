@@ -1,8 +1,10 @@
-"""Diagnosis of circular tests over random machines: intervals that hold the truth, variance by its bound, seconds. Judges nothing.
+"""Diagnosis of circular tests over random machines: intervals that hold the truth, variance by its
+bound, seconds. Judges nothing.
 
-``python benchmarks/bench_circle.py [MACHINES]`` (2000 by default). The bound is that of Cramér and Rao for white noise, from
-finite differences of the exact path over every cause, decay length and pitch, and over the nuisances that the diagnosis
-allows for (creep of the ball between the directions, lateral play that changes along the axis).
+``python benchmarks/bench_circle.py [MACHINES]`` (2000 by default). The bound is that of Cramér and
+Rao for white noise, from finite differences of the exact path over every cause, decay length and
+pitch, and over the nuisances that the diagnosis allows for (creep of the ball between the
+directions, lateral play that changes along the axis).
 """
 
 from __future__ import annotations
@@ -61,10 +63,14 @@ def bound(machine: Machine, setup: Setup) -> dict[str, float]:
     covariance = np.linalg.inv((rows / unit).T @ (rows / unit)) / np.outer(unit, unit)
     found = dict(zip(names, np.sqrt(np.diag(covariance)), strict=False))
     combined = {
-        f"backlash_{axis}": {f"backlash_{axis}_at_{end}": 0.5 for end in ("positive", "negative")} for axis in ("first", "second")
+        f"backlash_{axis}": {f"backlash_{axis}_at_{end}": 0.5 for end in ("positive", "negative")}
+        for axis in ("first", "second")
     }
     difference = 2e-3 * setup.radius
-    combined["scale_mismatch"] = {"scale_error_first": difference, "scale_error_second": -difference}
+    combined["scale_mismatch"] = {
+        "scale_error_first": difference,
+        "scale_error_second": -difference,
+    }
     for name, parts in combined.items():
         weights = np.zeros(len(unit))
         for part, weight in parts.items():
@@ -74,7 +80,9 @@ def bound(machine: Machine, setup: Setup) -> dict[str, float]:
 
 
 def table(count: int, setup_of: Callable[[np.random.Generator], Setup], *, bounded: bool) -> None:
-    """Print a row per cause: share inside its 95 % interval, rms and mean error in standard errors, variance by its bound."""
+    """Print a row per cause: share inside its 95 % interval, rms and mean error in standard errors,
+    variance by its bound.
+    """
     scores: dict[str, list[float]] = {}
     ratios: dict[str, list[float]] = {}
     wall, cpu = [], []
@@ -88,7 +96,11 @@ def table(count: int, setup_of: Callable[[np.random.Generator], Setup], *, bound
         wall.append(time.perf_counter() - started)
         cpu.append(time.process_time() - used)
         known = truth(machine, setup)
-        known |= {name: float(getattr(machine, name)) for name in effects if name.startswith(("reversal_spike", "cyclic"))}
+        known |= {
+            name: float(getattr(machine, name))
+            for name in effects
+            if name.startswith(("reversal_spike", "cyclic"))
+        }
         least = bound(machine, setup) if bounded else {}
         for name, value in known.items():
             error = effects[name].value - value
@@ -98,12 +110,16 @@ def table(count: int, setup_of: Callable[[np.random.Generator], Setup], *, bound
     spread = 1.96 * np.sqrt(0.95 * 0.05 / count)
     print(f"{count} machines; 0.95 ± {spread:.3f} is expected of a right interval")
     print(
-        f"seconds of 2 x 1500 samples, median and 95 %: wall {np.median(wall):.3f} {np.quantile(wall, 0.95):.3f}, "
-        f"processor {np.median(cpu):.3f} {np.quantile(cpu, 0.95):.3f}; wanted below 0.050"
+        f"seconds of 2 x 1500 samples, median and 95 %: wall {np.median(wall):.3f}"
+        f" {np.quantile(wall, 0.95):.3f}, processor {np.median(cpu):.3f}"
+        f" {np.quantile(cpu, 0.95):.3f}; wanted below 0.050"
     )
     for name, values in scores.items():
         z = np.array(values)
-        line = f"  {name:28} inside {np.mean(np.abs(z) < 1.96):.3f}  rms {np.sqrt(np.mean(z**2)):.2f}  mean {np.mean(z):+.2f}"
+        line = (
+            f"  {name:28} inside {np.mean(np.abs(z) < 1.96):.3f}  rms {np.sqrt(np.mean(z**2)):.2f} "
+            f" mean {np.mean(z):+.2f}"
+        )
         if bounded:
             line += f"  variance / bound {np.mean(np.square(ratios[name])):.2f}"
         print(line)

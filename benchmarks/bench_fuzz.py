@@ -1,7 +1,9 @@
-"""Damaged control files by the million: refused, or a table on which both readers agree. Judges nothing, prints what is neither.
+"""Damaged control files by the million: refused, or a table on which both readers agree. Judges
+nothing, prints what is neither.
 
-``python benchmarks/bench_fuzz.py [TRIALS] [SEED]`` (1 000 000 and 1 by default, shared by the formats). Prints, by format: refused,
-agreed, and failures by their sentence with one example each, and the longest time that one set of files took.
+``python benchmarks/bench_fuzz.py [TRIALS] [SEED]`` (1 000 000 and 1 by default, shared by the
+formats). Prints, by format: refused, agreed, and failures by their sentence with one example each,
+and the longest time that one set of files took.
 """
 
 from __future__ import annotations
@@ -42,9 +44,9 @@ def one_format(format_id: str, count: int, seed: int) -> None:
         longest = max(longest, time.perf_counter() - began)
     seconds = time.perf_counter() - start
     print(
-        f"{format_id}: {counts['refused']} refused, {counts['ambiguous']} of two meanings, {counts['agreed']} agreed, "
-        f"{counts['failed']} failed; "
-        f"{count / seconds:.0f} trials/s, the longest {longest * 1000:.0f} ms"
+        f"{format_id}: {counts['refused']} refused, {counts['ambiguous']} of two meanings,"
+        f" {counts['agreed']} agreed, {counts['failed']} failed; {count / seconds:.0f} trials/s,"
+        f" the longest {longest * 1000:.0f} ms"
     )
     for key, example in examples.items():
         print(f"  {key}\n    {example}")

@@ -1,9 +1,12 @@
-"""Tables of whole increments: time per solve at 1 000 nodes, and what is left against two ways of rounding. Prints, judges nothing.
+"""Tables of whole increments: time per solve at 1 000 nodes, and what is left against two ways of
+rounding. Prints, judges nothing.
 
-Three ways to the same table: the exact optimum over whole increments and reversal values; the best real values with their totals
-rounded; the same with each increment rounded by itself, which drifts. "rms" and "E" are those of the systematic error that is left
-over the travel, both directions, no noise; E at 2 001 positions. Rounded tables that leave the increments' limits are clipped. The
-optimum is that of the mean square: E, which one position decides, may come out a little smaller after plain rounding of totals.
+Three ways to the same table: the exact optimum over whole increments and reversal values; the best
+real values with their totals rounded; the same with each increment rounded by itself, which drifts.
+"rms" and "E" are those of the systematic error that is left over the travel, both directions, no
+noise; E at 2 001 positions. Rounded tables that leave the increments' limits are clipped. The
+optimum is that of the mean square: E, which one position decides, may come out a little smaller
+after plain rounding of totals.
 """
 
 from __future__ import annotations
@@ -41,7 +44,9 @@ def control(largest: int, *, step: bool) -> Capacity:
         value_range=(-32.0, 32.0),
         backlash_quantum=1 * UM,
         backlash_range=(-9999 * UM, 9999 * UM),
-        lattice=Lattice(unit=1 * UM, increments=(-largest, largest), magnifications=tuple(range(1, 101))),
+        lattice=Lattice(
+            unit=1 * UM, increments=(-largest, largest), magnifications=tuple(range(1, 101))
+        ),
         interpolation="step" if step else "linear",
         anchored=True,
     )
@@ -52,7 +57,9 @@ def axis(seed: int, slope: float) -> WantedCorrection:
     rng = np.random.default_rng(seed)
     where = np.linspace(0.0, TRAVEL, 2001)
     order = np.arange(1, 9)
-    waves = np.sin(np.outer(where, order) * np.pi / TRAVEL + rng.uniform(0, 6, 8)) @ (rng.standard_normal(8) / order)
+    waves = np.sin(np.outer(where, order) * np.pi / TRAVEL + rng.uniform(0, 6, 8)) @ (
+        rng.standard_normal(8) / order
+    )
     curve = 6 * UM * (waves - waves[0]) + slope * rng.choice([-1.0, 1.0]) * UM * where / 1000.0
     return WantedCorrection(
         kind=AxisKind.LINEAR,
@@ -67,12 +74,18 @@ def axis(seed: int, slope: float) -> WantedCorrection:
 
 def left(table: AxisCompensation, wanted: WantedCorrection) -> tuple[float, float]:
     """Return rms and E of what a table leaves, µm."""
-    rest = [table.at(wanted.positions, direction) - wanted.total(direction) for direction in Direction]
+    rest = [
+        table.at(wanted.positions, direction) - wanted.total(direction) for direction in Direction
+    ]
     return float(np.sqrt(np.mean(np.square(rest)))) / UM, float(np.max(rest) - np.min(rest)) / UM
 
 
-def rounded(free: AxisCompensation, step: float, largest: int, *, increments: bool) -> AxisCompensation:
-    """Return the table of real values rounded, totals or increments, each increment within its limits."""
+def rounded(
+    free: AxisCompensation, step: float, largest: int, *, increments: bool
+) -> AxisCompensation:
+    """Return the table of real values rounded, totals or increments, each increment within its
+    limits.
+    """
     values = free.positive / step
     steps = np.round(np.diff(values)) if increments else np.diff(np.round(values))
     totals: Array = np.append(0.0, np.cumsum(np.clip(steps, -largest, largest))) * step
@@ -94,11 +107,22 @@ def quality(largest: int, spacing: float, slope: float, *, step: bool) -> None:
         real = fit_table(wanted, free, request, address="1").compensation
         rows["exact"].append(left(fitted.compensation, wanted))
         for name in ("totals", "increments"):
-            rows[name].append(left(rounded(real, magnification * UM, largest, increments=name == "increments"), wanted))
+            rows[name].append(
+                left(
+                    rounded(real, magnification * UM, largest, increments=name == "increments"),
+                    wanted,
+                )
+            )
     shape = "steps" if step else "lines"
-    medians = {name: [statistics.median(column) for column in zip(*row, strict=True)] for name, row in rows.items()}
+    medians = {
+        name: [statistics.median(column) for column in zip(*row, strict=True)]
+        for name, row in rows.items()
+    }
     says = ", ".join(f"{name} {rms:.2f} / {e:.2f}" for name, (rms, e) in medians.items())
-    case = f"±{largest:<3} every {spacing:g} mm, {slope:g} µm/m, {shape}, magnification {min(chosen)} to {max(chosen)}"
+    case = (
+        f"±{largest:<3} every {spacing:g} mm, {slope:g} µm/m, {shape}, magnification {min(chosen)}"
+        f" to {max(chosen)}"
+    )
     print(f"{case}: rms / E {says} µm")
 
 
@@ -108,10 +132,15 @@ def speed(largest: int, slope: float, *, step: bool) -> None:
     for run in range(RUNS + 1):
         wanted = axis(run, slope)
         start = time.perf_counter()
-        magnification = fit_table(wanted, capacity, TableRequest(spacing=1.0), address="1").certificate["magnification"]
+        magnification = fit_table(
+            wanted, capacity, TableRequest(spacing=1.0), address="1"
+        ).certificate["magnification"]
         seconds.append(time.perf_counter() - start)
     shape = "steps" if step else "lines"
-    print(f"1 001 nodes, ±{largest}, {slope:g} µm/m, {shape}: {spread(seconds[1:], 3)} s, magnification {magnification:g}")
+    print(
+        f"1 001 nodes, ±{largest}, {slope:g} µm/m, {shape}: {spread(seconds[1:], 3)} s,"
+        f" magnification {magnification:g}"
+    )
 
 
 def main() -> None:

@@ -1,4 +1,6 @@
-"""The minimum zone and a whole evaluation: processor seconds, best of several. Prints, judges nothing."""
+"""The minimum zone and a whole evaluation: processor seconds, best of several. Prints, judges
+nothing.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +30,9 @@ def best(work: Callable[[], object]) -> float:
 
 
 def points(n: int, extent: float, seed: int = 1) -> NDArray[np.float64]:
-    """Return ``n`` points on an arc of R = 150 mm: an oval of ±3 µm, 2 µm of scatter, a spike of 20 µm, 0.5 mm off centre."""
+    """Return ``n`` points on an arc of R = 150 mm: an oval of ±3 µm, 2 µm of scatter, a spike of 20
+    µm, 0.5 mm off centre.
+    """
     rng = np.random.default_rng(seed)
     angle = np.radians(rng.uniform(0.0, extent, n))
     radius = 150.0 + 0.003 * np.cos(2.0 * angle) + 0.002 * rng.normal(size=n)
@@ -63,10 +67,16 @@ def main() -> None:
         for extent in (90.0, 220.0, 360.0):
             cloud = points(n, extent)
             wanted = "; wanted below 50" if n == 100_000 else ""
-            print(f"minimum zone of {n:7} points over {extent:3.0f}°: {best(partial(minimum_zone, cloud)):6.1f}{wanted}")
+            print(
+                f"minimum zone of {n:7} points over {extent:3.0f}°:"
+                f" {best(partial(minimum_zone, cloud)):6.1f}{wanted}"
+            )
     test = a_test(1_500)
     for standard in ("iso230-4:1996", "iso230-4:2005"):
-        print(f"evaluation of 2 x 1500 samples, {standard}: {best(partial(evaluate_circle, test, standard)):6.1f}")
+        print(
+            f"evaluation of 2 x 1500 samples, {standard}:"
+            f" {best(partial(evaluate_circle, test, standard)):6.1f}"
+        )
 
 
 if __name__ == "__main__":

@@ -1,7 +1,9 @@
-"""Random plans by the thousand: fitted, written, read by the judge; every table the same to the last quantum. Judges nothing.
+"""Random plans by the thousand: fitted, written, read by the judge; every table the same to the
+last quantum. Judges nothing.
 
-``python benchmarks/bench_plans.py [PLANS]`` (10 000 by default, shared by the formats). Prints, by format: plans written and
-refused, the largest difference between the fitted table and the judge's reading, plans a second, and every plan that differs.
+``python benchmarks/bench_plans.py [PLANS]`` (10 000 by default, shared by the formats). Prints, by
+format: plans written and refused, the largest difference between the fitted table and the judge's
+reading, plans a second, and every plan that differs.
 """
 
 from __future__ import annotations
@@ -36,8 +38,9 @@ def one_format(format_id: str, count: int) -> None:
             print(f"{format_id}: seed {seed} differs by {difference:g}: {plan.axis}")
     speed = count / (time.perf_counter() - start)
     print(
-        f"{format_id}: {counts['written']} written, {counts['refused']} refused, {counts['different']} different; "
-        f"largest difference {worst:.2g} mm or deg; {speed:.0f} plans/s"
+        f"{format_id}: {counts['written']} written, {counts['refused']} refused,"
+        f" {counts['different']} different; largest difference {worst:.2g} mm or deg; {speed:.0f}"
+        " plans/s"
     )
 
 

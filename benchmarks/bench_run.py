@@ -1,4 +1,6 @@
-"""``run`` of three axes, report and card included, in turn with ``python -c "import numpy"``. Prints, judges nothing."""
+"""``run`` of three axes, report and card included, in turn with ``python -c "import numpy"``.
+Prints, judges nothing.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +10,8 @@ from pathlib import Path
 from measure import COMPWRIGHT, NUMPY, in_turn, once, spread, two_processors
 
 RUNS = 5
-#: Axis -> travel, slope, amplitude of the smooth error, reversal, noise (µm) and targets of the virtual machine; keys of the job.
+#: Axis -> travel, slope, amplitude of the smooth error, reversal, noise (µm) and targets of the
+#: virtual machine; keys of the job.
 AXES = {
     "X": ("[0, 850]", 22, 5, -5, 0.5, 18, "screw_pitch: 10, "),
     "Y": ("[-500, 0]", -31, 3, -3, 0.4, 11, ""),
@@ -30,7 +33,8 @@ def prepare(folder: Path, format_id: str) -> Path:
         error += f"reversal: {{mean_um: {reversal}}}, noise_um: {noise}}}"
         machine.append(f"{head}    error: {error}\n    test: {{targets: {targets}}}")
         job.append(
-            f"{head}    accept: {{A: 12}}\n    before: [{name.lower()}.csv]" + (f"\n    {keys.rstrip(', ')}" if keys else "")
+            f"{head}    accept: {{A: 12}}\n    before: [{name.lower()}.csv]"
+            + (f"\n    {keys.rstrip(', ')}" if keys else "")
         )
     machine_file, job_file = folder / "machine.yaml", folder / "job.yaml"
     machine_file.write_text("\n".join(machine) + "\n", encoding="utf-8")
@@ -47,9 +51,9 @@ def main() -> None:
             job = prepare(Path(name) / format_id, format_id)
             pairs = in_turn([*COMPWRIGHT, "run", str(job), "--force"], NUMPY, RUNS)
             print(
-                f"run of three axes, {format_id:16} wall {spread([one.wall for one, _ in pairs])} s,"
-                f" processor {spread([one.cpu for one, _ in pairs])} s,"
-                f" ratio to import numpy {spread([one.wall / other.wall for one, other in pairs], 1)}; wanted below 6 s"
+                f"run of three axes, {format_id:16} wall {spread([one.wall for one, _ in pairs])}"
+                f" s, processor {spread([one.cpu for one, _ in pairs])} s, ratio to import numpy"
+                f" {spread([one.wall / other.wall for one, other in pairs], 1)}; wanted below 6 s"
             )
 
 

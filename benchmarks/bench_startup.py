@@ -1,4 +1,6 @@
-"""Start-up: ``--help`` and ``evaluate`` of one test, in turn with ``python -c "import numpy"``. Prints ratios, judges nothing."""
+"""Start-up: ``--help`` and ``evaluate`` of one test, in turn with ``python -c "import numpy"``.
+Prints ratios, judges nothing.
+"""
 
 from __future__ import annotations
 
@@ -10,11 +12,15 @@ from measure import COMPWRIGHT, NUMPY, in_turn, spread, two_processors
 RUNS = 11
 
 
+def deviation(i: int, direction: str, run: int) -> float:
+    return 0.9 * i + 0.3 * run * (-1.0) ** i + (2 if direction == "-" else 0)
+
+
 def a_test(path: Path) -> Path:
     """Write one test of 11 targets, 5 runs each way, in the long form of the plain CSV."""
     rows = ["# axis: X", "# cycle: standard", "target_mm,direction,run,deviation_um"]
     rows += [
-        f"{100 * i + 7 * (i % 3)},{direction},{run},{0.9 * i + 0.3 * run * (-1) ** i + (2 if direction == '-' else 0):.2f}"
+        f"{100 * i + 7 * (i % 3)},{direction},{run},{deviation(i, direction, run):.2f}"
         for i in range(11)
         for direction in "+-"
         for run in range(1, 6)
@@ -24,7 +30,9 @@ def a_test(path: Path) -> Path:
 
 
 def main() -> None:
-    """Print a row per command: wall and processor seconds, ratio of the wall seconds to numpy, and what is wanted."""
+    """Print a row per command: wall and processor seconds, ratio of the wall seconds to numpy, and
+    what is wanted.
+    """
     print(f"whole processes on {two_processors()}, {RUNS} pairs, min / median / max")
     with tempfile.TemporaryDirectory() as folder:
         test = str(a_test(Path(folder) / "x.csv"))

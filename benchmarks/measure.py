@@ -1,4 +1,6 @@
-"""Whole processes in turn: A B A B ..., wall and processor seconds of each, and the ratio pair by pair."""
+"""Whole processes in turn: A B A B ..., wall and processor seconds of each, and the ratio pair by
+pair.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,9 @@ class Cost:
 
 
 def two_processors() -> str:
-    """Stay on two processors where the system lets us, as a service laptop would; say what was done."""
+    """Stay on two processors where the system lets us, as a service laptop would; say what was
+    done.
+    """
     if not hasattr(os, "sched_setaffinity"):
         return f"{os.cpu_count()} processors"
     chosen = sorted(os.sched_getaffinity(0))[:2]
@@ -38,10 +42,14 @@ def once(command: Sequence[str]) -> Cost:
     environment = {**os.environ, "PYTHONPATH": str(PROJECT / "src")}
     before = os.times()
     start = time.perf_counter()
-    subprocess.run(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=True)
+    subprocess.run(
+        command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, check=True
+    )
     wall = time.perf_counter() - start
     after = os.times()
-    cpu = after.children_user - before.children_user + after.children_system - before.children_system
+    cpu = (
+        after.children_user - before.children_user + after.children_system - before.children_system
+    )
     return Cost(wall=wall, cpu=cpu)
 
 
@@ -54,4 +62,7 @@ def in_turn(one: Sequence[str], other: Sequence[str], runs: int) -> list[tuple[C
 
 def spread(values: Sequence[float], digits: int = 2) -> str:
     """Return minimum, median and maximum as text."""
-    return f"{min(values):.{digits}f} / {statistics.median(values):.{digits}f} / {max(values):.{digits}f}"
+    return (
+        f"{min(values):.{digits}f} / {statistics.median(values):.{digits}f} /"
+        f" {max(values):.{digits}f}"
+    )

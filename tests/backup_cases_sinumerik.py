@@ -1,7 +1,9 @@
-"""The ground of every job on a real SINUMERIK archive: an axis, its measuring system, its old table, and the mark of the job.
+"""The ground of every job on a real SINUMERIK archive: an axis, its measuring system, its old
+table, and the mark of the job.
 
 ``plain``        nothing else acts on the axis: a table must be written;
-``answerable``   something acts or is open that can be honoured: written and right, or refused by name;
+``answerable``   something acts or is open that can be honoured: written and right,
+or refused by name;
 ``must_refuse``  the files and the job leave open, or contradict, what decides: refused by name.
 """
 
@@ -19,7 +21,13 @@ from sinumerik_archive import eec_lines, number, put, replace_eec
 PLAIN, ANSWERABLE, MUST_REFUSE = "plain", "answerable", "must_refuse"
 NAMES = {"AX1": "X1", "AX2": "Y1", "AX3": "Z1", "AX4": "C1", "AX5": "A1"}
 ROTARY = {"AX4", "AX5", "AX6", "AX7", "AX20"}
-TRAVELS = {"AX1": (0.0, 935.0), "AX2": (-850.0, 0.0), "AX3": (-650.0, 0.0), "AX4": (0.0, 360.0), "AX5": (-120.0, 120.0)}
+TRAVELS = {
+    "AX1": (0.0, 935.0),
+    "AX2": (-850.0, 0.0),
+    "AX3": (-650.0, 0.0),
+    "AX4": (0.0, 360.0),
+    "AX5": (-120.0, 120.0),
+}
 UM, ARCSEC = 1e-3, 1 / 3600
 
 
@@ -47,7 +55,9 @@ class Case:
     options: dict[str, str] = field(default_factory=dict)
     table: dict[str, str] = field(default_factory=dict)
     active: str | None = None
-    enabled: bool | None = None  # MD32700 of the axis during the test, where the files do not say it
+    enabled: bool | None = (
+        None  # MD32700 of the axis during the test, where the files do not say it
+    )
     none: bool = False
     mark: str = PLAIN
     demand: str = "$^"  # what a refusal must name
@@ -92,27 +102,42 @@ class Case:
         self.mark, self.demand, self.code = MUST_REFUSE, demand, code
 
 
-# -- the ground -------------------------------------------------------------------------------------------------------------------
+# -- the ground
+# --------------------------------------------------------------------------------------------------
 
 
-def start(seed: int, rng: np.random.Generator, axis: str | None = None, kind: tuple[str, str] | None = None) -> Case:
-    axis = axis or str(rng.choice(["AX1", "AX2", "AX3", "AX4", "AX5"], p=[0.3, 0.2, 0.25, 0.15, 0.1]))
+def start(
+    seed: int,
+    rng: np.random.Generator,
+    axis: str | None = None,
+    kind: tuple[str, str] | None = None,
+) -> Case:
+    axis = axis or str(
+        rng.choice(["AX1", "AX2", "AX3", "AX4", "AX5"], p=[0.3, 0.2, 0.25, 0.15, 0.1])
+    )
     systems, state = kind or (
         str(rng.choice(["second", "first"], p=[0.6, 0.4])),
         str(rng.choice(["zero", "on", "off"], p=[0.3, 0.55, 0.15])),
     )
-    case = Case(seed, axis, NAMES[axis][0], travel=TRAVELS[axis], modulo=axis == "AX4", address=axis)
+    case = Case(
+        seed, axis, NAMES[axis][0], travel=TRAVELS[axis], modulo=axis == "AX4", address=axis
+    )
     case.told += [axis, systems, state]
     case.md, case.eec, case.cec = archive.machine_data(), archive.eec_text(), archive.cec_text()
     case.kind = "rotary" if case.rotary else "linear"
-    # The tables 2 (X over Y) and 7 (A over C) of the archive hold values and act on AX2 and AX4: elsewhere they are others'.
+    # The tables 2 (X over Y) and 7 (A over C) of the archive hold values and act on AX2 and AX4:
+    # elsewhere they are others'.
     for t, output in (("2", "AX2"), ("7", "AX4")):
         if output == axis:
             case.md = put(case.md, f"$SN_CEC_TABLE_ENABLE[{t}]", "0")
     case.system = 1 if systems == "second" else 0
     reserved = int(rng.choice([25, 25, 40, 61, 12, 121]))
     for e in (0, 1):
-        case.md = put(case.md, f"$MA_MM_ENC_COMP_MAX_POINTS[{e},{axis}]", str(reserved if e == case.system else 0))
+        case.md = put(
+            case.md,
+            f"$MA_MM_ENC_COMP_MAX_POINTS[{e},{axis}]",
+            str(reserved if e == case.system else 0),
+        )
         on = e == case.system and state != "off"
         case.md = put(case.md, f"$MA_ENC_COMP_ENABLE[{e},{axis}]", str(int(on)))
     if systems == "first":
@@ -124,10 +149,16 @@ def start(seed: int, rng: np.random.Generator, axis: str | None = None, kind: tu
     case.nonzero = state != "zero"
     values = smooth(case, rng) if case.nonzero else np.zeros(count)
     case.eec = replace_eec(
-        case.eec, axis, eec_lines(axis, case.system, low, step, list(values), modulo=case.modulo, spare=reserved - count)
+        case.eec,
+        axis,
+        eec_lines(
+            axis, case.system, low, step, list(values), modulo=case.modulo, spare=reserved - count
+        ),
     )
     if rng.random() < 0.35:
-        case.md = put(case.md, f"$MA_BACKLASH[{case.system},{axis}]", number(rng.uniform(-2, 9) * case.unit))
+        case.md = put(
+            case.md, f"$MA_BACKLASH[{case.system},{axis}]", number(rng.uniform(-2, 9) * case.unit)
+        )
     if rng.random() < 0.2 and not case.rotary:
         case.home = -1
     if state == "off":
@@ -140,7 +171,9 @@ def grid_of(case: Case, rng: np.random.Generator, reserved: int) -> tuple[float,
     low, high = case.travel
     count = min(reserved, int(rng.integers(8, 32)))
     step = (high - low) / (count - 1)
-    if not case.modulo and rng.random() < 0.6:  # round numbers, and often a table that is longer or shorter than the travel
+    if (
+        not case.modulo and rng.random() < 0.6
+    ):  # round numbers, and often a table that is longer or shorter than the travel
         step = float(rng.choice([15, 30]) if case.rotary else rng.choice([25, 40, 50, 65]))
         count = min(reserved, int((high - low) / step) + int(rng.integers(0, 2)) + 1)
     elif case.modulo:
@@ -172,7 +205,9 @@ def smooth(case: Case, rng: np.random.Generator, scale: float = 1.0) -> np.ndarr
 
 
 def off_in_the_machine_data(case: Case, rng: np.random.Generator) -> None:
-    """MD32700 = 0 over a table with values: the files switch it off. The job says whether that is how the test was taken."""
+    """MD32700 = 0 over a table with values: the files switch it off. The job says whether that is
+    how the test was taken.
+    """
     answer = rng.random()
     if answer < 0.4:
         case.active, case.enabled = str(rng.choice(["no", "false"])), False
@@ -185,7 +220,9 @@ def off_in_the_machine_data(case: Case, rng: np.random.Generator) -> None:
 
 
 def style(case: Case, rng: np.random.Generator) -> None:
-    """The same statements in other forms seen: CR LF, block numbers, blanks, comments, TRUE and FALSE, M30, checksums."""
+    """The same statements in other forms seen: CR LF, block numbers, blanks, comments, TRUE and
+    FALSE, M30, checksums.
+    """
     form = int(rng.integers(0, 9))
     case.told.append(f"form {form}")
 
@@ -209,8 +246,15 @@ def style(case: Case, rng: np.random.Generator) -> None:
     elif form == 5:
         case.eec = case.eec.replace("M17\n", "M30\n")
     elif form == 6:
-        case.eec = "%_N_AX_EEC_INI\n" + re.sub(r"=(\d+\.\d+)$", r"=+\1", case.eec, flags=re.MULTILINE)
+        case.eec = "%_N_AX_EEC_INI\n" + re.sub(
+            r"=(\d+\.\d+)$", r"=+\1", case.eec, flags=re.MULTILINE
+        )
     elif form == 7:
         case.cec = None
     elif form == 8:  # a line checksum (MD11230)
-        case.md = re.sub(r"^(N\d+ \$.*)$", lambda m: f"{m[1]} '{sum(m[1].encode()) & 0xFFFF:04X}", case.md, flags=re.MULTILINE)
+        case.md = re.sub(
+            r"^(N\d+ \$.*)$",
+            lambda m: f"{m[1]} '{sum(m[1].encode()) & 0xFFFF:04X}",
+            case.md,
+            flags=re.MULTILINE,
+        )

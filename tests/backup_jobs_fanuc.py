@@ -1,4 +1,6 @@
-"""An axis with its errors, its test, and the job around it; and the list of families of such jobs. Positions mm or degrees."""
+"""An axis with its errors, its test, and the job around it; and the list of families of such jobs.
+Positions mm or degrees.
+"""
 
 from __future__ import annotations
 
@@ -14,12 +16,15 @@ from virtual_fanuc import Floats
 
 RUNS = 5
 
-# --- the axis -------------------------------------------------------------------------------------------------------------------
+# --- the axis
+# --------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
 class Physics:
-    """Deviations of an axis without any table, in mm or degrees: waves, a slope, lost motion, noise per reading."""
+    """Deviations of an axis without any table, in mm or degrees: waves, a slope, lost motion, noise
+    per reading.
+    """
 
     travel: tuple[float, float]
     waves: tuple[tuple[float, float, float], ...]
@@ -35,14 +40,23 @@ class Physics:
             total = total + height * np.sin(2 * np.pi * x / period + phase)
         return np.asarray(self.unit * total)
 
-    def read(self, rng: Rng, x: Floats, correction: Callable[[Floats, int], Floats]) -> dict[int, Floats]:
-        """Deviations measured minus target, targets by runs, for each direction; one datum for the whole test."""
+    def read(
+        self, rng: Rng, x: Floats, correction: Callable[[Floats, int], Floats]
+    ) -> dict[int, Floats]:
+        """Deviations measured minus target, targets by runs, for each direction; one datum for the
+        whole test.
+        """
         datum = rng.normal(0, 3) * self.unit
         mean = {d: self.error(x, d) + correction(x, d) + datum for d in (1, -1)}
-        return {d: mean[d][:, None] + rng.normal(0, self.noise * self.unit, (x.size, RUNS)) for d in (1, -1)}
+        return {
+            d: mean[d][:, None] + rng.normal(0, self.noise * self.unit, (x.size, RUNS))
+            for d in (1, -1)
+        }
 
 
-def linear_physics(rng: Rng, travel: tuple[float, float], quantum_um: float = 1.0, lead: float = 10.0) -> Physics:
+def linear_physics(
+    rng: Rng, travel: tuple[float, float], quantum_um: float = 1.0, lead: float = 10.0
+) -> Physics:
     length = travel[1] - travel[0]
     scale = max(1.0, quantum_um)
     waves = (
@@ -50,7 +64,9 @@ def linear_physics(rng: Rng, travel: tuple[float, float], quantum_um: float = 1.
         (scale * rng.uniform(1, 3), length * rng.uniform(0.3, 0.5), rng.uniform(0, 6)),
         (rng.uniform(0, 0.4), lead, rng.uniform(0, 6)),
     )
-    return Physics(travel, waves, rng.uniform(-0.02, 0.02), rng.uniform(-2, 6), rng.uniform(0.2, 0.5))
+    return Physics(
+        travel, waves, rng.uniform(-0.02, 0.02), rng.uniform(-2, 6), rng.uniform(0.2, 0.5)
+    )
 
 
 def rotary_physics(rng: Rng, travel: tuple[float, float], quantum_arcsec: float = 0.36) -> Physics:
@@ -63,7 +79,9 @@ def rotary_physics(rng: Rng, travel: tuple[float, float], quantum_arcsec: float 
 
 
 def dithered(rng: Rng, travel: tuple[float, float], count: int) -> Floats:
-    """The i-th target at (i + 0.5 + u) of its share of the travel, u within 0.3, at least 4 mm (degrees) from the ends."""
+    """The i-th target at (i + 0.5 + u) of its share of the travel, u within 0.3, at least 4 mm
+    (degrees) from the ends.
+    """
     low, high = travel
     places = low + (np.arange(count) + 0.5 + rng.uniform(-0.3, 0.3, count)) * (high - low) / count
     return np.asarray(np.round(np.clip(places, low + 4, high - 4), 3), dtype=np.float64)
@@ -76,11 +94,14 @@ def csv(axis: str, rotary: bool, x: Floats, readings: Mapping[int, Floats]) -> s
     for run in range(RUNS):
         for d, sign in ((1, "+"), (-1, "-")):
             order = range(x.size) if d > 0 else reversed(range(x.size))
-            lines.extend(f"{x[i]:.3f},{sign},{run + 1},{factor * readings[d][i, run]:.3f}" for i in order)
+            lines.extend(
+                f"{x[i]:.3f},{sign},{run + 1},{factor * readings[d][i, run]:.3f}" for i in order
+            )
     return "\n".join(lines) + "\n"
 
 
-# --- the jobs -------------------------------------------------------------------------------------------------------------------
+# --- the jobs
+# --------------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -107,7 +128,9 @@ class AxisJob:
 
 @dataclass(frozen=True)
 class Job:
-    """A job on a variation of the backup; ``files`` None: state ``none``; ``really``: what is in the control, if that differs."""
+    """A job on a variation of the backup; ``files`` None: state ``none``; ``really``: what is in
+    the control, if that differs.
+    """
 
     family: str
     seed: int
@@ -129,11 +152,19 @@ class Job:
         if not today:
             options.setdefault("detection_unit", "0.0001")
         text = ["compwright: 1", f"controller: {{format: {self.format}, options: {flow(options)}}}"]
-        text.append("states: {as_found: " + ("none" if self.files is None else f"[{', '.join(self.files)}]") + "}")
+        text.append(
+            "states: {as_found: "
+            + ("none" if self.files is None else f"[{', '.join(self.files)}]")
+            + "}"
+        )
         text.append("axes:")
         for axis in self.axes:
             words = {"kind": "rotary" if axis.rotary else "linear", **axis.words}
-            words = {"address": str(axis.address), **words, "travel": f"[{axis.travel[0]:g}, {axis.travel[1]:g}]"}
+            words = {
+                "address": str(axis.address),
+                **words,
+                "travel": f"[{axis.travel[0]:g}, {axis.travel[1]:g}]",
+            }
             words |= {"before": f"[{{files: [{axis.name}.csv], name: {axis.name.lower()}_before}}]"}
             if axis.home < 0:
                 words["reference_return"] = '"-"'
@@ -146,23 +177,41 @@ def flow(words: Mapping[str, str]) -> str:
     return "{" + ", ".join(f"{key}: {value}" for key, value in words.items()) + "}"
 
 
-#: The axes of the real machine: name, travel that a test runs over, point numbers of the real table.
-REAL_AXES = {1: ("X", (-1000.0, 0.0)), 2: ("Y", (-1050.0, 0.0)), 3: ("Z", (-780.0, 0.0)), 4: ("B", (0.0, 360.0))}
+#: The axes of the real machine: name, travel that a test runs over, point numbers of the real
+#: table.
+REAL_AXES = {
+    1: ("X", (-1000.0, 0.0)),
+    2: ("Y", (-1050.0, 0.0)),
+    3: ("Z", (-780.0, 0.0)),
+    4: ("B", (0.0, 360.0)),
+}
 
 
 def axis_job(rng: Rng, address: int = 0, quantum: float = 1.0, **words: Any) -> AxisJob:
-    """A random axis of the real machine with random errors; ``quantum``: the step in µm (arcsec) that these must exceed."""
+    """A random axis of the real machine with random errors; ``quantum``: the step in µm (arcsec)
+    that these must exceed.
+    """
     address = address or int(rng.integers(1, 4))
     name, travel = REAL_AXES[address]
     if address == 4:
         yaml = {"modulo": "360"}
         return replace(
-            AxisJob(name, address, travel, rotary_physics(rng, travel, quantum), int(rng.integers(24, 40)), True, words=yaml),
+            AxisJob(
+                name,
+                address,
+                travel,
+                rotary_physics(rng, travel, quantum),
+                int(rng.integers(24, 40)),
+                True,
+                words=yaml,
+            ),
             **words,
         )
     yaml = {"screw_pitch": "10"} if rng.random() < 0.5 else {}
     physics = linear_physics(rng, travel, quantum)
-    return replace(AxisJob(name, address, travel, physics, int(rng.integers(22, 32)), words=yaml), **words)
+    return replace(
+        AxisJob(name, address, travel, physics, int(rng.integers(22, 32)), words=yaml), **words
+    )
 
 
 def alike(backup: Backup, address: int) -> Backup:
@@ -179,7 +228,9 @@ def family(make: Family) -> Family:
     return make
 
 
-def job_on(mark: str, axis: AxisJob | tuple[AxisJob, ...], backup: Backup | None, *names: str, **words: Any) -> Job:
+def job_on(
+    mark: str, axis: AxisJob | tuple[AxisJob, ...], backup: Backup | None, *names: str, **words: Any
+) -> Job:
     axes = axis if isinstance(axis, tuple) else (axis,)
     files = None if backup is None else backup.files()
     return replace(Job("", 0, mark, axes, files, names), **words)

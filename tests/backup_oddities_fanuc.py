@@ -1,4 +1,6 @@
-"""Variations of a backup in which something else acts, or which contradict the job; marks: see ``backup_variations_fanuc``."""
+"""Variations of a backup in which something else acts, or which contradict the job; marks: see
+``backup_variations_fanuc``.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +13,8 @@ from backup_files_fanuc import PARAMETERS, PITCH, Backup, Rng, Table, wavy
 from backup_jobs_fanuc import Job, alike, axis_job, both_files, family, job_on, linear_physics
 from backup_variations_fanuc import as_it_is, filled_backup, incline, spread, state_none, straighten
 
-# answerable: right, or refused by name ------------------------------------------------------------------------------------------
+# answerable: right, or refused by name
+# ------------------------------------------------------------------------------------------
 
 _INCLINATION = (r"58[67]\d", "inclination")
 
@@ -36,7 +39,9 @@ def inclination_at_rest(rng: Rng, whole: bool) -> Job:
 
 @family
 def inclination_points_here(rng: Rng, whole: bool) -> Job:
-    """The inclination of another axis is given by numbers of this one, or by free ones that an automatic grid likes to take."""
+    """The inclination of another axis is given by numbers of this one, or by free ones that an
+    automatic grid likes to take.
+    """
     backup = filled_backup(rng, whole, 1)
     numbers = spread(backup, 1) if rng.random() < 0.5 else [1200, 1300, 1400, 1500]
     for place, number in enumerate(numbers):
@@ -71,15 +76,27 @@ def straightness_further(rng: Rng, whole: bool) -> Job:
 
 @family
 def cyclic(rng: Rng, whole: bool) -> Job:
-    """The second table of the axis itself: on numbers of its own, or inside those of its main table."""
+    """The second table of the axis itself: on numbers of its own, or inside those of its main
+    table.
+    """
     address = int(rng.integers(1, 5))
     backup = filled_backup(rng, whole, address)
     inside = bool(rng.random() < 0.3)
     low = int(backup.get(3621, f"A{address}")) if inside else int(rng.integers(400, 1500))
     if not inside:
-        backup.points(dict(zip(range(low, low + 11), [0, *wavy(rng, 10, 0.1, closed=True, height=2)], strict=True)))
+        backup.points(
+            dict(
+                zip(
+                    range(low, low + 11),
+                    [0, *wavy(rng, 10, 0.1, closed=True, height=2)],
+                    strict=True,
+                )
+            )
+        )
     interval = "2.0" if address == 4 else "8.0"
-    backup.set(14985, f"A{address}", low).set(14986, f"A{address}", low + 10).set(14987, f"A{address}", interval)
+    backup.set(14985, f"A{address}", low).set(14986, f"A{address}", low + 10).set(
+        14987, f"A{address}", interval
+    )
     backup.set(14988, f"A{address}", 1)
     return job_on("answerable", axis_job(rng, address), backup, r"1498\d")
 
@@ -89,13 +106,17 @@ def neighbour_cyclic_here(rng: Rng, whole: bool) -> Job:
     """The second table of another axis lies inside the numbers of this one."""
     backup = filled_backup(rng, whole, 1)
     low = int(backup.get(3621, "A1")) + int(rng.integers(0, 20))
-    backup.set(14985, "A4", low).set(14986, "A4", low + 10).set(14987, "A4", "2.0").set(14988, "A4", 1)
+    backup.set(14985, "A4", low).set(14986, "A4", low + 10).set(14987, "A4", "2.0").set(
+        14988, "A4", 1
+    )
     return job_on("answerable", axis_job(rng, 1), backup, r"1498\d", r"362\d")
 
 
 @family
 def pitch_in_part(rng: Rng, whole: bool) -> Job:
-    """A pitch file that ends at number 399: what lies above the files do not say, and it is not nothing."""
+    """A pitch file that ends at number 399: what lies above the files do not say, and it is not
+    nothing.
+    """
     axis = axis_job(rng)
     backup = filled_backup(rng, whole, axis.address)
     really = Backup(*both_files(backup)).points(dict.fromkeys(range(420, 1500, 7), 5)).files()
@@ -105,7 +126,9 @@ def pitch_in_part(rng: Rng, whole: bool) -> Job:
 
 @family
 def other_increment_system(rng: Rng, whole: bool) -> Job:
-    """1013#3 is no system that the pages name; 1004#1 was that of older series, beside 1013 = 0 it is a riddle."""
+    """1013#3 is no system that the pages name; 1004#1 was that of older series, beside 1013 = 0 it
+    is a riddle.
+    """
     axis = axis_job(rng)
     backup = filled_backup(rng, whole, axis.address)
     if rng.random() < 0.5:
@@ -125,14 +148,22 @@ def address_by_letter(rng: Rng, whole: bool) -> Job:
     """The job names no address: the letter is in 1020."""
     axis = axis_job(rng)
     words = {**axis.words, "address": axis.name}
-    return job_on("answerable", replace(axis, words=words), filled_backup(rng, whole, axis.address), "address", "1020")
+    return job_on(
+        "answerable",
+        replace(axis, words=words),
+        filled_backup(rng, whole, axis.address),
+        "address",
+        "1020",
+    )
 
 
 @family
 def other_3605(rng: Rng, whole: bool) -> Job:
     """Bits of 3605 whose meaning no page tells."""
     axis = axis_job(rng)
-    backup = filled_backup(rng, whole, axis.address).bit(3605, f"A{axis.address}", int(rng.integers(2, 8)))
+    backup = filled_backup(rng, whole, axis.address).bit(
+        3605, f"A{axis.address}", int(rng.integers(2, 8))
+    )
     return job_on("answerable", axis, backup, "3605")
 
 
@@ -152,7 +183,9 @@ def inch(rng: Rng, whole: bool) -> Job:
     for axis in (1, 2, 3):
         backup.set(3624, f"A{axis}", "1.1")
         count = int(np.ceil(1200 / (1.1 * 25.4)))
-        Table(axis, 300 * axis + count, 300 * axis + 1, 300 * axis + count, 1.1).put(backup, wavy(rng, count, 0.254))
+        Table(axis, 300 * axis + count, 300 * axis + 1, 300 * axis + count, 1.1).put(
+            backup, wavy(rng, count, 0.254)
+        )
         for number, limit in ((1320, "0.1"), (1321, "-47.0"), (1420, "945.0")):
             backup.set(number, f"A{axis}", limit)
     return job_on("answerable", axis_job(rng, address), backup, "1001", "inch", "3624")
@@ -207,7 +240,9 @@ def endless_two_turns(rng: Rng, whole: bool) -> Job:
 
 @family
 def other_turn(rng: Rng, whole: bool) -> Job:
-    backup = filled_backup(rng, whole, 4).set(3625, "A4", ("360.0", "180.0")[int(rng.integers(0, 2))])
+    backup = filled_backup(rng, whole, 4).set(
+        3625, "A4", ("360.0", "180.0")[int(rng.integers(0, 2))]
+    )
     return job_on("answerable", axis_job(rng, 4), backup, "3625", "1260")
 
 
@@ -220,7 +255,9 @@ def diameter_by_file(rng: Rng, whole: bool) -> Job:
 
 @family
 def reference_elsewhere(rng: Rng, whole: bool) -> Job:
-    """1240 is not 0: whether the grid hangs on machine zero or on the reference position is not told."""
+    """1240 is not 0: whether the grid hangs on machine zero or on the reference position is not
+    told.
+    """
     axis = axis_job(rng)
     backup = filled_backup(rng, whole, axis.address).set(1240, f"A{axis.address}", "-100.0")
     return job_on("warn", replace(axis, words={**axis.words, "reference": "-100"}), backup, "1240")
@@ -245,12 +282,14 @@ def scarce(rng: Rng, whole: bool) -> Job:
     backup = filled_backup(rng, whole, address)
     owned: set[int] = set()
     for axis in (1, 2, 3, 4):
-        owned |= set(range(int(backup.get(3621, f"A{axis}")), int(backup.get(3622, f"A{axis}")) + 1)) | {
-            int(backup.get(3620, f"A{axis}"))
-        }
+        owned |= set(
+            range(int(backup.get(3621, f"A{axis}")), int(backup.get(3622, f"A{axis}")) + 1)
+        ) | {int(backup.get(3620, f"A{axis}"))}
     spare = int(rng.integers(0, 60))
     backup.points({n: 3 for n in range(1536 - spare) if n not in owned})
-    return job_on("answerable", axis_job(rng, address), backup, "number", "point", "3620", "3621", "3622")
+    return job_on(
+        "answerable", axis_job(rng, address), backup, "number", "point", "3620", "3621", "3622"
+    )
 
 
 @family
@@ -272,7 +311,9 @@ def odd_own_grid(rng: Rng, whole: bool) -> Job:
 
 @family
 def parameters_alone_asleep(rng: Rng, whole: bool) -> Job:
-    """No pitch file; all tables off. What the numbers hold nobody knows, the job says from where on they are free."""
+    """No pitch file; all tables off. What the numbers hold nobody knows, the job says from where on
+    they are free.
+    """
     address = int(rng.integers(1, 4))
     backup = alike(Backup.real(whole).points(dict.fromkeys(range(1536), 0)), address)
     for axis in (1, 2, 3, 4):
@@ -282,7 +323,13 @@ def parameters_alone_asleep(rng: Rng, whole: bool) -> Job:
     options = {"first_point": str(int(rng.integers(0, 100)))} if rng.random() < 0.7 else {}
     names = ("first_point", "pitch", "point", "PITCH")
     return job_on(
-        "answerable", axis_job(rng, address), backup, *names, files={PARAMETERS: files[PARAMETERS]}, really=files, options=options
+        "answerable",
+        axis_job(rng, address),
+        backup,
+        *names,
+        files={PARAMETERS: files[PARAMETERS]},
+        really=files,
+        options=options,
     )
 
 
@@ -296,7 +343,8 @@ def older_parameters_alone(rng: Rng, whole: bool) -> Job:
     return replace(job, files=old, really=really, names=(*job.names, "Q0", "Q1"))
 
 
-# refuse: the pages do not tell enough, or the files contradict the job ----------------------------------------------------------
+# refuse: the pages do not tell enough, or the files contradict the job
+# ----------------------------------------------------------
 
 
 @family
@@ -309,7 +357,9 @@ def detection_unit_contradicts(rng: Rng, whole: bool) -> Job:
 @family
 def totals(rng: Rng, whole: bool) -> Job:
     axis = axis_job(rng, int(rng.integers(1, 5)))
-    return job_on("refuse", axis, filled_backup(rng, whole, axis.address).set(3602, "", "00000001"), "3602")
+    return job_on(
+        "refuse", axis, filled_backup(rng, whole, axis.address).set(3602, "", "00000001"), "3602"
+    )
 
 
 @family
@@ -344,7 +394,16 @@ def parameters_alone(rng: Rng, whole: bool) -> Job:
     axis = axis_job(rng, int(rng.integers(1, 5)))
     backup = filled_backup(rng, whole, axis.address)
     files = backup.files()
-    return job_on("refuse", axis, backup, "point", "pitch", "PITCH", files={PARAMETERS: files[PARAMETERS]}, really=files)
+    return job_on(
+        "refuse",
+        axis,
+        backup,
+        "point",
+        "pitch",
+        "PITCH",
+        files={PARAMETERS: files[PARAMETERS]},
+        really=files,
+    )
 
 
 @family
@@ -353,7 +412,16 @@ def pitch_alone(rng: Rng, whole: bool) -> Job:
     backup = filled_backup(rng, whole, axis.address)
     files = backup.files()
     options = {"detection_unit": "0.0001"}
-    return job_on("refuse", axis, backup, r"362\d", "parameter", files={PITCH: files[PITCH]}, really=files, options=options)
+    return job_on(
+        "refuse",
+        axis,
+        backup,
+        r"362\d",
+        "parameter",
+        files={PITCH: files[PITCH]},
+        really=files,
+        options=options,
+    )
 
 
 @family

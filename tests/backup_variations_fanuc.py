@@ -1,9 +1,12 @@
-"""Random jobs on variations of a real FANUC backup: the files, the axis behind them, and what must come of it.
+"""Random jobs on variations of a real FANUC backup: the files, the axis behind them, and what must
+come of it.
 
-Each variation is marked beforehand, from the facts pages alone. ``plain``: nothing but what the pages describe fully acts, a table
-must be written (and, with ``names``, a word be said on it). ``answerable``: it may be written, and then it must be right, or it is
-refused with one of ``names`` (patterns). ``refuse``: the pages do not tell enough, or the files contradict the job: refused, with
-one of ``names`` in the message. ``warn``: a table may come, with a word on it. Nothing here is taken from the package.
+Each variation is marked beforehand, from the facts pages alone. ``plain``: nothing but what the
+pages describe fully acts, a table must be written (and, with ``names``, a word be said on it).
+``answerable``: it may be written, and then it must be right, or it is refused with one of ``names``
+(patterns). ``refuse``: the pages do not tell enough, or the files contradict the job: refused, with
+one of ``names`` in the message. ``warn``: a table may come, with a word on it. Nothing here is
+taken from the package.
 """
 
 from __future__ import annotations
@@ -15,11 +18,12 @@ import numpy as np
 from backup_files_fanuc import PARAMETERS, PITCH, Backup, Rng, Table, wavy
 from backup_jobs_fanuc import Job, alike, axis_job, family, job_on, linear_physics, reopen
 
-# plain: nothing but described things act ----------------------------------------------------------------------------------------
+# plain: nothing but described things act
+# ----------------------------------------------------------------------------------------
 
 
-#: 1851 and 1852 differ and 1800#4 = 1: the test was taken with one of both, which the job cannot say. What is written must be
-#: right in the motion of the test, and a word be said.
+#: 1851 and 1852 differ and 1800#4 = 1: the test was taken with one of both, which the job cannot
+#: say. What is written must be right in the motion of the test, and a word be said.
 _SEPARATE = ("1852", r"1800")
 
 
@@ -44,14 +48,18 @@ def filled_backup(rng: Rng, whole: bool, address: int) -> Backup:
         first = start + int(rng.integers(0, 12))
         reference = first + below - 1
         count = below + above
-        Table(axis, reference, first, reference + above, interval, magnification).put(backup, wavy(rng, count, 0.1 * magnification))
+        Table(axis, reference, first, reference + above, interval, magnification).put(
+            backup, wavy(rng, count, 0.1 * magnification)
+        )
         start = reference + above + 1
     interval = float(rng.choice([15.0, 30.0, 45.0]))
     count = round(360 / interval)
     points = wavy(rng, count, 0.36, closed=True)
     first_too = bool(rng.random() < 0.5)
     reference = start + 5
-    Table(4, reference, reference + (0 if first_too else 1), reference + count, interval).put(backup)
+    Table(4, reference, reference + (0 if first_too else 1), reference + count, interval).put(
+        backup
+    )
     backup.points(dict(zip(range(reference + 1, reference + count + 1), points, strict=True)))
     if first_too:
         backup.points({reference: points[-1]})
@@ -100,8 +108,14 @@ def never_compensated(rng: Rng, whole: bool) -> Job:
 def fixed_grid(rng: Rng, whole: bool) -> Job:
     axis = axis_job(rng)
     spacing = float(rng.choice([20, 25, 50]))
-    table = {"table": f"{{start: {axis.travel[0] // spacing * spacing:g}, end: 0, spacing: {spacing:g}}}"}
-    return job_on("plain", replace(axis, words={**axis.words, **table}), filled_backup(rng, whole, axis.address))
+    table = {
+        "table": f"{{start: {axis.travel[0] // spacing * spacing:g}, end: 0, spacing: {spacing:g}}}"
+    }
+    return job_on(
+        "plain",
+        replace(axis, words={**axis.words, **table}),
+        filled_backup(rng, whole, axis.address),
+    )
 
 
 @family
@@ -110,9 +124,13 @@ def two_sets(rng: Rng, whole: bool) -> Job:
     address = int(rng.integers(1, 4))
     backup = filled_backup(rng, whole, address)
     count, reference = 45, 900
-    Table(address, reference, reference - 43, reference + 1, 27.5).put(backup, wavy(rng, count, 0.1, height=4))
+    Table(address, reference, reference - 43, reference + 1, 27.5).put(
+        backup, wavy(rng, count, 0.1, height=4)
+    )
     second = 1000
-    backup.points(dict(zip(range(second, second + count), wavy(rng, count, 0.1, height=4), strict=True)))
+    backup.points(
+        dict(zip(range(second, second + count), wavy(rng, count, 0.1, height=4), strict=True))
+    )
     group = f"A{address}"
     backup.bit(3605, group, 0).set(3626, group, second).set(3627, group, int(rng.integers(-40, 40)))
     if rng.random() < 0.5:
@@ -127,26 +145,39 @@ def two_sets_magnified(rng: Rng, whole: bool) -> Job:
     backup = reopen(job)
     backup.set(3623, f"A{job.axes[0].address}", 2)
     return replace(
-        job, mark="answerable", names=("3627", "offset_magnified"), files=backup.files(), options={"offset_magnified": "no"}
+        job,
+        mark="answerable",
+        names=("3627", "offset_magnified"),
+        files=backup.files(),
+        options={"offset_magnified": "no"},
     )
 
 
 @family
 def two_sets_home_minus(rng: Rng, whole: bool) -> Job:
     job = two_sets(rng, whole)
-    return replace(job, mark="answerable", names=("3627", "3605", "reference_return"), axes=(replace(job.axes[0], home=-1),))
+    return replace(
+        job,
+        mark="answerable",
+        names=("3627", "3605", "reference_return"),
+        axes=(replace(job.axes[0], home=-1),),
+    )
 
 
 @family
 def backlash(rng: Rng, whole: bool) -> Job:
-    """1851 and 1852 of either sign; where 1800#4 = 0, 1852 stands there and does not act, whatever the motion."""
+    """1851 and 1852 of either sign; where 1800#4 = 0, 1852 stands there and does not act, whatever
+    the motion.
+    """
     address = int(rng.integers(1, 5))
     backup = filled_backup(rng, whole, address)
     group = f"A{address}"
     backup.set(1851, group, int(rng.integers(-60, 80))).set(1852, group, int(rng.integers(-60, 80)))
     separate = bool(rng.random() < 0.5)
     backup.bit(1800, "L1", 4, separate)
-    axis = axis_job(rng, address, rapid=bool(rng.random() < 0.5), home=1 if rng.random() < 0.7 else -1)
+    axis = axis_job(
+        rng, address, rapid=bool(rng.random() < 0.5), home=1 if rng.random() < 0.7 else -1
+    )
     return job_on("plain", axis, backup, *(_SEPARATE if separate else ()))
 
 
@@ -156,11 +187,15 @@ def second_path(rng: Rng, whole: bool) -> Job:
     address = int(rng.integers(1, 4))
     backup = filled_backup(rng, whole, address)
     group = f"A{address}"
-    backup.set(981, group, 2).set(1851, group, int(rng.integers(20, 70))).set(1852, group, int(rng.integers(-60, 0)))
+    backup.set(981, group, 2).set(1851, group, int(rng.integers(20, 70))).set(
+        1852, group, int(rng.integers(-60, 0))
+    )
     separate = bool(rng.random() < 0.5)
     backup.bit(1800, "L1", 4, not separate).bit(1800, "L2", 4, separate)
     if separate:
-        return job_on("warn", axis_job(rng, address, rapid=bool(rng.random() < 0.5)), backup, *_SEPARATE)
+        return job_on(
+            "warn", axis_job(rng, address, rapid=bool(rng.random() < 0.5)), backup, *_SEPARATE
+        )
     return job_on("answerable", axis_job(rng, address, rapid=True), backup, *_SEPARATE, "981")
 
 
@@ -232,9 +267,15 @@ def either_side(rng: Rng, whole: bool) -> Job:
     travel = ((-400.0, 400.0), (0.0, 800.0))[int(rng.integers(0, 2))]
     interval = float(rng.choice([20.0, 40.0]))
     below, above = round(-travel[0] / interval) + 1, round(travel[1] / interval)
-    Table(address, 1000 + below - 1, 1000, 1000 + below - 1 + above, interval, 2).put(backup, wavy(rng, below + above, 0.2))
-    backup.set(1320, f"A{address}", f"{travel[1] + 5:.1f}").set(1321, f"A{address}", f"{travel[0] - 5:.1f}")
-    return job_on("plain", axis_job(rng, address, travel=travel, physics=linear_physics(rng, travel)), backup)
+    Table(address, 1000 + below - 1, 1000, 1000 + below - 1 + above, interval, 2).put(
+        backup, wavy(rng, below + above, 0.2)
+    )
+    backup.set(1320, f"A{address}", f"{travel[1] + 5:.1f}").set(
+        1321, f"A{address}", f"{travel[0] - 5:.1f}"
+    )
+    return job_on(
+        "plain", axis_job(rng, address, travel=travel, physics=linear_physics(rng, travel)), backup
+    )
 
 
 @family
@@ -290,7 +331,9 @@ def odd_neighbour(rng: Rng, whole: bool) -> Job:
 
 @family
 def neighbour_inclination(rng: Rng, whole: bool) -> Job:
-    """5861 to 5874 of another axis on its own numbers; straightness between others; a cyclic table of B on free numbers."""
+    """5861 to 5874 of another axis on its own numbers; straightness between others; a cyclic table
+    of B on free numbers.
+    """
     address = 1
     backup = filled_backup(rng, whole, address)
     kind = int(rng.integers(0, 3))
@@ -300,8 +343,18 @@ def neighbour_inclination(rng: Rng, whole: bool) -> Job:
         straighten(rng, backup, 3, 2)
     else:
         low = int(rng.integers(300, 900))
-        backup.points(dict(zip(range(low, low + 11), [0, *wavy(rng, 10, 0.36, closed=True, height=4)], strict=True)))
-        backup.set(14985, "A4", low).set(14986, "A4", low + 10).set(14987, "A4", "2.0").set(14988, "A4", 1)
+        backup.points(
+            dict(
+                zip(
+                    range(low, low + 11),
+                    [0, *wavy(rng, 10, 0.36, closed=True, height=4)],
+                    strict=True,
+                )
+            )
+        )
+        backup.set(14985, "A4", low).set(14986, "A4", low + 10).set(14987, "A4", "2.0").set(
+            14988, "A4", 1
+        )
     return job_on("plain", axis_job(rng, address), backup)
 
 
@@ -312,7 +365,9 @@ def spread(backup: Backup, axis: int) -> list[int]:
 
 def incline(rng: Rng, backup: Backup, axis: int) -> None:
     for place, number in enumerate(spread(backup, axis)):
-        backup.set(5861 + place, f"A{axis}", number).set(5871 + place, f"A{axis}", int(rng.integers(-150, 150)))
+        backup.set(5861 + place, f"A{axis}", number).set(
+            5871 + place, f"A{axis}", int(rng.integers(-150, 150))
+        )
 
 
 def straighten(rng: Rng, backup: Backup, moving: int, bent: int) -> None:
@@ -348,7 +403,13 @@ def older_style(rng: Rng, whole: bool) -> Job:
         count = int(backup.get(3622, f"A{axis}")) - int(backup.get(3621, f"A{axis}")) + 1
         first = int(backup.get(3621, f"A{axis}"))
         backup.points(
-            dict(zip(range(first, first + count), wavy(rng, count, 1.0, most=6) if axis < 4 else [0] * count, strict=True))
+            dict(
+                zip(
+                    range(first, first + count),
+                    wavy(rng, count, 1.0, most=6) if axis < 4 else [0] * count,
+                    strict=True,
+                )
+            )
         )
         if axis < 4:
             backup.set(3623, f"A{axis}", 1)
@@ -356,4 +417,10 @@ def older_style(rng: Rng, whole: bool) -> Job:
     backup.points(dict.fromkeys(range(1024, 1536), 0))
     old = backup.older()
     old.pitch = [line for line in old.pitch if not (line[:1] == b"N" and int(line[1:6]) > 11023)]
-    return job_on("plain", axis_job(rng, address, quantum=1.0), old, format="fanuc-0i-16i", options={"detection_unit": "0.001"})
+    return job_on(
+        "plain",
+        axis_job(rng, address, quantum=1.0),
+        old,
+        format="fanuc-0i-16i",
+        options={"detection_unit": "0.001"},
+    )

@@ -1,7 +1,9 @@
-"""Circular tests of machines with known causes, from the exact path of the tool; independent of the project's own simulator.
+"""Circular tests of machines with known causes, from the exact path of the tool; independent of the
+project's own simulator.
 
-Positions are computed as a machine moves: the commanded point, the error of each axis at that point and direction, then the
-distance to the ball. Nothing here is a radial formula, so that first-order formulas of the product are compared with geometry.
+Positions are computed as a machine moves: the commanded point, the error of each axis at that point
+and direction, then the distance to the ball. Nothing here is a radial formula, so that first-order
+formulas of the product are compared with geometry.
 """
 
 from __future__ import annotations
@@ -18,7 +20,8 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Machine:
-    """Causes in the contract's units: um, um/m, ms; pitch and decay in mm, centre in mm, phase in rad.
+    """Causes in the contract's units: um, um/m, ms; pitch and decay in mm, centre in mm, phase in
+    rad.
 
     ``lag`` ms: dead time that both axes have in common.
     """
@@ -52,7 +55,9 @@ class Machine:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Setup:
-    """How the test is run. ``noise`` µm, white; ``wander`` µm, first-order autoregressive with ``length`` samples to 1/e."""
+    """How the test is run. ``noise`` µm, white; ``wander`` µm, first-order autoregressive with
+    ``length`` samples to 1/e.
+    """
 
     radius: float = 150.0
     feed: float = 2000.0
@@ -69,59 +74,92 @@ class Setup:
 
 def truth(machine: Machine, setup: Setup) -> dict[str, float]:
     """Return every signed cause by its contract name."""
-    values = {f.name: float(getattr(machine, f.name)) for f in fields(machine) if f.name != "centre"}
-    keys = ("squareness", "scale_error", "backlash", "servo", "lateral", "straightness", "radius_change")
+    values = {
+        f.name: float(getattr(machine, f.name)) for f in fields(machine) if f.name != "centre"
+    }
+    keys = (
+        "squareness",
+        "scale_error",
+        "backlash",
+        "servo",
+        "lateral",
+        "straightness",
+        "radius_change",
+    )
     found = {name: value for name, value in values.items() if name.startswith(keys)}
     for axis in ("first", "second"):
-        found[f"backlash_{axis}"] = 0.5 * (values[f"backlash_{axis}_at_positive"] + values[f"backlash_{axis}_at_negative"])
+        found[f"backlash_{axis}"] = 0.5 * (
+            values[f"backlash_{axis}_at_positive"] + values[f"backlash_{axis}_at_negative"]
+        )
     difference = machine.scale_error_first - machine.scale_error_second
     found["scale_mismatch"] = 2.0 * setup.radius * difference * 1e-3
     return found
 
 
 def distance(machine: Machine, setup: Setup, theta: Array, sense: float) -> Array:
-    """Return the bar's length (n,) mm at commanded angles ``theta`` rad, moving ccw (+1) or cw (-1)."""
+    """Return the bar's length (n,) mm at commanded angles ``theta`` rad, moving ccw (+1) or cw
+    (-1).
+    """
     R, um = setup.radius, 1e-3
     theta = theta - sense * setup.feed / 60.0 * 1e-3 * machine.lag / R
     x, y = R * np.cos(theta), R * np.sin(theta)
     moves_x, moves_y = np.sign(-sense * np.sin(theta)), np.sign(sense * np.cos(theta))
     speed = setup.feed / 60.0
-    # The first axis is where it was told to be half the lag difference ago, the second where it will be.
+    # The first axis is where it was told to be half the lag difference ago, the second where it
+    # will be.
     late = sense * speed / R * 0.5e-3 * machine.servo_mismatch
     actual_x = R * np.cos(theta - late) * (1.0 + 1e-6 * machine.scale_error_first)
     actual_y = R * np.sin(theta + late) * (1.0 + 1e-6 * machine.scale_error_second)
     actual_x = actual_x - 1e-6 * machine.squareness * y
-    lost_x = np.where(x > 0.0, machine.backlash_first_at_positive, machine.backlash_first_at_negative)
-    lost_y = np.where(y > 0.0, machine.backlash_second_at_positive, machine.backlash_second_at_negative)
-    actual_x = actual_x - 0.5 * um * lost_x * moves_x + 0.5 * um * machine.lateral_play_second * moves_y
-    actual_y = actual_y - 0.5 * um * lost_y * moves_y + 0.5 * um * machine.lateral_play_first * moves_x
+    lost_x = np.where(
+        x > 0.0, machine.backlash_first_at_positive, machine.backlash_first_at_negative
+    )
+    lost_y = np.where(
+        y > 0.0, machine.backlash_second_at_positive, machine.backlash_second_at_negative
+    )
+    actual_x = (
+        actual_x - 0.5 * um * lost_x * moves_x + 0.5 * um * machine.lateral_play_second * moves_y
+    )
+    actual_y = (
+        actual_y - 0.5 * um * lost_y * moves_y + 0.5 * um * machine.lateral_play_first * moves_x
+    )
     actual_x = actual_x + um * machine.straightness_second * (y / R) ** 2
     actual_y = actual_y + um * machine.straightness_first * (x / R) ** 2
     for axis, along, height, decay, points in (
         ("x", x, machine.reversal_spike_first, machine.decay_first, (0.0, np.pi)),
         ("y", y, machine.reversal_spike_second, machine.decay_second, (0.5 * np.pi, 1.5 * np.pi)),
     ):
-        since = np.min([R * np.mod(sense * (theta - point), 2.0 * np.pi) for point in points], axis=0)
+        since = np.min(
+            [R * np.mod(sense * (theta - point), 2.0 * np.pi) for point in points], axis=0
+        )
         last = np.argmin([np.mod(sense * (theta - point), 2.0 * np.pi) for point in points], axis=0)
         outward = np.where(last == 0, 1.0, -1.0) * um * height * np.exp(-since / decay)
         if axis == "x":
             actual_x = (
                 actual_x
                 + outward
-                + um * machine.cyclic_first * np.cos(2.0 * np.pi * along / machine.pitch_first + machine.phase_first)
+                + um
+                * machine.cyclic_first
+                * np.cos(2.0 * np.pi * along / machine.pitch_first + machine.phase_first)
             )
         else:
             actual_y = (
                 actual_y
                 + outward
-                + um * machine.cyclic_second * np.cos(2.0 * np.pi * along / machine.pitch_second + machine.phase_second)
+                + um
+                * machine.cyclic_second
+                * np.cos(2.0 * np.pi * along / machine.pitch_second + machine.phase_second)
             )
     length: Array = np.hypot(actual_x + machine.centre[0], actual_y + machine.centre[1])
     return length + sense * um * machine.radius_change
 
 
-def measured(machine: Machine, setup: Setup, rng: np.random.Generator | None = None) -> CircularTest:
-    """Return the test of a machine: one run per sense, samples in the middle of equal pieces of the arc."""
+def measured(
+    machine: Machine, setup: Setup, rng: np.random.Generator | None = None
+) -> CircularTest:
+    """Return the test of a machine: one run per sense, samples in the middle of equal pieces of the
+    arc.
+    """
     runs = []
     for name in setup.senses:
         steps = (np.arange(setup.samples) + 0.5) * setup.extent / setup.samples

@@ -1,4 +1,6 @@
-"""Circular tests to evaluate: an exact machine and the real ballbar files by a reader of its own."""
+"""Circular tests to evaluate: an exact machine and the real ballbar files by a reader of its
+own.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 from compwright.records.circular import CircularRun, CircularTest, Sense
 
 Array = NDArray[np.float64]
-#: Actual position (n, 2) mm about the programmed centre, from commanded polar angle (n,) rad, radius mm and sense.
+#: Actual position (n, 2) mm about the programmed centre, from commanded polar angle (n,) rad,
+#: radius mm and sense.
 Machine = Callable[[Array, float, Sense], Array]
 UM = 1e-3  # mm
 SENSES: tuple[Sense, ...] = ("ccw", "cw")
@@ -50,13 +53,22 @@ def run_of(
     offset: tuple[float, float] = (0.0, 0.0),
     number: int = 1,
 ) -> CircularRun:
-    """Measure one traverse: the distance from a set-up centre that lies minus ``offset`` (mm) beside the programmed one."""
+    """Measure one traverse: the distance from a set-up centre that lies minus ``offset`` (mm)
+    beside the programmed one.
+    """
     angles = angles_of(sense, n, arc)
     position = machine(np.radians(angles), radius, sense) + np.array(offset)
-    return CircularRun(sense=sense, angles=angles, deviations=np.hypot(position[:, 0], position[:, 1]) - radius, number=number)
+    return CircularRun(
+        sense=sense,
+        angles=angles,
+        deviations=np.hypot(position[:, 0], position[:, 1]) - radius,
+        number=number,
+    )
 
 
-def plain_run(sense: Sense, angles: ArrayLike, deviations: ArrayLike, number: int = 1) -> CircularRun:
+def plain_run(
+    sense: Sense, angles: ArrayLike, deviations: ArrayLike, number: int = 1
+) -> CircularRun:
     """Return a run from plain lists: angles in deg, deviations in µm."""
     return CircularRun(
         sense=sense,
@@ -102,10 +114,13 @@ def measured(
 
 
 def ballbar_file(path: Path) -> tuple[CircularTest, dict[str, dict[str, float]]]:
-    """Return test and printed ISO 230-4 results (edition -> name -> µm) of a ``.b5r``; for the three real files only."""
+    """Return test and printed ISO 230-4 results (edition -> name -> µm) of a ``.b5r``; for the
+    three real files only.
+    """
     root = ET.fromstring(path.read_text("utf-8-sig"))  # noqa: S314  three known files
     start, end, length, feed = (
-        float(_text(root, name)) for name in ("START_ANGLE", "END_ANGLE", "NOMINAL_LENGTH", "PROGRAMMED_FEEDRATE")
+        float(_text(root, name))
+        for name in ("START_ANGLE", "END_ANGLE", "NOMINAL_LENGTH", "PROGRAMMED_FEEDRATE")
     )
     arc = (start % 360.0, (end - start) % 360.0 or 360.0)
     runs = []
@@ -113,9 +128,16 @@ def ballbar_file(path: Path) -> tuple[CircularTest, dict[str, dict[str, float]]]
         begin, last = int(_text(entry, "START_INDEX")), int(_text(entry, "END_INDEX"))
         readings = np.array(_text(entry, "READINGS").split(), dtype=np.float64)[begin : last + 1]
         sense: Sense = "ccw" if _text(entry, "RUN_DIRECTION") == "CCW" else "cw"
-        runs.append(CircularRun(sense=sense, angles=angles_of(sense, readings.size, arc), deviations=readings))
+        runs.append(
+            CircularRun(
+                sense=sense, angles=angles_of(sense, readings.size, arc), deviations=readings
+            )
+        )
     printed = {
-        entry.attrib["version"]: {feature.attrib["NAME"]: float(feature.text or "nan") for feature in entry.iter("FEATURE")}
+        entry.attrib["version"]: {
+            feature.attrib["NAME"]: float(feature.text or "nan")
+            for feature in entry.iter("FEATURE")
+        }
         for entry in root.iter("ANALYSIS")
         if entry.attrib["NAME"] == "ISO230_4"
     }
@@ -130,4 +152,8 @@ def _text(entry: ET.Element, name: str) -> str:
 
 def table(path: Path) -> list[dict[str, str]]:
     """Return the rows of a table whose comment lines begin with #."""
-    return list(csv.DictReader(line for line in path.read_text("utf-8").splitlines() if not line.startswith("#")))
+    return list(
+        csv.DictReader(
+            line for line in path.read_text("utf-8").splitlines() if not line.startswith("#")
+        )
+    )

@@ -1,7 +1,9 @@
-"""For all tests: pages hold empty frames for figures unless a module says `pytest.mark.painted`; random cases have fixed seeds.
+"""For all tests: pages hold empty frames for figures unless a module says `pytest.mark.painted`;
+random cases have fixed seeds.
 
-Painting is two thirds of the time of a run. Figures are looked at in the tests of the reporting room, of the examples and of the
-plots that `evaluate` writes. Fixed seeds: a test fails every time or never; new cases are tried in ``benchmarks/``.
+Painting is two thirds of the time of a run. Figures are looked at in the tests of the reporting
+room, of the examples and of the plots that `evaluate` writes. Fixed seeds: a test fails every time
+or never; new cases are tried in ``benchmarks/``.
 """
 
 from __future__ import annotations

@@ -16,7 +16,8 @@ from compwright.records.correction import ControlFile
 from compwright.workflow.control import Control, DecodedState, decode, open_control
 from format_samples import DEFINITIONS
 
-#: What stands in such files: damage made of these letters hits their grammar more often than any byte would.
+#: What stands in such files: damage made of these letters hits their grammar more often than any
+#: byte would.
 LETTERS = b"0123456789.-+%NQAPMILSR$_[]=,;#() \t\r\nENDBGKOx"
 #: Largest difference that is no difference: 1 nm or 1e-6 deg.
 SAME = 1e-6
@@ -57,7 +58,9 @@ def control_of(sample: Sample) -> Control:
 
 
 def read(sample: Sample, files: Sequence[ControlFile]) -> DecodedState:
-    """Read files as the commands do, for one axis where the sample is about one (a table that does not name its axis)."""
+    """Read files as the commands do, for one axis where the sample is about one (a table that does
+    not name its axis).
+    """
     return decode(control_of(sample), files)
 
 
@@ -97,12 +100,16 @@ def _change(content: bytes, rng: random.Random) -> bytes:
     elif what == 7:
         del lines[one]
     else:
-        lines[one] = lines[one].rstrip(b"\r\n") + rng.choice((b"\r\n", b"\n\r\r", b"\r", b" \n", b""))
+        lines[one] = lines[one].rstrip(b"\r\n") + rng.choice(
+            (b"\r\n", b"\n\r\r", b"\r", b" \n", b"")
+        )
     return b"".join(lines)
 
 
 def trials(samples: Sequence[Sample], count: int, seed: int) -> Counter[str]:
-    """Read ``count`` damaged sets; any error but a refusal comes through, with the seed in its notes."""
+    """Read ``count`` damaged sets; any error but a refusal comes through, with the seed in its
+    notes.
+    """
     counts: Counter[str] = Counter()
     for trial in range(count):
         sample = samples[trial % len(samples)]
@@ -126,8 +133,14 @@ def cut_points(sample: Sample) -> Iterator[tuple[str, int]]:
 
 
 def said_incomplete(left: DecodedState, whole: DecodedState) -> bool:
-    """Whether what is left of cut files means the same as the whole ones, or comes with a warning."""
-    if any(finding.severity == "warning" for finding in left.state.findings if finding not in whole.state.findings):
+    """Whether what is left of cut files means the same as the whole ones, or comes with a
+    warning.
+    """
+    if any(
+        finding.severity == "warning"
+        for finding in left.state.findings
+        if finding not in whole.state.findings
+    ):
         return True
     return _same(left, whole)
 

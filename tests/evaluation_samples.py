@@ -15,9 +15,16 @@ UM = 1e-3  # mm
 
 
 def printed_table(path: Path) -> PositioningTest:
-    """Return a long-form table in µm; a reader apart from the project's, for complete tables only."""
-    rows = [line for line in path.read_text("utf-8").splitlines() if line and not line.startswith("#")]
-    readings = {(float(r["target_mm"]), r["direction"], int(r["run"])): float(r["deviation_um"]) for r in csv.DictReader(rows)}
+    """Return a long-form table in µm; a reader apart from the project's, for complete tables
+    only.
+    """
+    rows = [
+        line for line in path.read_text("utf-8").splitlines() if line and not line.startswith("#")
+    ]
+    readings = {
+        (float(r["target_mm"]), r["direction"], int(r["run"])): float(r["deviation_um"])
+        for r in csv.DictReader(rows)
+    }
     targets = sorted({target for target, _, _ in readings})
     runs = sorted({run for _, _, run in readings})
     block = {d: [[readings[x, d, j] * UM for j in runs] for x in targets] for d in "+-"}
@@ -42,18 +49,27 @@ def axis_test(
         kind=kind,
         targets=where,
         positive=np.array(positive, dtype=np.float64),
-        negative=np.empty((where.size, 0)) if negative is None else np.array(negative, dtype=np.float64),
+        negative=(
+            np.empty((where.size, 0)) if negative is None else np.array(negative, dtype=np.float64)
+        ),
         cycle=cycle,
         header=header or {},
     )
 
 
 def noisy(
-    rng: np.random.Generator, *, targets: int = 11, runs: int = 5, s: float = 1.0, common: float = 0.0, drift: float = 0.0
+    rng: np.random.Generator,
+    *,
+    targets: int = 11,
+    runs: int = 5,
+    s: float = 1.0,
+    common: float = 0.0,
+    drift: float = 0.0,
 ) -> PositioningTest:
     """Return a sound axis: a smooth error, 3 µm lost motion, readings with ``s`` µm of scatter.
 
-    ``common`` is the share of the variance that whole runs have in common; ``drift`` µm from the first run to the last.
+    ``common`` is the share of the variance that whole runs have in common; ``drift`` µm from the
+    first run to the last.
     """
     x = np.linspace(20.0, 980.0, targets) + rng.uniform(-20.0, 20.0, targets)
 

@@ -1,4 +1,6 @@
-"""What the tests of `formats` share: the installed definitions, and short ways to files, axes and tables."""
+"""What the tests of `formats` share: the installed definitions, and short ways to files, axes and
+tables.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +22,9 @@ LINUXCNC = DEFINITIONS["linuxcnc"]
 
 def files(**texts: str) -> list[ControlFile]:
     """Control files; ``__`` in a name stands for the point of its ending."""
-    return [ControlFile(name.replace("__", "."), text.encode("latin-1")) for name, text in texts.items()]
+    return [
+        ControlFile(name.replace("__", "."), text.encode("latin-1")) for name, text in texts.items()
+    ]
 
 
 def axis_of(
@@ -64,7 +68,9 @@ def table(
 
 
 def siemens(text: str, *axes: Axis, options: Mapping[str, object] | None = None) -> ControlState:
-    return read_state(SIEMENS, files(A__INI=text), {"cec_sign": "correction", **(options or {})}, axes)
+    return read_state(
+        SIEMENS, files(A__INI=text), {"cec_sign": "correction", **(options or {})}, axes
+    )
 
 
 def codes(state: ControlState) -> set[str]:

@@ -1,4 +1,6 @@
-"""Plays a job on a variation of a FANUC backup through the command line; the virtual FANUC judges what came out."""
+"""Plays a job on a variation of a FANUC backup through the command line; the virtual FANUC judges
+what came out.
+"""
 
 from __future__ import annotations
 
@@ -17,18 +19,39 @@ import numpy as np
 from backup_files_fanuc import Rng
 from backup_jobs_fanuc import AxisJob, Job, csv, dithered, state_files
 from compwright.cli import run
-from virtual_fanuc import Floats, Grid, NotKnownError, Registers, VirtualFanuc, accuracy, differing, loaded, owners
+from virtual_fanuc import (
+    Floats,
+    Grid,
+    NotKnownError,
+    Registers,
+    VirtualFanuc,
+    accuracy,
+    differing,
+    loaded,
+    owners,
+)
 
-#: A fresh test may be that much above the predicted median: 40 % for the band of a prediction, 1 µm (1 arcsec) for quanta.
+#: A fresh test may be that much above the predicted median: 40 % for the band of a prediction, 1 µm
+#: (1 arcsec) for quanta.
 FACTOR, ROOM = 1.4, 1.0
 REPEATS = 15
-OWN = {1851, 1852, *range(3620, 3628), 3605, *range(5861, 5865), *range(5871, 5875), *range(14985, 14989)}
+OWN = {
+    1851,
+    1852,
+    *range(3620, 3628),
+    3605,
+    *range(5861, 5865),
+    *range(5871, 5875),
+    *range(14985, 14989),
+}
 _GROUP = re.compile(rb"([ALS]\d+|Q1)[PMI]([-0-9.]+)")
 
 
 @dataclass
 class Outcome:
-    """What came of a job: exit code, what was said, which axes got a table, and every fault found."""
+    """What came of a job: exit code, what was said, which axes got a table, and every fault
+    found.
+    """
 
     job: Job
     code: int
@@ -44,9 +67,13 @@ class Outcome:
 
 
 def quietly(arguments: list[str]) -> tuple[int, str, str]:
-    """Run a command in this process, without the plots of the report; exit code, standard error, standard output."""
+    """Run a command in this process, without the plots of the report; exit code, standard error,
+    standard output.
+    """
     said, shown = io.StringIO(), io.StringIO()
-    plots = {name: module for name, module in sys.modules.items() if name.split(".")[0] == "matplotlib"}
+    plots = {
+        name: module for name, module in sys.modules.items() if name.split(".")[0] == "matplotlib"
+    }
     sys.modules |= dict.fromkeys(["matplotlib", *plots], None)  # type: ignore[arg-type]
     try:
         with contextlib.redirect_stdout(shown), contextlib.redirect_stderr(said):
@@ -58,7 +85,9 @@ def quietly(arguments: list[str]) -> tuple[int, str, str]:
 
 @dataclass(frozen=True)
 class Played:
-    """A job that was run: what was in the control, what the command said, where its output lies, why nothing can be measured."""
+    """A job that was run: what was in the control, what the command said, where its output lies,
+    why nothing can be measured.
+    """
 
     job: Job
     before: VirtualFanuc
@@ -94,24 +123,38 @@ def run_job(job: Job, folder: Path, *, today: bool = True, text: str | None = No
         except NotKnownError as reason:
             unknown, act = str(reason), lambda x, _: np.zeros_like(x)
         x = dithered(rng, axis.measured, axis.targets)
-        (folder / f"{axis.name}.csv").write_text(csv(axis.name, axis.rotary, x, axis.physics.read(rng, x, act)))
+        (folder / f"{axis.name}.csv").write_text(
+            csv(axis.name, axis.rotary, x, axis.physics.read(rng, x, act))
+        )
     (folder / "job.yaml").write_text(job.yaml(today) if text is None else text)
     code, said, shown = quietly(["run", str(folder / "job.yaml"), "--out", str(folder / "out")])
     return Played(job, before, really, folder / "out", code, said, shown, unknown)
 
 
-def judge(played: Played, mutate: Callable[[VirtualFanuc], VirtualFanuc] = lambda control: control) -> Outcome:
-    """Load what was written and measure again. ``mutate`` turns the judge, to see that its demands notice."""
+def judge(
+    played: Played, mutate: Callable[[VirtualFanuc], VirtualFanuc] = lambda control: control
+) -> Outcome:
+    """Load what was written and measure again. ``mutate`` turns the judge, to see that its demands
+    notice.
+    """
     job, before = played.job, played.before
     outcome = Outcome(job, played.code, played.said, played.shown)
     if played.tables.is_dir() and played.code in (0, 1):
         after = VirtualFanuc(reloaded(played.really, played.tables), older=before.older)
         _judge_files(outcome, played, after)
         if played.unknown and job.mark != "warn":
-            outcome.faults.append(f"written although the pages do not tell what acted before: {played.unknown}")
+            outcome.faults.append(
+                f"written although the pages do not tell what acted before: {played.unknown}"
+            )
         elif not played.unknown:
             prediction = json.loads((played.out / "prediction.json").read_text())
-            _judge_axes(outcome, mutate(before), mutate(after), prediction, np.random.default_rng([job.seed, 8]))
+            _judge_axes(
+                outcome,
+                mutate(before),
+                mutate(after),
+                prediction,
+                np.random.default_rng([job.seed, 8]),
+            )
     elif (played.out / "tables").exists():
         outcome.faults.append(f"exit {played.code}, and yet there are tables")
     _judge_words(outcome)
@@ -119,7 +162,9 @@ def judge(played: Played, mutate: Callable[[VirtualFanuc], VirtualFanuc] = lambd
 
 
 def reloaded(really: Mapping[str, bytes], tables: Path) -> Registers:
-    """The control after loading: what was in it, and every file of the folder on top; loading clears nothing."""
+    """The control after loading: what was in it, and every file of the folder on top; loading
+    clears nothing.
+    """
     written = sorted(tables.iterdir(), key=lambda path: (path.name not in really, path.name))
     return loaded([*really.values(), *(path.read_bytes() for path in written)])
 
@@ -128,20 +173,33 @@ def acting(control: VirtualFanuc, axis: AxisJob) -> Callable[[Floats, int], Floa
     return lambda x, d: control.correction(axis.address, x, d, home=axis.home, rapid=axis.rapid)
 
 
-# --- the accuracy ---------------------------------------------------------------------------------------------------------------
+# --- the accuracy
+# --------------------------------------------------------------------------------------------------
 
 
-def _judge_axes(outcome: Outcome, before: VirtualFanuc, after: VirtualFanuc, prediction: Mapping[str, Any], rng: Rng) -> None:
+def _judge_axes(
+    outcome: Outcome,
+    before: VirtualFanuc,
+    after: VirtualFanuc,
+    prediction: Mapping[str, Any],
+    rng: Rng,
+) -> None:
     for axis in outcome.job.axes:
         if axis.name not in outcome.written:
             continue
         said = prediction["axes"][axis.name]["predicted_new_targets"]["A"]["median"]
         try:
-            old, new = (median_accuracy(axis, acting(control, axis), rng) for control in (before, after))
+            old, new = (
+                median_accuracy(axis, acting(control, axis), rng) for control in (before, after)
+            )
         except NotKnownError as reason:
-            outcome.faults.append(f"{axis.name}: what was written is no table that the pages describe: {reason}")
+            outcome.faults.append(
+                f"{axis.name}: what was written is no table that the pages describe: {reason}"
+            )
             continue
-        outcome.figures.append(f"{axis.name}: A {old:.1f} before, {new:.1f} after, {said:.1f} predicted")
+        outcome.figures.append(
+            f"{axis.name}: A {old:.1f} before, {new:.1f} after, {said:.1f} predicted"
+        )
         if new > FACTOR * said + ROOM or new > old:
             outcome.faults.append(f"HARM {outcome.figures[-1]}")
 
@@ -149,11 +207,15 @@ def _judge_axes(outcome: Outcome, before: VirtualFanuc, after: VirtualFanuc, pre
 def median_accuracy(axis: AxisJob, act: Callable[[Floats, int], Floats], rng: Rng) -> float:
     """The median of A over fresh tests at newly placed targets, µm or arcsec."""
     unit = 3600.0 if axis.rotary else 1000.0
-    tests = (axis.physics.read(rng, dithered(rng, axis.measured, axis.targets), act) for _ in range(REPEATS))
+    tests = (
+        axis.physics.read(rng, dithered(rng, axis.measured, axis.targets), act)
+        for _ in range(REPEATS)
+    )
     return unit * float(np.median([accuracy(test) for test in tests]))
 
 
-# --- the words ------------------------------------------------------------------------------------------------------------------
+# --- the words
+# --------------------------------------------------------------------------------------------------
 
 
 def _judge_words(outcome: Outcome) -> None:
@@ -163,14 +225,26 @@ def _judge_words(outcome: Outcome) -> None:
         return
     missing = [axis.name for axis in job.axes if axis.name not in outcome.written]
     if job.mark == "plain" and missing:
-        outcome.faults.append(f"WRONG REFUSAL of {missing}: nothing but what the pages describe acts")
+        outcome.faults.append(
+            f"WRONG REFUSAL of {missing}: nothing but what the pages describe acts"
+        )
     elif job.mark == "refuse" and not missing:
         outcome.faults.append(f"WRITTEN and not refused by {job.names}")
     elif missing and code == 0:
         outcome.faults.append("exit 0 without a table")
-    if outcome.written and job.names and job.mark in ("plain", "warn") and not _told(job, outcome.said + outcome.shown):
+    if (
+        outcome.written
+        and job.names
+        and job.mark in ("plain", "warn")
+        and not _told(job, outcome.said + outcome.shown)
+    ):
         outcome.faults.append(f"WRITTEN without a word on any of {job.names}")
-    if missing and not _told(job, outcome.said) and job.mark != "plain" and not (job.mark == "answerable" and code == 1):
+    if (
+        missing
+        and not _told(job, outcome.said)
+        and job.mark != "plain"
+        and not (job.mark == "answerable" and code == 1)
+    ):
         outcome.faults.append(f"REFUSED WITHOUT NAMING any of {job.names}")
 
 
@@ -178,17 +252,23 @@ def _told(job: Job, text: str) -> bool:
     return any(re.search(name, text) for name in job.names)
 
 
-# --- the files ------------------------------------------------------------------------------------------------------------------
+# --- the files
+# --------------------------------------------------------------------------------------------------
 
 
 def _judge_files(outcome: Outcome, played: Played, after: VirtualFanuc) -> None:
     job, before = outcome.job, played.before
     parameters, points = differing(before.registers, after.registers)
     for axis in job.axes:
-        if any(group == f"A{axis.address}" for _, group in parameters) or points & after.grid(axis.address).numbers():
+        if (
+            any(group == f"A{axis.address}" for _, group in parameters)
+            or points & after.grid(axis.address).numbers()
+        ):
             outcome.written.append(axis.name)
     groups = {f"A{axis.address}": axis.address for axis in job.axes}
-    if foreign := sorted((number, group) for number, group in parameters if group not in groups or number not in OWN):
+    if foreign := sorted(
+        (number, group) for number, group in parameters if group not in groups or number not in OWN
+    ):
         outcome.faults.append(f"FOREIGN parameters changed: {foreign[:4]}, {len(foreign)} in all")
     for axis in job.axes:
         outcome.faults.extend(_numbers(before, after, axis, job))
@@ -198,8 +278,12 @@ def _judge_files(outcome: Outcome, played: Played, after: VirtualFanuc) -> None:
     outcome.faults.extend(_written_files(played, groups))
 
 
-def _pitch_data(before: VirtualFanuc, after: VirtualFanuc, points: set[int], job: Job) -> Iterator[str]:
-    mine = set().union(*(control.grid(a.address).numbers() for a in job.axes for control in (before, after)))
+def _pitch_data(
+    before: VirtualFanuc, after: VirtualFanuc, points: set[int], job: Job
+) -> Iterator[str]:
+    mine = set().union(
+        *(control.grid(a.address).numbers() for a in job.axes for control in (before, after))
+    )
     if stray := sorted(points - mine):
         yield f"FOREIGN pitch data changed: {stray[:5]}, {len(stray)} in all"
 
@@ -225,23 +309,42 @@ def _bits(before: VirtualFanuc, after: VirtualFanuc, axis: int) -> Iterator[str]
 
 
 def _numbers(before: VirtualFanuc, after: VirtualFanuc, axis: AxisJob, job: Job) -> Iterator[str]:
-    """Where the new table lies: on numbers that nobody else has, points to, or has filled; inside what the control takes."""
+    """Where the new table lies: on numbers that nobody else has, points to, or has filled; inside
+    what the control takes.
+    """
     address = axis.address
     old, grid = before.grid(address), after.grid(address)
     used = grid.numbers()
     if grid == old and not differing(before.registers, after.registers)[1] & used:
         return
-    taken = set().union(*(numbers for other, numbers in owners(before).items() if other != address)) | pointed(before, address)
+    taken = set().union(
+        *(numbers for other, numbers in owners(before).items() if other != address)
+    ) | pointed(before, address)
     if clash := sorted(used & taken):
         yield f"{axis.name}: numbers of others are taken: {clash[:5]}, {len(clash)} in all"
     alien = [n for n in used - old.numbers() if float(before.registers.pitch.get(n, "0"))]
     if alien:
-        yield f"{axis.name}: numbers that hold something are taken: {sorted(alien)[:5]}, {len(alien)} in all"
+        yield (
+            f"{axis.name}: numbers that hold something are taken: {sorted(alien)[:5]}, {len(alien)}"
+            " in all"
+        )
     yield from _limits(axis, job, grid, after)
-    feed = after.value(1420, address) * (25.4 if after.bit(1001, address, 0) and not axis.rotary else 1.0)
-    if job.files is not None and "table" not in axis.words and grid.interval < old.interval and grid.interval < feed / 7500 - 1e-9:
+    feed = after.value(1420, address) * (
+        25.4 if after.bit(1001, address, 0) and not axis.rotary else 1.0
+    )
+    if (
+        job.files is not None
+        and "table" not in axis.words
+        and grid.interval < old.interval
+        and grid.interval < feed / 7500 - 1e-9
+    ):
         yield f"{axis.name}: an interval of {grid.interval:g} is below {feed:g}/7500 (1420)"
-    if "first_point" in job.options and job.files is None and used and min(used) < int(job.options["first_point"]):
+    if (
+        "first_point" in job.options
+        and job.files is None
+        and used
+        and min(used) < int(job.options["first_point"])
+    ):
         yield f"{axis.name}: number {min(used)} is below first_point"
 
 
@@ -255,13 +358,18 @@ def _limits(axis: AxisJob, job: Job, grid: Grid, after: VirtualFanuc) -> Iterato
     if values and max(values) > most:
         yield f"{axis.name}: an increment of {max(values):g} is more than {most}"
     if not grid.turn and not grid.first <= grid.reference <= grid.last:
-        yield f"{axis.name}: 3621 <= 3620 <= 3622 is broken: {grid.first}, {grid.reference}, {grid.last}"
+        yield (
+            f"{axis.name}: 3621 <= 3620 <= 3622 is broken: {grid.first}, {grid.reference},"
+            f" {grid.last}"
+        )
     if not 0 < grid.magnification <= 100:
         yield f"{axis.name}: 3623 = {grid.magnification}"
 
 
 def pointed(control: VirtualFanuc, but: int) -> set[int]:
-    """Numbers that another function points to: inclination of other axes, straightness, second tables of every axis."""
+    """Numbers that another function points to: inclination of other axes, straightness, second
+    tables of every axis.
+    """
     numbers: set[int] = set()
     for (number, group), entry in control.registers.parameters.items():
         inclined = number in range(5861, 5865) and group != f"A{but}"
@@ -274,7 +382,9 @@ def pointed(control: VirtualFanuc, but: int) -> set[int]:
 
 
 def _straightness(before: VirtualFanuc, after: VirtualFanuc, job: Job) -> Iterator[str]:
-    """What an axis under work does to others by straightness compensation stays: its points hang on its numbers and interval."""
+    """What an axis under work does to others by straightness compensation stays: its points hang on
+    its numbers and interval.
+    """
     for axis in job.axes:
         x = np.linspace(*axis.measured, 400)
         old, new = before.straightness(axis.address, x), after.straightness(axis.address, x)
@@ -282,11 +392,16 @@ def _straightness(before: VirtualFanuc, after: VirtualFanuc, job: Job) -> Iterat
             a, b = old.get(bent, np.zeros_like(x)), new.get(bent, np.zeros_like(x))
             slack = max(float(np.abs(np.diff(a)).max()), float(np.abs(np.diff(b)).max()))
             if (worst := float(np.abs(a - b).max())) > slack + 1e-9:
-                yield f"HARM straightness: axis {bent} moves by {1000 * worst:.1f} um more or less while {axis.name} moves"
+                yield (
+                    f"HARM straightness: axis {bent} moves by {1000 * worst:.1f} um more or less"
+                    f" while {axis.name} moves"
+                )
 
 
 def _lines(name: str, given: bytes, patched: bytes, groups: Mapping[str, int]) -> Iterator[str]:
-    """A patched file differs in values of the axis under work and of pitch data, in nothing else; lines neither come nor go."""
+    """A patched file differs in values of the axis under work and of pitch data, in nothing else;
+    lines neither come nor go.
+    """
     old, new = given.split(b"\n"), patched.split(b"\n")
     if len(old) != len(new):
         yield f"{name}: {len(old)} lines became {len(new)}"
@@ -300,11 +415,16 @@ def _lines(name: str, given: bytes, patched: bytes, groups: Mapping[str, int]) -
         if (number := int(a[1:6])) < 10000 and not (number in OWN and _only(a, b, groups)):
             yield f"{name}: another axis's entry changed: {a[:60]!r} became {b[:60]!r}"
         if number >= 10000 and b"Q1" in a[:8]:
-            yield f"{name}: a parameter changed as if it were pitch data: {a[:60]!r} became {b[:60]!r}"
+            yield (
+                f"{name}: a parameter changed as if it were pitch data: {a[:60]!r} became"
+                f" {b[:60]!r}"
+            )
 
 
 def _only(a: bytes, b: bytes, groups: Mapping[str, int]) -> bool:
-    pairs = zip(_GROUP.findall(a.replace(b" ", b"")), _GROUP.findall(b.replace(b" ", b"")), strict=True)
+    pairs = zip(
+        _GROUP.findall(a.replace(b" ", b"")), _GROUP.findall(b.replace(b" ", b"")), strict=True
+    )
     return all(x == y or x[0].decode() in groups for x, y in pairs)
 
 

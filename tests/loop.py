@@ -1,6 +1,8 @@
-"""The loop that every control must close: known error, measurement, fit, file, virtual control, new measurement.
+"""The loop that every control must close: known error, measurement, fit, file, virtual control, new
+measurement.
 
-The machine and the evaluation of A stand here a second time, apart from the package, so that both cannot be wrong together.
+The machine and the evaluation of A stand here a second time, apart from the package, so that both
+cannot be wrong together.
 """
 
 from __future__ import annotations
@@ -16,7 +18,9 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Machine:
-    """A smooth axis error with reversal: mm, positions in machine coordinates. ``lost`` > 0: lost motion in mm."""
+    """A smooth axis error with reversal: mm, positions in machine coordinates. ``lost`` > 0: lost
+    motion in mm.
+    """
 
     low: float = 0.0
     high: float = 800.0
@@ -30,7 +34,8 @@ class Machine:
         """Deviation without noise, arriving with ``sign`` (+1, -1)."""
         u = (np.asarray(x, dtype=float) - self.low) / (self.high - self.low)
         curve = self.slope * x + self.bow * np.sin(2.3 * np.pi * u + 0.4)
-        # Lost motion: the axis stays behind by it when it arrives against the direction in which it was referenced.
+        # Lost motion: the axis stays behind by it when it arrives against the direction in which it
+        # was referenced.
         return curve - (sign * self.lost if sign != self.reference_return else 0.0)
 
     def targets(self, count: int = 17, seed: int = 3) -> Floats:
@@ -40,9 +45,15 @@ class Machine:
         return np.round(self.low + (np.arange(count) + 0.5 + dither) * pitch, 3)
 
     def measure(
-        self, targets: Floats, seed: int, correction: Callable[[Floats, int], Floats] | None = None, runs: int = 5
+        self,
+        targets: Floats,
+        seed: int,
+        correction: Callable[[Floats, int], Floats] | None = None,
+        runs: int = 5,
     ) -> dict[int, Floats]:
-        """Readings (m, runs) by direction sign, with fresh noise and an instrument zero of its own."""
+        """Readings (m, runs) by direction sign, with fresh noise and an instrument zero of its
+        own.
+        """
         rng = np.random.default_rng(seed)
         datum = rng.normal(0, 0.02)
         readings = {}
@@ -70,15 +81,19 @@ def floor_of(machine: Machine, targets: Floats, runs: int = 5) -> float:
     values = []
     for seed in range(300):
         rng = np.random.default_rng(10_000 + seed)
-        values.append(accuracy({sign: rng.normal(0, machine.noise, (targets.size, runs)) for sign in (1, -1)}))
+        values.append(
+            accuracy({sign: rng.normal(0, machine.noise, (targets.size, runs)) for sign in (1, -1)})
+        )
     return float(np.quantile(values, 0.99))
 
 
 def allowed(machine: Machine, targets: Floats, spacing: float, runs: int = 5) -> float:
-    """What A may be after one round: the noise floor, the error of the estimate and what straight lines between nodes lose.
+    """What A may be after one round: the noise floor, the error of the estimate and what straight
+    lines between nodes lose.
 
-    The estimate of a mean of 2 n readings is off by at most 3 noise / sqrt(2 n) at either end of the range, with few exceptions; a
-    straight line over ``spacing`` misses a curve by at most its second derivative times spacing² / 8.
+    The estimate of a mean of 2 n readings is off by at most 3 noise / sqrt(2 n) at either end of
+    the range, with few exceptions; a straight line over ``spacing`` misses a curve by at most its
+    second derivative times spacing² / 8.
     """
     estimate = 2 * 3 * machine.noise / np.sqrt(2 * runs)
     curvature = machine.bow * (2.3 * np.pi / (machine.high - machine.low)) ** 2
@@ -88,8 +103,15 @@ def allowed(machine: Machine, targets: Floats, spacing: float, runs: int = 5) ->
 def csv_of(targets: Floats, readings: dict[int, Floats], axis: str = "X", unit: str = "mm") -> str:
     """The readings as plain CSV, long form, deviations in µm (mm) or arcsec (deg)."""
     factor, name = (1000.0, "um") if unit == "mm" else (3600.0, "arcsec")
-    lines = [f"# axis: {axis}", "# cycle: standard", f"target_{unit},direction,run,deviation_{name}"]
+    lines = [
+        f"# axis: {axis}",
+        "# cycle: standard",
+        f"target_{unit},direction,run,deviation_{name}",
+    ]
     for sign, mark in ((1, "+"), (-1, "-")):
         for target, row in zip(targets, readings[sign], strict=True):
-            lines += [f"{target:.4f},{mark},{run},{value * factor:.6f}" for run, value in enumerate(row, 1)]
+            lines += [
+                f"{target:.4f},{mark},{run},{value * factor:.6f}"
+                for run, value in enumerate(row, 1)
+            ]
     return "\n".join(lines) + "\n"

@@ -11,4 +11,6 @@ SHARED = PROJECT.parent / "shared"
 STANDARD_TABLES = SHARED / "data" / "standards"
 REAL = SHARED / "data" / "real"
 
-needs_shared = pytest.mark.skipif(not SHARED.is_dir(), reason="the shared reference data are not beside the project")
+needs_shared = pytest.mark.skipif(
+    not SHARED.is_dir(), reason="the shared reference data are not beside the project"
+)

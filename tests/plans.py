@@ -1,6 +1,8 @@
-"""Random plans for every control: a wanted curve, a travel, a reference, options and limits; fitted, written, read by the judge.
+"""Random plans for every control: a wanted curve, a travel, a reference, options and limits;
+fitted, written, read by the judge.
 
-Nothing here knows how a format looks: only what a user would say of the axis, and what the judge answers.
+Nothing here knows how a format looks: only what a user would say of the axis, and what the judge
+answers.
 """
 
 from __future__ import annotations
@@ -22,7 +24,8 @@ from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import TableRequest
 from compwright.workflow.control import open_control
 
-#: Formats that can write a table without files of the control: what to call the axis, and what to choose at random.
+#: Formats that can write a table without files of the control: what to call the axis, and what to
+#: choose at random.
 ADDRESSES = {
     "fanuc-30i": "123",
     "fanuc-0i-16i": "123",
@@ -31,14 +34,17 @@ ADDRESSES = {
     "heidenhain-itnc530": "XYZ",
     "heidenhain-nck": "XYZ",
 }
-#: Doubles carry 1 m to 1e-13 mm, far below every quantum; LinuxCNC keeps its table in single precision: 1 mm to 6e-8 mm. mm or deg.
+#: Doubles carry 1 m to 1e-13 mm, far below every quantum; LinuxCNC keeps its table in single
+#: precision: 1 mm to 6e-8 mm. mm or deg.
 SAME = {"linuxcnc": 2e-7}
 SAME_ELSE = 1e-9
 
 
 @dataclass(frozen=True)
 class Plan:
-    """One plan and what became of it: ``refused`` where the control cannot hold it, else the table and the files."""
+    """One plan and what became of it: ``refused`` where the control cannot hold it, else the table
+    and the files.
+    """
 
     format_id: str
     axis: Axis
@@ -49,7 +55,9 @@ class Plan:
 
 
 def random_plan(format_id: str, seed: int) -> Plan:
-    """Return a plan that is fitted and written, or refused with a sentence; same seed, same plan."""
+    """Return a plan that is fitted and written, or refused with a sentence; same seed, same
+    plan.
+    """
     rng = np.random.default_rng([seed, *format_id.encode()])
     options = random_options(format_id, rng)
     axis = random_axis(format_id, rng)
@@ -67,36 +75,63 @@ def random_plan(format_id: str, seed: int) -> Plan:
 
 def random_options(format_id: str, rng: np.random.Generator) -> dict[str, object]:
     if format_id.startswith("fanuc"):
-        chosen: dict[str, object] = {"detection_unit": float(rng.choice([0.001, 0.0001, 0.0005, 0.01]))}
-        for name, values in (("output", ("step", "ramp")), ("pitch_sign", "+-"), ("increment_limit", ("7", "127"))):
+        chosen: dict[str, object] = {
+            "detection_unit": float(rng.choice([0.001, 0.0001, 0.0005, 0.01]))
+        }
+        for name, values in (
+            ("output", ("step", "ramp")),
+            ("pitch_sign", "+-"),
+            ("increment_limit", ("7", "127")),
+        ):
             if rng.random() < 0.5:
                 chosen[name] = str(rng.choice(np.array(list(values))))
         chosen["first_point"] = int(rng.integers(0, 900)) if rng.random() < 0.3 else 0
         return chosen
     if format_id == "linuxcnc":
-        return {"units": str(rng.choice(["mm", "inch"])), "comp_file_type": str(rng.choice(["0", "1"]))}
+        return {
+            "units": str(rng.choice(["mm", "inch"])),
+            "comp_file_type": str(rng.choice(["0", "1"])),
+        }
     if format_id.startswith("heidenhain"):
         return {"table_values": str(rng.choice(["error", "correction"]))}
     if rng.random() < 0.4:
-        return {"cec": "available", "cec_tables": [3, 8], "cec_sign": str(rng.choice(["error", "correction"]))}
+        return {
+            "cec": "available",
+            "cec_tables": [3, 8],
+            "cec_sign": str(rng.choice(["error", "correction"])),
+        }
     return {}
 
 
 def random_axis(format_id: str, rng: np.random.Generator) -> Axis:
     kind = AxisKind.ROTARY if rng.random() < 0.25 else AxisKind.LINEAR
-    if format_id.startswith("heidenhain"):  # of a rotary axis it uses 0 to 360 degrees only, which has tests of its own
+    if format_id.startswith(
+        "heidenhain"
+    ):  # of a rotary axis it uses 0 to 360 degrees only, which has tests of its own
         kind = AxisKind.LINEAR
     length = float(rng.integers(30, 360 if kind is AxisKind.ROTARY else 1200))
-    low = float(rng.choice([0.0, -length, -float(rng.integers(0, int(length))), float(rng.integers(-500, 500))]))
+    low = float(
+        rng.choice(
+            [0.0, -length, -float(rng.integers(0, int(length))), float(rng.integers(-500, 500))]
+        )
+    )
     if kind is AxisKind.ROTARY and format_id.startswith("fanuc") and rng.random() < 0.4:
         return replace(axis_at(format_id, rng, kind, (0.0, 360.0), 0.0), modulo=360.0)
-    reference = low + float(rng.choice([0.0, length, float(rng.integers(0, int(length))), 0.5 * length]))
+    reference = low + float(
+        rng.choice([0.0, length, float(rng.integers(0, int(length))), 0.5 * length])
+    )
     if format_id.startswith("fanuc") and rng.random() < 0.5 and low <= 0 <= low + length:
         reference = 0.0
     return axis_at(format_id, rng, kind, (low, low + length), reference)
 
 
-def axis_at(format_id: str, rng: np.random.Generator, kind: AxisKind, travel: tuple[float, float], reference: float) -> Axis:
+def axis_at(
+    format_id: str,
+    rng: np.random.Generator,
+    kind: AxisKind,
+    travel: tuple[float, float],
+    reference: float,
+) -> Axis:
     return Axis(
         name="X",
         kind=kind,
@@ -113,22 +148,33 @@ def random_request(format_id: str, axis: Axis, rng: np.random.Generator) -> Tabl
     if axis.modulo is not None:
         return TableRequest(spacing=float(rng.choice([5, 10, 22.5, 30, 45])))
     if rng.random() < 0.4 or format_id == "linuxcnc":
-        return TableRequest(mode="bidirectional" if format_id == "linuxcnc" and rng.random() < 0.5 else "auto")
+        return TableRequest(
+            mode="bidirectional" if format_id == "linuxcnc" and rng.random() < 0.5 else "auto"
+        )
     if format_id.startswith("fanuc"):
         return TableRequest(spacing=float(rng.choice([2, 5, 10, 12.5, 20, 33.333])))
     return TableRequest(spacing=(high - low) / int(rng.choice([10, 20, 25])))
 
 
 def random_wanted(axis: Axis, rng: np.random.Generator) -> WantedCorrection:
-    """Return totals of up to some 100 µm with a reversal, zero at the reference approached in its return direction."""
+    """Return totals of up to some 100 µm with a reversal, zero at the reference approached in its
+    return direction.
+    """
     low, high = axis.travel
     where = np.linspace(low, high, 401)
     u = (where - low) / (high - low)
     order = np.arange(1, 7)
-    waves = np.sin(np.outer(u, order) * np.pi + rng.uniform(0, 6, 6)) @ (rng.standard_normal(6) / order)
+    waves = np.sin(np.outer(u, order) * np.pi + rng.uniform(0, 6, 6)) @ (
+        rng.standard_normal(6) / order
+    )
     slope = rng.uniform(-1e-4, 1e-4) if axis.modulo is None else 0.0
-    curve = rng.uniform(0, 0.02) * (np.sin(2 * np.pi * u) if axis.modulo is not None else waves) + slope * where
-    varying = rng.uniform(0, 0.004) * np.cos(3 * u) if rng.random() < 0.3 and axis.modulo is None else 0.0
+    curve = (
+        rng.uniform(0, 0.02) * (np.sin(2 * np.pi * u) if axis.modulo is not None else waves)
+        + slope * where
+    )
+    varying = (
+        rng.uniform(0, 0.004) * np.cos(3 * u) if rng.random() < 0.3 and axis.modulo is None else 0.0
+    )
     reversal = rng.uniform(-0.01, 0.02) + varying
     own, other = curve, curve + axis.reference_return.opposite.sign * reversal
     zero = np.interp(axis.reference, where, own)
@@ -168,10 +214,19 @@ def tolerance(format_id: str) -> float:
 
 
 def worst_difference(plan: Plan) -> float:
-    """Return by how much the judge differs from the fitted table at its nodes, between them and outside; mm or deg."""
+    """Return by how much the judge differs from the fitted table at its nodes, between them and
+    outside; mm or deg.
+    """
     table = plan.table
     assert table is not None
     nodes = table.positions
     between = nodes[:-1] + 0.31 * np.diff(nodes)
-    where = np.concatenate([nodes, between, [nodes[0] - 3.0, nodes[-1] + 3.0]]) if nodes.size else np.array(plan.axis.travel)
-    return max(float(np.max(np.abs(judged(plan, where, side) - table.at(where, side)))) for side in Direction)
+    where = (
+        np.concatenate([nodes, between, [nodes[0] - 3.0, nodes[-1] + 3.0]])
+        if nodes.size
+        else np.array(plan.axis.travel)
+    )
+    return max(
+        float(np.max(np.abs(judged(plan, where, side) - table.at(where, side))))
+        for side in Direction
+    )

@@ -1,4 +1,6 @@
-"""Hand-made documents for the tests of `reporting`, and the printed tables of the standards with their printed parameters."""
+"""Hand-made documents for the tests of `reporting`, and the printed tables of the standards with
+their printed parameters.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +28,9 @@ def positioning(
     name: str = "x_before",
     axis: str = "X",
 ) -> dict[str, Any]:
-    """An entry of an evaluation document; per-target statistics crudely from the readings, parameters as given."""
+    """An entry of an evaluation document; per-target statistics crudely from the readings,
+    parameters as given.
+    """
     targets = []
     for index, position in enumerate(positions):
         entry: dict[str, Any] = {"position": position}
@@ -54,12 +58,19 @@ def positioning(
         "unit": unit,
         "coverage": coverage,
         "n_targets": len(positions),
-        "n_runs": {"positive": len(positive[0]) if positive else 0, "negative": len(negative[0]) if negative else 0},
+        "n_runs": {
+            "positive": len(positive[0]) if positive else 0,
+            "negative": len(negative[0]) if negative else 0,
+        },
         "parameters": parameters,
         "at": {"R": 1408.462, "B": 175.077} if parameters.get("R") is not None else {},
         "uncertainty": None,
         "targets": targets,
-        "not_applicable": {key: "one approach per direction (clause 5.2)" for key, value in parameters.items() if value is None},
+        "not_applicable": {
+            key: "one approach per direction (clause 5.2)"
+            for key, value in parameters.items()
+            if value is None
+        },
         "findings": [],
     }
 
@@ -70,11 +81,19 @@ def printed_table(year: int) -> dict[str, Any]:
         rows = list(csv.DictReader(line for line in stream if not line.startswith("#")))
     positions = sorted({float(row["target_mm"]) for row in rows})
     sides = {
-        sign: [[float(r["deviation_um"]) for r in rows if float(r["target_mm"]) == p and r["direction"] == sign] for p in positions]
+        sign: [
+            [
+                float(r["deviation_um"])
+                for r in rows
+                if float(r["target_mm"]) == p and r["direction"] == sign
+            ]
+            for p in positions
+        ]
         for sign in "+-"
     }
     printed: dict[int, dict[str, float | None]] = {
-        1988: {"A": 18.03, "R": 13.49, "R_positive": 11.84, "R_negative": 9.9, "B_mean": -1.53, "E": None, "M": None, "B": None},
+        1988: {"A": 18.03, "R": 13.49, "R_positive": 11.84, "R_negative": 9.9, "B_mean": -1.53,
+        "E": None, "M": None, "B": None},
         1997: {
             "A": 9.6, "A_positive": 6.1, "A_negative": 5.7, "E": 7.7, "E_positive": 3.9, "E_negative": 4.0, "M": 4.0,
             "R": 6.5, "R_positive": 2.9, "R_negative": 2.5, "B": 4.1, "B_mean": -3.7,
@@ -86,14 +105,23 @@ def printed_table(year: int) -> dict[str, Any]:
     )  # fmt: skip
 
 
-def made_up(amplitude: float = 12.0, reversal: float = -6.0, *, seed: int = 4, **more: Any) -> dict[str, Any]:
-    """A screw axis from -850 to 0 mm, n = 5, with lost motion. The parameters are round numbers put in by hand."""
+def made_up(
+    amplitude: float = 12.0, reversal: float = -6.0, *, seed: int = 4, **more: Any
+) -> dict[str, Any]:
+    """A screw axis from -850 to 0 mm, n = 5, with lost motion. The parameters are round numbers put
+    in by hand.
+    """
     generator = random.Random(seed)  # noqa: S311  not for secrets
     positions = [round(-835.0 + 81.7 * index + generator.uniform(-8, 8), 3) for index in range(11)]
 
     def readings(offset: float) -> list[list[float]]:
         return [
-            [round(amplitude * math.sin(p / 260) + 0.012 * p + offset + generator.gauss(0, 0.7), 2) for _ in range(5)]
+            [
+                round(
+                    amplitude * math.sin(p / 260) + 0.012 * p + offset + generator.gauss(0, 0.7), 2
+                )
+                for _ in range(5)
+            ]
             for p in positions
         ]
 
@@ -102,7 +130,9 @@ def made_up(amplitude: float = 12.0, reversal: float = -6.0, *, seed: int = 4, *
         "R": 9.31, "R_positive": 3.61, "R_negative": 3.27, "B": 6.84, "B_mean": -6.02,
     }  # fmt: skip
     parameters.update(more.pop("parameters", {}))
-    return positioning(positions, readings(reversal / 2), readings(-reversal / 2), parameters, **more)
+    return positioning(
+        positions, readings(reversal / 2), readings(-reversal / 2), parameters, **more
+    )
 
 
 def quantiles(median: float, low: float, high: float) -> dict[str, float]:
@@ -110,14 +140,22 @@ def quantiles(median: float, low: float, high: float) -> dict[str, float]:
 
 
 def run_view() -> dict[str, Any]:
-    """A view of two axes: one with limits and a table in both directions, one rotary, measured in one direction."""
+    """A view of two axes: one with limits and a table in both directions, one rotary, measured in
+    one direction.
+    """
     x = made_up()
-    x["uncertainty"] = {"A": {"U": 1.9, "coverage": 2}, "E": {"U": 1.7, "coverage": 2}, "B": {"U": 0.4, "coverage": 2}}
+    x["uncertainty"] = {
+        "A": {"U": 1.9, "coverage": 2},
+        "E": {"U": 1.7, "coverage": 2},
+        "B": {"U": 0.4, "coverage": 2},
+    }
     c = positioning(
         [0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0, 360.0],
-        [[1.1, 2.0], [2.0, None], [3.0, 3.5], [2.0, 1.0], [0.0, 0.1], [-2.0, -2.4], [-4.0, -4.1], [-1.0, -1.2], [0.5, 0.7]],
+        [[1.1, 2.0], [2.0, None], [3.0, 3.5], [2.0, 1.0], [0.0, 0.1], [-2.0, -2.4], [-4.0, -4.1],
+        [-1.0, -1.2], [0.5, 0.7]],
         None,
-        {"A": None, "A_positive": 9.13, "E": None, "E_positive": 7.52, "R": None, "R_positive": 3.24, "M": None, "B": None},
+        {"A": None, "A_positive": 9.13, "E": None, "E_positive": 7.52, "R": None,
+        "R_positive": 3.24, "M": None, "B": None},
         unit="arcsec", axis="C", name="c_before",
     )  # fmt: skip
     nodes = [-850.0 + 50.0 * index for index in range(18)]
@@ -132,8 +170,16 @@ def run_view() -> dict[str, Any]:
         "M": quantiles(1.2, 0.8, 1.9), "R": quantiles(3.91, 3.2, 4.9), "B": quantiles(0.82, 0.41, 1.31),
         "B_mean": quantiles(0.02, -0.61, 0.63),
     }  # fmt: skip
-    new = {key: quantiles(value["median"] + 0.77, value["p05"] + 0.5, value["p95"] + 1.0) for key, value in predicted.items()}
-    test = {"name": "x_before", "before": before, "predicted": predicted, "predicted_new_targets": new}
+    new = {
+        key: quantiles(value["median"] + 0.77, value["p05"] + 0.5, value["p95"] + 1.0)
+        for key, value in predicted.items()
+    }
+    test = {
+        "name": "x_before",
+        "before": before,
+        "predicted": predicted,
+        "predicted_new_targets": new,
+    }
     rotary = {
         "name": "c_before",
         "before": {"A_positive": 9.13, "E_positive": 7.52},
@@ -141,7 +187,11 @@ def run_view() -> dict[str, Any]:
     }
     return {
         "title": "VMC 850, axes X and C",
-        "machine": {"machine": "VMC 850", "serial number": "1111111", "type": "vertical machining centre"},
+        "machine": {
+            "machine": "VMC 850",
+            "serial number": "1111111",
+            "type": "vertical machining centre",
+        },
         "format": {"id": "fanuc-30i", "title": "FANUC Series 30i"},
         "version": "0.1.0",
         "no_tables": None,
@@ -161,7 +211,11 @@ def run_view() -> dict[str, Any]:
                     },
                     "quantum": 1.0,
                     "limits": [
-                        {"cause": "resolution of a table value, 1 µm", "value": 0.297, "unit": "um"},
+                        {
+                            "cause": "resolution of a table value, 1 µm",
+                            "value": 0.297,
+                            "unit": "um",
+                        },
                         {"cause": "number of points, 18 of 128", "value": 0.115, "unit": "um"},
                     ],
                     "accept": {
@@ -201,7 +255,11 @@ def run_view() -> dict[str, Any]:
                 },
                 "mode": "bidirectional",
                 "mode_reason": "The reversal varies over the travel by more than its uncertainty.",
-                "certificate": {"primal_feasibility_mm": 0.0, "dual_feasibility": 1.2e-13, "stationarity": 3.1e-12},
+                "certificate": {
+                    "primal_feasibility_mm": 0.0,
+                    "dual_feasibility": 1.2e-13,
+                    "stationarity": 3.1e-12,
+                },
                 "state": ["CNC-PARA.TXT", "PITCH.TXT"],
                 "predicted_targets": {
                     "positions": [target["position"] for target in x["targets"]],
@@ -215,7 +273,11 @@ def run_view() -> dict[str, Any]:
                         "severity": "info",
                         "message": "No screw pitch was given: a periodic error is not estimated.",
                     },
-                    {"code": "CW-T005", "severity": "warning", "message": "The readings drift by 1.2 µm over the five traverses."},
+                    {
+                        "code": "CW-T005",
+                        "severity": "warning",
+                        "message": "The readings drift by 1.2 µm over the five traverses.",
+                    },
                 ],
             },
             "C": {
@@ -228,20 +290,39 @@ def run_view() -> dict[str, Any]:
                 "mode_reason": None,
                 "certificate": {},
                 "state": None,
-                "predicted_targets": {"positions": [0.0, 90.0, 180.0], "positive": [1.0, 3.0, 0.0], "negative": None, "s": 0.4},
+                "predicted_targets": {
+                    "positions": [0.0, 90.0, 180.0],
+                    "positive": [1.0, 3.0, 0.0],
+                    "negative": None,
+                    "s": 0.4,
+                },
                 "findings": [],
             },
         },
         "assumed": [
-            {"fact": "detection unit", "value": "0.001 mm", "evidence": "confirmed: given in the job"},
+            {
+                "fact": "detection unit",
+                "value": "0.001 mm",
+                "evidence": "confirmed: given in the job",
+            },
             {
                 "fact": "sign of a pitch error value",
                 "value": "added to the command",
                 "evidence": "unconfirmed: B-64490EN 5.2 does not say",
             },
-            {"fact": "compensation is active", "value": "yes", "evidence": "inferred from bit 0 of parameter 3602"},
+            {
+                "fact": "compensation is active",
+                "value": "yes",
+                "evidence": "inferred from bit 0 of parameter 3602",
+            },
         ],
-        "findings": [{"code": "CW-S001", "severity": "warning", "message": "The state of axis C was not said."}],
+        "findings": [
+            {
+                "code": "CW-S001",
+                "severity": "warning",
+                "message": "The state of axis C was not said.",
+            }
+        ],
         "files": [
             "plan.json",
             "evaluation.json",
@@ -255,11 +336,16 @@ def run_view() -> dict[str, Any]:
 
 def verify_view() -> dict[str, Any]:
     run = run_view()
-    after = made_up(0.8, -0.5, seed=9, name="x_after", parameters={"A": 4.43, "E": 2.21, "R": 3.94, "B": 1.17})
+    after = made_up(
+        0.8, -0.5, seed=9, name="x_after", parameters={"A": 4.43, "E": 2.21, "R": 3.94, "B": 1.17}
+    )
     for target in after["targets"]:  # the slope is compensated
         for key in ("positive", "negative"):
             target[f"mean_{key}"] -= 0.012 * target["position"]
-            target[f"deviations_{key}"] = [round(value - 0.012 * target["position"], 2) for value in target[f"deviations_{key}"]]
+            target[f"deviations_{key}"] = [
+                round(value - 0.012 * target["position"], 2)
+                for value in target[f"deviations_{key}"]
+            ]
     x = run["prediction"]["axes"]["X"]
     return {
         "title": "VMC 850 after loading",
@@ -279,7 +365,9 @@ def verify_view() -> dict[str, Any]:
                         "factor": 1.0,
                         "shift_nodes": 0,
                         "margin": 41.2,
-                        "message": "The test after loading agrees with the table as it was written.",
+                        "message": (
+                            "The test after loading agrees with the table as it was written."
+                        ),
                     },
                     "accept": {
                         "A": {"limit": 8.0, "value": 4.43, "U": 1.9, "decision": "accept"},
@@ -291,7 +379,10 @@ def verify_view() -> dict[str, Any]:
             "verdict": "undecided",
         },
         "evaluation_before": {"results": [run["evaluation"]["results"][0]], "errors": []},
-        "evaluation_after": {"results": [after], "errors": [{"file": "runs/broken.csv", "message": "line 3: not a number"}]},
+        "evaluation_after": {
+            "results": [after],
+            "errors": [{"file": "runs/broken.csv", "message": "line 3: not a number"}],
+        },
         "axes": {"X": {"unit": "um", "predicted_targets": run["axes"]["X"]["predicted_targets"]}},
         "findings": [],
     }
@@ -315,8 +406,20 @@ def sample_card() -> dict[str, Any]:
                     {"quantity": "1851 backlash, detection units", "old": 4, "new": -2},
                 ],
                 "quick_check": [
-                    {"position": -800.0, "direction": "+", "adds": 10.0, "expected": 0.31, "stop": 8.0},
-                    {"position": -50.5, "direction": "-", "adds": -3.0, "expected": -0.62, "stop": "8 µm either way"},
+                    {
+                        "position": -800.0,
+                        "direction": "+",
+                        "adds": 10.0,
+                        "expected": 0.31,
+                        "stop": 8.0,
+                    },
+                    {
+                        "position": -50.5,
+                        "direction": "-",
+                        "adds": -3.0,
+                        "expected": -0.62,
+                        "stop": "8 µm either way",
+                    },
                 ],
                 "points_needed": 18,
                 "fixed_positions": [{"name": "tool change", "position": -20.0, "moves": 1.2}],
@@ -330,7 +433,9 @@ def sample_card() -> dict[str, Any]:
             },
             {
                 "title": "Load the pitch error file",
-                "text": "EDIT mode, parameter write enabled, F INPUT, N READ.\nThen power off and on.",
+                "text": (
+                    "EDIT mode, parameter write enabled, F INPUT, N READ.\nThen power off and on."
+                ),
                 "evidence": "unconfirmed: the line form N1nnnnQ0P was not seen in a manual",
             },
             {
@@ -340,14 +445,30 @@ def sample_card() -> dict[str, Any]:
                 "heads": ["axis", "reference number", "spacing"],
                 "rows": [["X", "17", "50"], ["Y", "40", "25"]],
             },
-            {"title": "Return the axis to its reference", "text": "Slowly, with a hand on the feed override.", "evidence": ""},
+            {
+                "title": "Return the axis to its reference",
+                "text": "Slowly, with a hand on the feed override.",
+                "evidence": "",
+            },
         ],
-        "unconfirmed": ["The sign of a pitch error value: do the quick check at one position before the whole travel."],
+        "unconfirmed": [
+            (
+                "The sign of a pitch error value: do the quick check at one position before the whole"
+                " travel."
+            )
+        ],
         "assumed": [
-            {"fact": "detection unit", "value": "0.001 mm", "evidence": "confirmed: given in the job"},
+            {
+                "fact": "detection unit",
+                "value": "0.001 mm",
+                "evidence": "confirmed: given in the job",
+            },
             {"fact": "sign", "value": "added", "evidence": "unconfirmed"},
         ],
-        "restore": ["Load rollback/fanuc-30i/PITCH.TXT in the same way.", "Power off and on; return all axes to their references."],
+        "restore": [
+            "Load rollback/fanuc-30i/PITCH.TXT in the same way.",
+            "Power off and on; return all axes to their references.",
+        ],
         "files": ["tables/fanuc-30i/PITCH.TXT", "rollback/fanuc-30i/PITCH.TXT"],
         "proven": "Not yet proven on a real machine.",
     }

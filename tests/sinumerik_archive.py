@@ -1,4 +1,6 @@
-"""The text members of a real commissioning archive, cut out of its container, and small edits of such texts."""
+"""The text members of a real commissioning archive, cut out of its container, and small edits of
+such texts.
+"""
 
 from __future__ import annotations
 
@@ -15,10 +17,12 @@ ARCHIVE = REAL / "siemens" / "dmu_840d_sl.arc"
 LISTING = REAL / "siemens" / "compmaster_840d_axis_data.tsv"
 
 needs_archive = pytest.mark.skipif(
-    not ARCHIVE.is_file(), reason=f"the real SINUMERIK archive is not beside the project ({ARCHIVE})"
+    not ARCHIVE.is_file(),
+    reason=f"the real SINUMERIK archive is not beside the project ({ARCHIVE})",
 )
 
-# What decides about compensation, and what stands around it: units, names, points, encoders, kinds, ratios, limits, gantry.
+# What decides about compensation, and what stands around it: units, names, points, encoders, kinds,
+# ratios, limits, gantry.
 _KEPT = re.compile(
     rb"N(10000|10240|18342|30200|3024\d|3030\d|3031\d|3032\d|3033\d|3034\d|31000|31030|31040|3245\d|327\d\d|3410\d|361[0-3]0|371\d\d"
     rb"|38000|41300|41310|439\d\d) "
@@ -29,7 +33,11 @@ _KEPT = re.compile(
 def member(name: str) -> bytes:
     """The text behind the last header with this file name, up to M17 and its line end."""
     container = ARCHIVE.read_bytes()
-    header = re.compile(rb"[ \x00]" + re.escape(name.encode()) + rb"[ \x00]{2,}\d[^\n]{0,400}?\\[\w.\\]+\\[ \x00]*(?:\n|(?=;))")
+    header = re.compile(
+        rb"[ \x00]"
+        + re.escape(name.encode())
+        + rb"[ \x00]{2,}\d[^\n]{0,400}?\\[\w.\\]+\\[ \x00]*(?:\n|(?=;))"
+    )
     *_, last = header.finditer(container)
     end = re.compile(rb"^M17\r?\n", re.MULTILINE).search(container, last.end())
     assert end is not None, f"{name}: no M17"
@@ -38,8 +46,12 @@ def member(name: str) -> bytes:
 
 @cache
 def machine_data() -> str:
-    """The lines of INITIAL.INI that compensation depends on, in their order; temperature compensation switched off."""
-    lines = [line for line in member("INITIAL.INI").split(b"\n") if _KEPT.match(line) or line == b"M17"]
+    """The lines of INITIAL.INI that compensation depends on, in their order; temperature
+    compensation switched off.
+    """
+    lines = [
+        line for line in member("INITIAL.INI").split(b"\n") if _KEPT.match(line) or line == b"M17"
+    ]
     text = "METRIC\n\nCHANDATA(1)\n" + "\n".join(line.decode("latin-1") for line in lines) + "\n"
     return text.replace("]='H1'", "]='H0'")
 
@@ -53,8 +65,12 @@ def cec_text() -> str:
 
 
 def put(text: str, register: str, value: str) -> str:
-    """The text with ``register = value``: in its own place, or on a line of its own before the end."""
-    pattern = re.compile(r"(^[ \t]*(?:N\d+ )?" + re.escape(register) + r"[ \t]*=[ \t]*)[^\s;]+", re.MULTILINE)
+    """The text with ``register = value``: in its own place, or on a line of its own before the
+    end.
+    """
+    pattern = re.compile(
+        r"(^[ \t]*(?:N\d+ )?" + re.escape(register) + r"[ \t]*=[ \t]*)[^\s;]+", re.MULTILINE
+    )
     changed, times = pattern.subn(lambda found: found[1] + value, text)
     if times:
         return changed
@@ -66,7 +82,9 @@ def put(text: str, register: str, value: str) -> str:
 def without(text: str, part: str | re.Pattern[str]) -> str:
     """The text without the lines that hold ``part``."""
     keep: Callable[[str], object] = (
-        (lambda line: part not in line) if isinstance(part, str) else (lambda line: not part.search(line))
+        (lambda line: part not in line)
+        if isinstance(part, str)
+        else (lambda line: not part.search(line))
     )
     return "".join(line for line in text.splitlines(keepends=True) if keep(line))
 
@@ -76,8 +94,19 @@ def number(value: float) -> str:
     return "0" if text in {"-0", ""} else text
 
 
-def eec_lines(axis: str, e: int, low: float, step: float, values: Sequence[float], *, modulo: bool, spare: int = 0) -> str:
-    """A table as the control exports it; ``spare`` zero values stand behind the last one that counts."""
+def eec_lines(
+    axis: str,
+    e: int,
+    low: float,
+    step: float,
+    values: Sequence[float],
+    *,
+    modulo: bool,
+    spare: int = 0,
+) -> str:
+    """A table as the control exports it; ``spare`` zero values stand behind the last one that
+    counts.
+    """
     shown = [*values, *([0.0] * spare)]
     lines = [f"$AA_ENC_COMP[{e},{n},{axis}]={number(value)}" for n, value in enumerate(shown)]
     lines += [
@@ -92,7 +121,9 @@ def eec_lines(axis: str, e: int, low: float, step: float, values: Sequence[float
 def replace_eec(text: str, axis: str, lines: str) -> str:
     """The text with another table of ``axis`` in the place of the old one."""
     kept = text.splitlines(keepends=True)
-    own = [n for n, line in enumerate(kept) if re.search(rf"\$AA_ENC_COMP\w*\[[^\]]*\b{axis}\]", line)]
+    own = [
+        n for n, line in enumerate(kept) if re.search(rf"\$AA_ENC_COMP\w*\[[^\]]*\b{axis}\]", line)
+    ]
     at = own[0] if own else next(n for n, line in enumerate(kept) if line.startswith("M17"))
     rest = [line for n, line in enumerate(kept) if n not in set(own)]
     return "".join(rest[:at]) + lines + "".join(rest[at:])
@@ -137,7 +168,9 @@ def replace_cec(text: str, t: int, lines: str) -> str:
 
 
 def in_inch(text: str, rotary: set[str]) -> str:
-    """The same state in the texts of an inch control: lengths of linear axes in inch, the line INCH in place of METRIC."""
+    """The same state in the texts of an inch control: lengths of linear axes in inch, the line INCH
+    in place of METRIC.
+    """
     lengths = re.compile(
         r"(?P<head>\$(?:AA_ENC_COMP(?:_STEP|_MIN|_MAX)?|MA_BACKLASH|MA_BACKLASH_DYN|MA_POS_LIMIT_\w+|MA_REFP_SET_POS|MA_CEC_MAX_SUM"
         r"|SA_TEMP_COMP_ABS_VALUE|SA_TEMP_COMP_REF_POSITION|MA_LEADSCREW_PITCH)\[(?:[^\],]*,)*(?P<axis>\w+)\]\s*=\s*)(?P<value>[-+\d.]+)"
@@ -145,7 +178,9 @@ def in_inch(text: str, rotary: set[str]) -> str:
 
     def turn(found: re.Match[str]) -> str:
         value = float(found["value"])
-        return found["head"] + (found["value"] if found["axis"] in rotary else number_long(value / 25.4))
+        return found["head"] + (
+            found["value"] if found["axis"] in rotary else number_long(value / 25.4)
+        )
 
     return re.sub(r"^METRIC$", "INCH", lengths.sub(turn, text), flags=re.MULTILINE)
 
@@ -156,7 +191,9 @@ def number_long(value: float) -> str:
 
 
 def listing() -> dict[str, list[str]]:
-    """The machine data of another real control, as a compensation program lists them: name to one text per axis."""
+    """The machine data of another real control, as a compensation program lists them: name to one
+    text per axis.
+    """
     rows: dict[str, list[str]] = {}
     for line in Path(LISTING).read_text(encoding="utf-8").splitlines()[1:]:
         cells = line.split("\t")

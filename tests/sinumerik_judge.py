@@ -1,4 +1,6 @@
-"""One job before a virtual SINUMERIK: measure what acts, run, load by the card, measure again, demand that no harm was done."""
+"""One job before a virtual SINUMERIK: measure what acts, run, load by the card, measure again,
+demand that no harm was done.
+"""
 
 from __future__ import annotations
 
@@ -20,12 +22,16 @@ Floats = NDArray[np.float64]
 Run = Callable[[list[str]], tuple[int, str]]
 FORMAT = "siemens-840d-sl"
 REPEATS = 15
-_HARMLESS_LINES = re.compile(r"^\s*(%.*|;.*|METRIC|INCH|CHANDATA\(\d+\)|NEWCONF|STOPRE|M17|M30)?\s*$")
+_HARMLESS_LINES = re.compile(
+    r"^\s*(%.*|;.*|METRIC|INCH|CHANDATA\(\d+\)|NEWCONF|STOPRE|M17|M30)?\s*$"
+)
 
 
 @dataclass(frozen=True)
 class AxisError:
-    """What the axis does without any compensation: a smooth curve, a slope, lost motion, noise. mm or deg."""
+    """What the axis does without any compensation: a smooth curve, a slope, lost motion, noise. mm
+    or deg.
+    """
 
     low: float
     high: float
@@ -45,7 +51,9 @@ class AxisError:
 
 
 def error_of(case: Case, rng: np.random.Generator) -> AxisError:
-    """Two waves, 8 to 35 µm (arcsec) over the travel, lost motion 0 to 9, noise 0.3 to 0.8; a full turn closes."""
+    """Two waves, 8 to 35 µm (arcsec) over the travel, lost motion 0 to 9, noise 0.3 to 0.8; a full
+    turn closes.
+    """
     unit = case.unit
     turn = case.modulo
     waves = (
@@ -77,18 +85,28 @@ def targets_of(case: Case, rng: np.random.Generator, count: int) -> Floats:
     """Equal intervals with a random part, at least 4 mm (1 deg) from the ends (ISO 230-2, 4.2)."""
     low, high = case.travel
     edge = 1.0 if case.rotary else 4.0
-    places: Floats = low + (np.arange(count) + 0.5 + rng.uniform(-0.3, 0.3, count)) * (high - low) / count
+    places: Floats = (
+        low + (np.arange(count) + 0.5 + rng.uniform(-0.3, 0.3, count)) * (high - low) / count
+    )
     return np.asarray(np.round(np.clip(places, low + edge, high - edge), 3), dtype=np.float64)
 
 
 def measure(
-    control: VirtualSinumerik, case: Case, error: AxisError, targets: Floats, rng: np.random.Generator
+    control: VirtualSinumerik,
+    case: Case,
+    error: AxisError,
+    targets: Floats,
+    rng: np.random.Generator,
 ) -> dict[int, Floats]:
     """Five readings per target and direction."""
     datum = rng.normal(0, 10) * case.unit
     readings = {}
     for direction in (1, -1):
-        mean = error.mean(targets, direction) + control.correction(case.axis, targets, direction) + datum
+        mean = (
+            error.mean(targets, direction)
+            + control.correction(case.axis, targets, direction)
+            + datum
+        )
         readings[direction] = mean[:, None] + rng.normal(0, error.noise, (targets.size, 5))
     return readings
 
@@ -97,13 +115,19 @@ def accuracy(readings: dict[int, Floats]) -> float:
     """A of ISO 230-2 with k = 2."""
     means = {d: r.mean(axis=1) for d, r in readings.items()}
     spreads = {d: 2 * r.std(axis=1, ddof=1) for d, r in readings.items()}
-    return float(max((means[d] + spreads[d]).max() for d in readings) - min((means[d] - spreads[d]).min() for d in readings))
+    return float(
+        max((means[d] + spreads[d]).max() for d in readings)
+        - min((means[d] - spreads[d]).min() for d in readings)
+    )
 
 
 def control_before(case: Case) -> VirtualSinumerik:
     """The control as it was when the test was taken."""
     control = VirtualSinumerik(
-        cec_sign=case.cec_sign, reference_return={case.axis: case.home}, dynamic_on=case.dynamic_on, positions=dict(case.positions)
+        cec_sign=case.cec_sign,
+        reference_return={case.axis: case.home},
+        dynamic_on=case.dynamic_on,
+        positions=dict(case.positions),
     )
     control.used[case.axis] = case.system
     if case.gantry:
@@ -140,7 +164,11 @@ class Outcome:
         return self.line()
 
     def line(self) -> str:
-        numbers = f" before {self.before:.1f} predicted {self.predicted:.1f} after {self.after:.1f}" if self.written else ""
+        numbers = (
+            f" before {self.before:.1f} predicted {self.predicted:.1f} after {self.after:.1f}"
+            if self.written
+            else ""
+        )
         about = f"seed {self.case.seed} [{', '.join(self.case.told)}] {self.case.mark}"
         return f"{about}: exit {self.code}{numbers}: {'; '.join(self.harms)}"
 
@@ -155,13 +183,22 @@ def write_job(folder: Path, case: Case, readings: dict[int, Floats], targets: Fl
     ]
     for direction, mark in ((1, "+"), (-1, "-")):
         for target, values in zip(targets, readings[direction], strict=True):
-            rows += [f"{target:.3f},{mark},{run},{value * factor:.4f}" for run, value in enumerate(values, 1)]
+            rows += [
+                f"{target:.3f},{mark},{run},{value * factor:.4f}"
+                for run, value in enumerate(values, 1)
+            ]
     (folder / "x.csv").write_text("\n".join(rows) + "\n")
     (folder / "control").mkdir()
     for file, text in case.given().items():
         (folder / "control" / file).write_bytes(text.encode("latin-1"))
     listed = "[" + ", ".join(f"control/{file}" for file in case.given()) + "]"
-    state = "none" if case.none else listed if case.active is None else f"{{files: {listed}, active: {case.active}}}"
+    state = (
+        "none"
+        if case.none
+        else listed
+        if case.active is None
+        else f"{{files: {listed}, active: {case.active}}}"
+    )
     options = "{" + ", ".join(f"{key}: {value}" for key, value in case.options.items()) + "}"
     axis = [
         f"kind: {case.kind}",
@@ -174,11 +211,15 @@ def write_job(folder: Path, case: Case, readings: dict[int, Floats], targets: Fl
     axis += ['reference_return: "-"'] if case.home < 0 else []
     axis += [f"encoder: {{system: {case.job_system}}}"] if case.job_system else []
     axis += [f"gantry: {case.gantry}"] if case.gantry else []
-    axis += ["table: {" + ", ".join(f"{k}: {v}" for k, v in case.table.items()) + "}"] if case.table else []
+    axis += (
+        ["table: {" + ", ".join(f"{k}: {v}" for k, v in case.table.items()) + "}"]
+        if case.table
+        else []
+    )
     job = folder / "job.yaml"
     job.write_text(
-        f"compwright: 1\ncontroller: {{format: {FORMAT}, options: {options}}}\nstates: {{as_found: {state}}}\n"
-        f"axes:\n  {case.letter}: {{{', '.join(axis)}}}\n"
+        f"compwright: 1\ncontroller: {{format: {FORMAT}, options: {options}}}\nstates: {{as_found:"
+        f" {state}}}\naxes:\n  {case.letter}: {{{', '.join(axis)}}}\n"
     )
     return job
 
@@ -190,7 +231,9 @@ def try_case(case: Case, folder: Path, run: Run) -> Outcome:
     control = control_before(case)
     targets = targets_of(case, rng, int(rng.integers(13, 24)))
     readings = measure(control, case, error, targets, rng)
-    code, message = run(["run", str(write_job(folder, case, readings, targets)), "--out", str(folder / "out")])
+    code, message = run(
+        ["run", str(write_job(folder, case, readings, targets)), "--out", str(folder / "out")]
+    )
     outcome = Outcome(case, code, message, before=accuracy(readings) / case.unit, error=error)
     tables = folder / "out" / "tables" / FORMAT
     outcome.written = tables.is_dir()
@@ -217,7 +260,9 @@ def demand_of_refused(outcome: Outcome) -> None:
     if case.code is not None and outcome.code != case.code:
         outcome.harms.append(f"exit {outcome.code}, not {case.code}")
     if not re.search(case.demand, outcome.message, re.IGNORECASE):
-        outcome.harms.append(f"the refusal does not name {case.demand}: {outcome.message.strip()[-300:]}")
+        outcome.harms.append(
+            f"the refusal does not name {case.demand}: {outcome.message.strip()[-300:]}"
+        )
 
 
 def demand_of_written(outcome: Outcome, before: VirtualSinumerik, out: Path, count: int) -> None:
@@ -227,20 +272,34 @@ def demand_of_written(outcome: Outcome, before: VirtualSinumerik, out: Path, cou
     control = before.copy()
     control.refused.clear()
     load_by_card(control, outcome)
-    lost = [f"{'$' + r.register[0]}{list(r.register[1])}: {r.why}" for r in control.refused if r.mattered]
+    lost = [
+        f"{'$' + r.register[0]}{list(r.register[1])}: {r.why}"
+        for r in control.refused
+        if r.mattered
+    ]
     if lost:
         outcome.harms.append(f"{len(lost)} values loaded while they are protected, first {lost[0]}")
     if control.refused and not lost:
-        outcome.remarks.append(f"{len(control.refused)} values loaded again while protected (unchanged)")
+        outcome.remarks.append(
+            f"{len(control.refused)} values loaded again while protected (unchanged)"
+        )
     if case.stated_wrong:
         return
     outcome.after = fresh(control, outcome, count)
     if not outcome.after < 1.4 * outcome.predicted + 1:
-        outcome.harms.append(f"A {outcome.after:.1f} after, {outcome.predicted:.1f} predicted, {outcome.before:.1f} before")
+        outcome.harms.append(
+            f"A {outcome.after:.1f} after, {outcome.predicted:.1f} predicted, {outcome.before:.1f}"
+            " before"
+        )
     if not outcome.after < outcome.before:
         outcome.harms.append(f"worse than before: {outcome.before:.1f} to {outcome.after:.1f}")
     outcome.harms += foreign_registers(case, before, control)
-    outcome.harms += foreign_bytes(case, outcome.files, {name: text.encode("latin-1") for name, text in case.given().items()}, out)
+    outcome.harms += foreign_bytes(
+        case,
+        outcome.files,
+        {name: text.encode("latin-1") for name, text in case.given().items()},
+        out,
+    )
 
 
 def fresh(control: VirtualSinumerik, outcome: Outcome, count: int) -> float:
@@ -254,15 +313,25 @@ def fresh(control: VirtualSinumerik, outcome: Outcome, count: int) -> float:
     return float(np.median(values)) / outcome.case.unit
 
 
-# -- loading ----------------------------------------------------------------------------------------------------------------------
+# -- loading
+# --------------------------------------------------------------------------------------------------
 
 
 def load_by_card(control: VirtualSinumerik, outcome: Outcome) -> None:
-    """The steps of the card in their order: what it switches is switched, what it loads is loaded, nothing else."""
+    """The steps of the card in their order: what it switches is switched, what it loads is loaded,
+    nothing else.
+    """
     texts = {name: content.decode("latin-1") for name, content in outcome.files.items()}
     left = dict(texts)
     listed = steps(outcome.card)
-    too = next((found[1] for _, text in listed if (found := re.search(r"every step for the synchronised axis (\w+)", text))), None)
+    too = next(
+        (
+            found[1]
+            for _, text in listed
+            if (found := re.search(r"every step for the synchronised axis (\w+)", text))
+        ),
+        None,
+    )
     for title, text in listed:
         if re.search(r"save|archive|sign|way back|read back|check", title, re.IGNORECASE):
             continue
@@ -271,9 +340,15 @@ def load_by_card(control: VirtualSinumerik, outcome: Outcome) -> None:
             reserve(control, outcome, register, points)
         place = re.search(r"\bLoad\b", text)
         if place is not None:
-            named = {name: found.start() for name in texts if (found := re.search(rf"(?<![\w/.]){re.escape(name)}", text))}
+            named = {
+                name: found.start()
+                for name in texts
+                if (found := re.search(rf"(?<![\w/.]){re.escape(name)}", text))
+            }
             kind = [] if named else kinds(title + text, texts)
-            events += [(at, name) for name, at in named.items()] + [(place.start(), name) for name in kind]
+            events += [(at, name) for name, at in named.items()] + [
+                (place.start(), name) for name in kind
+            ]
         for _, event in sorted(events, key=lambda e: e[0]):
             control.load(texts.get(event, event))
             left.pop(event, None)
@@ -284,27 +359,39 @@ def load_by_card(control: VirtualSinumerik, outcome: Outcome) -> None:
 
 
 def switched(text: str, outcome: Outcome, too: str | None) -> list[tuple[int, str]]:
-    """What a step sets, and where in its words; ``too``: the synchronised axis for which every step is to be done again."""
+    """What a step sets, and where in its words; ``too``: the synchronised axis for which every step
+    is to be done again.
+    """
     events: list[tuple[int, str]] = []
-    for found in re.finditer(r"(\$[A-Z]+_\w+)(\[[^\]]*\])?\s*=\s*([-+\d.]+(?:[eE][-+]?\d+)?|TRUE|FALSE)", text):
+    for found in re.finditer(
+        r"(\$[A-Z]+_\w+)(\[[^\]]*\])?\s*=\s*([-+\d.]+(?:[eE][-+]?\d+)?|TRUE|FALSE)", text
+    ):
         if re.search(r"\d[eE][-+]?\d", found[3]):
             outcome.harms.append(f"the card asks to type {found[0]}: the control takes no exponent")
         for index in indices(found[1], found[2], text[found.end() :]):
             statement = f"{found[1]}{index}={found[3].rstrip('.')}"
             events.append((found.start(), statement))
             if too and re.search(rf"\b{outcome.case.axis}\]", statement):
-                events.append((found.start(), re.sub(rf"\b{outcome.case.axis}\]", f"{too}]", statement)))
+                events.append(
+                    (found.start(), re.sub(rf"\b{outcome.case.axis}\]", f"{too}]", statement))
+                )
     return events
 
 
 def reserved(text: str) -> list[tuple[str, int]]:
     """The points that a step asks to reserve."""
     found = re.finditer(r"(\$M[AN]_MM_\w+)(\[[^\]]*\])?\s+must be at least (\d+)", text)
-    return [(f"{one[1]}{index}", int(one[3])) for one in found for index in indices(one[1], one[2], text[one.end() :])]
+    return [
+        (f"{one[1]}{index}", int(one[3]))
+        for one in found
+        for index in indices(one[1], one[2], text[one.end() :])
+    ]
 
 
 def indices(name: str, index: str | None, rest: str) -> list[str]:
-    """The index of a register, or those of the tables that the words behind it name: "for the tables 9 and 10"."""
+    """The index of a register, or those of the tables that the words behind it name: "for the
+    tables 9 and 10".
+    """
     if index is not None or "CEC" not in name:
         return [index or ""]
     words = re.match(r"\W*(?:for )?(?:the )?tables? ((?:\d+(?:, | and )?)+)", rest)
@@ -312,7 +399,9 @@ def indices(name: str, index: str | None, rest: str) -> list[str]:
 
 
 def reserve(control: VirtualSinumerik, outcome: Outcome, register: str, points: int) -> None:
-    """What the card lets the operator reserve, unless a file that is loaded says a smaller number."""
+    """What the card lets the operator reserve, unless a file that is loaded says a smaller
+    number.
+    """
     ((name, index), _), *_ = assignments(f"{register}=0")
     own = (name, tuple(control.axis(token) for token in index))
     says = [
@@ -329,13 +418,22 @@ def matters(control: VirtualSinumerik, text: str) -> bool:
     """Whether a file holds anything that the control does not hold already."""
     other = control.copy()
     other.load(text, protected=False)
-    return any(key not in control.registers or value.text != control.registers[key].text for key, value in other.registers.items())
+    return any(
+        key not in control.registers or value.text != control.registers[key].text
+        for key, value in other.registers.items()
+    )
 
 
 def kinds(words: str, texts: dict[str, str]) -> list[str]:
-    """The files that a step means which names a kind of file: with the table, with the backlash, with the cross tables."""
+    """The files that a step means which names a kind of file: with the table, with the backlash,
+    with the cross tables.
+    """
     wanted = (
-        r"\$AN_CEC" if re.search(r"CEC", words) else r"\$MA_BACKLASH" if re.search(r"(?i)backlash", words) else r"\$AA_ENC_COMP"
+        r"\$AN_CEC"
+        if re.search(r"CEC", words)
+        else r"\$MA_BACKLASH"
+        if re.search(r"(?i)backlash", words)
+        else r"\$AA_ENC_COMP"
     )
     return [name for name, text in texts.items() if re.search(wanted, text)]
 
@@ -351,21 +449,30 @@ def steps(card: str) -> list[tuple[str, str]]:
     return found
 
 
-# -- what must not change ---------------------------------------------------------------------------------------------------------
+# -- what must not change
+# --------------------------------------------------------------------------------------------------
 
 
 def belongs(case: Case, control: VirtualSinumerik, register: Register) -> bool:
-    """Whether a register is the axis' own: its table, backlash, switch and points, in the system in use; or a table given to it."""
+    """Whether a register is the axis' own: its table, backlash, switch and points, in the system in
+    use; or a table given to it.
+    """
     name, index = register
     own = {case.axis, case.gantry} - {None}
     axes = tuple(control.axis(token) for token in index)
-    if name.startswith("AA_ENC_COMP") or name in {"MA_BACKLASH", "MA_ENC_COMP_ENABLE", "MA_MM_ENC_COMP_MAX_POINTS"}:
+    if name.startswith("AA_ENC_COMP") or name in {
+        "MA_BACKLASH",
+        "MA_ENC_COMP_ENABLE",
+        "MA_MM_ENC_COMP_MAX_POINTS",
+    }:
         return axes[-1] in own and axes[0] == str(case.system)
     if name == "MA_BACKLASH_FACTOR":
         return axes[-1] in own
     if name == "MA_CEC_ENABLE":
         return axes[0] in own and bool(case.written_tables)
-    if name.startswith(("AN_CEC", "SN_CEC_TABLE_ENABLE", "SN_CEC_TABLE_WEIGHT", "MN_MM_CEC_MAX_POINTS")):
+    if name.startswith(
+        ("AN_CEC", "SN_CEC_TABLE_ENABLE", "SN_CEC_TABLE_WEIGHT", "MN_MM_CEC_MAX_POINTS")
+    ):
         return bool(axes) and axes[0] in case.written_tables
     return False
 
@@ -375,10 +482,15 @@ def foreign_registers(case: Case, before: VirtualSinumerik, after: VirtualSinume
     for register in before.registers.keys() | after.registers.keys():
         old, new = before.registers.get(register), after.registers.get(register)
         if belongs(case, after, register) or (
-            old and new and (old.text == new.text or _number(old.text) == _number(new.text) is not None)
+            old
+            and new
+            and (old.text == new.text or _number(old.text) == _number(new.text) is not None)
         ):
             continue
-        changed.append(f"${register[0]}{list(register[1])}: {old.text if old else None} to {new.text if new else None}")
+        changed.append(
+            f"${register[0]}{list(register[1])}: {old.text if old else None} to"
+            f" {new.text if new else None}"
+        )
     return [f"{len(changed)} registers of others differ, first {min(changed)}"] if changed else []
 
 
@@ -389,8 +501,12 @@ def _number(text: str) -> float | None:
         return None
 
 
-def foreign_bytes(case: Case, written: dict[str, bytes], given: dict[str, bytes], out: Path) -> list[str]:
-    """Lines of the control's files that differ and are not the axis' own, and rollback files that are no copies."""
+def foreign_bytes(
+    case: Case, written: dict[str, bytes], given: dict[str, bytes], out: Path
+) -> list[str]:
+    """Lines of the control's files that differ and are not the axis' own, and rollback files that
+    are no copies.
+    """
     control = control_before(case)
     harms = []
     for name, content in written.items():
@@ -400,14 +516,24 @@ def foreign_bytes(case: Case, written: dict[str, bytes], given: dict[str, bytes]
             for line in [*old, *new]:
                 text = line.decode("latin-1")
                 found = [register for register, _ in assignments(text)]
-                if not own_line(case, control, found) and (found or old or not _HARMLESS_LINES.match(text)):
+                if not own_line(case, control, found) and (
+                    found or old or not _HARMLESS_LINES.match(text)
+                ):
                     harms.append(f"{name}: a line that is not the axis' own differs: {text!r}")
             if len(old) == len(new):
                 pairs = zip(old, new, strict=True)
-                harms += [f"{name}: more than the value differs: {a!r} {b!r}" for a, b in pairs if _frame(a) != _frame(b)]
+                harms += [
+                    f"{name}: more than the value differs: {a!r} {b!r}"
+                    for a, b in pairs
+                    if _frame(a) != _frame(b)
+                ]
     folder = out / "rollback" / FORMAT
     copies = {path.name: path.read_bytes() for path in folder.iterdir()} if folder.is_dir() else {}
-    harms += [f"rollback: {name} is no copy" for name, content in copies.items() if given.get(name) != content]
+    harms += [
+        f"rollback: {name} is no copy"
+        for name, content in copies.items()
+        if given.get(name) != content
+    ]
     harms += [f"rollback: {name} is missing" for name in given if name not in copies]
     return harms[:3]
 
@@ -420,15 +546,27 @@ def changes(old: list[bytes], new: list[bytes]) -> list[tuple[list[bytes], list[
     """The groups of lines that differ, old and new."""
     if len(old) == len(new):
         return [([a], [b]) for a, b in zip(old, new, strict=True) if a != b]
-    first = next((n for n, (a, b) in enumerate(zip(old, new, strict=False)) if a != b), min(len(old), len(new)))
-    last = next((n for n, (a, b) in enumerate(zip(old[first:][::-1], new[first:][::-1], strict=False)) if a != b), 0)
+    first = next(
+        (n for n, (a, b) in enumerate(zip(old, new, strict=False)) if a != b),
+        min(len(old), len(new)),
+    )
+    last = next(
+        (
+            n
+            for n, (a, b) in enumerate(zip(old[first:][::-1], new[first:][::-1], strict=False))
+            if a != b
+        ),
+        0,
+    )
     old, new = old[first : len(old) - last], new[first : len(new) - last]
     codes = difflib.SequenceMatcher(None, old, new, autojunk=False).get_opcodes()
     return [(old[i1:i2], new[j1:j2]) for tag, i1, i2, j1, j2 in codes if tag != "equal"]
 
 
 def _frame(line: bytes) -> bytes:
-    """A line without its value and its checksum (which a changed line must lose): what stands before it, its ending."""
+    """A line without its value and its checksum (which a changed line must lose): what stands
+    before it, its ending.
+    """
     return re.sub(rb"=(\s*)[^\s;]+", rb"=\1", re.sub(rb" '[0-9A-Fa-f]{4}(?=\r?$)", b"", line))
 
 

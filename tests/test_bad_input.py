@@ -1,4 +1,6 @@
-"""Bad input at the command line: the exit code of the contract, a line with file, place, expected and found, nothing written."""
+"""Bad input at the command line: the exit code of the contract, a line with file, place, expected
+and found, nothing written.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +39,11 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def tree(folder: Path) -> dict[str, bytes]:
-    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+    return {
+        str(path.relative_to(folder)): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
 
 
 class Outcome:
@@ -45,7 +51,9 @@ class Outcome:
 
     def __init__(self, code: int, out: str, err: str) -> None:
         self.code, self.out, self.err = code, out, err
-        self.lines = [line.removeprefix("error: ") for line in err.splitlines() if line.startswith("error: ")]
+        self.lines = [
+            line.removeprefix("error: ") for line in err.splitlines() if line.startswith("error: ")
+        ]
 
     def says(self, *parts: str) -> bool:
         return any(all(part in line for part in parts) for line in self.lines)
@@ -84,36 +92,70 @@ def row(number: int, value: str) -> Callable[[list[str]], list[str]]:
 
 def moved_target(lines: list[str]) -> list[str]:
     target = lines[3].split(",")[0]
-    return [f"{float(target) + 0.01:.4f}{line[len(target) :]}" if line.startswith(f"{target},-") else line for line in lines]
+    return [
+        (
+            f"{float(target) + 0.01:.4f}{line[len(target) :]}"
+            if line.startswith(f"{target},-")
+            else line
+        )
+        for line in lines
+    ]
 
 
 #: What is wrong -> (change, what the line must name beside the file).
 MEASUREMENTS: dict[str, tuple[Callable[[list[str]], list[str]], tuple[str, ...]]] = {
-    "a missing column": (lambda lines: [line.replace("direction,", "") for line in lines], ("line 3", "direction")),
+    "a missing column": (
+        lambda lines: [line.replace("direction,", "") for line in lines],
+        ("line 3", "direction"),
+    ),
     "mixed decimal marks": (row(20, '"1,25"'), ("line 20", "deviation_um", "comma")),
     "an unknown unit": (
         lambda lines: [line.replace("deviation_um", "deviation_mil") for line in lines],
         ("deviation_um", "deviation_mil"),
     ),
-    "differing targets": (moved_target, ("targets of the two directions differ", "expected", "found")),
+    "differing targets": (
+        moved_target,
+        ("targets of the two directions differ", "expected", "found"),
+    ),
     "not a number": (row(33, "nan"), ("line 33", "deviation_um", "found 'nan'")),
     "infinite": (row(33, "-inf"), ("line 33", "deviation_um", "found '-inf'")),
-    "text in row 57": (row(57, "abc"), ("line 57", "deviation_um", "expected a number", "found 'abc'")),
+    "text in row 57": (
+        row(57, "abc"),
+        ("line 57", "deviation_um", "expected a number", "found 'abc'"),
+    ),
     "header only": (lambda lines: lines[:3], ("no reading",)),
 }
 
 
 @pytest.mark.parametrize("name", MEASUREMENTS)
-def test_a_measurement_that_cannot_be_read(name: str, folder: Path, command: Callable[..., Outcome]) -> None:
+def test_a_measurement_that_cannot_be_read(
+    name: str, folder: Path, command: Callable[..., Outcome]
+) -> None:
     change, parts = MEASUREMENTS[name]
     file = damaged(folder, change)
-    for words in (["evaluate", file], ["run", file, "--format", "linuxcnc", "--axis", "X", "--travel", "0:800", "--state", "none"]):
+    for words in (
+        ["evaluate", file],
+        [
+            "run",
+            file,
+            "--format",
+            "linuxcnc",
+            "--axis",
+            "X",
+            "--travel",
+            "0:800",
+            "--state",
+            "none",
+        ],
+    ):
         outcome = command(*words)
         assert outcome.code == 3
         assert outcome.says("bad.csv", *parts), outcome.err
 
 
-def test_an_empty_a_binary_and_a_missing_file(folder: Path, command: Callable[..., Outcome]) -> None:
+def test_an_empty_a_binary_and_a_missing_file(
+    folder: Path, command: Callable[..., Outcome]
+) -> None:
     (folder / "empty.csv").write_bytes(b"")
     (folder / "binary.csv").write_bytes(bytes(range(256)) * 8)
     outcome = command("evaluate", "empty.csv", "binary.csv", "missing.csv")
@@ -123,16 +165,21 @@ def test_an_empty_a_binary_and_a_missing_file(folder: Path, command: Callable[..
     assert outcome.says("missing.csv", "cannot be read")
 
 
-def test_the_rest_of_several_files_is_evaluated(folder: Path, command: Callable[..., Outcome]) -> None:
+def test_the_rest_of_several_files_is_evaluated(
+    folder: Path, command: Callable[..., Outcome]
+) -> None:
     damaged(folder, row(57, "abc"))
     outcome = command("evaluate", "bad.csv", "x.csv", "--json", "-")
     assert outcome.code == 3
     answer = json.loads(outcome.out)
     assert [result["name"] for result in answer["results"]] == ["x"]
-    assert [(error["file"], "line 57" in error["message"]) for error in answer["errors"]] == [("bad.csv", True)]
+    assert [(error["file"], "line 57" in error["message"]) for error in answer["errors"]] == [
+        ("bad.csv", True)
+    ]
 
 
-#: What is wrong with the job -> (old text, new text, exit code, parts of lines, each of which must be there).
+#: What is wrong with the job -> (old text, new text, exit code, parts of lines, each of which must
+#: be there).
 JOBS: dict[str, tuple[str, str, int, list[tuple[str, ...]]]] = {
     "three faults": (
         "  X: {travel: [0, 800], address: AX1, before: [x.csv]}",
@@ -145,7 +192,12 @@ JOBS: dict[str, tuple[str, str, int, list[tuple[str, ...]]]] = {
     "a newer schema": ("compwright: 1", "compwright: 2", 2, [("newer version", "found 2")]),
     "not YAML": ("controller: {", "controller: {{", 2, [("line",)]),
     "a format that does not exist": ("siemens-840d-sl", "heidenhein", 2, [("heidenhein",)]),
-    "an option that does not exist": ("840d-sl}", "840d-sl, options: {pionts: 3}}", 2, [("pionts",)]),
+    "an option that does not exist": (
+        "840d-sl}",
+        "840d-sl, options: {pionts: 3}}",
+        2,
+        [("pionts",)],
+    ),
     "a step that cannot be held exactly": (
         "before: [x.csv]",
         "before: [x.csv], table: {spacing: 33.33333333}",
@@ -167,15 +219,32 @@ JOBS: dict[str, tuple[str, str, int, list[tuple[str, ...]]]] = {
         4,
         [("too many points", "at most 21", "found 41")],
     ),
-    "a tolerance on what the test does not have": ("before: [x.csv]", "before: [x.csv], accept: {P: 3}", 2, [("accept.P",)]),
-    "a rotary axis with a linear test": ("travel:", "kind: rotary, travel:", 3, [("x.csv", "linear", "rotary")]),
-    "a test of another axis": ("  X:", "  Y:", 3, [("x.csv", "another axis", "expected Y", "found X")]),
+    "a tolerance on what the test does not have": (
+        "before: [x.csv]",
+        "before: [x.csv], accept: {P: 3}",
+        2,
+        [("accept.P",)],
+    ),
+    "a rotary axis with a linear test": (
+        "travel:",
+        "kind: rotary, travel:",
+        3,
+        [("x.csv", "linear", "rotary")],
+    ),
+    "a test of another axis": (
+        "  X:",
+        "  Y:",
+        3,
+        [("x.csv", "another axis", "expected Y", "found X")],
+    ),
     "a state that says nothing of the axis": ("none", "[other.INI]", 3, [("AX1", "AX7")]),
 }
 
 
 @pytest.mark.parametrize("name", JOBS)
-def test_a_job_that_cannot_be_done(name: str, folder: Path, command: Callable[..., Outcome]) -> None:
+def test_a_job_that_cannot_be_done(
+    name: str, folder: Path, command: Callable[..., Outcome]
+) -> None:
     (folder / "other.INI").write_text("CHANDATA(1)\n$MA_BACKLASH[0,AX7]=0.004\nM17\n")
     old, new, code, lines = JOBS[name]
     assert old in JOB
@@ -210,7 +279,9 @@ def test_a_file_that_would_be_overwritten(folder: Path, command: Callable[..., O
     assert (folder / "job" / "plan.json").read_text() != "mine"
 
 
-def test_no_permission(folder: Path, command: Callable[..., Outcome], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_permission(
+    folder: Path, command: Callable[..., Outcome], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """As the system says it to anyone but root: the folder may not be written to."""
 
     def refuse(*_: object, **__: object) -> None:
@@ -249,20 +320,33 @@ def finished(folder: Path, capsys: pytest.CaptureFixture[str]) -> Path:
 
 
 def test_a_control_file_that_is_cut_short(finished: Path, command: Callable[..., Outcome]) -> None:
-    whole = (finished / "job" / "tables" / "siemens-840d-sl" / "AX1_EEC.INI").read_text().splitlines(keepends=True)
+    whole = (
+        (finished / "job" / "tables" / "siemens-840d-sl" / "AX1_EEC.INI")
+        .read_text()
+        .splitlines(keepends=True)
+    )
     for kept in (5, len(whole) - 5, len(whole) - 4, len(whole) - 3):
         (finished / "CUT.INI").write_text("".join(whole[:kept]))
         outcome = command("decode", "CUT.INI", "--format", "siemens-840d-sl")
         assert (outcome.code, outcome.says("CUT.INI")) == (3, True)
         (finished / "cut.yaml").write_text(JOB.replace("none", "[CUT.INI]"))
         assert command("run", "cut.yaml").code == 3
-    (finished / "CUT.INI").write_text("".join(whole[:-1]))  # all values, but not the end of the program
-    assert "CUT.INI" in command("decode", "CUT.INI", "--format", "siemens-840d-sl").out.partition("warning")[2]
-    (finished / "CUT.INI").write_text("".join(whole)[: len("".join(whole[:8])) - 3])  # in the middle of a number
+    (finished / "CUT.INI").write_text(
+        "".join(whole[:-1])
+    )  # all values, but not the end of the program
+    assert (
+        "CUT.INI"
+        in command("decode", "CUT.INI", "--format", "siemens-840d-sl").out.partition("warning")[2]
+    )
+    (finished / "CUT.INI").write_text(
+        "".join(whole)[: len("".join(whole[:8])) - 3]
+    )  # in the middle of a number
     assert command("decode", "CUT.INI", "--format", "siemens-840d-sl").code == 3
 
 
-def test_a_plan_that_is_cut_short_or_of_another_schema(finished: Path, command: Callable[..., Outcome]) -> None:
+def test_a_plan_that_is_cut_short_or_of_another_schema(
+    finished: Path, command: Callable[..., Outcome]
+) -> None:
     whole = (finished / "job" / "plan.json").read_text()
     (finished / "cut.json").write_text(whole[: len(whole) // 2])
     (finished / "newer.json").write_text(whole.replace("compwright/plan/1", "compwright/plan/2", 1))
@@ -284,32 +368,54 @@ def test_a_plan_that_is_cut_short_or_of_another_schema(finished: Path, command: 
 
 
 def test_verify_with_the_wrong_test(finished: Path, command: Callable[..., Outcome]) -> None:
-    (finished / "y.csv").write_text((finished / "x.csv").read_text().replace("# axis: X", "# axis: Y"))
+    (finished / "y.csv").write_text(
+        (finished / "x.csv").read_text().replace("# axis: X", "# axis: Y")
+    )
     outcome = command("verify", "job.yaml", "--after", "y.csv")
     assert (outcome.code, outcome.says("y.csv", "axis Y")) == (2, True)
     outcome = command("verify", "job.yaml", "--after", "nothing.csv")
     assert (outcome.code, outcome.says("nothing.csv")) == (3, True)
 
 
-def test_without_the_state_of_the_control_there_are_no_tables(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_without_the_state_of_the_control_there_are_no_tables(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (folder / "job.yaml").write_text(JOB.replace("states: {as_found: none}\n", ""))
     assert compwright(["run", "job.yaml"]) == 2
-    assert "job.yaml: no table is written: the job does not say what is active in the control" in capsys.readouterr().err
-    assert sorted(path.name for path in (folder / "job").iterdir()) == ["evaluation.json", "prediction.json", "report.html"]
-    assert json.loads((folder / "job" / "prediction.json").read_text())["axes"]["X"]["table"] is None
+    assert (
+        "job.yaml: no table is written: the job does not say what is active in the control"
+        in capsys.readouterr().err
+    )
+    assert sorted(path.name for path in (folder / "job").iterdir()) == [
+        "evaluation.json",
+        "prediction.json",
+        "report.html",
+    ]
+    assert (
+        json.loads((folder / "job" / "prediction.json").read_text())["axes"]["X"]["table"] is None
+    )
 
 
 def test_without_the_report_extra_the_rest_is_written(
     folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for module in [name for name in sys.modules if name.partition(".")[0] in {"matplotlib", "jinja2"}]:
+    for module in [
+        name for name in sys.modules if name.partition(".")[0] in {"matplotlib", "jinja2"}
+    ]:
         monkeypatch.delitem(sys.modules, module)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     monkeypatch.setitem(sys.modules, "jinja2", None)
     assert compwright(["run", "job.yaml"]) == 0
     assert "report.html is not written" in capsys.readouterr().err
     names = {path.name for path in (folder / "job").rglob("*") if path.is_file()}
-    assert {"plan.json", "prediction.json", "evaluation.json", "card.md", "AX1_EEC.INI", "AX1_MD.INI"} == names
+    assert {
+        "plan.json",
+        "prediction.json",
+        "evaluation.json",
+        "card.md",
+        "AX1_EEC.INI",
+        "AX1_MD.INI",
+    } == names
 
 
 WORDS = {
@@ -317,16 +423,43 @@ WORDS = {
     "spread": (["evaluate", "x.csv", "--spread", "range"], ["range"]),
     "plot": (["evaluate", "x.csv", "--plot", "x.bmp"], ["bmp", ".svg"]),
     "travel": (
-        ["run", "x.csv", "--format", "linuxcnc", "--axis", "X", "--travel", "800:0", "--state", "none"],
+        [
+            "run",
+            "x.csv",
+            "--format",
+            "linuxcnc",
+            "--axis",
+            "X",
+            "--travel",
+            "800:0",
+            "--state",
+            "none",
+        ],
         ["--travel", "800:0"],
     ),
     "missing words": (["run", "x.csv"], ["--format", "is missing"]),
     "job and words": (["run", "job.yaml", "--axis", "X"], ["--axis", "job file"]),
     "two states": (
-        ["run", "x.csv", "--format", "linuxcnc", "--axis", "X", "--travel", "0:800", "--state", "none", "--state", "a"],
+        [
+            "run",
+            "x.csv",
+            "--format",
+            "linuxcnc",
+            "--axis",
+            "X",
+            "--travel",
+            "0:800",
+            "--state",
+            "none",
+            "--state",
+            "a",
+        ],
         ["none"],
     ),
-    "option": (["decode", "x.csv", "--format", "linuxcnc", "--option", "units"], ["--option", "K=V"]),
+    "option": (
+        ["decode", "x.csv", "--format", "linuxcnc", "--option", "units"],
+        ["--option", "K=V"],
+    ),
     "format": (["formats", "show", "fanuc"], ["fanuc", "linuxcnc"]),
     "command": (["frobnicate"], ["frobnicate"]),
 }
@@ -342,19 +475,40 @@ def test_wrong_words(name: str, command: Callable[..., Outcome]) -> None:
 
 def process(folder: Path, *words: str, **environment: str) -> subprocess.CompletedProcess[bytes]:
     settings = {**os.environ, "PYTHONPATH": str(PROJECT / "src"), **environment}
-    return subprocess.run([sys.executable, "-m", "compwright", *words], cwd=folder, env=settings, capture_output=True, check=False)
+    return subprocess.run(
+        [sys.executable, "-m", "compwright", *words],
+        cwd=folder,
+        env=settings,
+        capture_output=True,
+        check=False,
+    )
 
 
 def test_a_terminal_that_knows_no_greek(folder: Path) -> None:
     ran = process(folder, "evaluate", "x.csv", LC_ALL="C", PYTHONIOENCODING="ascii", PYTHONUTF8="0")
     assert (ran.returncode, ran.stderr) == (0, b"")
-    answer = process(folder, "evaluate", "x.csv", "--json", "-", LC_ALL="C", PYTHONIOENCODING="ascii", PYTHONUTF8="0")
+    answer = process(
+        folder,
+        "evaluate",
+        "x.csv",
+        "--json",
+        "-",
+        LC_ALL="C",
+        PYTHONIOENCODING="ascii",
+        PYTHONUTF8="0",
+    )
     assert json.loads(answer.stdout)["schema"] == "compwright/evaluation/1"
 
 
 def test_a_reader_that_hangs_up(folder: Path) -> None:
     ran = subprocess.run(
-        ["bash", "-o", "pipefail", "-c", f"{sys.executable} -m compwright evaluate x.csv --targets | head -1"],
+        [
+            "bash",
+            "-o",
+            "pipefail",
+            "-c",
+            f"{sys.executable} -m compwright evaluate x.csv --targets | head -1",
+        ],
         cwd=folder,
         env={**os.environ, "PYTHONPATH": str(PROJECT / "src")},
         capture_output=True,

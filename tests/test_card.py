@@ -1,4 +1,6 @@
-"""The commissioning card: one set of check positions for all of it, inside the travel, and a table for what differs by axis."""
+"""The commissioning card: one set of check positions for all of it, inside the travel, and a table
+for what differs by axis.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +28,12 @@ TRAVEL = {"X": (0.0, 1200.0), "A": (-120.0, 120.0)}  # of the example
 @pytest.fixture(scope="module")
 def card(tmp_path_factory: pytest.TempPathFactory) -> Path:
     out = tmp_path_factory.mktemp("card") / "out"
-    assert compwright(["run", str(PROJECT / "examples" / "linuxcnc-two-axes" / "job.yaml"), "--out", str(out)]) == 0
+    assert (
+        compwright(
+            ["run", str(PROJECT / "examples" / "linuxcnc-two-axes" / "job.yaml"), "--out", str(out)]
+        )
+        == 0
+    )
     return out
 
 
@@ -34,7 +41,11 @@ def checks(text: str) -> dict[str, list[list[str]]]:
     """The rows of the tables of check positions by axis name."""
     found = {}
     for part in text.split("## Axis ")[1:]:
-        rows = [[cell.strip() for cell in line.strip("|").split("|")] for line in part.splitlines() if line.startswith("| ")]
+        rows = [
+            [cell.strip() for cell in line.strip("|").split("|")]
+            for line in part.splitlines()
+            if line.startswith("| ")
+        ]
         start = next(number for number, row in enumerate(rows) if row[0].startswith("Position"))
         found[part.split(",")[0]] = [row for row in rows[start + 1 :] if row[1] in {"+", "−"}]
     return found
@@ -56,8 +67,12 @@ def test_one_set_of_positions_inside_the_travel(card: Path) -> None:
         assert low <= places[0] < places[1] < places[2] <= high
 
 
-def test_the_card_shows_what_the_control_would_add_there(card: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Against the rows of the exported table itself: nominal, actual arriving in + and in -; correction = nominal - actual."""
+def test_the_card_shows_what_the_control_would_add_there(
+    card: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Against the rows of the exported table itself: nominal, actual arriving in + and in -;
+    correction = nominal - actual.
+    """
     rows = np.loadtxt(card / "tables" / "linuxcnc" / "joint_0.comp")
     for row in checks((card / "card" / "card.md").read_text(encoding="utf-8"))["X"]:
         column = 1 if row[1] == "+" else 2
@@ -69,44 +84,74 @@ def test_the_card_shows_what_the_control_would_add_there(card: Path, capsys: pyt
 @pytest.mark.parametrize(
     ("targets", "expected"),
     [
-        ([-20.0, 0.0, 30.0, 60.0, 100.0, 120.0], [0.0, 30.0, 100.0]),  # what lies outside the travel is left out
-        ([-20.0, 50.0, 120.0], [0.0, 50.0, 100.0]),  # too few inside: the ends and the middle of the travel
+        (
+            [-20.0, 0.0, 30.0, 60.0, 100.0, 120.0],
+            [0.0, 30.0, 100.0],
+        ),  # what lies outside the travel is left out
+        (
+            [-20.0, 50.0, 120.0],
+            [0.0, 50.0, 100.0],
+        ),  # too few inside: the ends and the middle of the travel
     ],
 )
-def test_targets_outside_the_travel_are_no_check_positions(targets: list[float], expected: list[float]) -> None:
+def test_targets_outside_the_travel_are_no_check_positions(
+    targets: list[float], expected: list[float]
+) -> None:
     work: Any = SimpleNamespace(
         planned=SimpleNamespace(axis=SimpleNamespace(travel=(0.0, 100.0))),
         results=[SimpleNamespace(test=SimpleNamespace(targets=np.array(targets)))],
     )
-    assert check_positions(work, lambda where, _: np.where(where == 30.0, 0.01, 0.0)).tolist() == expected
+    assert (
+        check_positions(work, lambda where, _: np.where(where == 30.0, 0.01, 0.0)).tolist()
+        == expected
+    )
 
 
 def test_the_sign_is_checked_at_two_of_these_positions() -> None:
-    """FANUC: the two between which the table changes the distance most; what lies outside the travel is not asked for."""
+    """FANUC: the two between which the table changes the distance most; what lies outside the
+    travel is not asked for.
+    """
     definition = DEFINITIONS["fanuc-30i"]
     axis = Axis(name="X", kind=AxisKind.LINEAR, travel=(-100.0, 0.0), address="1")
     new = table("1", [-150.0, -100.0, -50.0, 0.0, 50.0], [0.020, 0.004, -0.002, 0.0, -0.030])
-    values = card_values(definition, axis, new, {"detection_unit": 0.001}, {}, np.array([-95.0, -50.0, -5.0]))
+    values = card_values(
+        definition, axis, new, {"detection_unit": 0.001}, {}, np.array([-95.0, -50.0, -5.0])
+    )
     assert (values["check_from"], values["check_to"]) == ("-95", "-50")
     assert values["check_change"] == "-5.4 µm"  # from 3.4 to -2.0
 
 
 def test_what_differs_by_axis_stands_in_a_table_and_the_rest_once() -> None:
     definition = DEFINITIONS["siemens-840d-sl"]
-    axes = [Axis(name=name, kind=AxisKind.LINEAR, travel=(0.0, 100.0), address=f"AX{n}") for n, name in enumerate("XY", start=1)]
+    axes = [
+        Axis(name=name, kind=AxisKind.LINEAR, travel=(0.0, 100.0), address=f"AX{n}")
+        for n, name in enumerate("XY", start=1)
+    ]
     tables = [
         table(axis.address, [0.0, 50.0, 100.0][:count], [0.0, 0.001, 0.002][:count])
         for axis, count in zip(axes, (3, 2), strict=True)
     ]
-    values = [card_values(definition, axis, new, {}) for axis, new in zip(axes, tables, strict=True)]
-    steps = {step.title: step for step in card_steps_of_all(definition, list(zip(axes, values, strict=True)))}
+    values = [
+        card_values(definition, axis, new, {}) for axis, new in zip(axes, tables, strict=True)
+    ]
+    steps = {
+        step.title: step
+        for step in card_steps_of_all(definition, list(zip(axes, values, strict=True)))
+    }
     reserve = steps["Reserve the points"]
     assert "$MA_MM_ENC_COMP_MAX_POINTS[0,‹address›] must be at least ‹points›" in reserve.text
-    assert (reserve.heads, reserve.rows) == (("axis", "address", "points"), (("X", "AX1", "3"), ("Y", "AX2", "2")))
+    assert (reserve.heads, reserve.rows) == (
+        ("axis", "address", "points"),
+        (("X", "AX1", "3"), ("Y", "AX2", "2")),
+    )
     assert steps["Read back"].rows == ()
     gantry = steps["Gantry"]  # whole sentences stay sentences
     assert (len(gantry.text.splitlines()), gantry.rows) == (2, ())
-    (alone,) = [step for step in card_steps(definition, axes[0], values[0]) if step.title == "Reserve the points"]
+    (alone,) = [
+        step
+        for step in card_steps(definition, axes[0], values[0])
+        if step.title == "Reserve the points"
+    ]
     assert "$MA_MM_ENC_COMP_MAX_POINTS[0,AX1] must be at least 3" in alone.text
     assert alone.rows == ()
 
@@ -132,7 +177,9 @@ class Headings(HTMLParser):
 
 
 def test_in_print_the_tables_of_an_axis_stay_with_their_headings() -> None:
-    """And no table of an axis lies in a box that cuts what does not fit; seen with a browser at 1000 to 1600 px."""
+    """And no table of an axis lies in a box that cuts what does not fit; seen with a browser at
+    1000 to 1600 px.
+    """
     page = card_html({**sample_card(), "files": [], "proven": ""}).decode()
     style = page[page.index("<style>") : page.index("</style>")]
     assert re.search(r"\.keep \{[^}]*break-inside: avoid", style)
@@ -154,7 +201,9 @@ def test_no_number_on_the_card_has_an_exponent() -> None:
 
 @pytest.mark.parametrize("cec", ["", "$MA_CEC_ENABLE[AX1]=1\nN41300 $SN_CEC_TABLE_ENABLE[9]=1\n"])
 def test_values_are_loaded_before_the_switches_that_protect_them(cec: str) -> None:
-    """SINUMERIK takes no value of a table that MD32700 (SD41300, MD32710) has on: machine data that say 1 are loaded behind."""
+    """SINUMERIK takes no value of a table that MD32700 (SD41300, MD32710) has on: machine data that
+    say 1 are loaded behind.
+    """
     given = files(
         MD__INI=f"N32700 $MA_ENC_COMP_ENABLE[0,AX1]=1\n{cec}M17\n",
         NC_CEC__INI="$AN_CEC[9,0]=0.001\nM17\n",

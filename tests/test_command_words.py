@@ -1,6 +1,8 @@
-"""Options that take several values at once: which words are theirs, and which are the files of the command.
+"""Options that take several values at once: which words are theirs, and which are the files of the
+command.
 
-From the outside contract: an option whose value ends in ``...`` is repeated, once per value, or takes several values at once.
+From the outside contract: an option whose value ends in ``...`` is repeated, once per value, or
+takes several values at once.
 """
 
 from __future__ import annotations
@@ -15,7 +17,11 @@ def told(words: str) -> dict[str, object]:
     """What a command line means to its command."""
     name, *rest = words.split()
     command = cli.compwright.commands[name]
-    return {key: value for key, value in command.make_context(name, rest).params.items() if value not in (None, (), False)}
+    return {
+        key: value
+        for key, value in command.make_context(name, rest).params.items()
+        if value not in (None, (), False)
+    }
 
 
 def names(value: object) -> list[str]:
@@ -49,14 +55,24 @@ def test_loaded_takes_several_files_at_once(words: str) -> None:
         ("verify job.yaml --after x=a y=b --loaded c d --out o", "loaded", ["c", "d"]),
         ("verify --after a b job.yaml", "after", ["a", "b"]),
         ("export plan.json --format f --state a b --out o --option k=1 l=2", "states", ["a", "b"]),
-        ("export plan.json --format f --state a b --out o --option k=1 l=2", "options", ["k=1", "l=2"]),
+        (
+            "export plan.json --format f --state a b --out o --option k=1 l=2",
+            "options",
+            ["k=1", "l=2"],
+        ),
         ("run x.csv --format f --axis X --travel 0:1 --state a b c", "states", ["a", "b", "c"]),
         ("run --state a b --format f x.csv y.csv", "states", ["a", "b"]),
         ("run --state a b --format f x.csv y.csv", "inputs", ["x.csv", "y.csv"]),
-        ("evaluate a b --standard iso230-2:1988 iso230-4:1996", "standards", ["iso230-2:1988", "iso230-4:1996"]),
+        (
+            "evaluate a b --standard iso230-2:1988 iso230-4:1996",
+            "standards",
+            ["iso230-2:1988", "iso230-4:1996"],
+        ),
     ],
 )
-def test_each_option_with_dots_takes_several_values(words: str, key: str, expected: list[str]) -> None:
+def test_each_option_with_dots_takes_several_values(
+    words: str, key: str, expected: list[str]
+) -> None:
     assert names(told(words)[key]) == expected
 
 
@@ -77,7 +93,9 @@ def test_files_of_the_command_stay_its_own(words: str, key: str, expected: list[
     assert names(told(words)[key]) == expected
 
 
-def test_the_help_shows_which_options_take_several_values(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_help_shows_which_options_take_several_values(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
     shown = {
         "compare": "--loaded FILE...",
         "verify": "--after [TEST=]FILE...",

@@ -1,4 +1,6 @@
-"""compare: every loading fault by its name; new: a job from the control's own files that runs when filled in; run on a backup."""
+"""compare: every loading fault by its name; new: a job from the control's own files that runs when
+filled in; run on a backup.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +37,9 @@ def backup(folder: Path, newline: str = "\n", lines: int = 300) -> list[Path]:
 def measured(folder: Path, state: list[Path], seed: int = 1) -> Path:
     """A test of X in the state of the backup."""
     targets = MACHINE.targets()
-    judge = virtual_control("fanuc-30i", [ControlFile(path.name, path.read_bytes()) for path in state], options=UNIT)
+    judge = virtual_control(
+        "fanuc-30i", [ControlFile(path.name, path.read_bytes()) for path in state], options=UNIT
+    )
 
     def active(x: Any, sign: int) -> Any:
         return judge.correction("1", x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE)
@@ -50,7 +54,17 @@ def run(folder: Path, state: list[Path], *options: str) -> int:
     given = ("address=1", "detection_unit=0.001", "spacing=50", *options)
     return compwright(
         [
-            *("run", str(measured(folder, state)), "--format", "fanuc-30i", "--axis", "X", "--travel", "-200:200", *words),
+            *(
+                "run",
+                str(measured(folder, state)),
+                "--format",
+                "fanuc-30i",
+                "--axis",
+                "X",
+                "--travel",
+                "-200:200",
+                *words,
+            ),
             *(word for option in given for word in ("--option", option)),
             *("--out", str(folder / "out")),
         ]
@@ -66,7 +80,10 @@ def done(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def tables(folder: Path) -> dict[str, str]:
-    return {path.name: path.read_text() for path in sorted((folder / "out" / "tables" / "fanuc-30i").iterdir())}
+    return {
+        path.name: path.read_text()
+        for path in sorted((folder / "out" / "tables" / "fanuc-30i").iterdir())
+    }
 
 
 def compare(done: Path, folder: Path, loaded: dict[str, str]) -> tuple[int, dict[str, Any]]:
@@ -81,19 +98,30 @@ def compare(done: Path, folder: Path, loaded: dict[str, str]) -> tuple[int, dict
 
 def by_number(text: str, number: int, change: Callable[[int], int]) -> str:
     """Change the value of axis 1 in one parameter."""
-    found, count = re.subn(rf"(N0*{number}Q1A1P)(-?\d+)", lambda match: f"{match[1]}{change(int(match[2]))}", text)
+    found, count = re.subn(
+        rf"(N0*{number}Q1A1P)(-?\d+)", lambda match: f"{match[1]}{change(int(match[2]))}", text
+    )
     assert count == 1
     return found
 
 
 def points_changed(text: str, change: Callable[[int, int], int]) -> str:
     """Change the values of the points of X (37 .. 44)."""
-    return re.sub(r"N100(3[7-9]|4[0-4])Q0P(-?\d+)", lambda match: f"N100{match[1]}Q0P{change(int(match[1]), int(match[2]))}", text)
+    return re.sub(
+        r"N100(3[7-9]|4[0-4])Q0P(-?\d+)",
+        lambda match: f"N100{match[1]}Q0P{change(int(match[1]), int(match[2]))}",
+        text,
+    )
 
 
 def test_the_same_files_are_the_same(done: Path, tmp_path: Path) -> None:
     code, answer = compare(done, tmp_path, tables(done))
-    assert (code, answer["schema"], answer["verdict"], answer["differences"]) == (0, "compwright/compare/1", "same", [])
+    assert (code, answer["schema"], answer["verdict"], answer["differences"]) == (
+        0,
+        "compwright/compare/1",
+        "same",
+        [],
+    )
     assert answer["axes"]["X"]["verdict"] == "loaded"
 
 
@@ -102,18 +130,50 @@ def test_another_order_and_another_line_end_are_the_same(done: Path, tmp_path: P
     assert compare(done, tmp_path, turned)[0] == 0
 
 
-#: What happened at the control -> the files read back, the verdict, and the entry that must be named.
+#: What happened at the control -> the files read back, the verdict, and the entry that must be
+#: named.
 FAULTS: dict[str, tuple[Callable[[str, str], tuple[str, str]], str, str | None]] = {
-    "sign of all points": (lambda p, q: (p, points_changed(q, lambda _, value: -value)), "inverted", "N10044Q0"),
-    "doubled magnification": (lambda p, q: (by_number(p, 3623, lambda value: 2 * value), q), "scaled", "N03623Q1A1"),
-    "reference number one too high": (lambda p, q: (by_number(p, 3620, lambda value: value + 1), q), "shifted", "N03620Q1A1"),
-    "reference number one too low": (lambda p, q: (by_number(p, 3620, lambda value: value - 1), q), "shifted", "N03620Q1A1"),
-    "sign of 1851": (lambda p, q: (by_number(p, 1851, lambda value: -value), q), "backlash", "N01851Q1A1"),
+    "sign of all points": (
+        lambda p, q: (p, points_changed(q, lambda _, value: -value)),
+        "inverted",
+        "N10044Q0",
+    ),
+    "doubled magnification": (
+        lambda p, q: (by_number(p, 3623, lambda value: 2 * value), q),
+        "scaled",
+        "N03623Q1A1",
+    ),
+    "reference number one too high": (
+        lambda p, q: (by_number(p, 3620, lambda value: value + 1), q),
+        "shifted",
+        "N03620Q1A1",
+    ),
+    "reference number one too low": (
+        lambda p, q: (by_number(p, 3620, lambda value: value - 1), q),
+        "shifted",
+        "N03620Q1A1",
+    ),
+    "sign of 1851": (
+        lambda p, q: (by_number(p, 1851, lambda value: -value), q),
+        "backlash",
+        "N01851Q1A1",
+    ),
     "1851 forgotten": (lambda p, q: (by_number(p, 1851, lambda _: 0), q), "backlash", "N01851Q1A1"),
-    "table switched off": (lambda p, q: (by_number(p, 3623, lambda _: 0), q), "not_active", "N03623Q1A1"),
-    "points cleared": (lambda p, q: (p, points_changed(q, lambda _, _value: 0)), "not_active", "N10044Q0"),
+    "table switched off": (
+        lambda p, q: (by_number(p, 3623, lambda _: 0), q),
+        "not_active",
+        "N03623Q1A1",
+    ),
+    "points cleared": (
+        lambda p, q: (p, points_changed(q, lambda _, _value: 0)),
+        "not_active",
+        "N10044Q0",
+    ),
     "one value mistyped": (
-        lambda p, q: (p, points_changed(q, lambda number, value: value + 3 if number == 42 else value)),
+        lambda p, q: (
+            p,
+            points_changed(q, lambda number, value: value + 3 if number == 42 else value),
+        ),
         "other",
         "N10042Q0",
     ),
@@ -139,13 +199,20 @@ def test_the_old_table_is_still_there(done: Path, tmp_path: Path) -> None:
     assert "before" in answer["axes"]["X"]["message"]
 
 
-def test_a_difference_is_told_in_um_and_in_the_control_s_own_words(done: Path, tmp_path: Path) -> None:
+def test_a_difference_is_told_in_um_and_in_the_control_s_own_words(
+    done: Path, tmp_path: Path
+) -> None:
     own = tables(done)
     increment = int(re.search(r"N10044Q0P(-?\d+)", own["PITCH.TXT"])[1])  # type: ignore[index]
-    mistyped = points_changed(own["PITCH.TXT"], lambda number, value: value + 10 if number == 44 else value)
+    mistyped = points_changed(
+        own["PITCH.TXT"], lambda number, value: value + 10 if number == 44 else value
+    )
     _, answer = compare(done, tmp_path, {**own, "PITCH.TXT": mistyped})
     rows = {row["quantity"]: row for row in answer["differences"]}
-    assert (rows["N10044Q0"]["planned"], rows["N10044Q0"]["loaded"]) == (str(increment), str(increment + 10))
+    assert (rows["N10044Q0"]["planned"], rows["N10044Q0"]["loaded"]) == (
+        str(increment),
+        str(increment + 10),
+    )
     at_end = [row for name, row in rows.items() if name.startswith("correction at 200 mm")]
     assert len(at_end) == 2  # both directions
     for row in at_end:
@@ -157,18 +224,28 @@ def test_a_difference_is_told_in_um_and_in_the_control_s_own_words(done: Path, t
 def test_files_that_say_nothing_of_the_axis_are_an_error(done: Path, tmp_path: Path) -> None:
     text = "%\nN03620Q1A2P0\nN01851Q1A2P3\n%\n"
     (tmp_path / "other.txt").write_text(text)
-    assert compwright(["compare", str(done / "out" / "plan.json"), "--loaded", str(tmp_path / "other.txt")]) == 3
+    assert (
+        compwright(
+            ["compare", str(done / "out" / "plan.json"), "--loaded", str(tmp_path / "other.txt")]
+        )
+        == 3
+    )
 
 
-# What a table does, by arithmetic: no control needed ------------------------------------------------------------------------
+# What a table does, by arithmetic: no control needed
+# ------------------------------------------------------------------------
 
 NODES = np.arange(-150.0, 300.0, 50.0)
 SHAPE = np.array([4.0, 1.0, 3.0, 0.0, -2.0, 5.0, 5.5, 9.0, 7.0]) * 1e-3
 
 
-def correction(shape: Any = SHAPE, backlash: float = 0.004, factor: float = 1.0) -> Callable[[Any, Direction], Any]:
+def correction(
+    shape: Any = SHAPE, backlash: float = 0.004, factor: float = 1.0
+) -> Callable[[Any, Direction], Any]:
     def at(positions: Any, direction: Direction) -> Any:
-        return factor * np.interp(positions, NODES, shape) - (backlash if direction is Direction.NEGATIVE else 0.0)
+        return factor * np.interp(positions, NODES, shape) - (
+            backlash if direction is Direction.NEGATIVE else 0.0
+        )
 
     return at
 
@@ -182,10 +259,19 @@ def correction(shape: Any = SHAPE, backlash: float = 0.004, factor: float = 1.0)
         (correction(factor=2.0), "scaled"),
         (correction(shape=np.zeros(9)), "not_active"),
         (lambda x, side: correction()(np.asarray(x) - 50.0, side), "shifted"),
-        (lambda x, side: correction()(np.asarray(x) + 100.0, side) - correction()(100.0, Direction.POSITIVE), "shifted"),
+        (
+            lambda x, side: (
+                correction()(np.asarray(x) + 100.0, side) - correction()(100.0, Direction.POSITIVE)
+            ),
+            "shifted",
+        ),
         (lambda x, side: correction()(np.asarray(x) * 1.01, side), "other"),
         (
-            lambda x, side: correction()(x, Direction.POSITIVE) if side is Direction.POSITIVE else 2e-6 * np.asarray(x),
+            lambda x, side: (
+                correction()(x, Direction.POSITIVE)
+                if side is Direction.POSITIVE
+                else 2e-6 * np.asarray(x)
+            ),
             "one_direction",
         ),
     ],
@@ -221,20 +307,33 @@ def test_a_shift_is_told_with_its_direction(nodes: int, own_zero: float) -> None
     assert f"{abs(nodes)} nodes too far to {'+' if nodes > 0 else '-'}" in answer.message
 
 
-# run on a backup ------------------------------------------------------------------------------------------------------------
+# run on a backup
+# --------------------------------------------------------------------------------------------------
 
 
 def test_rollback_card_and_changes(done: Path) -> None:
     for path in (done / "control").iterdir():
-        assert (done / "out" / "rollback" / "fanuc-30i" / path.name).read_bytes() == path.read_bytes()
+        assert (
+            done / "out" / "rollback" / "fanuc-30i" / path.name
+        ).read_bytes() == path.read_bytes()
     old = {path.name: path.read_text().splitlines() for path in (done / "control").iterdir()}
     new = {name: text.splitlines() for name, text in tables(done).items()}
-    changed = [(was, now) for name, lines in new.items() for was, now in zip(old[name], lines, strict=True) if was != now]
-    rows = [row.split(",") for row in (done / "out" / "card" / "changes.csv").read_text().splitlines()]
+    changed = [
+        (was, now)
+        for name, lines in new.items()
+        for was, now in zip(old[name], lines, strict=True)
+        if was != now
+    ]
+    rows = [
+        row.split(",") for row in (done / "out" / "card" / "changes.csv").read_text().splitlines()
+    ]
     assert rows[0] == ["entry", "old", "new"]
     assert len(rows) - 1 == len(changed)  # here every changed line holds one changed value
     for entry, was, now in rows[1:]:
-        assert any(line.startswith(f"{entry}P{was}") and after.startswith(f"{entry}P{now}") for line, after in changed), entry
+        assert any(
+            line.startswith(f"{entry}P{was}") and after.startswith(f"{entry}P{now}")
+            for line, after in changed
+        ), entry
     untouched = sum(map(len, old.values())) - len(changed)
     assert str(untouched) in (done / "out" / "card" / "card.md").read_text()
 
@@ -242,7 +341,10 @@ def test_rollback_card_and_changes(done: Path) -> None:
 def test_the_sheet_beside_the_card_decodes_to_the_tables(done: Path, tmp_path: Path) -> None:
     answers = []
     for number, paths in enumerate(
-        (sorted((done / "out" / "tables" / "fanuc-30i").iterdir()), [done / "out" / "card" / "entry_X.csv"])
+        (
+            sorted((done / "out" / "tables" / "fanuc-30i").iterdir()),
+            [done / "out" / "card" / "entry_X.csv"],
+        )
     ):
         answer = tmp_path / f"{number}.json"
         words = ["--option", "detection_unit=0.001", "--axis", "1", "--json", str(answer)]
@@ -251,24 +353,59 @@ def test_the_sheet_beside_the_card_decodes_to_the_tables(done: Path, tmp_path: P
     assert answers[0] == answers[1]
 
 
-def test_a_detection_unit_that_nobody_says_is_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_detection_unit_that_nobody_says_is_asked_for(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     state = backup(tmp_path / "control", lines=20)
     words = [word for path in state for word in ("--state", str(path))]
     csv = str(measured(tmp_path, state))
     assert (
-        compwright(["run", csv, "--format", "fanuc-30i", "--axis", "X", "--travel", "-200:200", *words, "--option", "address=1"])
+        compwright(
+            [
+                "run",
+                csv,
+                "--format",
+                "fanuc-30i",
+                "--axis",
+                "X",
+                "--travel",
+                "-200:200",
+                *words,
+                "--option",
+                "address=1",
+            ]
+        )
         == 2
     )
     assert "detection_unit" in capsys.readouterr().err
 
 
-def test_two_tables_without_the_control_s_own_bits(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_two_tables_without_the_control_s_own_bits(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     state = backup(tmp_path / "control", lines=20)
     csv = str(measured(tmp_path, state))
-    options = ("address=1", "detection_unit=0.001", "first_point=0", "spacing=50", "mode=bidirectional")
+    options = (
+        "address=1",
+        "detection_unit=0.001",
+        "first_point=0",
+        "spacing=50",
+        "mode=bidirectional",
+    )
     code = compwright(
         [
-            *("run", csv, "--format", "fanuc-30i", "--axis", "X", "--travel", "-200:200", "--state", "none"),
+            *(
+                "run",
+                csv,
+                "--format",
+                "fanuc-30i",
+                "--axis",
+                "X",
+                "--travel",
+                "-200:200",
+                "--state",
+                "none",
+            ),
             *(word for option in options for word in ("--option", option)),
         ]
     )
@@ -283,13 +420,16 @@ def test_two_tables_into_a_backup(tmp_path: Path) -> None:
     assert "N01851Q1A1P0A2P2A3P6A4P0\n" in text
 
 
-def test_an_interval_below_what_the_feed_allows(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_interval_below_what_the_feed_allows(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """400 000 mm/min / 7500 = 53.3 mm; 50 mm were asked for."""
     assert run(tmp_path, backup(tmp_path / "control", lines=20), "max_feed=400000") == 4
     assert "53.3" in capsys.readouterr().err
 
 
-# new ------------------------------------------------------------------------------------------------------------------------
+# new
+# --------------------------------------------------------------------------------------------------
 
 
 def test_a_new_job_is_filled_in_and_runs(tmp_path: Path) -> None:
@@ -301,15 +441,27 @@ def test_a_new_job_is_filled_in_and_runs(tmp_path: Path) -> None:
     draft = yaml.safe_load(job.read_text())
     assert draft["controller"] == {"format": "fanuc-30i", "options": {"detection_unit": None}}
     assert draft["states"]["as_found"] == ["control/CNC-PARA.TXT", "control/PITCH.TXT"]
-    assert set(draft["axes"]) == {"X", "Y", "Z", "B"}  # 1020: 88, 89, 90, 66; Z only for its backlash
+    assert set(draft["axes"]) == {
+        "X",
+        "Y",
+        "Z",
+        "B",
+    }  # 1020: 88, 89, 90, 66; Z only for its backlash
     x = draft["axes"]["X"]
-    assert (x["travel"], str(x["address"]), x["kind"], x["before"]) == ([-210.0, 210.0], "1", "linear", None)
+    assert (x["travel"], str(x["address"]), x["kind"], x["before"]) == (
+        [-210.0, 210.0],
+        "1",
+        "linear",
+        None,
+    )
     assert x["encoder"]["type"] == "absolute"
     assert (draft["axes"]["B"]["kind"], draft["axes"]["B"]["modulo"]) == ("rotary", 360.0)
     assert compwright(["run", str(job)]) == 2  # what is open is asked for
 
     draft["controller"]["options"]["detection_unit"] = 0.001
-    draft["axes"] = {"X": {**x, "before": [csv.name], "options": {"max_feed": 24000}, "table": {"spacing": 70}}}
+    draft["axes"] = {
+        "X": {**x, "before": [csv.name], "options": {"max_feed": 24000}, "table": {"spacing": 70}}
+    }
     job.write_text(yaml.safe_dump(draft))
     assert compwright(["run", str(job)]) == 0
     assert (tmp_path / "job" / "tables" / "fanuc-30i" / "CNC-PARA.TXT").exists()
@@ -319,6 +471,24 @@ def test_a_new_job_where_the_unit_was_given(tmp_path: Path) -> None:
     state = backup(tmp_path / "control", lines=50)
     words = [word for path in state for word in ("--from", str(path))]
     job = tmp_path / "job.yaml"
-    assert compwright(["new", *words, "--format", "fanuc-30i", "--option", "detection_unit=0.0005", "--out", str(job)]) == 0
-    assert float(yaml.safe_load(job.read_text())["controller"]["options"]["detection_unit"]) == 0.0005
-    assert compwright(["new", *words, "--format", "fanuc-30i", "--out", str(job)]) == 5  # it is there already
+    assert (
+        compwright(
+            [
+                "new",
+                *words,
+                "--format",
+                "fanuc-30i",
+                "--option",
+                "detection_unit=0.0005",
+                "--out",
+                str(job),
+            ]
+        )
+        == 0
+    )
+    assert (
+        float(yaml.safe_load(job.read_text())["controller"]["options"]["detection_unit"]) == 0.0005
+    )
+    assert (
+        compwright(["new", *words, "--format", "fanuc-30i", "--out", str(job)]) == 5
+    )  # it is there already

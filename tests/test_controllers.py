@@ -1,4 +1,6 @@
-"""The virtual controls against the manuals' numbers, observed values of a real control, and brute force."""
+"""The virtual controls against the manuals' numbers, observed values of a real control, and brute
+force.
+"""
 
 from __future__ import annotations
 
@@ -38,18 +40,22 @@ M17
 # The table whose corrections were read from a running LinuxCNC 2.9.0~pre1.
 OBSERVED = "-100 -100.010 -99.980\n0 0.004 0.010\n100 100.020 100.030\n"
 
-# Single precision of trims of 0.03 mm: 0.03 * 2**-24 = 1.8e-9 mm; the observed values are printed to 1e-6 mm.
+# Single precision of trims of 0.03 mm: 0.03 * 2**-24 = 1.8e-9 mm; the observed values are printed
+# to 1e-6 mm.
 SINGLE = 4e-9
 
 
 def siemens(*texts: str, **request: object) -> VirtualControl:
     files = [ControlFile(f"f{i}.ini", text.encode("latin-1")) for i, text in enumerate(texts)]
-    return virtual_control("siemens-840d-sl", files, **request)  # type: ignore[arg-type]  # keywords pass through
+    # # keywords pass through
+    return virtual_control("siemens-840d-sl", files, **request)  # type: ignore[arg-type]
 
 
 def linuxcnc(**request: object) -> VirtualControl:
-    files = [ControlFile(name, content.encode()) for name, content in request.pop("files").items()]  # type: ignore[attr-defined]  # a dict
-    return virtual_control("linuxcnc", files, **request)  # type: ignore[arg-type]  # keywords pass through
+    # # a dict
+    files = [ControlFile(name, content.encode()) for name, content in request.pop("files").items()]  # type: ignore[attr-defined]
+    # # keywords pass through
+    return virtual_control("linuxcnc", files, **request)  # type: ignore[arg-type]
 
 
 def comp(text: str, comp_type: int = 0, extra: str = "") -> VirtualControl:
@@ -57,14 +63,17 @@ def comp(text: str, comp_type: int = 0, extra: str = "") -> VirtualControl:
     return linuxcnc(files={"joint_0.comp": text, "joint_0.ini": ini})
 
 
-def values(control: VirtualControl, address: str, positions: Sequence[float], direction: Direction) -> list[float]:
+def values(
+    control: VirtualControl, address: str, positions: Sequence[float], direction: Direction
+) -> list[float]:
     return [float(value) for value in control.correction(address, np.array(positions), direction)]
 
 
 class TestSinumerik:
     def test_positive_value_moves_the_axis_towards_minus(self) -> None:
         control = siemens(EEC)
-        # 0.5 * (0.003 + 0.001) at -75, 0.5 * (-0.002 - 0.0045) at 75, by hand; outside the end values (p. 240)
+        # 0.5 * (0.003 + 0.001) at -75, 0.5 * (-0.002 - 0.0045) at 75, by hand; outside the end
+        # values (p. 240)
         wanted = [-0.003, -0.003, -0.002, -0.001, 0.0, 0.002, 0.00325, 0.0045, 0.0045]
         for direction in (UP, DOWN):
             got = values(control, "AX1", [-150, -100, -75, -50, 0, 50, 75, 100, 150], direction)
@@ -73,22 +82,32 @@ class TestSinumerik:
         assert control.addresses() == ("AX1",)
 
     def test_measured_error_written_unchanged_is_removed(self) -> None:
-        # a machine that is 5 µm too far at 200 mm, 2 µm short at 100 mm; the table holds e(x) itself (manual p. 238)
+        # a machine that is 5 µm too far at 200 mm, 2 µm short at 100 mm; the table holds e(x)
+        # itself (manual p. 238)
         points = {0: 0.0, 1: -0.002, 2: 0.005}
         text = "".join(f"$AA_ENC_COMP[0,{n},X1]={e}\n" for n, e in points.items())
-        text += "$AA_ENC_COMP_STEP[0,X1]=100\n$AA_ENC_COMP_MIN[0,X1]=0\n$AA_ENC_COMP_MAX[0,X1]=200\n"
-        left = np.array([0.0, -0.002, 0.005]) + siemens(text).correction("X1", np.array([0.0, 100, 200]), UP)
+        text += (
+            "$AA_ENC_COMP_STEP[0,X1]=100\n$AA_ENC_COMP_MIN[0,X1]=0\n$AA_ENC_COMP_MAX[0,X1]=200\n"
+        )
+        left = np.array([0.0, -0.002, 0.005]) + siemens(text).correction(
+            "X1", np.array([0.0, 100, 200]), UP
+        )
         assert np.max(np.abs(left)) < 1e-15  # mm
 
     @pytest.mark.parametrize(("returning", "up", "down"), [(UP, 0.0, -0.012), (DOWN, 0.012, 0.0)])
-    def test_backlash_acts_against_the_referencing_direction(self, returning: Direction, up: float, down: float) -> None:
-        control = siemens("N32450 $MA_BACKLASH[0,AX1]=0.012 '1a2F\n", reference_return={"AX1": returning})
+    def test_backlash_acts_against_the_referencing_direction(
+        self, returning: Direction, up: float, down: float
+    ) -> None:
+        control = siemens(
+            "N32450 $MA_BACKLASH[0,AX1]=0.012 '1a2F\n", reference_return={"AX1": returning}
+        )
         assert values(control, "AX1", [5.0], UP) == [up]
         assert values(control, "AX1", [5.0], DOWN) == [down]
         assert control.nodes("AX1").size == 0
 
     def test_backlash_value_of_a_machine_with_lost_motion_removes_it(self) -> None:
-        # lost motion of 12 µm: arriving downward the table stands 12 µm too high, B = mean(+) - mean(-) = -0.012, MD32450 = -B
+        # lost motion of 12 µm: arriving downward the table stands 12 µm too high, B = mean(+) -
+        # mean(-) = -0.012, MD32450 = -B
         error = {UP: 0.0, DOWN: 0.012}
         control = siemens("$MA_BACKLASH[0,AX1]=0.012\n")
         actual = [error[d] + values(control, "AX1", [100.0], d)[0] for d in (UP, DOWN)]
@@ -100,7 +119,9 @@ class TestSinumerik:
 
     def test_table_and_backlash_add_up(self) -> None:
         control = siemens(EEC, "$MA_BACKLASH[0,AX1]=0.010\n")
-        assert values(control, "AX1", [-100, 50], DOWN) == pytest.approx([-0.013, -0.008], abs=1e-15)
+        assert values(control, "AX1", [-100, 50], DOWN) == pytest.approx(
+            [-0.013, -0.008], abs=1e-15
+        )
 
     def test_load_sequence_counts_by_its_last_value(self) -> None:
         off, on = "$MA_ENC_COMP_ENABLE[0,AX1]=0\n", "$MA_ENC_COMP_ENABLE[0,AX1]=1\nNEWCONF\n"
@@ -112,14 +133,17 @@ class TestSinumerik:
         assert not any("MD32700" in a.fact for a in siemens(on, EEC).assumed)
 
     def test_modulo_table_repeats(self) -> None:
-        text = "".join(f"$AA_ENC_COMP[1,{n},AX4]={v}\n" for n, v in enumerate([0.001, 0.003, -0.002, 0.004, 0.001]))
-        text += (
-            "$AA_ENC_COMP_STEP[1,AX4]=90\n$AA_ENC_COMP_MIN[1,AX4]=0\n$AA_ENC_COMP_MAX[1,AX4]=360\n$AA_ENC_COMP_IS_MODULO[1,AX4]=1\n"
+        text = "".join(
+            f"$AA_ENC_COMP[1,{n},AX4]={v}\n"
+            for n, v in enumerate([0.001, 0.003, -0.002, 0.004, 0.001])
         )
+        text += "$AA_ENC_COMP_STEP[1,AX4]=90\n$AA_ENC_COMP_MIN[1,AX4]=0\n$AA_ENC_COMP_MAX[1,AX4]=360\n$AA_ENC_COMP_IS_MODULO[1,AX4]=1\n"
         control = siemens(text)
         # -45 is 315: mean of 0.004 and 0.001; 405 is 45: mean of 0.001 and 0.003
         wanted = [-0.0025, -0.002, -0.002, -0.002, -0.001, -0.001, -0.001]
-        assert values(control, "AX4", [-45, 45, 405, 765, 0, 360, -360], UP) == pytest.approx(wanted, abs=1e-15)
+        assert values(control, "AX4", [-45, 45, 405, 765, 0, 360, -360], UP) == pytest.approx(
+            wanted, abs=1e-15
+        )
 
     def test_variants_of_the_text_mean_the_same(self) -> None:
         reordered = "\n".join(reversed(EEC.replace("M17\n", "").splitlines()[2:]))
@@ -150,11 +174,15 @@ class TestSinumerik:
         positions = [*rng.uniform(-700, 700, 400), *np.arange(-625, 626, 50.0)]
         got = values(siemens(text), "AX1", positions, UP)
         for x, correction in zip(positions, got, strict=True):
-            assert correction == pytest.approx(-slow_value(x, [-625 + 50 * n for n in range(26)], table), abs=1e-15)
+            assert correction == pytest.approx(
+                -slow_value(x, [-625 + 50 * n for n in range(26)], table), abs=1e-15
+            )
 
     def test_only_system_with_a_table_is_taken_and_said(self) -> None:
         control = siemens(EEC.replace("[0,", "[1,"), "$MA_BACKLASH[0,AX1]=0.5\n")
-        assert values(control, "AX1", [-100], DOWN) == [-0.003]  # not the 0.5 mm of the other system
+        assert values(control, "AX1", [-100], DOWN) == [
+            -0.003
+        ]  # not the 0.5 mm of the other system
         assert any(a.value == "2" for a in control.assumed)
         wrong = siemens(EEC.replace("[0,", "[1,"), encoder={"AX1": 1})
         assert values(wrong, "AX1", [-100], DOWN) == [0.0]
@@ -181,7 +209,10 @@ class TestSinumerik:
             (EEC.replace("M17\n", "") + "$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=4\n", "MD38000"),
             (EEC.replace("$AA_ENC_COMP[0,3", "M17\n$AA_ENC_COMP[0,3"), "end of the program"),
             (EEC.replace("ENC_COMP_STEP", "ENC_COMP_STPE"), "not known"),
-            ("".join(line + "\n" for line in EEC.splitlines() if "COMP[" not in line), "missing points"),
+            (
+                "".join(line + "\n" for line in EEC.splitlines() if "COMP[" not in line),
+                "missing points",
+            ),
             ("CHANDATA(1)\nM17\n", "no compensation data"),
             ("\x00\x01ARCHIVE" + EEC, "binary"),
         ],
@@ -199,8 +230,11 @@ class TestSinumerik:
                 control = siemens(EEC[:length])
             except InputError:
                 continue
-            # the only survivors have all points and the grid: they mean the same (MAX=100. without its last digit, too)
-            assert np.array_equal(control.correction("AX1", positions, UP), whole), EEC[:length][-40:]
+            # the only survivors have all points and the grid: they mean the same (MAX=100. without
+            # its last digit, too)
+            assert np.array_equal(control.correction("AX1", positions, UP), whole), EEC[:length][
+                -40:
+            ]
 
     def test_all_faults_at_once(self) -> None:
         with pytest.raises(InputError) as caught:
@@ -208,20 +242,28 @@ class TestSinumerik:
         assert [fault.place for fault in caught.value.faults] == ["line 3", "line 6"]
 
     def test_untouched_second_system_of_an_archive_is_no_table(self) -> None:
-        zero = "".join(f"$AA_ENC_COMP_{key}[1,AX1]=0\n" for key in ("STEP", "MIN", "MAX", "IS_MODULO"))
+        zero = "".join(
+            f"$AA_ENC_COMP_{key}[1,AX1]=0\n" for key in ("STEP", "MIN", "MAX", "IS_MODULO")
+        )
         assert values(siemens(EEC, zero), "AX1", [-100], UP) == [-0.003]
 
 
 class TestLinuxCnc:
     def test_values_observed_on_the_real_control(self) -> None:
         control = comp(OBSERVED)
-        assert values(control, "0", [10, 50, 100, 150], UP) == pytest.approx([-0.0056, -0.012, -0.020, -0.020], abs=SINGLE)
-        assert values(control, "0", [50, 0, -50], DOWN) == pytest.approx([-0.020, -0.010, -0.015], abs=SINGLE)
+        assert values(control, "0", [10, 50, 100, 150], UP) == pytest.approx(
+            [-0.0056, -0.012, -0.020, -0.020], abs=SINGLE
+        )
+        assert values(control, "0", [50, 0, -50], DOWN) == pytest.approx(
+            [-0.020, -0.010, -0.015], abs=SINGLE
+        )
         assert control.nodes("0").tolist() == [-100, 0, 100]
         assert control.notes == ()
         assert values(comp("10 10.02 9.99\n"), "X", [10], UP) == pytest.approx([-0.02], abs=SINGLE)
         assert values(comp("10 10.02 9.99\n"), "X", [10], DOWN) == pytest.approx([0.01], abs=SINGLE)
-        assert values(comp("10 0.03 -0.01\n", 1), "0", [-500, 500], UP) == pytest.approx([0.03, 0.03], abs=SINGLE)
+        assert values(comp("10 0.03 -0.01\n", 1), "0", [-500, 500], UP) == pytest.approx(
+            [0.03, 0.03], abs=SINGLE
+        )
 
     def test_same_data_in_both_types(self) -> None:
         trims = "-200  0.0080 -0.0040\n   0  0.0000 -0.0120\n 200 -0.0100 -0.0230\n"
@@ -230,7 +272,9 @@ class TestLinuxCnc:
         for direction, column in ((UP, [0.008, 0.0, -0.010]), (DOWN, [-0.004, -0.012, -0.023])):
             wanted = [slow_value(x, [-200, 0, 200], column) for x in positions]
             for control in (comp(trims, 1), comp(actual, 0), comp(trims, 2), comp(trims, -1)):
-                assert control.correction("0", positions, direction).tolist() == pytest.approx(wanted, abs=SINGLE)
+                assert control.correction("0", positions, direction).tolist() == pytest.approx(
+                    wanted, abs=SINGLE
+                )
 
     def test_backlash_acts_half_each_way_and_only_without_a_table(self) -> None:
         alone = linuxcnc(files={"m.ini": "[JOINT_0]\nBACKLASH = 0.020\n"})
@@ -273,12 +317,16 @@ class TestLinuxCnc:
             ("".join(f"{n} {n} {n}\n" for n in range(300)), 256),
         ],
     )
-    def test_files_are_cut_where_the_real_control_was_seen_to_cut_them(self, text: str, rows: int) -> None:
+    def test_files_are_cut_where_the_real_control_was_seen_to_cut_them(
+        self, text: str, rows: int
+    ) -> None:
         control = comp(text)
         assert control.nodes("0").size == rows
         assert (control.notes == ()) == (rows == 3), "whatever is dropped must be said"
 
-    @pytest.mark.parametrize("row", ["1 2 3,4", "1.2.3.4", "1-2-3", "1 2 3abc", "1 2 3\0 4", "1 2 3\r4 5 6"])
+    @pytest.mark.parametrize(
+        "row", ["1 2 3,4", "1.2.3.4", "1-2-3", "1 2 3abc", "1 2 3\0 4", "1 2 3\r4 5 6"]
+    )
     def test_row_that_reads_otherwise_than_it_looks_is_said(self, row: str) -> None:
         control = comp(row + "\n")
         assert control.nodes("0").size == 1
@@ -299,11 +347,19 @@ class TestLinuxCnc:
         positions = [*rng.uniform(-600, 600, 300), *nominal]
         for direction, column in zip((UP, DOWN), np.round(columns, 7), strict=True):
             got = values(control, "0", positions, direction)
-            # mm; trims up to 0.1 in single precision (6e-9) and slopes, in single too, over gaps up to 120 mm
-            assert got == pytest.approx([slow_value(x, nominal, column) for x in positions], abs=3e-8)
+            # mm; trims up to 0.1 in single precision (6e-9) and slopes, in single too, over gaps up
+            # to 120 mm
+            assert got == pytest.approx(
+                [slow_value(x, nominal, column) for x in positions], abs=3e-8
+            )
 
     def test_type_defaults_to_actual_positions(self) -> None:
-        control = linuxcnc(files={"joint_0.comp": OBSERVED, "m.ini": "[JOINT_0]\nCOMP_FILE = tables/joint_0.comp\n"})
+        control = linuxcnc(
+            files={
+                "joint_0.comp": OBSERVED,
+                "m.ini": "[JOINT_0]\nCOMP_FILE = tables/joint_0.comp\n",
+            }
+        )
         assert values(control, "0", [100], UP) == pytest.approx([-0.020], abs=SINGLE)
         assert any("COMP_FILE_TYPE" in a.fact for a in control.assumed)
 
@@ -311,36 +367,51 @@ class TestLinuxCnc:
         control = linuxcnc(files={"joint_2.comp": OBSERVED})
         assert control.addresses() == ("2",)
         assert values(control, "2", [100], UP) == pytest.approx([-0.020], abs=SINGLE)
-        assert {a.fact for a in control.assumed} >= {"joint that loads joint_2.comp", "COMP_FILE_TYPE of joint 2"}
-        trims = linuxcnc(files={"x.comp": "0 0.01 0.02\n"}, options={"axis": "X", "comp_file_type": "1"})
+        assert {a.fact for a in control.assumed} >= {
+            "joint that loads joint_2.comp",
+            "COMP_FILE_TYPE of joint 2",
+        }
+        trims = linuxcnc(
+            files={"x.comp": "0 0.01 0.02\n"}, options={"axis": "X", "comp_file_type": "1"}
+        )
         assert values(trims, "0", [1], DOWN) == pytest.approx([0.02], abs=SINGLE)
         with pytest.raises(InputError, match="which joint"):
             linuxcnc(files={"x.comp": OBSERVED})
 
     def test_inch_machine(self) -> None:
-        # 1 inch: 0.001 inch too far going +, so -0.0254 mm at 25.4 mm; the other joint turns in degrees and is not scaled
+        # 1 inch: 0.001 inch too far going +, so -0.0254 mm at 25.4 mm; the other joint turns in
+        # degrees and is not scaled
         files = {
-            "m.ini": "[TRAJ]\nLINEAR_UNITS = inch\n[JOINT_0]\nTYPE = LINEAR\nCOMP_FILE=a\n[JOINT_1]\nTYPE = ANGULAR\nCOMP_FILE=b\n",
+            "m.ini": (
+                "[TRAJ]\nLINEAR_UNITS = inch\n[JOINT_0]\nTYPE ="
+                " LINEAR\nCOMP_FILE=a\n[JOINT_1]\nTYPE = ANGULAR\nCOMP_FILE=b\n"
+            ),
             "a": "0 0 0\n1 1.001 1\n",
             "b": "0 0 0\n1 1.001 1\n",
         }
         control = linuxcnc(files=files)
         assert control.nodes("0").tolist() == [0.0, 25.4]
-        assert values(control, "0", [25.4, 12.7], UP) == pytest.approx([-0.0254, -0.0127], abs=25.4 * SINGLE)
+        assert values(control, "0", [25.4, 12.7], UP) == pytest.approx(
+            [-0.0254, -0.0127], abs=25.4 * SINGLE
+        )
         assert values(control, "1", [1.0], UP) == pytest.approx([-0.001], abs=SINGLE)
         # a number there counts machine units per mm
-        by_number = linuxcnc(files=files | {"m.ini": files["m.ini"].replace("inch", f"{1 / 25.4:.12f}")})
+        by_number = linuxcnc(
+            files=files | {"m.ini": files["m.ini"].replace("inch", f"{1 / 25.4:.12f}")}
+        )
         assert values(by_number, "0", [25.4], UP) == pytest.approx([-0.0254], abs=25.4 * SINGLE)
         alone = {"joint_0.comp": files["a"]}
-        assert values(linuxcnc(files=alone, options={"units": "inch"}), "0", [25.4], UP) == pytest.approx([-0.0254], abs=1e-7)
+        assert values(
+            linuxcnc(files=alone, options={"units": "inch"}), "0", [25.4], UP
+        ) == pytest.approx([-0.0254], abs=1e-7)
         rotary = linuxcnc(files=alone, options={"units": "inch"}, kinds={"0": AxisKind.ROTARY})
         assert values(rotary, "0", [1.0], UP) == pytest.approx([-0.001], abs=SINGLE)
 
     def test_ini_is_searched_as_the_control_searches_it(self) -> None:
         machine = (
-            "[TRAJ]\nLINEAR_UNITS = mm\n[JOINT_0]\nTYPE = LINEAR\n#COMP_FILE = other\nCOMP_FILE_TYPE_X = 1\n"
-            "COMP_FILE_TYPE=1 # trims\n"
-            "COMP_FILE = a\n[JOINT_1]\nBACKLASH =\n[JOINT_0]\nBACKLASH = 5\n[JOINT_10]\nBACKLASH = 0.5\n"
+            "[TRAJ]\nLINEAR_UNITS = mm\n[JOINT_0]\nTYPE = LINEAR\n#COMP_FILE ="
+            " other\nCOMP_FILE_TYPE_X = 1\nCOMP_FILE_TYPE=1 # trims\nCOMP_FILE ="
+            " a\n[JOINT_1]\nBACKLASH =\n[JOINT_0]\nBACKLASH = 5\n[JOINT_10]\nBACKLASH = 0.5\n"
         )
         control = linuxcnc(files={"m.ini": machine, "a": "0 0.01 0.02\n"})
         assert control.addresses() == ("0", "1", "10")
@@ -356,7 +427,8 @@ class TestLinuxCnc:
         assert values(control, "1", [0], UP) == [0.75]
 
     def test_longest_line(self) -> None:
-        # 254 bytes with the line end still are one row; one more, and the line end is left over as a line without numbers
+        # 254 bytes with the line end still are one row; one more, and the line end is left over as
+        # a line without numbers
         for length, rows in ((254, 3), (255, 1)):
             first, rest = OBSERVED.split("\n", 1)
             assert comp(first.ljust(length - 1) + "\n" + rest).nodes("0").size == rows
@@ -364,10 +436,16 @@ class TestLinuxCnc:
     def test_included_joint_file(self) -> None:
         part = "[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 1\nBACKLASH = 0\n"
         machine = "[TRAJ]\nLINEAR_UNITS = mm\n#INCLUDE joint_0.ini\nTYPE = LINEAR\n"
-        control = linuxcnc(files={"m.ini": machine, "joint_0.ini": part, "joint_0.comp": "0 0.01 0.02\n"})
+        control = linuxcnc(
+            files={"m.ini": machine, "joint_0.ini": part, "joint_0.comp": "0 0.01 0.02\n"}
+        )
         assert values(control, "0", [1], UP) == pytest.approx([0.01], abs=SINGLE)
         assert control.notes == ()
-        keys_only = {"m.ini": "[JOINT_0]\n#INCLUDE keys.inc\n", "keys.inc": part.split("\n", 1)[1], "joint_0.comp": "0 0.01 0.02\n"}
+        keys_only = {
+            "m.ini": "[JOINT_0]\n#INCLUDE keys.inc\n",
+            "keys.inc": part.split("\n", 1)[1],
+            "joint_0.comp": "0 0.01 0.02\n",
+        }
         control = linuxcnc(files=keys_only)
         assert values(control, "0", [1], UP) == pytest.approx([0.01], abs=SINGLE)
         assert control.notes == ()
@@ -394,7 +472,9 @@ class TestLinuxCnc:
 
     def test_contradicting_inis(self) -> None:
         with pytest.raises(InputError, match="differs"):
-            linuxcnc(files={"a.ini": "[JOINT_0]\nBACKLASH = 1\n", "b.ini": "[JOINT_0]\nBACKLASH = 2\n"})
+            linuxcnc(
+                files={"a.ini": "[JOINT_0]\nBACKLASH = 1\n", "b.ini": "[JOINT_0]\nBACKLASH = 2\n"}
+            )
 
     def test_not_finite_numbers_give_no_number(self) -> None:
         for text in ("0 0 0\n1 nan 1\n", "0 0 inf\n", "0 0 1e300\n"):
@@ -414,7 +494,8 @@ class TestNumbers:
 
     @pytest.mark.skipif(libc is None, reason="compares with the C library of Linux")
     @given(
-        st.text(alphabet="0123456789.-+eExXpPinfatyINF# ,\t\r(_", max_size=24) | st.text(alphabet="0123456789.eE+- ", max_size=30)
+        st.text(alphabet="0123456789.-+eExXpPinfatyINF# ,\t\r(_", max_size=24)
+        | st.text(alphabet="0123456789.eE+- ", max_size=30)
     )
     @example("1 2 infi")
     @example("infinity 2 -inf")
@@ -427,7 +508,9 @@ class TestNumbers:
     def test_as_scanf_does(self, text: str) -> None:
         assert self.libc is not None
         found = [ctypes.c_double() for _ in range(3)]
-        count = self.libc.sscanf(text.encode(), b"%lf %lf %lf", *[ctypes.byref(number) for number in found])
+        count = self.libc.sscanf(
+            text.encode(), b"%lf %lf %lf", *[ctypes.byref(number) for number in found]
+        )
         mine = three_numbers(text.encode())
         assert (mine is not None) == (count == 3)
         if mine is not None:
@@ -456,7 +539,9 @@ class TestContract:
                 control.correction("AX7", np.zeros(1), UP)
 
     def test_reference_return_is_assumed_and_listed(self) -> None:
-        assert any(a.fact == "reference_return of AX1" and a.value == "+" for a in siemens(EEC).assumed)
+        assert any(
+            a.fact == "reference_return of AX1" and a.value == "+" for a in siemens(EEC).assumed
+        )
         by_option = siemens("$MA_BACKLASH[0,AX1]=0.012\n", options={"reference_return": "-"})
         assert values(by_option, "AX1", [0], UP) == [0.012]
         with pytest.raises(UsageError, match="reference_return"):
@@ -467,7 +552,10 @@ class TestContract:
         for control, address in ((siemens(EEC), "AX1"), (comp(OBSERVED), "0")):
             assert control.correction(address, grid, DOWN).shape == (3, 4)
             assert control.correction(address, np.array(5.0), DOWN).shape == ()
-            assert np.array_equal(control.correction(address, grid, UP).ravel(), control.correction(address, grid.ravel(), UP))
+            assert np.array_equal(
+                control.correction(address, grid, UP).ravel(),
+                control.correction(address, grid.ravel(), UP),
+            )
 
 
 def ask_everything(format_id: str, files: list[ControlFile]) -> None:
@@ -479,7 +567,9 @@ def ask_everything(format_id: str, files: list[ControlFile]) -> None:
     for address in control.addresses():
         for direction in Direction:
             assert control.correction(address, np.linspace(-1e3, 1e3, 7), direction).shape == (7,)
-        assert np.all(np.diff(control.nodes(address)) > 0) or not np.all(np.isfinite(control.nodes(address)))
+        assert np.all(np.diff(control.nodes(address)) > 0) or not np.all(
+            np.isfinite(control.nodes(address))
+        )
 
 
 def mutated(text: str) -> st.SearchStrategy[bytes]:
@@ -489,11 +579,17 @@ def mutated(text: str) -> st.SearchStrategy[bytes]:
     def apply(edits: list[tuple[int, int, bytes]]) -> bytes:
         result = content
         for start, length, new in edits:
-            result = result[: start % (len(result) + 1)] + new + result[start % (len(result) + 1) + length :]
+            result = (
+                result[: start % (len(result) + 1)]
+                + new
+                + result[start % (len(result) + 1) + length :]
+            )
         return result
 
     edit = st.tuples(
-        st.integers(0, 400), st.integers(0, 40), st.binary(max_size=4) | st.sampled_from([b"\n", b",", b"-", b"9", b"[", b"="])
+        st.integers(0, 400),
+        st.integers(0, 40),
+        st.binary(max_size=4) | st.sampled_from([b"\n", b",", b"-", b"9", b"[", b"="]),
     )
     return st.lists(edit, min_size=1, max_size=4).map(apply)
 
@@ -502,25 +598,45 @@ def mutated(text: str) -> st.SearchStrategy[bytes]:
 @settings(max_examples=400, deadline=None)
 def test_any_bytes_sinumerik(content: bytes, other: bytes) -> None:
     ask_everything("siemens-840d-sl", [ControlFile("a.ini", content)])
-    ask_everything("siemens-840d-sl", [ControlFile("a.ini", EEC.encode()), ControlFile("b.ini", content), ControlFile("c", other)])
+    ask_everything(
+        "siemens-840d-sl",
+        [
+            ControlFile("a.ini", EEC.encode()),
+            ControlFile("b.ini", content),
+            ControlFile("c", other),
+        ],
+    )
 
 
-INI = "[TRAJ]\nLINEAR_UNITS = mm\n[JOINT_0]\nTYPE = LINEAR\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 0\nBACKLASH = 0.01\n"
+INI = (
+    "[TRAJ]\nLINEAR_UNITS = mm\n[JOINT_0]\nTYPE = LINEAR\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE"
+    " = 0\nBACKLASH = 0.01\n"
+)
 
 
-@given(table=st.binary(max_size=300) | mutated(OBSERVED), ini=st.binary(max_size=200) | mutated(INI))
+@given(
+    table=st.binary(max_size=300) | mutated(OBSERVED), ini=st.binary(max_size=200) | mutated(INI)
+)
 @settings(max_examples=400, deadline=None)
 def test_any_bytes_linuxcnc(table: bytes, ini: bytes) -> None:
     ask_everything("linuxcnc", [ControlFile("joint_0.comp", table)])
-    ask_everything("linuxcnc", [ControlFile("joint_0.comp", table), ControlFile("joint_0.ini", INI.encode())])
-    ask_everything("linuxcnc", [ControlFile("joint_0.comp", table), ControlFile("joint_0.ini", ini)])
+    ask_everything(
+        "linuxcnc", [ControlFile("joint_0.comp", table), ControlFile("joint_0.ini", INI.encode())]
+    )
+    ask_everything(
+        "linuxcnc", [ControlFile("joint_0.comp", table), ControlFile("joint_0.ini", ini)]
+    )
 
 
-def slow_value(x: float, nodes: Sequence[float] | np.ndarray, column: Sequence[float] | np.ndarray) -> float:
+def slow_value(
+    x: float, nodes: Sequence[float] | np.ndarray, column: Sequence[float] | np.ndarray
+) -> float:
     """Linear interpolation by search, one position at a time; the end values held outside."""
     if x < nodes[0]:
         return float(column[0])
     for i in range(len(nodes) - 1):
         if nodes[i] <= x <= nodes[i + 1]:
-            return float(column[i] + (column[i + 1] - column[i]) * (x - nodes[i]) / (nodes[i + 1] - nodes[i]))
+            return float(
+                column[i] + (column[i + 1] - column[i]) * (x - nodes[i]) / (nodes[i + 1] - nodes[i])
+            )
     return float(column[-1])

@@ -1,4 +1,6 @@
-"""The virtual FANUC against the manual's numbers, tables worked by hand, and a brute-force walk over the points."""
+"""The virtual FANUC against the manual's numbers, tables worked by hand, and a brute-force walk
+over the points.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +25,8 @@ UM = {"detection_unit": 0.001}
 # Corrections are whole pulses times the detection unit: only the rounding of doubles remains. mm.
 EXACT = 1e-15
 
-# The complete 30i example: X, interval 50 mm, reference number 40, -200..200 mm, and its totals in µm by node.
+# The complete 30i example: X, interval 50 mm, reference number 40, -200..200 mm, and its totals in
+# µm by node.
 PARAMETERS = """%
 N01851Q1A1P4A2P0A3P6
 N03605Q1A1P00000000A2P00000000A3P00000000
@@ -76,7 +79,9 @@ point,position,value,unit
 """
 
 
-def control(*texts: str | bytes, form: str = "fanuc-30i", name: str = "f{}.txt", **request: Any) -> VirtualControl:
+def control(
+    *texts: str | bytes, form: str = "fanuc-30i", name: str = "f{}.txt", **request: Any
+) -> VirtualControl:
     contents = [text if isinstance(text, bytes) else text.encode("latin-1") for text in texts]
     files = [ControlFile(name.format(i), content) for i, content in enumerate(contents)]
     return virtual_control(form, files, **{"options": UM, **request})
@@ -86,12 +91,21 @@ def sheet(text: str, name: str = "entry_X.csv", **request: Any) -> VirtualContro
     return control(text, name=name, **request)
 
 
-def values(box: VirtualControl, positions: Sequence[float], direction: Direction, address: str = "1") -> list[float]:
+def values(
+    box: VirtualControl, positions: Sequence[float], direction: Direction, address: str = "1"
+) -> list[float]:
     return [float(value) for value in box.correction(address, np.array(positions), direction)]
 
 
 def table_text(
-    increments: Mapping[int, int], *, reference: int, lowest: int, highest: int, interval: float, more: str = "", factor: int = 1
+    increments: Mapping[int, int],
+    *,
+    reference: int,
+    lowest: int,
+    highest: int,
+    interval: float,
+    more: str = "",
+    factor: int = 1,
 ) -> str:
     """A minimal 30i file of axis 1 with these increments."""
     return (
@@ -102,7 +116,9 @@ def table_text(
 
 
 def walked(increments: Mapping[int, int], reference: int, interval: float, x: float) -> int:
-    """Pulses on the way from the reference to ``x``, counted one section at a time; each comes in the middle of its section."""
+    """Pulses on the way from the reference to ``x``, counted one section at a time; each comes in
+    the middle of its section.
+    """
     pulses = 0
     for number, pulse in increments.items():
         middle = (number - reference - 0.5) * interval
@@ -116,8 +132,12 @@ def walked(increments: Mapping[int, int], reference: int, interval: float, x: fl
 class TestPitch:
     def test_example_gives_its_printed_totals_in_both_directions(self) -> None:
         box = control(WHOLE)
-        assert values(box, list(TOTALS), UP) == pytest.approx([t / 1000 for t in TOTALS.values()], abs=EXACT)
-        assert values(box, list(TOTALS), DOWN) == pytest.approx([(t - 4) / 1000 for t in TOTALS.values()], abs=EXACT)
+        assert values(box, list(TOTALS), UP) == pytest.approx(
+            [t / 1000 for t in TOTALS.values()], abs=EXACT
+        )
+        assert values(box, list(TOTALS), DOWN) == pytest.approx(
+            [(t - 4) / 1000 for t in TOTALS.values()], abs=EXACT
+        )
         assert box.nodes("1").tolist() == list(TOTALS)
         assert box.addresses() == ("1", "2", "3")
         assert box.nodes("2").size == 0
@@ -126,7 +146,22 @@ class TestPitch:
 
     def test_pulses_come_in_the_middle_of_the_section_and_stay_outside(self) -> None:
         box = control(WHOLE)
-        at = [-1e6, -201, -175.1, -175.0, -25.1, -24.9, 24.9, 25.0, 74.9, 75.1, 174.9, 175.1, 201, 1e6]
+        at = [
+            -1e6,
+            -201,
+            -175.1,
+            -175.0,
+            -25.1,
+            -24.9,
+            24.9,
+            25.0,
+            74.9,
+            75.1,
+            174.9,
+            175.1,
+            201,
+            1e6,
+        ]
         wanted = [0, 0, 0, 1, -1, 0, 0, 2, 2, 3, 3, 2, 2, 2]
         assert values(box, at, UP) == pytest.approx([t / 1000 for t in wanted], abs=EXACT)
 
@@ -142,7 +177,8 @@ class TestPitch:
             assert values(box, [x], UP)[0] == pytest.approx(wanted / 1000, abs=EXACT)
 
     def test_totals_at_the_places_of_the_manual_figure(self) -> None:
-        # interval 50 mm, numbers 33 to 48, reference 40 (0i-PB manual p. 100); own increments that give the figure's totals
+        # interval 50 mm, numbers 33 to 48, reference 40 (0i-PB manual p. 100); own increments that
+        # give the figure's totals
         increments = {
             33: 2,
             34: 2,
@@ -162,12 +198,18 @@ class TestPitch:
             48: 0,
         }
         box = control(table_text(increments, reference=40, lowest=33, highest=48, interval=50.0))
-        assert values(box, [-400, -250, 0, 100, 400], UP) == pytest.approx([0, 0.004, 0, 0.003, 0], abs=EXACT)
+        assert values(box, [-400, -250, 0, 100, 400], UP) == pytest.approx(
+            [0, 0.004, 0, 0.003, 0], abs=EXACT
+        )
         assert box.nodes("1")[[0, -1]].tolist() == [-400, 400]
 
     def test_manual_rule_of_the_extreme_numbers(self) -> None:
         # -400..800 mm at 50 mm with reference 40: numbers 33 to 56
-        box = control(table_text(dict.fromkeys(range(33, 57), 0), reference=40, lowest=33, highest=56, interval=50.0))
+        box = control(
+            table_text(
+                dict.fromkeys(range(33, 57), 0), reference=40, lowest=33, highest=56, interval=50.0
+            )
+        )
         assert box.nodes("1")[[0, -1]].tolist() == [-400, 800]
 
     @given(
@@ -184,14 +226,24 @@ class TestPitch:
         numbered = dict(enumerate(increments, start=lowest))
         reference = data.draw(st.sampled_from(list(numbered)))
         text = table_text(
-            numbered, reference=reference, lowest=lowest, highest=lowest + len(increments) - 1, interval=interval, factor=factor
+            numbered,
+            reference=reference,
+            lowest=lowest,
+            highest=lowest + len(increments) - 1,
+            interval=interval,
+            factor=factor,
         )
-        x = [interval * data.draw(st.integers(-140, 140)) / 4 + interval / 16 for _ in range(20)]  # never on a middle
+        x = [
+            interval * data.draw(st.integers(-140, 140)) / 4 + interval / 16 for _ in range(20)
+        ]  # never on a middle
         wanted = [factor * 0.001 * walked(numbered, reference, interval, at) for at in x]
-        assert values(control(text), x, UP) == pytest.approx(wanted, abs=1e-12)  # mm; doubles of up to 400 mm
+        assert values(control(text), x, UP) == pytest.approx(
+            wanted, abs=1e-12
+        )  # mm; doubles of up to 400 mm
 
     def test_known_error_is_removed_to_half_a_pulse(self) -> None:
-        # error = actual - commanded, 12 µm per 400 mm with a wave; the cumulative curve is rounded, then differenced
+        # error = actual - commanded, 12 µm per 400 mm with a wave; the cumulative curve is rounded,
+        # then differenced
         nodes = np.arange(-200, 201, 25.0)
         error = 30e-6 * nodes + 0.003 * np.sin(nodes / 60)
         totals = np.round(-(error - error[8]) / 0.001).astype(int)
@@ -204,7 +256,9 @@ class TestPitch:
     def test_grid_hangs_on_the_reference_position(self) -> None:
         box = control(WHOLE, reference={"1": -350.0})
         shifted = [node - 350 for node in TOTALS]
-        assert values(box, shifted, UP) == pytest.approx([t / 1000 for t in TOTALS.values()], abs=EXACT)
+        assert values(box, shifted, UP) == pytest.approx(
+            [t / 1000 for t in TOTALS.values()], abs=EXACT
+        )
         assert box.nodes("1").tolist() == shifted
         assert any("machine zero (unconfirmed)" in note for note in box.notes)
         assert not any("machine zero" in note for note in control(WHOLE).notes)
@@ -214,17 +268,29 @@ class TestPitch:
 
     def test_magnification_and_detection_unit_multiply(self) -> None:
         text = WHOLE.replace("N03623Q1A1P1", "N03623Q1A1P3")
-        assert values(control(text, options={"detection_unit": "0.0005"}), [100], UP) == [pytest.approx(0.0045, abs=EXACT)]
+        assert values(control(text, options={"detection_unit": "0.0005"}), [100], UP) == [
+            pytest.approx(0.0045, abs=EXACT)
+        ]
         # backlash is not magnified: 3 * 3 - 4 pulses
         assert values(control(text), [100], DOWN) == [pytest.approx(0.005, abs=EXACT)]
 
     def test_travel_from_and_to_the_reference(self) -> None:
         # 0..100 mm: 3621 = r with increment 0 at r; -100..0: 3622 = r + 1 with increment 0 there
-        ahead = control(table_text({40: 0, 41: 3, 42: 1}, reference=40, lowest=40, highest=42, interval=50.0))
-        assert values(ahead, [-100, -50, 0, 50, 100, 150], UP) == pytest.approx([0, 0, 0, 0.003, 0.004, 0.004], abs=EXACT)
-        behind = control(table_text({39: 3, 40: 1, 41: 0}, reference=40, lowest=39, highest=41, interval=50.0))
-        assert values(behind, [-150, -100, -50, 0, 50], UP) == pytest.approx([-0.004, -0.004, -0.001, 0, 0], abs=EXACT)
-        ends = control(table_text({39: 3, 40: 1}, reference=40, lowest=39, highest=40, interval=50.0))
+        ahead = control(
+            table_text({40: 0, 41: 3, 42: 1}, reference=40, lowest=40, highest=42, interval=50.0)
+        )
+        assert values(ahead, [-100, -50, 0, 50, 100, 150], UP) == pytest.approx(
+            [0, 0, 0, 0.003, 0.004, 0.004], abs=EXACT
+        )
+        behind = control(
+            table_text({39: 3, 40: 1, 41: 0}, reference=40, lowest=39, highest=41, interval=50.0)
+        )
+        assert values(behind, [-150, -100, -50, 0, 50], UP) == pytest.approx(
+            [-0.004, -0.004, -0.001, 0, 0], abs=EXACT
+        )
+        ends = control(
+            table_text({39: 3, 40: 1}, reference=40, lowest=39, highest=40, interval=50.0)
+        )
         assert values(ends, [-100, 0, 500], UP) == pytest.approx([-0.004, 0, 0], abs=EXACT)
 
     def test_sign_of_the_data_is_an_option(self) -> None:
@@ -241,21 +307,26 @@ class TestPitch:
 
 class TestBacklash:
     @pytest.mark.parametrize(("returning", "up", "down"), [(UP, 0.0, -0.012), (DOWN, 0.012, 0.0)])
-    def test_acts_against_the_reference_return(self, returning: Direction, up: float, down: float) -> None:
+    def test_acts_against_the_reference_return(
+        self, returning: Direction, up: float, down: float
+    ) -> None:
         box = control("%\nN01851Q1A1P12\n%\n", reference_return={"1": returning})
         assert values(box, [5.0], UP) == [up]
         assert values(box, [5.0], DOWN) == [down]
         assert any(a.fact == "pitch error compensation of 1" for a in box.assumed)
 
     def test_lost_motion_is_removed(self) -> None:
-        # lost motion of 12 µm: arriving downward the axis stands 12 µm too high; 1851 = B / u with B > 0 for lost motion
+        # lost motion of 12 µm: arriving downward the axis stands 12 µm too high; 1851 = B / u with
+        # B > 0 for lost motion
         error = {UP: 0.0, DOWN: 0.012}
         box = control("%\nN01851Q1A1P12\n%\n")
         actual = [error[d] + values(box, [100.0], d)[0] for d in (UP, DOWN)]
         assert actual[0] == pytest.approx(actual[1], abs=EXACT)
 
     def test_absent_is_zero_and_said(self) -> None:
-        box = control(table_text({40: 1, 41: 0}, reference=40, lowest=40, highest=41, interval=50.0))
+        box = control(
+            table_text({40: 1, 41: 0}, reference=40, lowest=40, highest=41, interval=50.0)
+        )
         assert values(box, [0], DOWN) == [0.0]
         assert any(a.fact == "backlash 1851 of 1" and a.value == "0" for a in box.assumed)
 
@@ -264,11 +335,20 @@ class TestBacklash:
         box = control(text)
         assert values(box, [0], DOWN) == [-0.012]
         assert any("1852 = 20" in note for note in box.notes)
-        assert not any("1852" in note for note in control(text.replace("P00010000", "P00100000")).notes)
+        assert not any(
+            "1852" in note for note in control(text.replace("P00010000", "P00100000")).notes
+        )
 
 
 TURN = {61: 2, 62: 1, 63: 0, 64: -3, 65: -1, 66: 2, 67: 0, 68: -1}
-ROTARY = table_text({60: -1, **TURN}, reference=60, lowest=60, highest=68, interval=45.0, more="N01006Q1A1P00000001\n")
+ROTARY = table_text(
+    {60: -1, **TURN},
+    reference=60,
+    lowest=60,
+    highest=68,
+    interval=45.0,
+    more="N01006Q1A1P00000001\n",
+)
 
 
 class TestRotary:
@@ -276,8 +356,11 @@ class TestRotary:
         box = control(ROTARY)
         totals = [0, 2, 3, 3, 0, -1, 1, 1, 0]
         assert box.nodes("1").tolist() == [45.0 * i for i in range(9)]
-        assert values(box, list(box.nodes("1")), UP) == pytest.approx([t / 1000 for t in totals], abs=EXACT)
-        # one turn further, one back, across zero: -45 is 315; the step of section 61 comes at 22.5 deg
+        assert values(box, list(box.nodes("1")), UP) == pytest.approx(
+            [t / 1000 for t in totals], abs=EXACT
+        )
+        # one turn further, one back, across zero: -45 is 315; the step of section 61 comes at 22.5
+        # deg
         assert values(box, [405, -45, -315, 750, 22.4, 22.6, 359.9, -0.1], UP) == pytest.approx(
             [0.002, 0.001, 0.002, 0.002, 0, 0.002, 0, 0], abs=EXACT
         )
@@ -285,23 +368,31 @@ class TestRotary:
 
     def test_ramp_closes(self) -> None:
         box = control(ROTARY, options={**UM, "output": "ramp"})
-        assert values(box, [-22.5, 337.5, 0, 360], UP) == pytest.approx([0.0005, 0.0005, 0, 0], abs=EXACT)
+        assert values(box, [-22.5, 337.5, 0, 360], UP) == pytest.approx(
+            [0.0005, 0.0005, 0, 0], abs=EXACT
+        )
 
     def test_hangs_on_the_reference(self) -> None:
         box = control(ROTARY, reference={"1": 30.0})
-        assert values(box, [30, 75, 120, 390, -330], UP) == pytest.approx([0, 0.002, 0.003, 0, 0], abs=EXACT)
+        assert values(box, [30, 75, 120, 390, -330], UP) == pytest.approx(
+            [0, 0.002, 0.003, 0, 0], abs=EXACT
+        )
 
     def test_sum_over_the_turn(self) -> None:
         with pytest.raises(InputError, match="creeps by 3 detection units each turn"):
             control(ROTARY.replace("N10068Q0P-1", "N10068Q0P2"))
         with pytest.raises(InputError, match="creeps by -6 detection units"):
-            control(ROTARY.replace("N10068Q0P-1", "N10068Q0P-4").replace("N03623Q1A1P1", "N03623Q1A1P2"))
+            control(
+                ROTARY.replace("N10068Q0P-1", "N10068Q0P-4").replace("N03623Q1A1P1", "N03623Q1A1P2")
+            )
 
     def test_point_of_the_reference(self) -> None:
         box = control(ROTARY.replace("N10060Q0P-1", "N10060Q0P5"))
         assert values(box, [315], UP) == [0.001]
         assert any("60 and 68" in note for note in box.notes)
-        assert any("60 and 68" in note for note in control(ROTARY.replace("N10060Q0P-1\n", "")).notes)
+        assert any(
+            "60 and 68" in note for note in control(ROTARY.replace("N10060Q0P-1\n", "")).notes
+        )
 
     def test_turn_of_3625(self) -> None:
         text = ROTARY.replace("N01006", "N03625Q1A1P180.0\nN01006").replace("P45.0", "P22.5")
@@ -311,19 +402,39 @@ class TestRotary:
     @pytest.mark.parametrize(
         ("text", "request_", "says"),
         [
-            (ROTARY.replace("N03622Q1A1P68", "N03622Q1A1P67"), {"modulo": {"1": 360.0}}, "3622 = 3620 + 8"),
-            (ROTARY.replace("N03622Q1A1P68", "N03622Q1A1P67\nN03625Q1A1P360.0"), {}, "3622 = 3620 + 8"),
             (
-                ROTARY.replace("N03621Q1A1P60", "N03621Q1A1P61").replace("N03620Q1A1P60", "N03620Q1A1P61"),
+                ROTARY.replace("N03622Q1A1P68", "N03622Q1A1P67"),
+                {"modulo": {"1": 360.0}},
+                "3622 = 3620 + 8",
+            ),
+            (
+                ROTARY.replace("N03622Q1A1P68", "N03622Q1A1P67\nN03625Q1A1P360.0"),
+                {},
+                "3622 = 3620 + 8",
+            ),
+            (
+                ROTARY.replace("N03621Q1A1P60", "N03621Q1A1P61").replace(
+                    "N03620Q1A1P60", "N03620Q1A1P61"
+                ),
                 {"modulo": {"1": 360.0}},
                 "+ 8",
             ),
-            (ROTARY.replace("N03621Q1A1P60", "N03621Q1A1P59\nN10059Q0P0"), {"modulo": {"1": 360.0}}, "go once round"),
+            (
+                ROTARY.replace("N03621Q1A1P60", "N03621Q1A1P59\nN10059Q0P0"),
+                {"modulo": {"1": 360.0}},
+                "go once round",
+            ),
             (ROTARY, {"modulo": {"1": 180.0}}, "turn of axis 1"),
-            (WHOLE, {"modulo": {"1": 360.0}, "kinds": {"1": AxisKind.LINEAR}}, "is linear but was said to be endless"),
+            (
+                WHOLE,
+                {"modulo": {"1": 360.0}, "kinds": {"1": AxisKind.LINEAR}},
+                "is linear but was said to be endless",
+            ),
         ],
     )
-    def test_numbers_that_do_not_go_round(self, text: str, request_: dict[str, Any], says: str) -> None:
+    def test_numbers_that_do_not_go_round(
+        self, text: str, request_: dict[str, Any], says: str
+    ) -> None:
         with pytest.raises(InputError) as caught:
             control(text, **request_)
         assert says in str(caught.value)
@@ -331,11 +442,14 @@ class TestRotary:
     def test_axis_with_ends(self) -> None:
         text = table_text({60: 0, 61: 2, 62: 1}, reference=60, lowest=60, highest=62, interval=45.0)
         box = control(text, kinds={"1": AxisKind.ROTARY})
-        assert values(box, [-45, 0, 45, 90, 135, 405], UP) == pytest.approx([0, 0, 0.002, 0.003, 0.003, 0.003], abs=EXACT)
+        assert values(box, [-45, 0, 45, 90, 135, 405], UP) == pytest.approx(
+            [0, 0, 0.002, 0.003, 0.003, 0.003], abs=EXACT
+        )
         assert any("rotary axis with ends" in note for note in box.notes)
 
 
-# A-77810E: reference 23, numbers 20 to 27, towards - from 30, interval 10 mm, 3627 = -4; increments are our own.
+# A-77810E: reference 23, numbers 20 to 27, towards - from 30, interval 10 mm, 3627 = -4; increments
+# are our own.
 TOWARDS_PLUS = {20: 1, 21: 0, 22: -2, 23: 3, 24: 2, 25: -1, 26: 0, 27: 1}
 TOWARDS_MINUS = {30: 0, 31: 2, 32: -1, 33: 1, 34: 1, 35: 0, 36: -2, 37: 3}
 BOTH = table_text(
@@ -383,15 +497,24 @@ class TestBidirectional:
         assert values(magnified, [0, 40], DOWN) == pytest.approx([-0.012, -0.006], abs=EXACT)
 
     def test_reversal_error_of_a_machine_is_removed(self) -> None:
-        # towards + and towards - the table stands off differently at each node; totals P and N, 3627 = N(0) - P(0) with P(0) = 0
+        # towards + and towards - the table stands off differently at each node; totals P and N,
+        # 3627 = N(0) - P(0) with P(0) = 0
         nodes = np.arange(-40, 41, 10.0)
         error = {UP: 1e-4 * nodes, DOWN: 0.008 + 5e-5 * nodes}
         total = {d: np.round(-e / 0.001).astype(int) for d, e in error.items()}
-        steps = {start + i: int(c) for start, d in ((20, UP), (30, DOWN)) for i, c in enumerate(np.diff(total[d]))}
+        steps = {
+            start + i: int(c)
+            for start, d in ((20, UP), (30, DOWN))
+            for i, c in enumerate(np.diff(total[d]))
+        }
         more = f"N03605Q1A1P00000001\nN03626Q1A1P30\nN03627Q1A1P{total[DOWN][4]}\n"
-        box = control(table_text(steps, reference=23, lowest=20, highest=27, interval=10.0, more=more))
+        box = control(
+            table_text(steps, reference=23, lowest=20, highest=27, interval=10.0, more=more)
+        )
         for d in (UP, DOWN):
-            assert np.max(np.abs(error[d] + box.correction("1", nodes, d))) <= 0.0005 + 1e-12  # mm; half a pulse and a tie
+            assert (
+                np.max(np.abs(error[d] + box.correction("1", nodes, d))) <= 0.0005 + 1e-12
+            )  # mm; half a pulse and a tie
 
     @pytest.mark.parametrize(
         ("old", "new", "says"),
@@ -411,17 +534,27 @@ class TestBidirectional:
         assert says in str(caught.value)
 
     def test_up_to_the_last_number(self) -> None:
-        # eight points from 1528 end at 1535, the last of a 30i; and a set may follow the other without a gap
+        # eight points from 1528 end at 1535, the last of a 30i; and a set may follow the other
+        # without a gap
         for start in (1528, 28):
             text = BOTH.replace("N03626Q1A1P30", f"N03626Q1A1P{start}")
             for number in TOWARDS_MINUS:
                 text = text.replace(f"N{10000 + number}Q0", f"N{10000 + number - 30 + start}Q0")
-            assert values(control(text), NODES, DOWN) == pytest.approx([(m - 4) / 1000 for m in MINUS], abs=EXACT)
+            assert values(control(text), NODES, DOWN) == pytest.approx(
+                [(m - 4) / 1000 for m in MINUS], abs=EXACT
+            )
 
     def test_endless_axis(self) -> None:
         more = "N01006Q1A1P00000001\nN03605Q1A1P00000001\nN03626Q1A1P70\nN03627Q1A1P5\n"
         mirrored = {70: 0, **{n + 10: -c for n, c in TURN.items()}}
-        text = table_text({60: -1, **TURN, **mirrored}, reference=60, lowest=60, highest=68, interval=45.0, more=more)
+        text = table_text(
+            {60: -1, **TURN, **mirrored},
+            reference=60,
+            lowest=60,
+            highest=68,
+            interval=45.0,
+            more=more,
+        )
         box = control(text)
         assert values(box, [90, 450, 0], DOWN) == pytest.approx([0.002, 0.002, 0.005], abs=EXACT)
         with pytest.raises(InputError, match="creeps by 1 "):
@@ -436,9 +569,13 @@ def in_style(*changes: tuple[str, str]) -> str:
 
 
 SPACED = "\n".join(
-    line
-    if line == "%"
-    else "".join(f" {c} " if c in "PA" else c for c in line.replace("Q1", "").replace("Q0", "")).replace("P  ", "P ")
+    (
+        line
+        if line == "%"
+        else "".join(
+            f" {c} " if c in "PA" else c for c in line.replace("Q1", "").replace("Q0", "")
+        ).replace("P  ", "P ")
+    )
     for line in WHOLE.replace("M50.0", "P50.0").replace("M0.0", "P0.0").splitlines()
 )
 
@@ -459,9 +596,16 @@ class TestText:
             in_style(("Q1A1", "Q1L1A1"), ("Q0P", "Q0L1P")),
             in_style(("A3P6", "A3P6S1P77"), ("M50.0", "P50.000")),
             in_style(("A1P40A2P0A3P0", "A3P0A2P0A1P40")),
-            in_style(("N03620", "(REFERENCE (NUMBER\nN03620")).replace("(REFERENCE (NUMBER", "(REFERENCE NUMBER)"),
+            in_style(("N03620", "(REFERENCE (NUMBER\nN03620")).replace(
+                "(REFERENCE (NUMBER", "(REFERENCE NUMBER)"
+            ),
             in_style(("Q1A1P40", "Q1A1P40 (NUMBER)")),
-            in_style(("N03620", "N00000Q1L1P00000010\nN01320Q1A1P-1.0A2P-1.0\nN08130Q1L1P3\nN01240Q1A1M-1.0E\nN03620")),
+            in_style(
+                (
+                    "N03620",
+                    "N00000Q1L1P00000010\nN01320Q1A1P-1.0A2P-1.0\nN08130Q1L1P3\nN01240Q1A1M-1.0E\nN03620",
+                )
+            ),
             in_style(("N10037", "N11222Q1P00000001\nN14340Q1P1\nN13140Q1S1P5\nN10037")),
             in_style(("%", "")),
             WHOLE.removeprefix("%\n"),
@@ -480,13 +624,21 @@ class TestText:
                 assert np.array_equal(box.correction(address, positions, direction), expected)
 
     def test_parameters_and_points_in_two_files(self) -> None:
-        for texts in ((PARAMETERS, POINTS), (POINTS, PARAMETERS), (PARAMETERS, POINTS, POINTS, WHOLE)):
-            assert values(control(*texts), list(TOTALS), UP) == pytest.approx([t / 1000 for t in TOTALS.values()], abs=EXACT)
+        for texts in (
+            (PARAMETERS, POINTS),
+            (POINTS, PARAMETERS),
+            (PARAMETERS, POINTS, POINTS, WHOLE),
+        ):
+            assert values(control(*texts), list(TOTALS), UP) == pytest.approx(
+                [t / 1000 for t in TOTALS.values()], abs=EXACT
+            )
 
     def test_program_entry(self) -> None:
         rest = "".join(f"N{10000 + n}R{c}\n" for n, c in INCREMENTS.items() if n > 38)
         box = control(PROGRAM.replace("G11", "N1851P1R4\nN3605P1Q0R0\n" + rest + "G11"))
-        assert values(box, list(TOTALS), DOWN) == pytest.approx([(t - 4) / 1000 for t in TOTALS.values()], abs=EXACT)
+        assert values(box, list(TOTALS), DOWN) == pytest.approx(
+            [(t - 4) / 1000 for t in TOTALS.values()], abs=EXACT
+        )
         parameters_behind = control(PROGRAM.replace("G11", rest + "G11\nN01851Q1A1P4"))
         assert values(parameters_behind, list(TOTALS), DOWN) == values(box, list(TOTALS), DOWN)
         with pytest.raises(InputError, match="N10039 to 10044"):
@@ -523,7 +675,9 @@ class TestText:
         metric = text.replace("P2.0", "M50.0")  # says itself what it is
         assert control(metric).nodes("1").tolist() == list(TOTALS)
         whole = text.replace("P2.0", "P20000")  # IS-B: 0.0001 inch
-        assert control(whole, form="fanuc-0i-16i").nodes("1").tolist() == pytest.approx([50.8 * i for i in range(-4, 5)])
+        assert control(whole, form="fanuc-0i-16i").nodes("1").tolist() == pytest.approx(
+            [50.8 * i for i in range(-4, 5)]
+        )
 
     @pytest.mark.parametrize(
         ("old", "new", "says"),
@@ -592,7 +746,9 @@ class TestText:
     def test_files_that_contradict_each_other(self) -> None:
         with pytest.raises(InputError, match=r"f1\.txt: line 2.*contradicts f0\.txt, line 9"):
             control(WHOLE, "%\nN10037Q0P2\n%\n")
-        with pytest.raises(InputError, match=r"parameter 3622 of axis 1 contradicts f0\.txt, line 6"):
+        with pytest.raises(
+            InputError, match=r"parameter 3622 of axis 1 contradicts f0\.txt, line 6"
+        ):
             control(WHOLE, "%\nN03622Q1A1P43\n%\n")
 
     def test_limits_of_the_series(self) -> None:
@@ -602,7 +758,9 @@ class TestText:
         control(old, form="fanuc-0i-16i", options={**UM, "increment_limit": "8"})
         control(in_style(("N10041Q0P2", "N10041Q0P-128")))
         with pytest.raises(InputError, match="-127"):
-            control(in_style(("N10041Q0P2", "N10041Q0P-127")), options={**UM, "increment_limit": 126})
+            control(
+                in_style(("N10041Q0P2", "N10041Q0P-127")), options={**UM, "increment_limit": 126}
+            )
         with pytest.raises(InputError, match="0 to 1023"):
             control(in_style(("N10044Q0P-1", "N10044Q0P-1\nN11024Q0P0")), form="fanuc-0i-16i")
         with pytest.raises(InputError, match="0 to 1023"):
@@ -610,13 +768,18 @@ class TestText:
 
     def test_shared_points(self) -> None:
         other = "%\nN03620Q1A2P{r}\nN03621Q1A2P{low}\nN03622Q1A2P{high}\nN03623Q1A2P{k}\nN03624Q1A2M50.0\n%\n"
-        mine = "".join(line + "\n" for line in WHOLE.splitlines() if not line.startswith("N036")) + "%\n"
+        mine = (
+            "".join(line + "\n" for line in WHOLE.splitlines() if not line.startswith("N036"))
+            + "%\n"
+        )
         first = "N03620Q1A1P40\nN03621Q1A1P37\nN03622Q1A1P44\nN03623Q1A1P1\nN03624Q1A1M50.0\n"
         mine = mine.replace("%\n", "%\n" + first, 1).removesuffix("%\n")
         with pytest.raises(InputError, match="points 40 to 44 belong to axis 1 and to axis 2"):
             control(mine, other.format(r=42, low=40, high=44, k=1))
         with pytest.raises(InputError, match="points 37 to 44 belong to axis 1 and to axis 2"):
-            control(mine, other.format(r=41, low=37, high=44, k=1))  # the same range, counted from another place
+            control(
+                mine, other.format(r=41, low=37, high=44, k=1)
+            )  # the same range, counted from another place
         gantry = control(mine, other.format(r=40, low=37, high=44, k=1))
         assert values(gantry, [100], UP, "2") == [0.003]
         assert any("in the same way" in note for note in gantry.notes)
@@ -635,8 +798,13 @@ class TestText:
         ):
             with pytest.raises(InputError, match=says):
                 control(in_style(("N10037", f"{line}\nN05761Q1P0\nN10037")))
-        assert any("3605#2" in note for note in control(in_style(("A1P00000000", "A1P00000100"))).notes)
-        assert any("diameter" in note for note in control(in_style(("N03605", "N01006Q1A1P00001000\nN03605"))).notes)
+        assert any(
+            "3605#2" in note for note in control(in_style(("A1P00000000", "A1P00000100"))).notes
+        )
+        assert any(
+            "diameter" in note
+            for note in control(in_style(("N03605", "N01006Q1A1P00001000\nN03605"))).notes
+        )
 
     def test_strange_lines_and_a_missing_end_are_noted(self) -> None:
         box = control(in_style(("N03620", "CNC PARAMETER\nN03620")))
@@ -657,7 +825,9 @@ class TestText:
             assert any("cut short" in note for note in box.notes)
             if box.nodes("1").size:
                 assert values(box, list(TOTALS), DOWN) == whole
-        assert read == 3  # behind 1851 and 3605, where no grid is begun, and whole but for the last %
+        assert (
+            read == 3
+        )  # behind 1851 and 3605, where no grid is begun, and whole but for the last %
 
 
 class TestSheet:
@@ -681,19 +851,31 @@ class TestSheet:
 
     def test_axis_by_address_then_axis_then_name(self) -> None:
         assert sheet(SHEET.replace("address: 1", "address: 5")).addresses() == ("5",)
-        assert sheet(SHEET.replace("# address: 1\n", "").replace("axis: X", "axis: 3")).addresses() == ("3",)
+        assert sheet(
+            SHEET.replace("# address: 1\n", "").replace("axis: X", "axis: 3")
+        ).addresses() == ("3",)
         bare = SHEET.replace("# address: 1\n", "").replace("# axis: X\n", "")
         assert sheet(bare, name="entry_2.csv").addresses() == ("2",)
         with pytest.raises(InputError, match="which controlled axis"):
             sheet(bare)
 
     def test_bidirectional_rotary(self) -> None:
-        text = "# address: 4\npoint,position,value,unit\n3620,,60,\n3621,,60,\n3622,,64,\n3623,,1,\n3624,,90,deg\n3625,,360,deg\n"
+        text = (
+            "# address:"
+            " 4\npoint,position,value,unit\n3620,,60,\n3621,,60,\n3622,,64,\n3623,,1,\n3624,,90,deg\n3625,,360,deg\n"
+        )
         text += "3605#0,,1,\n3626,,70,\n3627,,5,pulse\n"
-        text += "".join(f"{n},,{c},pulse\n" for n, c in {61: 1, 62: 2, 63: -2, 64: -1, 71: 0, 72: 3, 73: -3, 74: 0}.items())
+        text += "".join(
+            f"{n},,{c},pulse\n"
+            for n, c in {61: 1, 62: 2, 63: -2, 64: -1, 71: 0, 72: 3, 73: -3, 74: 0}.items()
+        )
         box = sheet(text)
-        assert values(box, [90, 180, 450], UP, "4") == pytest.approx([0.001, 0.003, 0.001], abs=EXACT)
-        assert values(box, [90, 180, 450], DOWN, "4") == pytest.approx([0.005, 0.008, 0.005], abs=EXACT)
+        assert values(box, [90, 180, 450], UP, "4") == pytest.approx(
+            [0.001, 0.003, 0.001], abs=EXACT
+        )
+        assert values(box, [90, 180, 450], DOWN, "4") == pytest.approx(
+            [0.005, 0.008, 0.005], abs=EXACT
+        )
 
     def test_values_that_are_errors_need_the_sign(self) -> None:
         text = SHEET.replace("correction", "error")
@@ -757,8 +939,10 @@ class TestRequest:
     @pytest.mark.parametrize(
         "option",
         [
-            {"output": "smooth"}, {"pitch_sign": 1}, {"offset_sign": "plus"}, {"offset_magnified": "maybe"}, {"increment_limit": 0},
-            {"increment_limit": 128}, {"increment_limit": 7.5}, {"increment_limit": "many"}, {"reference": "home"},
+            {"output": "smooth"}, {"pitch_sign": 1}, {"offset_sign": "plus"},
+            {"offset_magnified": "maybe"}, {"increment_limit": 0},
+            {"increment_limit": 128}, {"increment_limit": 7.5}, {"increment_limit": "many"},
+            {"reference": "home"},
             {"reference_return": "up"}, {"reference_return": ["+"]},
         ],
     )  # fmt: skip
@@ -772,7 +956,9 @@ class TestRequest:
         by_turn = control(ROTARY.replace("N01006Q1A1P00000001", "N03625Q1A1P360.0"))
         assert values(by_turn, [405], UP) == [0.002]
         assert any(a.fact == "kind of 1" and a.value == "rotary" for a in by_turn.assumed)
-        against = control(WHOLE.replace("N03605", "N01006Q1A1P00000000\nN03605"), kinds={"1": AxisKind.ROTARY})
+        against = control(
+            WHOLE.replace("N03605", "N01006Q1A1P00000000\nN03605"), kinds={"1": AxisKind.ROTARY}
+        )
         assert values(against, [405], UP) == [0.002]  # held beyond 200
         assert any("1006#0 = 0" in note for note in against.notes)
 
@@ -791,14 +977,27 @@ class TestRequest:
             box = control(WHOLE, options=options)
             assert box.correction("1", grid, DOWN).shape == (3, 4)
             assert box.correction("1", np.array(5.0), DOWN).shape == ()
-            assert np.array_equal(box.correction("1", grid, UP).ravel(), box.correction("1", grid.ravel(), UP))
+            assert np.array_equal(
+                box.correction("1", grid, UP).ravel(), box.correction("1", grid.ravel(), UP)
+            )
 
 
 class TestSpeed:
     def test_backup_of_15000_lines(self) -> None:
-        other = "".join(f"N{n:05d}Q1A1P{n % 7}A2P0A3P0A4P0A5P0\n" for n in range(4000, 9999) if not 5700 < n < 5900)
+        other = "".join(
+            f"N{n:05d}Q1A1P{n % 7}A2P0A3P0A4P0A5P0\n"
+            for n in range(4000, 9999)
+            if not 5700 < n < 5900
+        )
         data = "".join(f"N{10000 + n}Q0P{INCREMENTS.get(n, 0)}\n" for n in range(1536))
-        text = PARAMETERS.removesuffix("%\n") + other + other.replace("Q1", "") + data + "N00000Q1L1P00000010\n" * 2000 + "%\n"
+        text = (
+            PARAMETERS.removesuffix("%\n")
+            + other
+            + other.replace("Q1", "")
+            + data
+            + "N00000Q1L1P00000010\n" * 2000
+            + "%\n"
+        )
         assert text.count("\n") > 15000
         start = time.process_time()
         box = control(text)
@@ -819,13 +1018,22 @@ class TestSpeed:
         assert min(taken) < 0.1  # s of the processor; measured 0.003 and 0.008
 
     @pytest.mark.parametrize(
-        "line", ["(" * 200_000, "N03620" + "A1P1" * 50_000, "N" + "1" * 200_000, "1" * 200_000, "N3620" + " " * 200_000]
+        "line",
+        [
+            "(" * 200_000,
+            "N03620" + "A1P1" * 50_000,
+            "N" + "1" * 200_000,
+            "1" * 200_000,
+            "N3620" + " " * 200_000,
+        ],
     )
     def test_long_lines_end(self, line: str) -> None:
         start = time.process_time()
         with contextlib.suppress(InputError):
             control(WHOLE.replace("N03620", line + "\nN03620", 1))
-        assert time.process_time() - start < 1.0  # s of the processor; a quadratic search takes minutes
+        assert (
+            time.process_time() - start < 1.0
+        )  # s of the processor; a quadratic search takes minutes
 
 
 def ask_everything(files: list[ControlFile], form: str = "fanuc-30i") -> None:
@@ -853,19 +1061,44 @@ def mutated(text: str) -> st.SearchStrategy[bytes]:
             result = result[:at] + new + result[at + length :]
         return result
 
-    fragments = [b"\n", b"P", b"-", b"9", b"A", b"Q0", b"%", b".", b",", b"N10040", b"A1P1", b"(", b"\r", b"0"]
-    edit = st.tuples(st.integers(0, 600), st.integers(0, 30), st.sampled_from(fragments) | st.binary(max_size=3))
+    fragments = [
+        b"\n",
+        b"P",
+        b"-",
+        b"9",
+        b"A",
+        b"Q0",
+        b"%",
+        b".",
+        b",",
+        b"N10040",
+        b"A1P1",
+        b"(",
+        b"\r",
+        b"0",
+    ]
+    edit = st.tuples(
+        st.integers(0, 600), st.integers(0, 30), st.sampled_from(fragments) | st.binary(max_size=3)
+    )
     return st.lists(edit, min_size=1, max_size=4).map(apply)
 
 
-@given(content=st.binary(max_size=200) | mutated(WHOLE) | mutated(ROTARY) | mutated(BOTH) | mutated(PROGRAM))
+@given(
+    content=st.binary(max_size=200)
+    | mutated(WHOLE)
+    | mutated(ROTARY)
+    | mutated(BOTH)
+    | mutated(PROGRAM)
+)
 @example(b"N03620Q1A1P" + b"9" * 5000)
 @example(b"N03624Q1A1P" + b"9" * 400 + b".0")
 @example(b"N" + b"9" * 5000 + b"P1")
 @settings(max_examples=2200, deadline=None)
 def test_any_bytes(content: bytes) -> None:
     ask_everything([ControlFile("a.txt", content)])
-    ask_everything([ControlFile("a.txt", content), ControlFile("b.txt", POINTS.encode())], "fanuc-0i-16i")
+    ask_everything(
+        [ControlFile("a.txt", content), ControlFile("b.txt", POINTS.encode())], "fanuc-0i-16i"
+    )
 
 
 @given(content=st.binary(max_size=200) | mutated(SHEET))

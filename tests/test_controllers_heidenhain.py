@@ -1,4 +1,6 @@
-"""The virtual HEIDENHAIN controls against the manuals' figures and signs, worked by hand, injected errors and brute force."""
+"""The virtual HEIDENHAIN controls against the manuals' figures and signs, worked by hand, injected
+errors and brute force.
+"""
 
 from __future__ import annotations
 
@@ -66,16 +68,27 @@ def nck(files: Mapping[str, str | bytes], **request: object) -> VirtualControl:
 
 
 def control(format_id: str, files: Mapping[str, str | bytes], **request: object) -> VirtualControl:
-    given_files = [ControlFile(name, text.encode() if isinstance(text, str) else text) for name, text in files.items()]
-    return virtual_control(format_id, given_files, **request)  # type: ignore[arg-type]  # keywords pass through
+    given_files = [
+        ControlFile(name, text.encode() if isinstance(text, str) else text)
+        for name, text in files.items()
+    ]
+    # # keywords pass through
+    return virtual_control(format_id, given_files, **request)  # type: ignore[arg-type]
 
 
-def values(loaded: VirtualControl, address: str, positions: Sequence[float], direction: Direction = UP) -> list[float]:
+def values(
+    loaded: VirtualControl, address: str, positions: Sequence[float], direction: Direction = UP
+) -> list[float]:
     return [float(value) for value in loaded.correction(address, np.array(positions), direction)]
 
 
-def crossed(loaded: VirtualControl, moving: str, output: str, positions: Sequence[float]) -> list[float]:
-    found = [loaded.cross_correction(moving, output, np.array(positions), direction).tolist() for direction in Direction]
+def crossed(
+    loaded: VirtualControl, moving: str, output: str, positions: Sequence[float]
+) -> list[float]:
+    found = [
+        loaded.cross_correction(moving, output, np.array(positions), direction).tolist()
+        for direction in Direction
+    ]
     assert found[0] == found[1]  # these tables know no direction
     return [float(value) for value in found[0]]
 
@@ -88,7 +101,12 @@ def facts(loaded: VirtualControl) -> dict[str, str]:
     return {assumption.fact: assumption.value for assumption in loaded.assumed}
 
 
-def com(rows: Sequence[str], head: str = "DATUM:0 DIST:10", heading: str = "NR   1=F()     2=F()", unit: str = "MM") -> str:
+def com(
+    rows: Sequence[str],
+    head: str = "DATUM:0 DIST:10",
+    heading: str = "NR   1=F()     2=F()",
+    unit: str = "MM",
+) -> str:
     body = "\n".join(f"{index:<4} {row}" for index, row in enumerate(rows))
     return f"BEGIN X      .COM {unit} {head}\n{heading}\n{body}\nEND   X      .COM\n"
 
@@ -122,7 +140,9 @@ class TestItncTables:
         loaded = itnc({"X.COM": COM, "C.CMA": CMA}, options={"table_values": "correction"})
         assert values(loaded, "X", [-384]) == [-0.0012]
         assert crossed(loaded, "X", "Y", [-384]) == [0.0003]
-        by_axis = itnc({"X.COM": COM, "C.CMA": CMA}, axis_options={"X": {"table_values": "correction"}})
+        by_axis = itnc(
+            {"X.COM": COM, "C.CMA": CMA}, axis_options={"X": {"table_values": "correction"}}
+        )
         assert values(by_axis, "X", [-384]) == [-0.0012]
 
     def test_exponent_counts_tenths_of_a_micrometre(self) -> None:
@@ -130,15 +150,24 @@ class TestItncTables:
         rows = ["+0", "+0.001", "+0.002", "+0.003", "+0.004"]
         text = com(rows, "DATUM:-90 DIST:16")
         loaded = itnc({"X.COM": text}, options={"spacing_rule": "power_of_two"})
-        assert loaded.nodes("X")[[0, 2, 4]].tolist() == pytest.approx([-90, -76.8928, -63.7856], abs=1e-9)
-        assert values(loaded, "X", [-76.8928, -63.7856]) == pytest.approx([-0.002, -0.004], abs=ROUNDING)
-        assert itnc({"X.COM": text}).nodes("X")[1] == -74.0  # without the rule DIST is the spacing in mm
+        assert loaded.nodes("X")[[0, 2, 4]].tolist() == pytest.approx(
+            [-90, -76.8928, -63.7856], abs=1e-9
+        )
+        assert values(loaded, "X", [-76.8928, -63.7856]) == pytest.approx(
+            [-0.002, -0.004], abs=ROUNDING
+        )
+        assert (
+            itnc({"X.COM": text}).nodes("X")[1] == -74.0
+        )  # without the rule DIST is the spacing in mm
         assert facts(itnc({"X.COM": text}))["spacing_rule of X.COM"] == "free"
 
     @pytest.mark.parametrize("distance", ["24", "-1", "6.5"])
     def test_exponent_out_of_range(self, distance: str) -> None:
         with pytest.raises(InputError, match="exponent from 0 to 23"):
-            itnc({"X.COM": com(["+0", "+1"], f"DATUM:0 DIST:{distance}")}, options={"spacing_rule": "power_of_two"})
+            itnc(
+                {"X.COM": com(["+0", "+1"], f"DATUM:0 DIST:{distance}")},
+                options={"spacing_rule": "power_of_two"},
+            )
 
     def test_column_numbers_are_axes(self) -> None:
         heading = "NR   1=F()     2=F()     3=F()     4=F()     5=F()     6=F()     7=F()"
@@ -149,7 +178,14 @@ class TestItncTables:
         loaded = itnc({"X.COM": com(rows, heading=heading)})
         assert loaded.addresses() == ("X", "Y", "Z", "A", "B", "C", "7")
         assert values(loaded, "X", [10]) == [-1.0]
-        assert [crossed(loaded, "X", axis, [10])[0] for axis in ("Y", "Z", "A", "B", "C", "7")] == [-2, -3, -4, -5, -6, -7]
+        assert [crossed(loaded, "X", axis, [10])[0] for axis in ("Y", "Z", "A", "B", "C", "7")] == [
+            -2,
+            -3,
+            -4,
+            -5,
+            -6,
+            -7,
+        ]
 
     def test_blank_cells_are_bridged(self) -> None:
         rows = ["+0        +0", "          +0.001", "", "+0.006    +0.002"]
@@ -160,7 +196,12 @@ class TestItncTables:
         assert loaded.nodes("X").tolist() == [0, 30]
 
     def test_cells_aligned_to_the_right_end_of_a_heading(self) -> None:
-        rows = ["  NR     1=F()     2=F()", "   0        +0        +0", "   1             +0.0010", "   2   +0.0050   +0.0020"]
+        rows = [
+            "  NR     1=F()     2=F()",
+            "   0        +0        +0",
+            "   1             +0.0010",
+            "   2   +0.0050   +0.0020",
+        ]
         text = "\n".join(["BEGIN X .COM MM DATUM:0 DIST:10", *rows, "END X .COM", ""])
         loaded = itnc({"X.COM": text})
         assert values(loaded, "X", [10, 20]) == pytest.approx([-0.0025, -0.005], abs=ROUNDING)
@@ -180,7 +221,9 @@ class TestItncTables:
         loaded = itnc({"X.COM": com(rows, "DATUM:-1 DIST:2", "NR   1=F()     4=F()", "INCH")})
         assert loaded.nodes("X").tolist() == pytest.approx([-25.4, 25.4], abs=ROUNDING)
         assert values(loaded, "X", [25.4]) == pytest.approx([-0.0254], abs=ROUNDING)
-        assert crossed(loaded, "X", "A", [25.4]) == pytest.approx([-0.002], abs=ROUNDING)  # an angle is no length
+        assert crossed(loaded, "X", "A", [25.4]) == pytest.approx(
+            [-0.002], abs=ROUNDING
+        )  # an angle is no length
         assert any("inch" in value for value in facts(loaded).values())
 
     def test_same_file_in_other_clothes(self) -> None:
@@ -195,7 +238,10 @@ class TestItncTables:
             COM.replace("END   X      .COM", "[END]"),
         ):
             assert values(itnc({"any.txt": text, "C.CMA": CMA}), "x", [-390, -376]) == wanted
-        assert values(itnc({"all.txt": "; exported\n" + COM + "\n" + CMA}), "X", [-390, -376]) == wanted
+        assert (
+            values(itnc({"all.txt": "; exported\n" + COM + "\n" + CMA}), "X", [-390, -376])
+            == wanted
+        )
 
 
 class TestItncAssignment:
@@ -208,7 +254,10 @@ class TestItncAssignment:
 
     def test_only_the_marked_line_acts(self) -> None:
         other = COM.replace("X      .COM", "X2     .COM").replace("-0.0012", "-0.0099")
-        lines = "BEGIN M .CMA MM\nNR   STATUS    1         2\n0              X\n1    M         X2\nEND M .CMA\n"
+        lines = (
+            "BEGIN M .CMA MM\nNR   STATUS    1         2\n0              X\n1    M         X2\nEND"
+            " M .CMA\n"
+        )
         files = {"X.COM": COM, "X2.COM": other}
         second = itnc({**files, "M.CMA": lines})
         assert values(second, "X", [-384]) == [0.0099]
@@ -216,16 +265,29 @@ class TestItncAssignment:
         first = itnc(
             {
                 **files,
-                "M.CMA": lines.replace("0              X", "0    M         X").replace("1    M         X2", "1              X2"),
+                "M.CMA": (
+                    lines.replace("0              X", "0    M         X").replace(
+                        "1    M         X2", "1              X2"
+                    )
+                ),
             }
         )
         assert values(first, "X", [-384]) == [0.0012]
-        for marks in (lines.replace("M         X2", "          X2"), lines.replace("0              X", "0    M         X")):
+        for marks in (
+            lines.replace("M         X2", "          X2"),
+            lines.replace("0              X", "0    M         X"),
+        ):
             with pytest.raises(InputError, match="which line is active"):
                 itnc({**files, "M.CMA": marks})
 
     def test_table_that_the_cma_leaves_out(self) -> None:
-        loaded = itnc({"X.COM": COM, "Y.COM": COM.replace("X      .COM", "Y      .COM"), "C.CMA": CMA.replace("0    X", "0    Y")})
+        loaded = itnc(
+            {
+                "X.COM": COM,
+                "Y.COM": COM.replace("X      .COM", "Y      .COM"),
+                "C.CMA": CMA.replace("0    X", "0    Y"),
+            }
+        )
         assert values(loaded, "X", [-384]) == [0.0012]  # by Y.COM, which stands under X
         assert any("X.COM does not act" in note for note in loaded.notes)
 
@@ -256,16 +318,28 @@ class TestItncAssignment:
 class TestItncParameters:
     def test_linear_error_is_taken_away_from_the_reference(self) -> None:
         # 10 µm too far on 1000 mm of travel: MP720 = +0.010 mm/m
-        loaded = itnc({"mp.txt": "MP720.0 : 0.0100\nMP720.1 : -0.0200\nMP710.0 : 0\n"}, reference={"X": 100.0})
-        assert values(loaded, "X", [100, 1100, -400]) == pytest.approx([0, -0.010, 0.005], abs=ROUNDING)
+        loaded = itnc(
+            {"mp.txt": "MP720.0 : 0.0100\nMP720.1 : -0.0200\nMP710.0 : 0\n"}, reference={"X": 100.0}
+        )
+        assert values(loaded, "X", [100, 1100, -400]) == pytest.approx(
+            [0, -0.010, 0.005], abs=ROUNDING
+        )
         assert values(loaded, "Y", [500], DOWN) == pytest.approx([0.010], abs=ROUNDING)
         error = 10e-6 * (np.array([100.0, 600, 1100]) - 100.0)
-        assert np.max(np.abs(error + loaded.correction("X", np.array([100.0, 600, 1100]), UP))) < ROUNDING
+        assert (
+            np.max(np.abs(error + loaded.correction("X", np.array([100.0, 600, 1100]), UP)))
+            < ROUNDING
+        )
         assert facts(itnc({"mp.txt": "MP720.0 : 0.01\n"}))["reference of X"] == "0"
 
     @pytest.mark.parametrize(("returning", "up", "down"), [(UP, 0.0, -0.004), (DOWN, 0.004, 0.0)])
-    def test_backlash_goes_on_in_the_direction_of_motion(self, returning: Direction, up: float, down: float) -> None:
-        loaded = itnc({"mp.txt": "MP710.0 : 0.0040\nMP710.3 : -0.0010\n"}, reference_return={"X": returning, "A": returning})
+    def test_backlash_goes_on_in_the_direction_of_motion(
+        self, returning: Direction, up: float, down: float
+    ) -> None:
+        loaded = itnc(
+            {"mp.txt": "MP710.0 : 0.0040\nMP710.3 : -0.0010\n"},
+            reference_return={"X": returning, "A": returning},
+        )
         assert values(loaded, "X", [5.0], UP) == [up]
         assert values(loaded, "X", [5.0], DOWN) == [down]
         assert values(loaded, "A", [5.0], UP) == [-up / 4]
@@ -275,17 +349,25 @@ class TestItncParameters:
         # encoder ahead: arriving in - the table stands 4 µm too high
         error = {UP: 0.0, DOWN: 0.004}
         loaded = itnc({"mp.txt": "MP710.0 : 0.0040"})
-        assert [error[d] + values(loaded, "X", [100], d)[0] for d in (UP, DOWN)] == pytest.approx([0, 0], abs=ROUNDING)
+        assert [error[d] + values(loaded, "X", [100], d)[0] for d in (UP, DOWN)] == pytest.approx(
+            [0, 0], abs=ROUNDING
+        )
 
-    @pytest.mark.parametrize(("mask", "x", "y"), [("%00001", 1, 0), ("%00010", 0, 1), ("%00011", 1, 1), ("2", 0, 1), ("%0", 0, 1)])
+    @pytest.mark.parametrize(
+        ("mask", "x", "y"),
+        [("%00001", 1, 0), ("%00010", 0, 1), ("%00011", 1, 1), ("2", 0, 1), ("%0", 0, 1)],
+    )
     def test_tables_or_linear_error_never_both(self, mask: str, x: int, y: int) -> None:
         text = f"MP720.0 : 0.1\nMP720.1 : 0.2\nMP730 : {mask}\n"
         loaded = itnc({"X.COM": COM, "C.CMA": CMA, "mp.txt": text})
         table, linear = 0.0012, 0.1 * 384 / 1000
         assert values(loaded, "X", [-384]) == pytest.approx([table if x else linear], abs=ROUNDING)
-        # without its bit in the file an axis with a table counts as nonlinear; the bit of the corrected axis counts
+        # without its bit in the file an axis with a table counts as nonlinear; the bit of the
+        # corrected axis counts
         assert crossed(loaded, "X", "Y", [-384]) == [-0.0003 if y else 0.0]
-        assert values(loaded, "Y", [-384]) == pytest.approx([0.0 if y else 0.2 * 384 / 1000], abs=ROUNDING)
+        assert values(loaded, "Y", [-384]) == pytest.approx(
+            [0.0 if y else 0.2 * 384 / 1000], abs=ROUNDING
+        )
         assert any("its tables do not act" in note for note in loaded.notes) == (not x or not y)
         assert any("MP720 of" in note for note in loaded.notes) == bool(x or y)
 
@@ -299,26 +381,32 @@ class TestItncParameters:
         assert values(loaded, "C", [90]) == [0.0]
         assert any("rotary" in note for note in loaded.notes)
         assert facts(loaded)["kind of C"] == "rotary"
-        assert values(itnc({"mp.txt": "MP720.5 : 0.1\n"}, kinds={"C": AxisKind.LINEAR}), "C", [100]) == pytest.approx(
-            [-0.01], abs=ROUNDING
-        )
+        assert values(
+            itnc({"mp.txt": "MP720.5 : 0.1\n"}, kinds={"C": AxisKind.LINEAR}), "C", [100]
+        ) == pytest.approx([-0.01], abs=ROUNDING)
 
     def test_table_backlash_and_other_lines_together(self) -> None:
         text = "; backup\nMP100 : XYZ\nMP710.0 : 0.0100 ;play\nMP7100.0 : 5\nhello\n"
         loaded = itnc({"X.COM": COM, "C.CMA": CMA, "mp.txt": text})
         assert values(loaded, "X", [-384], DOWN) == pytest.approx([0.0012 - 0.01], abs=ROUNDING)
         assert any("line 5: not a machine parameter" in note for note in loaded.notes)
-        assert itnc({"one.txt": COM + CMA + "MP710.0 : 0.01\n"}).correction("X", np.array(-384.0), DOWN) == pytest.approx(-0.0088)
+        assert itnc({"one.txt": COM + CMA + "MP710.0 : 0.01\n"}).correction(
+            "X", np.array(-384.0), DOWN
+        ) == pytest.approx(-0.0088)
 
 
 class TestRotary:
-    TURN = com([f"{0.001 * (k % 4)}" for k in range(5)], "DATUM:0 DIST:90", "NR   6=F()").replace("X      ", "C      ")
+    TURN = com([f"{0.001 * (k % 4)}" for k in range(5)], "DATUM:0 DIST:90", "NR   6=F()").replace(
+        "X      ", "C      "
+    )
 
     def test_table_of_a_whole_turn_repeats(self) -> None:
         loaded = itnc({"C.COM": self.TURN})
         # 0, 1, 2, 3, 0 thousandths at 0, 90 .. 360; -45 is 315, 405 is 45
         wanted = [-0.0015, 0, -0.0005, -0.001, -0.0015, 0, -0.0005, -0.003]
-        assert values(loaded, "C", [-45, 0, 45, 90, 315, 360, 405, -90]) == pytest.approx(wanted, abs=ROUNDING)
+        assert values(loaded, "C", [-45, 0, 45, 90, 315, 360, 405, -90]) == pytest.approx(
+            wanted, abs=ROUNDING
+        )
         assert facts(loaded)["turn of C"] == "360"
         assert not any("jumps" in note for note in loaded.notes)
 
@@ -330,28 +418,44 @@ class TestRotary:
         short = self.TURN.replace("4    0.0\n", "")
         assert values(itnc({"C.COM": short}), "C", [-90, 315, 450]) == [0.0, -0.003, -0.003]  # held
         told = itnc({"C.COM": short}, modulo={"C": 360.0})
-        assert values(told, "C", [-90, 315, 450]) == pytest.approx([-0.003, -0.003, -0.001], abs=ROUNDING)
+        assert values(told, "C", [-90, 315, 450]) == pytest.approx(
+            [-0.003, -0.003, -0.001], abs=ROUNDING
+        )
         assert any("jumps by -0.003" in note for note in told.notes)
         with pytest.raises(UsageError, match="turn of C"):
             itnc({"C.COM": short}, modulo={"C": 180.0})
 
     def test_entries_outside_the_turn_are_not_used(self) -> None:
         # a tilting axis from -90 to 90: nothing but 0 to 360 deg is used
-        text = com(["0.004", "0.001", "0.003"], "DATUM:-90 DIST:90", "NR   4=F()").replace("X      ", "A      ")
+        text = com(["0.004", "0.001", "0.003"], "DATUM:-90 DIST:90", "NR   4=F()").replace(
+            "X      ", "A      "
+        )
         loaded = itnc({"A.COM": text})
-        assert values(loaded, "A", [-90, -45, 0, 45]) == pytest.approx([-0.001, -0.001, -0.001, -0.002], abs=ROUNDING)
+        assert values(loaded, "A", [-90, -45, 0, 45]) == pytest.approx(
+            [-0.001, -0.001, -0.001, -0.002], abs=ROUNDING
+        )
         assert any("outside 0 to 360" in note for note in loaded.notes)
         above = itnc({"A.COM": text.replace("DATUM:-90 DIST:90", "DATUM:180 DIST:180")})
-        assert values(above, "A", [0, 270, 360, 450, 540]) == pytest.approx([-0.004, -0.0025, -0.001, -0.001, -0.001], abs=ROUNDING)
-        listed = "BEGIN A.COM MM\nNR  AXISPOS    A\n0   -90        0.004\n1   0          0.001\n2   90         0.003\n[END]\n"
-        assert values(nck({"A.COM": listed}), "A", [-90, -45]) == pytest.approx([-0.004, -0.0025], abs=ROUNDING)
+        assert values(above, "A", [0, 270, 360, 450, 540]) == pytest.approx(
+            [-0.004, -0.0025, -0.001, -0.001, -0.001], abs=ROUNDING
+        )
+        listed = (
+            "BEGIN A.COM MM\nNR  AXISPOS    A\n0   -90        0.004\n1   0          0.001\n2   90  "
+            "       0.003\n[END]\n"
+        )
+        assert values(nck({"A.COM": listed}), "A", [-90, -45]) == pytest.approx(
+            [-0.004, -0.0025], abs=ROUNDING
+        )
 
     def test_exponent_beyond_the_turn(self) -> None:
-        # 2^16 * 0.0001 deg = 6.5536 deg: 56 points end at 360.448, a straight line of 0.001 per step; 360 deg is row 54.9316...
+        # 2^16 * 0.0001 deg = 6.5536 deg: 56 points end at 360.448, a straight line of 0.001 per
+        # step; 360 deg is row 54.9316...
         rows = [f"{0.001 * k:.3f}" for k in range(56)]
         text = com(rows, "DATUM:0 DIST:16", "NR   6=F()").replace("X      ", "C      ")
         loaded = itnc({"C.COM": text}, options={"spacing_rule": "power_of_two"})
-        assert values(loaded, "C", [359.0, 361.0]) == pytest.approx([-0.359 / 6.5536, -0.001 / 6.5536], abs=1e-12)
+        assert values(loaded, "C", [359.0, 361.0]) == pytest.approx(
+            [-0.359 / 6.5536, -0.001 / 6.5536], abs=1e-12
+        )
         assert any("jumps by -0.0549" in note for note in loaded.notes)
 
 
@@ -365,7 +469,10 @@ class TestSheets:
         )
         assert values(loaded, "X", [-40], DOWN) == pytest.approx([-0.007], abs=ROUNDING)
         assert not any(fact.startswith(("MP730", "MP710")) for fact in facts(loaded))
-        correction = itnc({"entry_X.csv": SHEET.replace("value: error", "value: correction")}, options={"table_values": "error"})
+        correction = itnc(
+            {"entry_X.csv": SHEET.replace("value: error", "value: correction")},
+            options={"table_values": "error"},
+        )
         assert values(correction, "X", [-40]) == [0.003]  # the sheet says it, not the option
 
     def test_micrometres_and_other_clothes(self) -> None:
@@ -373,36 +480,54 @@ class TestSheets:
         for text in (
             SHEET.replace("0.0030,mm", "3.0,um").replace("0.0040,mm", "4,um"),
             "\ufeff" + SHEET.replace("\n", "\r\n"),
-            SHEET.replace("# axis: X", "# address: x\n# axis: lengthwise\n# machine: Müller 3\n# no key"),
+            SHEET.replace(
+                "# axis: X", "# address: x\n# axis: lengthwise\n# machine: Müller 3\n# no key"
+            ),
             SHEET.replace("# axis: X\n", ""),
             SHEET.replace(",", " , ").replace("MP730,,1,\n", "MP730 , , 1 ,\n\n"),
         ):
-            assert values(itnc({"entry_X.csv": text}), "X", [-65, 0], DOWN) == pytest.approx(wanted, abs=ROUNDING)
+            assert values(itnc({"entry_X.csv": text}), "X", [-65, 0], DOWN) == pytest.approx(
+                wanted, abs=ROUNDING
+            )
         assert itnc({"entry_y.CSV": SHEET.replace("# axis: X\n", "")}).addresses() == ("Y",)
 
     def test_parameters_alone(self) -> None:
-        text = "# axis: X\n# value: error\npoint,position,value,unit\nMP720,,0.0100,mm/m\nMP710,,0.002,mm\n"
-        loaded = itnc({"entry_X.csv": text}, reference={"X": -50.0})
-        assert values(loaded, "X", [-50, 950], DOWN) == pytest.approx([-0.002, -0.012], abs=ROUNDING)
-        # a linear error keeps its own sign convention whatever the points are
-        assert values(itnc({"s.csv": text.replace("value: error", "value: correction")}), "X", [1000]) == pytest.approx(
-            [-0.010], abs=ROUNDING
+        text = (
+            "# axis: X\n# value:"
+            " error\npoint,position,value,unit\nMP720,,0.0100,mm/m\nMP710,,0.002,mm\n"
         )
+        loaded = itnc({"entry_X.csv": text}, reference={"X": -50.0})
+        assert values(loaded, "X", [-50, 950], DOWN) == pytest.approx(
+            [-0.002, -0.012], abs=ROUNDING
+        )
+        # a linear error keeps its own sign convention whatever the points are
+        assert values(
+            itnc({"s.csv": text.replace("value: error", "value: correction")}), "X", [1000]
+        ) == pytest.approx([-0.010], abs=ROUNDING)
         assert values(itnc({"s.csv": text + "MP730,,1,\n"}), "X", [1000]) == [0.0]
 
     def test_linear_error_is_dead_beside_points(self) -> None:
         loaded = itnc({"entry_X.csv": SHEET + "MP720,,0.1,mm/m\n"})
         assert values(loaded, "X", [-40]) == [-0.003]
         assert any("MP720 of X has no effect" in note for note in loaded.notes)
-        switched = itnc({"entry_X.csv": SHEET.replace("MP730,,1", "MP730,,0") + "MP720,,0.1,mm/m\n"})
+        switched = itnc(
+            {"entry_X.csv": SHEET.replace("MP730,,1", "MP730,,0") + "MP720,,0.1,mm/m\n"}
+        )
         assert values(switched, "X", [-40]) == pytest.approx([0.004], abs=ROUNDING)
         assert switched.nodes("X").size == 3  # the table is there, it does not act
 
     def test_rotary(self) -> None:
-        text = "# axis: C\n# value: error\npoint,position,value,unit\n0,0,0,deg\n1,180,0.002,deg\n2,360,0,deg\nMP710,,0.001,deg\n"
+        text = (
+            "# axis: C\n# value:"
+            " error\npoint,position,value,unit\n0,0,0,deg\n1,180,0.002,deg\n2,360,0,deg\nMP710,,0.001,deg\n"
+        )
         loaded = itnc({"entry_C.csv": text})
-        assert values(loaded, "C", [-90, 540], DOWN) == pytest.approx([-0.002, -0.003], abs=ROUNDING)
-        other = itnc({"entry_W.csv": text.replace("axis: C", "axis: W")})  # the unit says what the letter does not
+        assert values(loaded, "C", [-90, 540], DOWN) == pytest.approx(
+            [-0.002, -0.003], abs=ROUNDING
+        )
+        other = itnc(
+            {"entry_W.csv": text.replace("axis: C", "axis: W")}
+        )  # the unit says what the letter does not
         assert values(other, "W", [-90]) == pytest.approx([-0.001], abs=ROUNDING)
         with pytest.raises(InputError, match=r"unit of C; expected mm, found deg"):
             itnc({"entry_C.csv": text}, kinds={"C": AxisKind.LINEAR})
@@ -411,7 +536,10 @@ class TestSheets:
             itnc({"entry_C.csv": text.replace("MP710,,0.001,deg\n", ""), "play.csv": play})
 
     def test_sheet_and_table_of_one_axis_agree_or_are_refused(self) -> None:
-        sheet = "# axis: X\n# value: error\npoint,position,value,unit\n0,-400,0,mm\n1,-384,-0.0012,mm\n2,-368,-0.0021,mm\n"
+        sheet = (
+            "# axis: X\n# value:"
+            " error\npoint,position,value,unit\n0,-400,0,mm\n1,-384,-0.0012,mm\n2,-368,-0.0021,mm\n"
+        )
         both = itnc({"X.COM": COM, "C.CMA": CMA, "entry_X.csv": sheet})
         assert values(both, "X", [-376]) == pytest.approx([0.00165], abs=ROUNDING)
         for wrong in (
@@ -426,67 +554,117 @@ class TestSheets:
 
     def test_grid_that_can_be_typed(self) -> None:
         power = SHEET.replace("-40,", "-83.4464,").replace("2,10,", "2,-76.8928,")
-        assert itnc({"entry_X.csv": power}, options={"spacing_rule": "power_of_two"}).nodes("X")[2] == -76.8928
-        for text, options in ((SHEET.replace("2,10", "2,11"), {}), (SHEET, {"spacing_rule": "power_of_two"})):
+        assert (
+            itnc({"entry_X.csv": power}, options={"spacing_rule": "power_of_two"}).nodes("X")[2]
+            == -76.8928
+        )
+        for text, options in (
+            (SHEET.replace("2,10", "2,11"), {}),
+            (SHEET, {"spacing_rule": "power_of_two"}),
+        ):
             with pytest.raises(InputError, match="no regular grid"):
                 itnc({"entry_X.csv": text}, options=options)
 
     def test_nck(self) -> None:
         points = "0,-90,0,mm\n1,-40,0.003,mm\n2,400,-0.001,mm\n"
-        text = f"# address: X1\n# value: error\npoint,position,value,unit\n{points}backLash,,0.004,mm\n"
+        text = (
+            "# address: X1\n# value:"
+            f" error\npoint,position,value,unit\n{points}backLash,,0.004,mm\n"
+        )
         loaded = nck({"entry_X.csv": text})
         assert loaded.addresses() == ("X1",)
-        assert values(loaded, "X1", [-65, 400], DOWN) == pytest.approx([-0.0055, -0.003], abs=ROUNDING)
+        assert values(loaded, "X1", [-65, 400], DOWN) == pytest.approx(
+            [-0.0055, -0.003], abs=ROUNDING
+        )
         assert any("backLash also" in note for note in loaded.notes)
         with pytest.raises(UsageError, match="nothing about axis x1"):  # names keep their case
             values(loaded, "x1", [0])
         linear = nck(
-            {"s.csv": "# axis: X\n# value: error\npoint,position,value,unit\nlinearCompValue,,0.01,mm/m\n"}, reference={"X": 100}
+            {
+                "s.csv": (
+                    "# axis: X\n# value:"
+                    " error\npoint,position,value,unit\nlinearCompValue,,0.01,mm/m\n"
+                )
+            },
+            reference={"X": 100},
         )
         assert values(linear, "X", [100, 1100]) == pytest.approx([0, -0.01], abs=ROUNDING)
-        assert any("unconfirmed" in assumption.evidence and "linearCompValue" in assumption.fact for assumption in linear.assumed)
+        assert any(
+            "unconfirmed" in assumption.evidence and "linearCompValue" in assumption.fact
+            for assumption in linear.assumed
+        )
 
 
 class TestNck:
     def test_tables_by_position(self) -> None:
         loaded = nck(
-            {"X.COM": NCK_COM.replace("-200 ", "-300 "), "config.cma": NCK_CMA}, options={"backlash_column": "second_curve"}
+            {"X.COM": NCK_COM.replace("-200 ", "-300 "), "config.cma": NCK_CMA},
+            options={"backlash_column": "second_curve"},
         )
         # points at -400, -300, 0: -150 is half way from -1.8 to 0.7 µm
         assert loaded.nodes("X").tolist() == [-400, -300, 0]
-        assert values(loaded, "X", [-400, -300, -150, 50], UP) == pytest.approx([0, 0.0018, 0.00055, -0.0007], abs=ROUNDING)
-        assert values(loaded, "X", [-400, -300, -150, 50], DOWN) == pytest.approx([-0.004, -0.0021, -0.0032, -0.0043], abs=ROUNDING)
-        assert crossed(loaded, "X", "Y", [-350, 0]) == pytest.approx([-0.00075, -0.003], abs=ROUNDING)
+        assert values(loaded, "X", [-400, -300, -150, 50], UP) == pytest.approx(
+            [0, 0.0018, 0.00055, -0.0007], abs=ROUNDING
+        )
+        assert values(loaded, "X", [-400, -300, -150, 50], DOWN) == pytest.approx(
+            [-0.004, -0.0021, -0.0032, -0.0043], abs=ROUNDING
+        )
+        assert crossed(loaded, "X", "Y", [-350, 0]) == pytest.approx(
+            [-0.00075, -0.003], abs=ROUNDING
+        )
         assert facts(loaded)["BACKLASH in X.COM"].startswith("the whole curve")
 
     def test_backlash_column_of_unknown_meaning(self) -> None:
         with pytest.raises(InputError, match="meaning of the column BACKLASH is unconfirmed"):
             nck({"X.COM": NCK_COM})
-        equal = NCK_COM.replace("+0.0040", "+0.0000").replace("+0.0021", "-0.0018").replace("+0.0043", "       ")
-        blank = NCK_COM.replace("+0.0040", "       ").replace("+0.0021", "       ").replace("+0.0043", "       ")
-        without = "\n".join(line[:15] + line[26:] if line[:1] in "N012" else line for line in NCK_COM.split("\n"))
+        equal = (
+            NCK_COM.replace("+0.0040", "+0.0000")
+            .replace("+0.0021", "-0.0018")
+            .replace("+0.0043", "       ")
+        )
+        blank = (
+            NCK_COM.replace("+0.0040", "       ")
+            .replace("+0.0021", "       ")
+            .replace("+0.0043", "       ")
+        )
+        without = "\n".join(
+            line[:15] + line[26:] if line[:1] in "N012" else line for line in NCK_COM.split("\n")
+        )
         for text in (equal, blank, without):
             for option in ("absent", "second_curve") if text is not equal else ("absent",):
                 loaded = nck({"X.COM": text}, options={"backlash_column": option})
                 for direction in (UP, DOWN):
-                    assert values(loaded, "X", [-200, -100], direction) == pytest.approx([0.0018, 0.00055], abs=ROUNDING)
+                    assert values(loaded, "X", [-200, -100], direction) == pytest.approx(
+                        [0.0018, 0.00055], abs=ROUNDING
+                    )
         with pytest.raises(InputError, match="BACKLASH is blank at an end"):
             nck({"X.COM": equal}, options={"backlash_column": "second_curve"})
 
     def test_second_curve_with_a_blank(self) -> None:
-        loaded = nck({"X.COM": NCK_COM.replace("+0.0021", "       ")}, options={"backlash_column": "second_curve"})
-        assert values(loaded, "X", [-200], DOWN) == pytest.approx([-0.00415], abs=ROUNDING)  # half way from 4.0 to 4.3 µm
+        loaded = nck(
+            {"X.COM": NCK_COM.replace("+0.0021", "       ")},
+            options={"backlash_column": "second_curve"},
+        )
+        assert values(loaded, "X", [-200], DOWN) == pytest.approx(
+            [-0.00415], abs=ROUNDING
+        )  # half way from 4.0 to 4.3 µm
         assert values(loaded, "X", [-200], UP) == [0.0018]
         assert loaded.nodes("X").tolist() == [-400, -200, 0]
 
     def test_backlash_needs_the_column_of_the_moving_axis(self) -> None:
         with pytest.raises(InputError, match="BACKLASH without a column"):
-            nck({"Z.COM": NCK_COM.replace("X.COM", "Z.COM")}, options={"backlash_column": "second_curve"})
+            nck(
+                {"Z.COM": NCK_COM.replace("X.COM", "Z.COM")},
+                options={"backlash_column": "second_curve"},
+            )
 
     def test_star_switches_the_line_on(self) -> None:
         plain = "BEGIN {}.COM MM\nNR  AXISPOS    X\n0   0          0\n1   100        {}\n[END]\n"
         files = {"X.COM": plain.format("X", "0.001"), "X2.COM": plain.format("X2", "0.002")}
-        lines = "BEGIN CONFIG.CMA MM\nNR  ACTIVE  X       Y\n0           X.COM\n1   *       X2.COM\n[END]\n"
+        lines = (
+            "BEGIN CONFIG.CMA MM\nNR  ACTIVE  X       Y\n0           X.COM\n1   *      "
+            " X2.COM\n[END]\n"
+        )
         assert values(nck({**files, "config.cma": lines}), "X", [100]) == [-0.002]
         first = lines.replace("0           X", "0   *       X").replace("1   *", "1    ")
         assert values(nck({**files, "config.cma": first}), "X", [100]) == [-0.001]
@@ -496,19 +674,31 @@ class TestNck:
         alone = nck({"X.COM": files["X.COM"], "config.cma": NCK_CMA.replace("*", " ")})
         assert values(alone, "X", [100]) == [0.0]  # the only line, and yet the star decides
         starless = NCK_CMA.replace("ACTIVE", "      ").replace("*", " ")
-        assert values(nck({"X.COM": files["X.COM"], "config.cma": starless}), "X", [100]) == [-0.001]  # no column to mark
+        assert values(nck({"X.COM": files["X.COM"], "config.cma": starless}), "X", [100]) == [
+            -0.001
+        ]  # no column to mark
         with pytest.raises(InputError, match="which line is active"):
             nck({**files, "config.cma": lines.replace("0           X", "0   *       X")})
         with pytest.raises(InputError, match=r"expected \* or blank"):
             nck({**files, "config.cma": lines.replace("*", "x")})
 
     def test_axis_keys_are_the_same_in_both_files(self) -> None:
-        with pytest.raises(InputError, match=r"axis that the \.CMA does not know; expected X or Z, found Y"):
-            nck({"X.COM": NCK_COM, "config.cma": NCK_CMA.replace("Y", "Z")}, options={"backlash_column": "second_curve"})
+        with pytest.raises(
+            InputError, match=r"axis that the \.CMA does not know; expected X or Z, found Y"
+        ):
+            nck(
+                {"X.COM": NCK_COM, "config.cma": NCK_CMA.replace("Y", "Z")},
+                options={"backlash_column": "second_curve"},
+            )
 
     def test_one_table_under_two_axes(self) -> None:
         text = "BEGIN S.COM MM\nNR  AXISPOS    Y\n0   0          0\n1   100        0.002\n[END]\n"
-        loaded = nck({"S.COM": text, "c.cma": "BEGIN C.CMA MM\nNR  ACTIVE  X      Y\n0   *       S.COM  S.COM\n[END]\n"})
+        loaded = nck(
+            {
+                "S.COM": text,
+                "c.cma": "BEGIN C.CMA MM\nNR  ACTIVE  X      Y\n0   *       S.COM  S.COM\n[END]\n",
+            }
+        )
         assert pairs(loaded) == (("X", "Y"),)
         assert values(loaded, "Y", [50]) == pytest.approx([-0.001], abs=ROUNDING)
         assert crossed(loaded, "X", "Y", [50]) == pytest.approx([-0.001], abs=ROUNDING)
@@ -523,7 +713,9 @@ class TestNck:
 
     def test_inch_scales_positions_and_values(self) -> None:
         text = "BEGIN X.COM INCH\nNR  AXISPOS    X\n0   0          0\n1   10         0.001\n[END]\n"
-        assert values(nck({"X.COM": text}), "X", [254, 127]) == pytest.approx([-0.0254, -0.0127], abs=ROUNDING)
+        assert values(nck({"X.COM": text}), "X", [254, 127]) == pytest.approx(
+            [-0.0254, -0.0127], abs=ROUNDING
+        )
 
 
 WRONG_ITNC = {
@@ -539,17 +731,26 @@ WRONG_ITNC = {
     "comma": (COM.replace("-0.0012", "-0,0012"), "decimal point"),
     "exponent": (COM.replace("-0.0012", "-1.2E-3"), "decimal point"),
     "blank at the end": (COM.replace("-0.0021", "       "), "blank at an end"),
-    "blank at the start": (COM.replace("0    +0        +0", "0              +0"), "blank at an end"),
+    "blank at the start": (
+        COM.replace("0    +0        +0", "0              +0"),
+        "blank at an end",
+    ),
     "between headings": (COM.replace("-0.0012   +0.0003", "-0.0012        +0.03"), "ambiguous"),
     "across headings": (COM.replace("-0.0012   +0.0003", "-0.001234567890123"), "ambiguous"),
     "two under one": (COM.replace("-0.0012   +0.0003", "-0 +12"), "ambiguous"),
     "too many": (COM.replace("+0.0003", "+0.0003 1 2 3 4 5"), "ambiguous"),
     "tab": (COM.replace("-0.0012   +0.0003", "-0.0012\t+0.0003"), "ambiguous"),
-    "no heading": ("\n".join(line for line in COM.split("\n") if "=F()" not in line), "no line of column headings"),
+    "no heading": (
+        "\n".join(line for line in COM.split("\n") if "=F()" not in line),
+        "no line of column headings",
+    ),
     "nck heading": (COM.replace("1=F()", "X    "), "column heading"),
     "column twice": (COM.replace("2=F()", "1=F()"), "two columns of one name"),
     "column twice in other words": (COM.replace("2=F()", "01=F()"), "two columns of one axis"),
-    "no rows": ("\n".join(line for line in COM.split("\n") if line[:1] not in "012" or not line), "no rows"),
+    "no rows": (
+        "\n".join(line for line in COM.split("\n") if line[:1] not in "012" or not line),
+        "no rows",
+    ),
     "no values": (com(["", ""]), "no values"),
     "257 points": (com(["+0"] * 257), "at most 256"),
     "stray line": (COM + "something\n", "line cannot be read"),
@@ -644,7 +845,9 @@ class TestRefusals:
     def test_nck(self, old: str, new: str, message: str) -> None:
         assert old in NCK_COM
         with pytest.raises(InputError, match=message):
-            nck({"X.COM": NCK_COM.replace(old, new, 1)}, options={"backlash_column": "second_curve"})
+            nck(
+                {"X.COM": NCK_COM.replace(old, new, 1)}, options={"backlash_column": "second_curve"}
+            )
 
     def test_parameters_of_the_other_generation(self) -> None:
         with pytest.raises(InputError, match="not of this control"):
@@ -654,12 +857,27 @@ class TestRefusals:
 
     def test_all_faults_at_once_with_their_lines(self) -> None:
         with pytest.raises(InputError) as raised:
-            itnc({"X.COM": COM.replace("-0.0012", "-0,0012").replace("+0.0006", "six"), "entry_Y.csv": "nonsense\n"})
+            itnc(
+                {
+                    "X.COM": COM.replace("-0.0012", "-0,0012").replace("+0.0006", "six"),
+                    "entry_Y.csv": "nonsense\n",
+                }
+            )
         lines = str(raised.value).splitlines()
-        assert [line.split(": ")[:2] for line in lines][:3] == [["X.COM", "line 4"], ["X.COM", "line 5"], ["entry_Y.csv", "line 1"]]
+        assert [line.split(": ")[:2] for line in lines][:3] == [
+            ["X.COM", "line 4"],
+            ["X.COM", "line 5"],
+            ["entry_Y.csv", "line 1"],
+        ]
 
     @pytest.mark.parametrize(
-        ("option", "value"), [("table_values", "errors"), ("spacing_rule", 2), ("reference_return", "up"), ("reference", "here")]
+        ("option", "value"),
+        [
+            ("table_values", "errors"),
+            ("spacing_rule", 2),
+            ("reference_return", "up"),
+            ("reference", "here"),
+        ],
     )
     def test_wrong_options(self, option: str, value: object) -> None:
         with pytest.raises(UsageError, match=option):
@@ -671,12 +889,16 @@ class TestRefusals:
 
 class TestProtocol:
     def test_any_shape(self) -> None:
-        loaded = itnc({"X.COM": COM, "C.CMA": CMA, "mp": "MP710.0 : 0.001\nMP710.2 : 0.1\nMP720.2 : 0.1\n"})
+        loaded = itnc(
+            {"X.COM": COM, "C.CMA": CMA, "mp": "MP710.0 : 0.001\nMP710.2 : 0.1\nMP720.2 : 0.1\n"}
+        )
         grid = np.linspace(-410, -360, 12).reshape(3, 4)
         for axis in ("X", "Z"):
             assert loaded.correction(axis, grid, DOWN).shape == (3, 4)
             assert loaded.correction(axis, np.array(5.0), DOWN).shape == ()
-            assert np.array_equal(loaded.correction(axis, grid, UP).ravel(), loaded.correction(axis, grid.ravel(), UP))
+            assert np.array_equal(
+                loaded.correction(axis, grid, UP).ravel(), loaded.correction(axis, grid.ravel(), UP)
+            )
         assert loaded.cross_correction("X", "Y", grid, UP).shape == (3, 4)
 
     def test_what_is_not_sure_is_listed(self) -> None:
@@ -688,7 +910,9 @@ class TestProtocol:
         assert len(listed) == len(itnc({"X.COM": COM}).assumed)  # each once
 
     def test_kinematics_columns_are_left_out_and_said(self) -> None:
-        loaded = itnc({"X.COM": com(["0         0", "0.001     0.002"], heading="NR   1=F()     C4")})
+        loaded = itnc(
+            {"X.COM": com(["0         0", "0.001     0.002"], heading="NR   1=F()     C4")}
+        )
         assert loaded.addresses() == ("X",)
         assert any("C4" in note for note in loaded.notes)
 
@@ -697,9 +921,17 @@ class TestProtocol:
         started = time.process_time()
         loaded = nck({"X.COM": f"BEGIN X.COM MM\nNR AXISPOS X\n{rows}[END]\n"})
         loaded.correction("X", np.linspace(0, 15000, 100_000), UP)
-        assert time.process_time() - started < 2.0  # s of the processor; 0.1 s here, and anything quadratic takes minutes
+        assert (
+            time.process_time() - started < 2.0
+        )  # s of the processor; 0.1 s here, and anything quadratic takes minutes
         started = time.process_time()
-        for line in ("MP710" + " " * 200_000, "BEGIN " * 50_000, "0 " * 200_000, "[END]" * 50_000, "MP710." + "9" * 200_000):
+        for line in (
+            "MP710" + " " * 200_000,
+            "BEGIN " * 50_000,
+            "0 " * 200_000,
+            "[END]" * 50_000,
+            "MP710." + "9" * 200_000,
+        ):
             with pytest.raises(InputError):
                 itnc({"X.COM": COM.replace("END", f"{line}\nEND"), "m": line})
         assert time.process_time() - started < 2.0  # s of the processor
@@ -731,20 +963,34 @@ def cell(value: float | None) -> str:
     return "" if value is None else f"{value:+.4f}"
 
 
-@given(table=columns(3), datum=st.integers(-5000, 5000), step=st.integers(1, 400), width=st.integers(8, 14))
+@given(
+    table=columns(3),
+    datum=st.integers(-5000, 5000),
+    step=st.integers(1, 400),
+    width=st.integers(8, 14),
+)
 @settings(max_examples=150, deadline=None)
-def test_brute_force_itnc(table: list[list[float | None]], datum: int, step: int, width: int) -> None:
+def test_brute_force_itnc(
+    table: list[list[float | None]], datum: int, step: int, width: int
+) -> None:
     numbers = (2, 1, 6)
     heading = "NR   " + "".join(f"{n}=F()".ljust(width) for n in numbers)
-    rows = [f"{k:<5}" + "".join(cell(column[k]).ljust(width) for column in table) for k in range(len(table[0]))]
-    text = "\n".join([f"BEGIN X .COM MM DATUM:{datum / 10} DIST:{step / 10}", heading, *rows, "END X .COM", ""])
+    rows = [
+        f"{k:<5}" + "".join(cell(column[k]).ljust(width) for column in table)
+        for k in range(len(table[0]))
+    ]
+    text = "\n".join(
+        [f"BEGIN X .COM MM DATUM:{datum / 10} DIST:{step / 10}", heading, *rows, "END X .COM", ""]
+    )
     loaded = itnc({"X.COM": text})
     nodes = [datum / 10 + step / 10 * k for k in range(len(rows))]
     where = [float(x) for x in np.linspace(nodes[0] - 5, nodes[-1] + 5, 23)]
     for axis, column in zip(("Y", "X", "C"), table, strict=True):
         wanted = [brute_force(nodes, column, x) for x in where]
         got = values(loaded, "X", where) if axis == "X" else crossed(loaded, "X", axis, where)
-        assert got == pytest.approx(wanted, abs=1e-9)  # mm; rounding of the positions times a slope below 20
+        assert got == pytest.approx(
+            wanted, abs=1e-9
+        )  # mm; rounding of the positions times a slope below 20
 
 
 @given(
@@ -754,15 +1000,25 @@ def test_brute_force_itnc(table: list[list[float | None]], datum: int, step: int
     width=st.integers(9, 14),
 )
 @settings(max_examples=150, deadline=None)
-def test_brute_force_nck(table: list[list[float | None]], starts: list[int], second: bool, width: int) -> None:
+def test_brute_force_nck(
+    table: list[list[float | None]], starts: list[int], second: bool, width: int
+) -> None:
     names = ("BACKLASH", "X") if second else ("Y1", "X")
     heading = "NR   " + "AXISPOS".ljust(width) + "".join(name.ljust(width) for name in names)
     nodes = [start / 10 for start in starts[: len(table[0])]]
-    rows = [f"{k:<5}" + f"{nodes[k]}".ljust(width) + "".join(cell(c[k]).ljust(width) for c in table) for k in range(len(nodes))]
-    loaded = nck({"X.COM": "\n".join(["BEGIN X.COM MM", heading, *rows, "[END]", ""])}, options={"backlash_column": "second_curve"})
+    rows = [
+        f"{k:<5}" + f"{nodes[k]}".ljust(width) + "".join(cell(c[k]).ljust(width) for c in table)
+        for k in range(len(nodes))
+    ]
+    loaded = nck(
+        {"X.COM": "\n".join(["BEGIN X.COM MM", heading, *rows, "[END]", ""])},
+        options={"backlash_column": "second_curve"},
+    )
     where = [float(x) for x in np.linspace(nodes[0] - 5, nodes[-1] + 5, 23)]
     other = values(loaded, "X", where, DOWN) if second else crossed(loaded, "X", "Y1", where)
-    assert values(loaded, "X", where, UP) == pytest.approx([brute_force(nodes, table[1], x) for x in where], abs=1e-9)
+    assert values(loaded, "X", where, UP) == pytest.approx(
+        [brute_force(nodes, table[1], x) for x in where], abs=1e-9
+    )
     assert other == pytest.approx([brute_force(nodes, table[0], x) for x in where], abs=1e-9)
 
 
@@ -796,7 +1052,22 @@ def mutated(text: str) -> st.SearchStrategy[bytes]:
         return result
 
     pieces = st.sampled_from(
-        [b"\n", b",", b"-", b"9", b".", b" ", b"=", b"*", b"BEGIN ", b"[END]\n", b"999999999", b"\t", b"X", b"#"]
+        [
+            b"\n",
+            b",",
+            b"-",
+            b"9",
+            b".",
+            b" ",
+            b"=",
+            b"*",
+            b"BEGIN ",
+            b"[END]\n",
+            b"999999999",
+            b"\t",
+            b"X",
+            b"#",
+        ]
     )
     edit = st.tuples(st.integers(0, 500), st.integers(0, 30), st.binary(max_size=3) | pieces)
     return st.lists(edit, min_size=1, max_size=4).map(apply)
@@ -826,7 +1097,11 @@ def test_any_bytes_itnc(table: bytes, cma: bytes, mp: bytes, sheet: bytes, rule:
         ask_everything("heidenhain-itnc530", changed, options={"spacing_rule": rule})
 
 
-@given(table=mutated(NCK_COM), cma=mutated(NCK_CMA), sheet=mutated(SHEET.replace("MP710", "backLash").replace("MP730,,1,\n", "")))
+@given(
+    table=mutated(NCK_COM),
+    cma=mutated(NCK_CMA),
+    sheet=mutated(SHEET.replace("MP710", "backLash").replace("MP730,,1,\n", "")),
+)
 @settings(max_examples=300, deadline=None)
 def test_any_bytes_nck(table: bytes, cma: bytes, sheet: bytes) -> None:
     options = {"backlash_column": "second_curve"}

@@ -27,14 +27,30 @@ TARGET_KEYS = {
     "position", "n_positive", "n_negative", "mean_positive", "mean_negative", "s_positive", "s_negative", "reversal", "mean",
     "R_positive", "R_negative", "R",
 }  # fmt: skip
-PARAMETERS = ["A", "A_positive", "A_negative", "E", "E_positive", "E_negative", "M", "R", "R_positive", "R_negative", "B", "B_mean"]
+PARAMETERS = [
+    "A",
+    "A_positive",
+    "A_negative",
+    "E",
+    "E_positive",
+    "E_negative",
+    "M",
+    "R",
+    "R_positive",
+    "R_negative",
+    "B",
+    "B_mean",
+]
 
 
 def sample_document(standard: str = "iso230-2:2014") -> dict[str, object]:
-    test = axis_test([0.0, 100.5], [[1 * UM, 3 * UM, np.nan], [0.0, 0.0, 0.0]], [[5 * UM, 7 * UM], [0.0, 2 * UM]])
+    test = axis_test(
+        [0.0, 100.5], [[1 * UM, 3 * UM, np.nan], [0.0, 0.0, 0.0]], [[5 * UM, 7 * UM], [0.0, 2 * UM]]
+    )
     test = replace(test, sources=(source_of("x.csv", b"abc"),), header={"machine": "VMC"})
     return evaluation_document(
-        [evaluate(test, standard)], [Fault(message="cannot be read", file="y.csv", place="line 3", expected="a number")]
+        [evaluate(test, standard)],
+        [Fault(message="cannot be read", file="y.csv", place="line 3", expected="a number")],
     )
 
 
@@ -46,7 +62,9 @@ def test_the_keys_are_the_contracts() -> None:
     assert set(result) >= RESULT_KEYS
     assert list(result["parameters"]) == PARAMETERS
     assert set(result["targets"][0]) == TARGET_KEYS | {"deviations_positive", "deviations_negative"}
-    assert document["errors"] == [{"file": "y.csv", "message": "line 3: cannot be read; expected a number"}]
+    assert document["errors"] == [
+        {"file": "y.csv", "message": "line 3: cannot be read; expected a number"}
+    ]
     # SHA-256 of "abc": FIPS 180-2, appendix B.1
     digest = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"
     assert result["sources"] == [{"file": "x.csv", "sha256": digest}]
@@ -60,7 +78,12 @@ def test_units_outside_and_nothing_invented() -> None:
     assert first["position"] == 0.0
     assert (first["n_positive"], first["n_negative"]) == (2, 2)
     assert first["deviations_positive"] == [1.0, 3.0, None]
-    assert (first["mean_positive"], first["mean_negative"], first["reversal"], first["mean"]) == (2.0, 6.0, -4.0, 4.0)
+    assert (first["mean_positive"], first["mean_negative"], first["reversal"], first["mean"]) == (
+        2.0,
+        6.0,
+        -4.0,
+        4.0,
+    )
     assert first["s_positive"] == pytest.approx(2**0.5, abs=1e-9)
     assert result["parameters"]["B"] == 4.0
     assert result["at"]["B"] == 0.0
@@ -69,9 +92,20 @@ def test_units_outside_and_nothing_invented() -> None:
 
 def test_rotary_in_arcsec() -> None:
     second = 1.0 / 3600.0
-    test = axis_test([0.0, 90.0], [[1 * second], [3 * second]], [[4 * second], [6 * second]], kind=AxisKind.ROTARY)
-    result = evaluation_document([evaluate(test, budget=UncertaintyBudget(device=0.5))])["results"][0]
-    assert (result["unit"], result["position_unit"], result["axis_kind"]) == ("arcsec", "deg", "rotary")
+    test = axis_test(
+        [0.0, 90.0],
+        [[1 * second], [3 * second]],
+        [[4 * second], [6 * second]],
+        kind=AxisKind.ROTARY,
+    )
+    result = evaluation_document([evaluate(test, budget=UncertaintyBudget(device=0.5))])["results"][
+        0
+    ]
+    assert (result["unit"], result["position_unit"], result["axis_kind"]) == (
+        "arcsec",
+        "deg",
+        "rotary",
+    )
     assert result["parameters"]["E"] == 5.0
     assert result["parameters"]["B_mean"] == -3.0
     assert result["uncertainty"]["E"] == {"U": 0.5, "coverage": 2.0}
@@ -85,7 +119,9 @@ def test_a_null_has_its_reason_and_a_reason_its_null(standard: str) -> None:
         axis_test([0.0, 1.0], [[0.0, 1 * UM], [1 * UM, np.nan]], [[0.0, 0.0], [0.0, 0.0]]),
     ):
         result = json.loads(to_json(evaluation_document([evaluate(test, standard)])))["results"][0]
-        assert {name for name, value in result["parameters"].items() if value is None} == set(result["not_applicable"])
+        assert {name for name, value in result["parameters"].items() if value is None} == set(
+            result["not_applicable"]
+        )
         assert all(result["not_applicable"].values())
 
 
@@ -103,6 +139,12 @@ def test_json_text_is_stable_utf8() -> None:
 def test_the_contracts_example() -> None:
     """The contract shows the test of ISO 230-2:1997, table 2, with its places of R and B."""
     assert '"at": {"R": 1408.462, "B": 175.077}' in (SHARED / "contract.md").read_text("utf-8")
-    result = evaluation_document([evaluate(printed_table(STANDARD_TABLES / "iso-230-2-1997-table-2.csv"))])["results"][0]
+    result = evaluation_document(
+        [evaluate(printed_table(STANDARD_TABLES / "iso-230-2-1997-table-2.csv"))]
+    )["results"][0]
     assert (result["at"]["R"], result["at"]["B"]) == (1408.462, 175.077)
-    assert (result["n_targets"], result["n_runs"], result["cycle"]) == (11, {"positive": 5, "negative": 5}, "standard")
+    assert (result["n_targets"], result["n_runs"], result["cycle"]) == (
+        11,
+        {"positive": 5, "negative": 5},
+        "standard",
+    )

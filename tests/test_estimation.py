@@ -1,4 +1,6 @@
-"""The error of an axis against axes whose error is known, and against what a test can and cannot tell."""
+"""The error of an axis against axes whose error is known, and against what a test can and cannot
+tell.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,12 @@ def a_test(positive: Array, negative: Array, targets: Array, **more: object) -> 
 
 
 def measured(
-    rng: np.random.Generator, targets: Array, error: Array, reversal: Array, noise: float, runs: int = 5
+    rng: np.random.Generator,
+    targets: Array,
+    error: Array,
+    reversal: Array,
+    noise: float,
+    runs: int = 5,
 ) -> PositioningTest:
     """A test by the definition: deviation = error + half the reversal in its direction + noise."""
     shape = (targets.size, runs)
@@ -51,13 +58,17 @@ def codes(posterior: AxisPosterior) -> set[str]:
 def test_a_known_smooth_error_is_recovered() -> None:
     rng = np.random.default_rng(1)
     targets = spread_targets(rng, 25)
-    posterior = estimate_axis(measured(rng, targets, smooth(targets), 0 * targets - 3 * UM, 1 * UM), travel=TRAVEL)
+    posterior = estimate_axis(
+        measured(rng, targets, smooth(targets), 0 * targets - 3 * UM, 1 * UM), travel=TRAVEL
+    )
     inside = np.linspace(targets[0], targets[-1], 300)
     summary = posterior.summary(inside)
     # The mean of one cell has 1/sqrt(5) = 0.45 µm; smoothing must do better than 0.6 times that.
     for mean, sign in ((summary.mean_positive, 1), (summary.mean_negative, -1)):
         assert np.sqrt(np.mean((mean - smooth(inside) + sign * 1.5 * UM) ** 2)) < 0.27 * UM
-    assert np.mean(summary.mean_positive - summary.mean_negative) == pytest.approx(-3 * UM, abs=0.3 * UM)
+    assert np.mean(summary.mean_positive - summary.mean_negative) == pytest.approx(
+        -3 * UM, abs=0.3 * UM
+    )
     assert summary.measured == (targets[0], targets[-1])
 
 
@@ -78,9 +89,13 @@ def test_the_noise_is_recovered() -> None:
 def test_noise_without_repetition_comes_from_neighbours() -> None:
     rng = np.random.default_rng(3)
     targets = spread_targets(rng, 60)
-    posterior = estimate_axis(measured(rng, targets, smooth(targets), 0 * targets, 1 * UM, runs=1), travel=TRAVEL)
+    posterior = estimate_axis(
+        measured(rng, targets, smooth(targets), 0 * targets, 1 * UM, runs=1), travel=TRAVEL
+    )
     assert "CW-E002" in codes(posterior)
-    assert posterior.noise == pytest.approx(1 * UM, rel=0.35)  # 60 reversals: 9 % and the weak prior
+    assert posterior.noise == pytest.approx(
+        1 * UM, rel=0.35
+    )  # 60 reversals: 9 % and the weak prior
     assert posterior.noise_dof < 2 * 60
 
 
@@ -92,7 +107,9 @@ def test_a_known_period_is_separated() -> None:
     posterior = estimate_axis(test, travel=TRAVEL, periods=(10.0,))
     fine = np.linspace(400.0, 440.0, 161)
     left = posterior.summary(fine).mean_positive - smooth(fine)
-    again = np.column_stack([np.ones_like(fine), np.cos(2 * np.pi * fine / 10), np.sin(2 * np.pi * fine / 10)])
+    again = np.column_stack(
+        [np.ones_like(fine), np.cos(2 * np.pi * fine / 10), np.sin(2 * np.pi * fine / 10)]
+    )
     constant, cosine, sine = np.linalg.lstsq(again, left, rcond=None)[0]
     del constant
     # Amplitude from 82 cell means of 0.22 µm: 0.22 * sqrt(2/82) = 0.035 µm.
@@ -131,10 +148,14 @@ def test_a_varying_reversal_is_drawn_with_its_sign() -> None:
     rng = np.random.default_rng(7)
     targets = spread_targets(rng, 15)
     reversal = -5 * UM + 8 * UM * (targets / 1000.0 - 0.5)
-    posterior = estimate_axis(measured(rng, targets, smooth(targets), reversal, 1 * UM), travel=TRAVEL)
+    posterior = estimate_axis(
+        measured(rng, targets, smooth(targets), reversal, 1 * UM), travel=TRAVEL
+    )
     draws = posterior.draw(np.array([100.0, 900.0]), 400, rng)
     shown = (draws.positive - draws.negative).mean(axis=0)
-    assert shown == pytest.approx([-8.2 * UM, -1.8 * UM], abs=0.8 * UM)  # about two standard errors of one reversal
+    assert shown == pytest.approx(
+        [-8.2 * UM, -1.8 * UM], abs=0.8 * UM
+    )  # about two standard errors of one reversal
 
 
 def parameters(positive: Array, negative: Array) -> tuple[Array, Array]:
@@ -143,16 +164,23 @@ def parameters(positive: Array, negative: Array) -> tuple[Array, Array]:
     s_p, s_n = positive.std(axis=-1, ddof=1), negative.std(axis=-1, ddof=1)
     upper = np.maximum(mean_p + 2 * s_p, mean_n + 2 * s_n).max(axis=-1)
     lower = np.minimum(mean_p - 2 * s_p, mean_n - 2 * s_n).min(axis=-1)
-    return upper - lower, np.maximum(mean_p, mean_n).max(axis=-1) - np.minimum(mean_p, mean_n).min(axis=-1)
+    return upper - lower, np.maximum(mean_p, mean_n).max(axis=-1) - np.minimum(mean_p, mean_n).min(
+        axis=-1
+    )
 
 
 def one_axis(seed: int, *, period: bool) -> list[float]:
-    """The share of predicted A and E below those of a fresh test: at the same targets, and at new ones."""
+    """The share of predicted A and E below those of a fresh test: at the same targets, and at new
+    ones.
+    """
     rng = np.random.default_rng(seed)
     m, n, count = 15, 5, 300
     noise, backlash = rng.uniform(0.3, 2.0) * UM, -rng.uniform(0.0, 6.0) * UM
     order = np.arange(1, 7)
-    weight, phase = rng.standard_normal(6) * rng.uniform(1, 8) * UM / order**1.5, rng.uniform(0, 6.28, 6)
+    weight, phase = (
+        rng.standard_normal(6) * rng.uniform(1, 8) * UM / order**1.5,
+        rng.uniform(0, 6.28, 6),
+    )
     slope, amplitude = rng.normal(0, 2e-5), rng.uniform(0.5, 2.5) * UM * period
 
     def error(x: Array) -> Array:
@@ -167,7 +195,9 @@ def one_axis(seed: int, *, period: bool) -> list[float]:
     for where in (targets, other):
         draws = posterior.draw(where, count, rng)
         fresh = draws.noise[:, np.newaxis, np.newaxis] * rng.standard_normal((2, count, m, n))
-        predicted = parameters(draws.positive[:, :, np.newaxis] + fresh[0], draws.negative[:, :, np.newaxis] + fresh[1])
+        predicted = parameters(
+            draws.positive[:, :, np.newaxis] + fresh[0], draws.negative[:, :, np.newaxis] + fresh[1]
+        )
         again = measured(rng, where, error(where), 0 * where + backlash, noise)
         shown = parameters(again.positive, again.negative)
         shares += [float(np.mean(p < s)) for p, s in zip(predicted, shown, strict=True)]
@@ -212,7 +242,9 @@ def test_draws_at_the_targets_know_what_repeats_there() -> None:
     rng = np.random.default_rng(10)
     targets = spread_targets(rng, 31)
     local = 3 * UM * rng.standard_normal(31)  # repeats at each target, smooth in nothing
-    posterior = estimate_axis(measured(rng, targets, smooth(targets) + local, 0 * targets, 0.3 * UM), travel=TRAVEL)
+    posterior = estimate_axis(
+        measured(rng, targets, smooth(targets) + local, 0 * targets, 0.3 * UM), travel=TRAVEL
+    )
     draws = posterior.draw(targets, 400, rng)
     middle = 0.5 * (draws.positive + draws.negative)
     # Cell means of both directions: 0.3/sqrt(10) = 0.1 µm; between targets the 3 µm are unknown.
@@ -224,7 +256,9 @@ def test_draws_at_the_targets_know_what_repeats_there() -> None:
 def test_beyond_the_targets_the_uncertainty_grows() -> None:
     rng = np.random.default_rng(11)
     targets = np.linspace(300.0, 700.0, 21)
-    posterior = estimate_axis(measured(rng, targets, smooth(targets), 0 * targets, 1 * UM), travel=TRAVEL)
+    posterior = estimate_axis(
+        measured(rng, targets, smooth(targets), 0 * targets, 1 * UM), travel=TRAVEL
+    )
     summary = posterior.summary(np.array([0.0, 500.0, 1000.0]))
     assert summary.std_positive[0] > 5 * summary.std_positive[1] < summary.std_positive[2]
     assert "CW-E004" in codes(posterior)
@@ -236,7 +270,10 @@ def test_repeated_positions_and_reproducible() -> None:
     test = measured(rng, targets, smooth(targets), 0 * targets, 1 * UM)
     first, second = estimate_axis(test, travel=TRAVEL), estimate_axis(test, travel=TRAVEL)
     where = np.array([500.0, 20.0, 500.0])
-    one, two = first.draw(where, 50, np.random.default_rng(1)), second.draw(where, 50, np.random.default_rng(1))
+    one, two = (
+        first.draw(where, 50, np.random.default_rng(1)),
+        second.draw(where, 50, np.random.default_rng(1)),
+    )
     assert np.array_equal(one.positive, two.positive)
     assert np.array_equal(one.positive[:, 0], one.positive[:, 2])
     assert one.noise.shape == (50,)
@@ -246,11 +283,17 @@ def test_repeated_positions_and_reproducible() -> None:
 def test_draws_agree_with_the_summary() -> None:
     rng = np.random.default_rng(13)
     targets = spread_targets(rng, 41)
-    wave = 2 * UM * np.cos(2 * np.pi * targets / 10.0)  # a period that nobody named: local to each target
-    posterior = estimate_axis(measured(rng, targets, smooth(targets) + wave, 0 * targets - 3 * UM, 0.5 * UM), travel=TRAVEL)
+    wave = (
+        2 * UM * np.cos(2 * np.pi * targets / 10.0)
+    )  # a period that nobody named: local to each target
+    posterior = estimate_axis(
+        measured(rng, targets, smooth(targets) + wave, 0 * targets - 3 * UM, 0.5 * UM),
+        travel=TRAVEL,
+    )
     where = np.linspace(31.0, 969.0, 30)
     summary, draws = posterior.summary(where), posterior.draw(where, 4000, rng)
-    # 4000 draws: mean to 1.6 % of the standard deviation, which itself to 1.1 %, or four times that in the worst of 60.
+    # 4000 draws: mean to 1.6 % of the standard deviation, which itself to 1.1 %, or four times that
+    # in the worst of 60.
     for drawn, mean, std in (
         (draws.positive, summary.mean_positive, summary.std_positive),
         (draws.negative, summary.mean_negative, summary.std_negative),
@@ -264,26 +307,33 @@ def test_spread_of_the_readings_by_hand() -> None:
     positive = np.array([[0.0, 2.0], [10.0, 10.0], [20.0, np.nan]])
     negative = np.array([[1.0, 3.0], [11.0, 15.0], [20.0, 20.0]])
     cells = cells_of(a_test(positive, negative, np.array([0.0, 1.0, 2.0])))
-    # Sums of squares 2 + 0 + 2 + 8 + 0 = 12 with five degrees of freedom; the single reading has none.
+    # Sums of squares 2 + 0 + 2 + 8 + 0 = 12 with five degrees of freedom; the single reading has
+    # none.
     assert cells.spread * cells.data.scale == pytest.approx(np.sqrt(12.0 / 5.0), rel=1e-12)
     assert cells.data.dof == 5.0
     assert cells.reversal == pytest.approx((-1.0 - 3.0 + 0.0) / 3.0, rel=1e-12)
     rng = np.random.default_rng(14)
     many = np.linspace(0.0, 1000.0, 400)
     single = cells_of(a_test(rng.standard_normal((400, 1)), np.empty((400, 0)), many))
-    assert single.spread * single.data.scale == pytest.approx(1.0, rel=0.12)  # 400 overlapping differences: 4 %
+    assert single.spread * single.data.scale == pytest.approx(
+        1.0, rel=0.12
+    )  # 400 overlapping differences: 4 %
 
 
 @pytest.mark.parametrize("seed", range(5))
 def test_the_evidence_equals_the_density_of_all_readings(seed: int) -> None:
-    """Against the covariance of every single reading written out, and the gradient against differences."""
+    """Against the covariance of every single reading written out, and the gradient against
+    differences.
+    """
     rng = np.random.default_rng(seed)
     targets = np.sort(rng.uniform(0.0, 1000.0, 9))
     positive, negative = rng.standard_normal((9, 3)), rng.standard_normal((9, 4))
     positive[2] = np.nan
     negative[5, 1:] = np.nan
     cells = cells_of(a_test(positive, negative, targets))
-    basis = Basis(centre=500.0, half=500.0, sines=20, reversal_sines=8, periods=(130.0,), bidirectional=True)
+    basis = Basis(
+        centre=500.0, half=500.0, sines=20, reversal_sines=8, periods=(130.0,), bidirectional=True
+    )
     prior = Prior(centre=np.zeros(7), width=np.ones(7), free=(True,) * 7)
     evidence = Evidence(basis, targets, cells.data, prior)
     h = np.array([-0.3, -0.8, 0.1, -1.0, -0.5, -0.4, -0.7]) + 0.2 * rng.standard_normal(7)
@@ -299,7 +349,9 @@ def test_the_evidence_equals_the_density_of_all_readings(seed: int) -> None:
         noise, local = evidence.variances(values)
         line = cells.line_at(targets)
         rows, seats, readings = [], [], []
-        for design, block, taken in zip(basis.design(targets), (positive, negative), line, strict=True):
+        for design, block, taken in zip(
+            basis.design(targets), (positive, negative), line, strict=True
+        ):
             for seat, row in enumerate(block):
                 for reading in row[np.isfinite(row)]:
                     rows.append(design[seat])
@@ -308,24 +360,34 @@ def test_the_evidence_equals_the_density_of_all_readings(seed: int) -> None:
         X, same = np.array(rows), np.equal.outer(seats, seats)
         covariance = X * np.exp(logs) @ X.T + local * same + noise * np.eye(len(readings))
         y = np.array(readings)
-        return float(-0.5 * (np.linalg.slogdet(covariance)[1] + y @ np.linalg.solve(covariance, y))) + prior.log(values)
+        return float(
+            -0.5 * (np.linalg.slogdet(covariance)[1] + y @ np.linalg.solve(covariance, y))
+        ) + prior.log(values)
 
-    # Constants that do not depend on the hyperparameters are left out: compare the change between two places.
+    # Constants that do not depend on the hyperparameters are left out: compare the change between
+    # two places.
     other = h + 0.3 * rng.standard_normal(7)
-    assert evidence.log_posterior(h) - evidence.log_posterior(other) == pytest.approx(density(h) - density(other), abs=1e-6)
+    assert evidence.log_posterior(h) - evidence.log_posterior(other) == pytest.approx(
+        density(h) - density(other), abs=1e-6
+    )
 
 
 def test_each_direction_carries_half_of_the_reversal() -> None:
     basis = Basis(centre=0.0, half=1.0, sines=4, reversal_sines=2, periods=(), bidirectional=True)
     plus, minus = basis.design(np.array([-0.4, 0.9]))
     weights = np.zeros(basis.size)
-    weights[basis.mean_size : basis.mean_size + 2] = [-3.0, 0.5]  # B = -3 + u/2: mean(+) minus mean(-)
+    weights[basis.mean_size : basis.mean_size + 2] = [
+        -3.0,
+        0.5,
+    ]  # B = -3 + u/2: mean(+) minus mean(-)
     assert (plus - minus) @ weights == pytest.approx([-3.2, -2.55], abs=1e-12)
     assert (plus + minus) @ weights == pytest.approx([0.0, 0.0], abs=1e-12)
 
 
 def test_the_smooth_part_has_the_covariance_of_matern() -> None:
-    basis = Basis(centre=0.0, half=1.0, sines=200, reversal_sines=8, periods=(), bidirectional=False)
+    basis = Basis(
+        centre=0.0, half=1.0, sines=200, reversal_sines=8, periods=(), bidirectional=False
+    )
     where = np.array([0.0, 0.1, 0.3])
     targets = np.array([-1.0, 0.0, 1.0])
     cells = cells_of(a_test(np.eye(3), np.empty((3, 0)), targets))
@@ -335,7 +397,9 @@ def test_the_smooth_part_has_the_covariance_of_matern() -> None:
     smooth_rows = basis.design(where)[0][:, 2:]
     shown = smooth_rows * variances[2:] @ smooth_rows.T
     distance = np.sqrt(5.0) * np.abs(np.subtract.outer(where, where)) / 0.2
-    matern = 4.0 * (1.0 + distance + distance**2 / 3.0) * np.exp(-distance)  # Rasmussen and Williams, eq. 4.17
+    matern = (
+        4.0 * (1.0 + distance + distance**2 / 3.0) * np.exp(-distance)
+    )  # Rasmussen and Williams, eq. 4.17
     assert shown == pytest.approx(matern, abs=0.01)
 
 
@@ -353,19 +417,29 @@ TEN = np.linspace(0.0, 1000.0, 11)
         a_test(ZERO + 1e6 + TEN[:, np.newaxis], ZERO - 1e6, TEN),
         a_test(ZERO + 1e-12 * np.arange(5), ZERO, TEN),
         a_test(
-            np.where(np.arange(11)[:, np.newaxis] % 2, ZERO, np.nan), np.where(np.arange(11)[:, np.newaxis] % 2, np.nan, ZERO), TEN
+            np.where(np.arange(11)[:, np.newaxis] % 2, ZERO, np.nan),
+            np.where(np.arange(11)[:, np.newaxis] % 2, np.nan, ZERO),
+            TEN,
         ),
         a_test(ZERO, ZERO + 1e-3, TEN * 0.36, kind=AxisKind.ROTARY),
         a_test(ZERO[:2, :2], ZERO[:2, :2], np.array([499.999, 500.001])),
     ],
 )
 @pytest.mark.parametrize("periods", [(), (10.0, 33.0)])
-def test_degenerate_tests_give_finite_numbers(test: PositioningTest, periods: tuple[float, ...]) -> None:
+def test_degenerate_tests_give_finite_numbers(
+    test: PositioningTest, periods: tuple[float, ...]
+) -> None:
     posterior = estimate_axis(test, travel=TRAVEL, periods=periods)
     where = np.linspace(0.0, 1000.0, 41)
     summary = posterior.summary(where)
     draws = posterior.draw(where, 40, np.random.default_rng(0))
-    for values in (summary.mean_positive, summary.mean_negative, summary.std_positive, draws.positive, draws.noise):
+    for values in (
+        summary.mean_positive,
+        summary.mean_negative,
+        summary.std_positive,
+        draws.positive,
+        draws.noise,
+    ):
         assert np.all(np.isfinite(values))
     assert posterior.noise > 0.0
     assert posterior.noise_dof > 0.0
@@ -377,7 +451,11 @@ def test_what_cannot_be_estimated_is_refused() -> None:
     with pytest.raises(InputError, match="found readings at 0"):
         estimate_axis(a_test(np.full((11, 5), np.nan), np.empty((11, 0)), TEN), travel=TRAVEL)
     with pytest.raises(UsageError) as caught:
-        estimate_axis(a_test(ZERO, ZERO, TEN, frame="instrument"), travel=(5.0, 5.0), periods=(0.0, float("nan")))
+        estimate_axis(
+            a_test(ZERO, ZERO, TEN, frame="instrument"),
+            travel=(5.0, 5.0),
+            periods=(0.0, float("nan")),
+        )
     assert len(caught.value.faults) == 4
 
 
@@ -388,12 +466,18 @@ def test_what_cannot_be_estimated_is_refused() -> None:
     ("interval", "period", "wave"),
     [(25.4, 5.0, 317.5), (47.0, 10.0, 156.7), (50.2, 10.0, 2510.0), (24.0, 10.0, 60.0)],
 )
-def test_a_period_that_folds_to_a_longer_wave_is_not_fitted(interval: float, period: float, wave: float) -> None:
-    """Equal intervals d show the period P as a wave of 1 / |1/P - k/d|: 25.4 mm and 5 mm as 317.5 mm."""
+def test_a_period_that_folds_to_a_longer_wave_is_not_fitted(
+    interval: float, period: float, wave: float
+) -> None:
+    """Equal intervals d show the period P as a wave of 1 / |1/P - k/d|: 25.4 mm and 5 mm as 317.5
+    mm.
+    """
     targets = interval * np.arange(32.0)
     shown = folded(targets, period)
     assert shown is not None
-    assert shown == pytest.approx(wave, rel=0.1)  # the frequencies are looked through in steps of 1 / 32 of a turn over the travel
+    assert shown == pytest.approx(
+        wave, rel=0.1
+    )  # the frequencies are looked through in steps of 1 / 32 of a turn over the travel
     assert visible_periods(targets, [period]) == ()
 
 

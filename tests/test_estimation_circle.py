@@ -1,4 +1,6 @@
-"""The diagnosis of circular tests against machines whose causes are known, and against a vendor's printed values."""
+"""The diagnosis of circular tests against machines whose causes are known, and against a vendor's
+printed values.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,11 @@ from circle_machine import Machine, Setup, measured, random_machine, truth
 from compwright.estimation.circle import diagnose
 from compwright.estimation.circle_centre import recentre, second_order
 from compwright.estimation.circle_model import samples_of
-from compwright.estimation.circle_noise import cosine_transform, inverse_cosine_transform, spectrum_of
+from compwright.estimation.circle_noise import (
+    cosine_transform,
+    inverse_cosine_transform,
+    spectrum_of,
+)
 from compwright.estimation.circle_plain import plain_regression, shop_formulas
 from compwright.foundations.errors import InputError, UsageError
 from compwright.instruments.b5r import read_b5r
@@ -35,7 +41,8 @@ CAUSES = {
     "straightness_second": 4.0,
     "radius_change": 1.0,
 }
-#: Rounding and the second order of the model (a relative 1e-4 of a cause), in each cause's own unit.
+#: Rounding and the second order of the model (a relative 1e-4 of a cause), in each cause's own
+#: unit.
 EXACT = {"um": 0.003, "um/m": 0.05, "ms": 0.001}
 
 
@@ -57,7 +64,8 @@ def test_a_centre_of_half_a_millimetre_is_found_to_the_nanometre() -> None:
 
 
 def test_the_second_order_of_a_centre_is_that_of_the_handbook() -> None:
-    # Across the offset |R u + c| = sqrt(R² + a²) = R + a²/2R: 0.9 µm at 0.3 mm and 50 mm; along it nothing.
+    # Across the offset |R u + c| = sqrt(R² + a²) = R + a²/2R: 0.9 µm at 0.3 mm and 50 mm; along it
+    # nothing.
     across, along = second_order(np.array([0.5 * np.pi, 0.0]), (0.3, 0.0), 50.0)
     assert across == pytest.approx(0.9e-3, abs=1e-7)
     assert along == pytest.approx(0.0, abs=1e-12)
@@ -69,7 +77,10 @@ def test_the_second_order_of_a_centre_is_that_of_the_handbook() -> None:
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 @pytest.mark.parametrize("name", CAUSES)
 def test_a_single_cause_is_recovered_with_its_sign_and_no_other(name: str, sign: float) -> None:
-    machine, setup = one(name, sign * CAUSES[name]), Setup(feed=300.0 if name.startswith("scale") else 2000.0)
+    machine, setup = (
+        one(name, sign * CAUSES[name]),
+        Setup(feed=300.0 if name.startswith("scale") else 2000.0),
+    )
     found = diagnose(measured(machine, setup))
     for key, value in truth(machine, setup).items():
         effect = found.effects[key]
@@ -87,11 +98,15 @@ def test_a_spike_is_recovered_with_its_decay_left_open(axis: str) -> None:
     assert effect.std_error < 0.1  # µm: about 11 samples of 0.1 µm at each of four reversals
     assert effect.low == pytest.approx(effect.value - 1.645 * effect.std_error, abs=1e-9)
     other = "second" if axis == "first" else "first"
-    assert diagnose(measured(machine, Setup(noise=0.1), rng)).effects[f"reversal_spike_{other}"].low == pytest.approx(0.0, abs=0.05)
+    assert diagnose(measured(machine, Setup(noise=0.1), rng)).effects[
+        f"reversal_spike_{other}"
+    ].low == pytest.approx(0.0, abs=0.05)
 
 
 def test_a_spike_inwards_is_no_spike_but_a_finding() -> None:
-    found = diagnose(measured(Machine(reversal_spike_first=-5.0), Setup(noise=0.1), np.random.default_rng(1)))
+    found = diagnose(
+        measured(Machine(reversal_spike_first=-5.0), Setup(noise=0.1), np.random.default_rng(1))
+    )
     assert found.effects["reversal_spike_first"].value == 0.0
     assert found.effects["reversal_spike_first"].low == 0.0
     assert "CW-D008" in codes(found)
@@ -102,9 +117,14 @@ def test_a_spike_inwards_is_no_spike_but_a_finding() -> None:
 def test_a_cyclic_error_of_unknown_pitch_is_found(axis: str, pitch: float) -> None:
     machine = replace(one(f"cyclic_{axis}", 0.5), **{f"pitch_{axis}": pitch})  # type: ignore[arg-type]
     found = diagnose(measured(machine, Setup(noise=0.2), np.random.default_rng(2)))
-    effect, other = found.effects[f"cyclic_{axis}"], found.effects[f"cyclic_{'second' if axis == 'first' else 'first'}"]
+    effect, other = (
+        found.effects[f"cyclic_{axis}"],
+        found.effects[f"cyclic_{'second' if axis == 'first' else 'first'}"],
+    )
     assert abs(effect.value - 0.5) < 4.0 * effect.std_error
-    assert effect.std_error < 0.03  # µm: 0.2 µm / sqrt(3000 / 4) is 0.007, unless straightness takes part
+    assert (
+        effect.std_error < 0.03
+    )  # µm: 0.2 µm / sqrt(3000 / 4) is 0.007, unless straightness takes part
     assert other.value == 0.0
     assert other.low == 0.0
     assert {"CW-D006", "CW-D007"} <= codes(found)
@@ -113,8 +133,12 @@ def test_a_cyclic_error_of_unknown_pitch_is_found(axis: str, pitch: float) -> No
 
 
 def test_a_given_pitch_is_used_and_not_sought() -> None:
-    test = measured(Machine(cyclic_first=0.03, pitch_first=10.0), Setup(noise=0.2), np.random.default_rng(5))
-    assert diagnose(test).effects["cyclic_first"].value == 0.0  # too small to be found among hundreds of pitches
+    test = measured(
+        Machine(cyclic_first=0.03, pitch_first=10.0), Setup(noise=0.2), np.random.default_rng(5)
+    )
+    assert (
+        diagnose(test).effects["cyclic_first"].value == 0.0
+    )  # too small to be found among hundreds of pitches
     effect = diagnose(test, periods={"X": 10.0}).effects["cyclic_first"]
     assert abs(effect.value - 0.03) < 4.0 * effect.std_error
     assert effect.std_error < 0.02
@@ -125,11 +149,15 @@ def test_noise_alone_hides_no_more_than_it_says() -> None:
     for axis in ("first", "second"):
         effect = found.effects[f"cyclic_{axis}"]
         assert (effect.value, effect.low) == (0.0, 0.0)
-        assert 0.01 < effect.std_error < 0.1  # µm: 0.3 µm / sqrt(750) = 0.011, the largest of hundreds
+        assert (
+            0.01 < effect.std_error < 0.1
+        )  # µm: 0.3 µm / sqrt(750) = 0.011, the largest of hundreds
 
 
 def test_a_cyclic_error_that_is_not_found_is_within_what_may_be_hidden() -> None:
-    """On a small circle and under slow noise a cyclic error of a few periods looks like noise; what is said must stay true."""
+    """On a small circle and under slow noise a cyclic error of a few periods looks like noise; what
+    is said must stay true.
+    """
     unseen = 0
     for index in range(25):
         rng = np.random.default_rng([41, index])
@@ -139,7 +167,9 @@ def test_a_cyclic_error_that_is_not_found_is_within_what_may_be_hidden() -> None
         for axis in ("first", "second"):
             effect = effects[f"cyclic_{axis}"]
             unseen += effect.value == 0.0
-            assert abs(effect.value - getattr(machine, f"cyclic_{axis}")) < 4.5 * effect.std_error, (index, axis)
+            assert (
+                abs(effect.value - getattr(machine, f"cyclic_{axis}")) < 4.5 * effect.std_error
+            ), (index, axis)
     assert unseen > 0  # the case was met
 
 
@@ -167,15 +197,23 @@ def test_effect_is_the_handbooks_peak_to_peak(name: str, value: float, effect: f
 
 
 def test_lost_motion_has_its_step_as_effect_and_parts_are_not_counted_twice() -> None:
-    machine = Machine(backlash_first_at_positive=6.0, backlash_first_at_negative=4.0, squareness=40.0)
+    machine = Machine(
+        backlash_first_at_positive=6.0, backlash_first_at_negative=4.0, squareness=40.0
+    )
     found = diagnose(measured(machine, Setup()))
     sizes = {name: effect.effect for name, effect in found.effects.items()}
     assert sizes["backlash_first_at_positive"] == pytest.approx(6.0, abs=0.5)
     assert sizes["backlash_first"] == pytest.approx(6.0, abs=0.5)
-    causes = {name: e for name, e in found.effects.items() if "_at_" not in name and not name.startswith("scale_error")}
+    causes = {
+        name: e
+        for name, e in found.effects.items()
+        if "_at_" not in name and not name.startswith("scale_error")
+    }
     assert sum(effect.share for effect in causes.values()) == pytest.approx(1.0, abs=1e-9)
     for name, effect in found.effects.items():
-        assert effect.share == pytest.approx(effect.effect / sum(e.effect for e in causes.values()), abs=1e-9), name
+        assert effect.share == pytest.approx(
+            effect.effect / sum(e.effect for e in causes.values()), abs=1e-9
+        ), name
 
 
 # ---------------------------------------------------------------- all causes at once
@@ -189,25 +227,34 @@ def scores(count: int, setup: Setup, seed: int) -> dict[str, Array]:
         machine = random_machine(rng, setup.radius)
         effects = diagnose(measured(machine, setup, rng)).effects
         for name, value in truth(machine, setup).items():
-            if not name.startswith("scale_error"):  # their errors carry the doubt about the servo, not only the noise
-                found.setdefault(name, []).append((effects[name].value - value) / effects[name].std_error)
+            if not name.startswith(
+                "scale_error"
+            ):  # their errors carry the doubt about the servo, not only the noise
+                found.setdefault(name, []).append(
+                    (effects[name].value - value) / effects[name].std_error
+                )
     return {name: np.array(values) for name, values in found.items()}
 
 
 @pytest.mark.parametrize(
-    "setup", [Setup(noise=0.3), Setup(noise=0.15, wander=0.25, length=15.0, radius=100.0, feed=1000.0)], ids=["white", "correlated"]
+    "setup",
+    [Setup(noise=0.3), Setup(noise=0.15, wander=0.25, length=15.0, radius=100.0, feed=1000.0)],
+    ids=["white", "correlated"],
 )
 def test_intervals_hold_the_truth_of_random_machines(setup: Setup) -> None:
     count = 60
     inside = {name: int(np.sum(np.abs(z) < 1.96)) for name, z in scores(count, setup, 11).items()}
-    # 95 % of 60 is 57 ± 1.7; 50 or fewer comes once in ten thousand. Many machines: benchmarks/bench_circle.py.
+    # 95 % of 60 is 57 ± 1.7; 50 or fewer comes once in ten thousand. Many machines:
+    # benchmarks/bench_circle.py.
     assert {name: number for name, number in inside.items() if number <= 50} == {}
     # Thirteen causes, partly correlated: like 300 independent ones, ± 1.3 %.
     assert 0.915 < sum(inside.values()) / (count * len(inside)) < 0.99
 
 
 def test_what_comes_back_in_every_run_does_not_make_intervals_short() -> None:
-    """A shape that no cause has, alike in both runs: its low orders are in the causes, its others in the residual."""
+    """A shape that no cause has, alike in both runs: its low orders are in the causes, its others
+    in the residual.
+    """
     missed, errors = 0, []
     count = 40
     for index in range(count):
@@ -217,13 +264,17 @@ def test_what_comes_back_in_every_run_does_not_make_intervals_short() -> None:
         orders = np.arange(2, 30)
         size = 0.5 / (1.0 + (orders / 8.0) ** 2)
         amplitudes = size[:, np.newaxis] * rng.standard_normal((orders.size, 2))
-        shape = np.cos(np.outer(theta, orders)) @ amplitudes[:, 0] + np.sin(np.outer(theta, orders)) @ amplitudes[:, 1]
+        shape = (
+            np.cos(np.outer(theta, orders)) @ amplitudes[:, 0]
+            + np.sin(np.outer(theta, orders)) @ amplitudes[:, 1]
+        )
         setup = replace(setup, extra={"ccw": shape, "cw": shape[::-1]})
         effect = diagnose(measured(Machine(squareness=20.0), setup, rng)).effects["squareness"]
         missed += abs(effect.value - 20.0) > 1.96 * effect.std_error
         errors.append(effect.std_error)
     assert missed <= 8  # of 40: 5 % would be 2, 8 or more by chance one in a thousand
-    # The shape's own sin2θ has a standard deviation of 0.47 µm, that is 6.3 µm/m of squareness; white noise alone 0.07.
+    # The shape's own sin2θ has a standard deviation of 0.47 µm, that is 6.3 µm/m of squareness;
+    # white noise alone 0.07.
     assert 3.0 < float(np.median(errors)) < 13.0
 
 
@@ -234,7 +285,11 @@ def test_exchanging_the_axes_exchanges_the_causes() -> None:
         test,
         axes=("Y", "X"),
         runs=tuple(
-            CircularRun(sense="cw" if run.sense == "ccw" else "ccw", angles=450.0 - run.angles, deviations=run.deviations)
+            CircularRun(
+                sense="cw" if run.sense == "ccw" else "ccw",
+                angles=450.0 - run.angles,
+                deviations=run.deviations,
+            )
             for run in test.runs
         ),
     )
@@ -242,8 +297,11 @@ def test_exchanging_the_axes_exchanges_the_causes() -> None:
     for name, effect in here.items():
         other = name.replace("first", "#").replace("second", "first").replace("#", "second")
         sign = -1.0 if name in ("scale_mismatch", "servo_mismatch", "radius_change") else 1.0
-        # The circle is cut open a quarter further on for the spectrum of the noise, which weighs the samples a little otherwise.
-        assert sign * there[other].value == pytest.approx(effect.value, abs=0.75 * effect.std_error), name
+        # The circle is cut open a quarter further on for the spectrum of the noise, which weighs
+        # the samples a little otherwise.
+        assert sign * there[other].value == pytest.approx(
+            effect.value, abs=0.75 * effect.std_error
+        ), name
         assert there[other].std_error == pytest.approx(effect.std_error, rel=0.15), name
 
 
@@ -255,14 +313,23 @@ def test_uneven_samples_and_several_runs_are_one_fit() -> None:
     thinned = []
     for number, run in enumerate(runs):
         keep = rng.random(run.angles.size) < 0.9
-        thinned.append(replace(run, angles=run.angles[keep], deviations=run.deviations[keep], number=number // 2 + 1))
+        thinned.append(
+            replace(
+                run,
+                angles=run.angles[keep],
+                deviations=run.deviations[keep],
+                number=number // 2 + 1,
+            )
+        )
     single = diagnose(replace(tests[0], runs=tuple(thinned[:2])))
     both = diagnose(replace(tests[0], runs=tuple(thinned)))
     for name, value in truth(machine, setup).items():
         effect = both.effects[name]
         assert abs(effect.value - value) < 4.0 * effect.std_error, name
     ratio = both.effects["squareness"].std_error / single.effects["squareness"].std_error
-    assert ratio == pytest.approx(np.sqrt(0.5), rel=0.25)  # twice the samples; how white the noise is stays a guess
+    assert ratio == pytest.approx(
+        np.sqrt(0.5), rel=0.25
+    )  # twice the samples; how white the noise is stays a guess
 
 
 @pytest.mark.parametrize("lag", [20.0, 45.0])
@@ -285,23 +352,33 @@ def test_a_lag_of_both_axes_is_found_and_spoils_nothing(lag: float) -> None:
 def test_without_a_lag_none_is_found() -> None:
     for index in range(20):
         rng = np.random.default_rng([32, index])
-        assert "CW-D011" not in codes(diagnose(measured(random_machine(rng, 150.0), Setup(noise=0.1, wander=0.2), rng)))
+        assert "CW-D011" not in codes(
+            diagnose(measured(random_machine(rng, 150.0), Setup(noise=0.1, wander=0.2), rng))
+        )
 
 
 def test_a_ball_that_creeps_between_the_runs_is_not_lost_motion() -> None:
     test = measured(Machine(), Setup())
     theta = np.radians(test.runs[1].angles)
     crept = test.runs[1].deviations + 1e-3 * (0.8 * np.cos(theta) - 0.6 * np.sin(theta))
-    effects = diagnose(replace(test, runs=(test.runs[0], replace(test.runs[1], deviations=crept)))).effects
+    effects = diagnose(
+        replace(test, runs=(test.runs[0], replace(test.runs[1], deviations=crept)))
+    ).effects
     for axis in ("first", "second"):
         for end in ("_at_positive", "_at_negative", ""):
             assert effects[f"backlash_{axis}{end}"].value == pytest.approx(0.0, abs=0.003)  # µm
 
 
 def test_samples_exactly_at_a_reversal_point_do_not_count() -> None:
-    """There an axis stands still and its lost motion is undone or not; the machine here reads neither."""
-    machine = Machine(backlash_first_at_positive=8.0, backlash_first_at_negative=8.0, reversal_spike_first=4.0)
-    test = measured(machine, Setup(start=359.88))  # 1500 samples: whole multiples of 0.24°, 0° and 90° among them
+    """There an axis stands still and its lost motion is undone or not; the machine here reads
+    neither.
+    """
+    machine = Machine(
+        backlash_first_at_positive=8.0, backlash_first_at_negative=8.0, reversal_spike_first=4.0
+    )
+    test = measured(
+        machine, Setup(start=359.88)
+    )  # 1500 samples: whole multiples of 0.24°, 0° and 90° among them
     runs = tuple(replace(run, angles=np.round(run.angles, 9)) for run in test.runs)
     spoilt = []
     for run in runs:
@@ -319,9 +396,14 @@ def test_samples_exactly_at_a_reversal_point_do_not_count() -> None:
 def test_one_direction_says_what_it_cannot_tell_apart() -> None:
     machine, noise = Machine(squareness=30.0, servo_mismatch=0.2), 0.1
     full = diagnose(measured(machine, Setup(noise=noise), np.random.default_rng(1)))
-    half = diagnose(measured(machine, Setup(noise=noise, senses=("ccw",)), np.random.default_rng(1)))
+    half = diagnose(
+        measured(machine, Setup(noise=noise, senses=("ccw",)), np.random.default_rng(1))
+    )
     assert "radius_change" not in half.effects
-    for name, unit in (("squareness", 100.0), ("servo_mismatch", 1.0)):  # um/m, ms: far beyond what a machine has
+    for name, unit in (
+        ("squareness", 100.0),
+        ("servo_mismatch", 1.0),
+    ):  # um/m, ms: far beyond what a machine has
         assert half.effects[name].std_error > unit
         assert full.effects[name].std_error < 0.02 * unit
     (finding,) = [f for f in half.findings if f.code == "CW-D001"]
@@ -334,7 +416,9 @@ def test_one_direction_says_what_it_cannot_tell_apart() -> None:
 
 def test_an_arc_widens_the_errors_and_keeps_the_truth_inside() -> None:
     setup = Setup(start=250.0, extent=220.0, samples=912, noise=0.1)
-    machine = replace(random_machine(np.random.default_rng(5), 150.0), cyclic_first=0.0, cyclic_second=0.0)
+    machine = replace(
+        random_machine(np.random.default_rng(5), 150.0), cyclic_first=0.0, cyclic_second=0.0
+    )
     machine = replace(machine, backlash_first_at_negative=machine.backlash_first_at_positive)
     found = diagnose(measured(machine, setup, np.random.default_rng(6)))
     full = diagnose(measured(machine, Setup(noise=0.1), np.random.default_rng(6)))
@@ -342,18 +426,26 @@ def test_an_arc_widens_the_errors_and_keeps_the_truth_inside() -> None:
         if name in found.effects:
             effect = found.effects[name]
             assert abs(effect.value - value) < 4.0 * effect.std_error, name
-    assert found.effects["scale_mismatch"].std_error > 3.0 * full.effects["scale_mismatch"].std_error
+    assert (
+        found.effects["scale_mismatch"].std_error > 3.0 * full.effects["scale_mismatch"].std_error
+    )
     assert {"CW-D002", "CW-D005"} <= codes(found)
-    # 250° by 0° to 110° holds 270°, 0° and 90°: both ends of the second axis, the positive end of the first.
+    # 250° by 0° to 110° holds 270°, 0° and 90°: both ends of the second axis, the positive end of
+    # the first.
     assert "backlash_second_at_negative" in found.effects
     assert not any(name.startswith("backlash_first_at") for name in found.effects)
 
 
 def test_an_arc_without_a_reversal_point_does_not_determine_lost_motion() -> None:
     setup = Setup(start=20.0, extent=130.0, samples=500, noise=0.1)
-    found = diagnose(measured(Machine(backlash_second_at_positive=5.0), setup, np.random.default_rng(6)))
+    found = diagnose(
+        measured(Machine(backlash_second_at_positive=5.0), setup, np.random.default_rng(6))
+    )
     assert found.effects["backlash_first"].std_error > 10.0  # µm
-    assert abs(found.effects["backlash_second"].value - 5.0) < 4.0 * found.effects["backlash_second"].std_error
+    assert (
+        abs(found.effects["backlash_second"].value - 5.0)
+        < 4.0 * found.effects["backlash_second"].std_error
+    )
     assert found.effects["backlash_second"].std_error < 1.0
     assert "reversal_spike_first" not in found.effects
     assert "CW-D005" in codes(found)
@@ -363,15 +455,20 @@ def test_scale_of_single_axes_needs_a_calibrated_bar_and_a_low_feed() -> None:
     machine = Machine(scale_error_first=50.0, scale_error_second=-20.0)
     fast = diagnose(measured(machine, Setup(feed=2000.0, noise=0.1), np.random.default_rng(1)))
     slow = diagnose(measured(machine, Setup(feed=100.0, noise=0.1), np.random.default_rng(1)))
-    blind = diagnose(measured(machine, Setup(calibrated=False, noise=0.1), np.random.default_rng(1)))
-    # v² / (2 Kv² R) at 33.3 mm/s, 16.7/s and 150 mm is 13.3 µm; uniform up to that is 13.3 / sqrt(3) = 7.7 µm, 51 µm/m.
+    blind = diagnose(
+        measured(machine, Setup(calibrated=False, noise=0.1), np.random.default_rng(1))
+    )
+    # v² / (2 Kv² R) at 33.3 mm/s, 16.7/s and 150 mm is 13.3 µm; uniform up to that is 13.3 /
+    # sqrt(3) = 7.7 µm, 51 µm/m.
     assert fast.effects["scale_error_first"].std_error == pytest.approx(51.3, abs=0.3)
     assert "CW-D004" in codes(fast)
     assert slow.effects["scale_error_first"].value == pytest.approx(50.0, abs=0.5)
     assert slow.effects["scale_error_second"].value == pytest.approx(-20.0, abs=0.5)
     assert slow.effects["scale_error_first"].std_error < 0.5  # a 400th of the doubt
     assert not any(name.startswith("scale_error") for name in blind.effects)
-    assert blind.effects["scale_mismatch"].value == pytest.approx(21.0, abs=0.2)  # 300 mm times 70 µm/m
+    assert blind.effects["scale_mismatch"].value == pytest.approx(
+        21.0, abs=0.2
+    )  # 300 mm times 70 µm/m
     assert "CW-D003" in codes(blind)
 
 
@@ -381,17 +478,23 @@ def test_scale_of_single_axes_needs_a_calibrated_bar_and_a_low_feed() -> None:
 def test_shop_formulas_are_right_for_squareness_and_scale_alone() -> None:
     found = shop_formulas(measured(Machine(squareness=30.0, centre=(0.3, -0.2)), Setup()))
     assert found["squareness"] == pytest.approx(30.0, abs=0.1)
-    found = shop_formulas(measured(Machine(scale_error_first=20.0, scale_error_second=-20.0), Setup()))
-    assert found["scale_mismatch"] == pytest.approx(12.0 * np.cos(np.radians(10.0)), abs=0.02)  # cos2θ, 5° beside its peak
+    found = shop_formulas(
+        measured(Machine(scale_error_first=20.0, scale_error_second=-20.0), Setup())
+    )
+    assert found["scale_mismatch"] == pytest.approx(
+        12.0 * np.cos(np.radians(10.0)), abs=0.02
+    )  # cos2θ, 5° beside its peak
 
 
 def test_shop_formulas_are_biased_by_unequal_lost_motion_and_the_fit_is_not() -> None:
     machine = Machine(backlash_first_at_positive=10.0, backlash_first_at_negative=10.0)
     single = shop_formulas(measured(machine, Setup(senses=("ccw",))))
-    # At 45° lost motion of the first axis is (b/2) cos45°, alike in sign at 225°, opposite at 135° and 315°.
+    # At 45° lost motion of the first axis is (b/2) cos45°, alike in sign at 225°, opposite at 135°
+    # and 315°.
     assert single["squareness"] == pytest.approx(-1e3 * 4.0 * 5.0 * np.sqrt(0.5) / 300.0, abs=0.3)
     both = measured(machine, Setup())
-    # 5° before 0° and 180° it is -(b/2) cos5°, 5° before 90° and 270° +(b/2) sin5°, in both directions.
+    # 5° before 0° and 180° it is -(b/2) cos5°, 5° before 90° and 270° +(b/2) sin5°, in both
+    # directions.
     bias = -10.0 * (np.cos(np.radians(5.0)) + np.sin(np.radians(5.0)))
     assert shop_formulas(both)["scale_mismatch"] == pytest.approx(bias, abs=0.02)
     effects = diagnose(both).effects
@@ -402,13 +505,24 @@ def test_shop_formulas_are_biased_by_unequal_lost_motion_and_the_fit_is_not() ->
 
 
 def test_plain_regression_finds_simple_machines() -> None:
-    machine = Machine(squareness=30.0, servo_mismatch=0.2, backlash_first_at_positive=6.0, backlash_first_at_negative=4.0)
+    machine = Machine(
+        squareness=30.0,
+        servo_mismatch=0.2,
+        backlash_first_at_positive=6.0,
+        backlash_first_at_negative=4.0,
+    )
     machine = replace(machine, lateral_play_second=2.0, straightness_first=-3.0, centre=(0.2, -0.3))
     plain = plain_regression(samples_of(measured(machine, Setup())))
     for name, value in truth(machine, Setup()).items():
         if name in plain:
             assert plain[name] == pytest.approx(value, abs=0.02), name
-    assert {"squareness", "scale_mismatch", "servo_mismatch", "backlash_second", "straightness_second"} <= set(plain)
+    assert {
+        "squareness",
+        "scale_mismatch",
+        "servo_mismatch",
+        "backlash_second",
+        "straightness_second",
+    } <= set(plain)
 
 
 @needs_shared
@@ -424,7 +538,10 @@ def test_plain_regression_agrees_with_the_vendor() -> None:
     assert found.plain["lateral_play_second"] == pytest.approx(0.6, abs=0.3)
     assert found.plain["radius_change"] == pytest.approx(-0.2, abs=0.3)
     assert found.plain["servo_mismatch"] == pytest.approx(-0.01, abs=0.02)  # ms
-    for name in ("squareness", "scale_mismatch"):  # no spikes in these: the full model says the same within its error
+    for name in (
+        "squareness",
+        "scale_mismatch",
+    ):  # no spikes in these: the full model says the same within its error
         assert abs(found.effects[name].value - found.plain[name]) < found.effects[name].std_error
 
 
@@ -454,7 +571,8 @@ def test_spectrum_of_known_noise() -> None:
                 values[index - 200] = state
         found = spectrum_of(cosine_transform(values), np.zeros(size))
         ratios.append(found.density[[0, -1]] * np.array([(1.0 - root) ** 2, (1.0 + root) ** 2]))
-    # Density of the process: 1 / |1 - root e^-iw|², at zero and at half a turn. A mean over what may be lies above the median.
+    # Density of the process: 1 / |1 - root e^-iw|², at zero and at half a turn. A mean over what
+    # may be lies above the median.
     assert np.mean(ratios, axis=0) == pytest.approx([1.15, 1.0], abs=0.15)
 
 
@@ -465,13 +583,17 @@ def test_the_correlation_matrix_belongs_to_the_names() -> None:
     assert np.diag(found.correlation) == pytest.approx(np.ones(len(found.names)))
     assert np.linalg.eigvalsh(found.correlation)[0] > -1e-9
     even, odd = found.names.index("squareness"), found.names.index("servo_mismatch")
-    assert abs(found.correlation[even, odd]) < 0.02  # the two halves of a full circle know nothing of each other
+    assert (
+        abs(found.correlation[even, odd]) < 0.02
+    )  # the two halves of a full circle know nothing of each other
     assert found.residual == pytest.approx(0.2e-3, rel=0.1)  # mm
     assert found.correlation_length < 2.0  # white
 
 
 def test_the_same_test_gives_the_same_diagnosis() -> None:
-    test = measured(Machine(squareness=10.0, cyclic_first=1.0), Setup(noise=0.2), np.random.default_rng(4))
+    test = measured(
+        Machine(squareness=10.0, cyclic_first=1.0), Setup(noise=0.2), np.random.default_rng(4)
+    )
     assert diagnose(test).effects == diagnose(test).effects
 
 
@@ -500,21 +622,33 @@ def test_periods_are_checked_all_at_once() -> None:
     with pytest.raises(UsageError) as caught:
         diagnose(measured(Machine(), Setup()), periods={"X": -1.0, "Z": 10.0})
     assert len(caught.value.faults) == 2
-    found = diagnose(measured(Machine(), Setup(noise=0.1), np.random.default_rng(1)), periods={"X": 0.5, "Y": 400.0})
+    found = diagnose(
+        measured(Machine(), Setup(noise=0.1), np.random.default_rng(1)),
+        periods={"X": 0.5, "Y": 400.0},
+    )
     assert [f.code for f in found.findings].count("CW-D009") == 2
 
 
 def test_few_samples_of_a_plain_table_are_enough() -> None:
-    """36 points a run at whole multiples of 10°, reversal points included: those four have no direction and do not count."""
+    """36 points a run at whole multiples of 10°, reversal points included: those four have no
+    direction and do not count.
+    """
     rng = np.random.default_rng(8)
-    machine = Machine(squareness=60.0, backlash_first_at_positive=8.0, backlash_first_at_negative=8.0)
+    machine = Machine(
+        squareness=60.0, backlash_first_at_positive=8.0, backlash_first_at_negative=8.0
+    )
     test = measured(machine, Setup(samples=36, noise=0.3), rng)
     runs = []
     for run in test.runs:
         whole = np.round(run.angles - 5.0, 6)
-        again = measured(machine, Setup(samples=36, start=-5.0, senses=(run.sense,), noise=0.3), rng).runs[0]
+        again = measured(
+            machine, Setup(samples=36, start=-5.0, senses=(run.sense,), noise=0.3), rng
+        ).runs[0]
         assert set(np.mod(whole, 90.0)) >= {0.0}
         runs.append(replace(run, angles=np.round(again.angles, 6), deviations=again.deviations))
     found = diagnose(replace(test, runs=tuple(runs)))
     for name in ("squareness", "backlash_first"):
-        assert abs(found.effects[name].value - truth(machine, Setup())[name]) < 4.0 * found.effects[name].std_error
+        assert (
+            abs(found.effects[name].value - truth(machine, Setup())[name])
+            < 4.0 * found.effects[name].std_error
+        )

@@ -14,7 +14,9 @@ from evaluation_samples import axis_test, noisy, printed_table
 from places import STANDARD_TABLES, needs_shared
 
 
-def planned(targets: ArrayLike, n: int = 5, *, kind: AxisKind = AxisKind.LINEAR, cycle: Cycle = "standard") -> PositioningTest:
+def planned(
+    targets: ArrayLike, n: int = 5, *, kind: AxisKind = AxisKind.LINEAR, cycle: Cycle = "standard"
+) -> PositioningTest:
     where = np.array(targets, dtype=np.float64)
     block = np.zeros((where.size, n))
     return axis_test(where, block, block, kind=kind, cycle=cycle)
@@ -45,7 +47,14 @@ def test_the_standards_own_examples_are_well_planned(edition: str) -> None:
 
 @pytest.mark.parametrize(
     ("length", "number", "enough"),
-    [(400, 4, False), (400, 5, True), (1500, 7, False), (1500, 8, True), (2000, 9, False), (2000, 10, True)],
+    [
+        (400, 4, False),
+        (400, 5, True),
+        (1500, 7, False),
+        (1500, 8, True),
+        (2000, 9, False),
+        (2000, 10, True),
+    ],
 )
 def test_five_targets_per_metre(length: float, number: int, *, enough: bool) -> None:
     assert ("CW-T002" not in codes(planned(dithered(length, number)))) is enough
@@ -53,7 +62,15 @@ def test_five_targets_per_metre(length: float, number: int, *, enough: bool) -> 
 
 @pytest.mark.parametrize(
     ("last", "number", "enough"),
-    [(90, 2, False), (90, 3, True), (91, 4, False), (180, 5, True), (181, 7, False), (315, 8, True), (360, 8, True)],
+    [
+        (90, 2, False),
+        (90, 3, True),
+        (91, 4, False),
+        (180, 5, True),
+        (181, 7, False),
+        (315, 8, True),
+        (360, 8, True),
+    ],
 )
 def test_rotary_targets_since_1997(last: float, number: int, *, enough: bool) -> None:
     test = planned(np.linspace(0.0, last, number), kind=AxisKind.ROTARY)
@@ -66,7 +83,9 @@ def test_rotary_targets_of_1988() -> None:
     good = planned(sorted([*principal, 33.0, 141.0, 300.5]), kind=AxisKind.ROTARY)
     assert codes(good, "iso230-2:1988") == []
     assert codes(good, "iso230-2:2006") == ["CW-T002"]  # seven are fewer than eight
-    assert codes(planned(sorted([*principal, 33.0]), kind=AxisKind.ROTARY), "iso230-2:1988") == ["CW-T002"]
+    assert codes(planned(sorted([*principal, 33.0]), kind=AxisKind.ROTARY), "iso230-2:1988") == [
+        "CW-T002"
+    ]
 
 
 def test_principal_positions() -> None:
@@ -74,7 +93,9 @@ def test_principal_positions() -> None:
     assert "CW-T004" not in codes(planned(eight, kind=AxisKind.ROTARY))  # 0° was not measured past
     without_90 = [0.0, 45.0, 93.0, 150.0, 180.0, 215.0, 270.0, 352.0]
     finding = next(
-        f for f in plan_findings(planned(without_90, kind=AxisKind.ROTARY), "iso230-2:2014", None, ()) if f.code == "CW-T004"
+        f
+        for f in plan_findings(planned(without_90, kind=AxisKind.ROTARY), "iso230-2:2014", None, ())
+        if f.code == "CW-T004"
     )
     assert "90°" in finding.message
     assert "180°" not in finding.message
@@ -101,7 +122,11 @@ def test_long_linear_axes_have_two_tests() -> None:
 
 
 def test_long_rotary_axes_by_edition() -> None:
-    turns = planned(np.arange(0.0, 721.0, 45.0) + np.tile([0.0, 2.0], 9)[:17] * (np.arange(17) % 2), 1, kind=AxisKind.ROTARY)
+    turns = planned(
+        np.arange(0.0, 721.0, 45.0) + np.tile([0.0, 2.0], 9)[:17] * (np.arange(17) % 2),
+        1,
+        kind=AxisKind.ROTARY,
+    )
     assert "CW-T006" in codes(turns, "iso230-2:1997")  # an interval of 47° is over 45°
     assert "CW-T006" in codes(turns, "gost27843:2006")
     assert "CW-T006" not in codes(turns, "iso230-2:2006")  # 17 targets over two turns
@@ -119,9 +144,13 @@ def test_equal_spacing() -> None:
     assert [f.severity for f in plan_findings(grid, "iso230-2:2014", None, ())] == ["info"]
 
 
-@pytest.mark.parametrize(("period", "hides"), [(10.0, True), (5.0, True), (100.0, True), (8.0, False), (16.0, False)])
+@pytest.mark.parametrize(
+    ("period", "hides"), [(10.0, True), (5.0, True), (100.0, True), (8.0, False), (16.0, False)]
+)
 def test_spacing_at_a_multiple_of_the_known_period(period: float, *, hides: bool) -> None:
-    """On a 50 mm grid: 10 and 5 mm fall on one phase, 100 mm on two opposite ones; 8 and 16 mm on four and eight."""
+    """On a 50 mm grid: 10 and 5 mm fall on one phase, 100 mm on two opposite ones; 8 and 16 mm on
+    four and eight.
+    """
     found = plan_findings(planned(np.arange(0.0, 501.0, 50.0)), "iso230-2:2014", None, (period,))
     assert [finding.code for finding in found] == ["CW-T008"] * hides
     assert all(finding.severity == "warning" for finding in found)
@@ -135,7 +164,9 @@ def test_random_offsets_show_the_period() -> None:
 def test_travel() -> None:
     test = planned(dithered(500, 6))
     assert codes(test, travel=(-50.0, 540.0)) == []
-    assert codes(test, travel=(-150.0, 540.0)) == ["CW-T007"]  # 150 mm is more than one interval of 100 mm
+    assert codes(test, travel=(-150.0, 540.0)) == [
+        "CW-T007"
+    ]  # 150 mm is more than one interval of 100 mm
     outside = plan_findings(test, "iso230-2:2014", (-500.0, 0.0), ())
     assert [(f.code, f.severity) for f in outside] == [("CW-T007", "warning")]
 
@@ -147,15 +178,26 @@ def test_step_cycle_and_one_direction() -> None:
 
 
 def test_findings_reach_the_result_and_never_refuse() -> None:
-    result = evaluate(planned([0.0, 50.0], 1, cycle="step"), "iso230-2:2006", travel=(-900.0, 900.0), periods=(50.0,))
-    assert {"CW-T001", "CW-T002", "CW-T007", "CW-T009"} <= {finding.code for finding in result.findings}
+    result = evaluate(
+        planned([0.0, 50.0], 1, cycle="step"),
+        "iso230-2:2006",
+        travel=(-900.0, 900.0),
+        periods=(50.0,),
+    )
+    assert {"CW-T001", "CW-T002", "CW-T007", "CW-T009"} <= {
+        finding.code for finding in result.findings
+    }
 
 
 def test_a_drift_in_the_step_cycle_goes_into_E_and_M() -> None:  # noqa: N802
-    """Physics behind CW-T009: 11 targets one after the other, five readings per direction at each, a drift linear in time."""
+    """Physics behind CW-T009: 11 targets one after the other, five readings per direction at each,
+    a drift linear in time.
+    """
     count, size = 11, 10e-3
     time = np.arange(count * 10).reshape(count, 10) / (count * 10 - 1)  # readings alternate + and -
-    test = axis_test(np.arange(count) * 50.0, size * time[:, 0::2], size * time[:, 1::2], cycle="step")
+    test = axis_test(
+        np.arange(count) * 50.0, size * time[:, 0::2], size * time[:, 1::2], cycle="step"
+    )
     parameters = evaluate(test).parameters
     assert parameters["M"] == pytest.approx(0.92 * size, rel=0.01)
     assert parameters["E"] == pytest.approx(0.92 * size, rel=0.02)

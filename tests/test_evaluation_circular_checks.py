@@ -7,7 +7,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from circular_samples import SENSES, UM, ballbar_file, circular_test, measured, perfect, plain_run, radial, run_of
+from circular_samples import (
+    SENSES,
+    UM,
+    ballbar_file,
+    circular_test,
+    measured,
+    perfect,
+    plain_run,
+    radial,
+    run_of,
+)
 from compwright.evaluation.circular import evaluate_circle
 from compwright.foundations.findings import Finding
 from compwright.records.circular import CircularTest
@@ -26,7 +36,10 @@ def all_codes(test: CircularTest) -> list[str]:
 def test_a_sound_test_has_no_warnings(arc: tuple[float, float]) -> None:
     rng = np.random.default_rng(4)
     machine = radial(
-        lambda angle, sense: rng.normal(0.0, 0.3 * UM, angle.size) + (3 if sense == "ccw" else -3) * UM * np.cos(2 * angle)
+        lambda angle, sense: (
+            rng.normal(0.0, 0.3 * UM, angle.size)
+            + (3 if sense == "ccw" else -3) * UM * np.cos(2 * angle)
+        )
     )
     test = measured(machine, n=1500, arc=arc, offset=(0.03, -0.02))
     assert all_codes(test) == ([] if arc[1] == 360.0 else ["CW-C010"])
@@ -56,21 +69,37 @@ def test_coarse_sampling(n: int, told: bool) -> None:
 def test_a_hole_in_the_samples() -> None:
     run = run_of(perfect, "ccw")
     keep = (run.angles < 100.0) | (run.angles > 103.0)
-    test = circular_test([replace(run, angles=run.angles[keep], deviations=run.deviations[keep]), run_of(perfect, "cw")])
-    assert found(test, "CW-C005") == ["No samples of ccw run 1 from 99.75° to 103.25°: what the path does there is not evaluated."]
+    test = circular_test(
+        [
+            replace(run, angles=run.angles[keep], deviations=run.deviations[keep]),
+            run_of(perfect, "cw"),
+        ]
+    )
+    assert found(test, "CW-C005") == [
+        "No samples of ccw run 1 from 99.75° to 103.25°: what the path does there is not evaluated."
+    ]
 
 
 def test_a_circle_that_stopped_early() -> None:
     run = run_of(perfect, "cw")  # from 359.75° down
-    test = circular_test([replace(run, angles=run.angles[:-20], deviations=run.deviations[:-20]), run_of(perfect, "ccw")])
-    assert found(test, "CW-C005") == ["No samples of cw run 1 from 359.75° to 370.25°: what the path does there is not evaluated."]
+    test = circular_test(
+        [
+            replace(run, angles=run.angles[:-20], deviations=run.deviations[:-20]),
+            run_of(perfect, "ccw"),
+        ]
+    )
+    assert found(test, "CW-C005") == [
+        "No samples of cw run 1 from 359.75° to 370.25°: what the path does there is not evaluated."
+    ]
 
 
 def test_an_arc_that_stopped_early() -> None:
     run = run_of(perfect, "ccw", arc=(10.0, 220.0))
     short = replace(run, angles=run.angles[:-50], deviations=run.deviations[:-50])
     test = circular_test([short, run_of(perfect, "cw", arc=(10.0, 220.0))], arc=(10.0, 220.0))
-    assert found(test, "CW-C005") == ["ccw run 1 covers 204.42° of an arc of 220°."]  # 669 of 720 steps of 220°
+    assert found(test, "CW-C005") == [
+        "ccw run 1 covers 204.42° of an arc of 220°."
+    ]  # 669 of 720 steps of 220°
 
 
 @pytest.mark.parametrize(
@@ -92,7 +121,9 @@ def test_feed(feed: float, told: bool) -> None:
     messages = found(replace(measured(perfect), feed=feed), "CW-C006")
     assert bool(messages) == told
     if feed == 16.7:
-        assert messages[0].startswith("At 16.7 mm/min a circle of 100 mm takes 2.26e+03 s")  # 2 pi 100/16.7 min
+        assert messages[0].startswith(
+            "At 16.7 mm/min a circle of 100 mm takes 2.26e+03 s"
+        )  # 2 pi 100/16.7 min
 
 
 def test_overshoot_that_was_not_cut() -> None:
@@ -138,7 +169,9 @@ def test_large_offset(offset: float, told: bool) -> None:
 
 
 def test_what_the_message_of_a_large_offset_says_is_true() -> None:
-    """Distances of a perfect circle that stand at angles measured from the set-up centre, read as commanded: G is up to e²/R."""
+    """Distances of a perfect circle that stand at angles measured from the set-up centre, read as
+    commanded: G is up to e²/R.
+    """
     run = run_of(perfect, "ccw", radius=50.0, n=1440)
     angle = np.radians(run.angles)
     polar = 0.5 * np.cos(angle) + np.sqrt(50.0**2 - (0.5 * np.sin(angle)) ** 2) - 50.0
@@ -146,28 +179,42 @@ def test_what_the_message_of_a_large_offset_says_is_true() -> None:
     width = result.parameters["G_ccw"]
     assert width is not None
     assert 0.5 * 0.5**2 / 50.0 < width <= 0.5**2 / 50.0 + 1e-6
-    assert "up to 5.00 µm" in next(finding.message for finding in result.findings if finding.code == "CW-C011")
+    assert "up to 5.00 µm" in next(
+        finding.message for finding in result.findings if finding.code == "CW-C011"
+    )
 
 
 def test_ends_that_do_not_meet() -> None:
-    """A drift of 6 µm over the turn, started at 45°; at an axis the same step may be lost motion and is not judged."""
+    """A drift of 6 µm over the turn, started at 45°; at an axis the same step may be lost motion
+    and is not judged.
+    """
     rng = np.random.default_rng(8)
 
     def drifting(start: float) -> CircularTest:
         angles = start + np.arange(720) * 0.5 + 0.25
-        return circular_test([plain_run("ccw", angles, np.linspace(0.0, 6.0, 720) + rng.normal(0.0, 0.2, 720))], arc=(start, 360.0))
+        return circular_test(
+            [plain_run("ccw", angles, np.linspace(0.0, 6.0, 720) + rng.normal(0.0, 0.2, 720))],
+            arc=(start, 360.0),
+        )
 
     messages = found(drifting(45.0), "CW-C012")
     assert len(messages) == 1
     step = float(messages[0].split("differ by ")[1].split(" µm")[0])
-    assert step == pytest.approx(6.0, abs=0.8)  # medians of three samples of 0.2 µm, less what the centre takes: 2 nm per µm
+    assert step == pytest.approx(
+        6.0, abs=0.8
+    )  # medians of three samples of 0.2 µm, less what the centre takes: 2 nm per µm
     assert found(drifting(90.0), "CW-C012") == []
     for _ in range(20):
-        steady = circular_test([plain_run("ccw", 45.25 + np.arange(720) * 0.5, rng.normal(0.0, 3.0, 720))], arc=(45.0, 360.0))
+        steady = circular_test(
+            [plain_run("ccw", 45.25 + np.arange(720) * 0.5, rng.normal(0.0, 3.0, 720))],
+            arc=(45.0, 360.0),
+        )
         assert found(steady, "CW-C012") == []
 
 
 def test_a_run_of_zeros() -> None:
     bumpy = run_of(radial(lambda angle, _: UM * np.cos(3 * angle)), "ccw")
     zero = replace(run_of(perfect, "cw"), deviations=np.zeros(720))
-    assert found(circular_test([bumpy, zero]), "CW-C013") == ["cw run 1 is exactly zero throughout: probably it was not measured."]
+    assert found(circular_test([bumpy, zero]), "CW-C013") == [
+        "cw run 1 is exactly zero throughout: probably it was not measured."
+    ]

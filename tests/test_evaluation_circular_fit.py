@@ -1,4 +1,6 @@
-"""The least-squares circle against certified results, hand-worked figures and the condition that defines it."""
+"""The least-squares circle against certified results, hand-worked figures and the condition that
+defines it.
+"""
 
 from __future__ import annotations
 
@@ -16,14 +18,18 @@ from compwright.foundations.errors import InputError
 from places import REAL, needs_shared
 
 
-def on_circle(angles: ArrayLike, radii: ArrayLike, centre: tuple[float, float] = (0.0, 0.0)) -> Array:
+def on_circle(
+    angles: ArrayLike, radii: ArrayLike, centre: tuple[float, float] = (0.0, 0.0)
+) -> Array:
     angle, radius = np.array(angles, dtype=np.float64), np.array(radii, dtype=np.float64)
     return np.column_stack([centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle)])
 
 
 @needs_shared
 def test_certified_circles() -> None:
-    """NIST cir2d1..30, partial arcs from 90°: centre and diameter to 1e-8 of the diameter, what the certificate's use needs."""
+    """NIST cir2d1..30, partial arcs from 90°: centre and diameter to 1e-8 of the diameter, what the
+    certificate's use needs.
+    """
     points = defaultdict(list)
     for row in table(REAL / "circle" / "nist_cir2d_points.csv"):
         points[row["set"]].append([float(row[name]) for name in "xyz"])
@@ -34,7 +40,9 @@ def test_certified_circles() -> None:
         centre, radius = least_squares_circle(np.array(points[row["set"]])[:, plane])
         expected = [float(row[f"c{'xyz'[i]}"]) for i in plane]
         diameter = float(row["diameter"])
-        assert np.hypot(centre[0] - expected[0], centre[1] - expected[1]) < 1e-8 * diameter, row["set"]
+        assert np.hypot(centre[0] - expected[0], centre[1] - expected[1]) < 1e-8 * diameter, row[
+            "set"
+        ]
         assert abs(2.0 * radius - diameter) < 1e-8 * diameter, row["set"]
 
 
@@ -46,8 +54,12 @@ def test_three_points_lie_on_their_circle() -> None:
 
 
 def test_four_points_of_a_cross() -> None:
-    """(±11, 0) and (0, ±9): by symmetry about 0 the centre is 0, and the radius is the mean distance, 10."""
-    centre, radius = least_squares_circle(np.array([[11.0, 0.0], [-11.0, 0.0], [0.0, 9.0], [0.0, -9.0]]))
+    """(±11, 0) and (0, ±9): by symmetry about 0 the centre is 0, and the radius is the mean
+    distance, 10.
+    """
+    centre, radius = least_squares_circle(
+        np.array([[11.0, 0.0], [-11.0, 0.0], [0.0, 9.0], [0.0, -9.0]])
+    )
     assert centre == pytest.approx((0.0, 0.0), abs=1e-12)
     assert radius == pytest.approx(10.0, abs=1e-12)
 
@@ -66,8 +78,12 @@ def test_distances_are_orthogonal_not_algebraic() -> None:
     st.floats(0.0, 0.02),
     st.floats(-1000.0, 1000.0),
 )
-def test_no_centre_nearby_is_better(seed: int, n: int, extent: float, noise: float, shift: float) -> None:
-    """The variance of the distances is stationary at the centre and larger beside it, also far from the origin."""
+def test_no_centre_nearby_is_better(
+    seed: int, n: int, extent: float, noise: float, shift: float
+) -> None:
+    """The variance of the distances is stationary at the centre and larger beside it, also far from
+    the origin.
+    """
     rng = np.random.default_rng(seed)
     angle = np.radians(np.linspace(0.0, extent * (1.0 - 1.0 / n), n))
     points = on_circle(angle, 50.0 + rng.normal(0.0, 1.0, n) * noise, (shift, -shift))
@@ -83,7 +99,9 @@ def test_no_centre_nearby_is_better(seed: int, n: int, extent: float, noise: flo
     distance = np.hypot(points[:, 0] - centre[0], points[:, 1] - centre[1])
     assert radius == pytest.approx(distance.mean(), abs=1e-11)
     direction = (points - np.array(centre)) / distance[:, np.newaxis]
-    slope = direction.T @ (distance - radius)  # zero at the least; rounding of distances (1e-13 mm at 1000 mm) times n
+    slope = direction.T @ (
+        distance - radius
+    )  # zero at the least; rounding of distances (1e-13 mm at 1000 mm) times n
     assert np.abs(slope).max() < 1e-10 * n
 
 
@@ -123,7 +141,9 @@ def test_points_unlike_a_circle(seed: int) -> None:
     centre, radius = least_squares_circle(points)
     offset = points - np.array(centre)
     distance = np.hypot(offset[:, 0], offset[:, 1])
-    assert np.abs((offset / distance[:, np.newaxis]).T @ (distance - radius)).max() < 1e-12  # stationary to rounding
+    assert (
+        np.abs((offset / distance[:, np.newaxis]).T @ (distance - radius)).max() < 1e-12
+    )  # stationary to rounding
 
 
 def test_points_nearest_to_a_straight_line() -> None:

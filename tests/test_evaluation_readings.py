@@ -1,4 +1,6 @@
-"""Findings about the readings: drift, suspect traverses and readings, zeros; by injection and by rates of false alarm."""
+"""Findings about the readings: drift, suspect traverses and readings, zeros; by injection and by
+rates of false alarm.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +10,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.evaluation.readings import drift, reading_findings, suspect_readings, suspect_traverses
+from compwright.evaluation.readings import (
+    drift,
+    reading_findings,
+    suspect_readings,
+    suspect_traverses,
+)
 from compwright.evaluation.standards import evaluate
 from compwright.instruments.reading import read_positioning
 from compwright.records.axis import AxisKind
@@ -25,21 +32,28 @@ def share(found: list[bool]) -> float:
     return sum(found) / len(found)
 
 
-# --- drift ---------------------------------------------------------------------------------------------------------------------
+# --- drift
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("common", [0.0, 0.5, 0.97])
 def test_drift_is_rarely_seen_where_there_is_none(common: float) -> None:
-    """Also when whole runs shift together in random order: the permutation test allows 1/60; 200 tests, three standard errors."""
+    """Also when whole runs shift together in random order: the permutation test allows 1/60; 200
+    tests, three standard errors.
+    """
     found = [bool(drift(noisy(np.random.default_rng(seed), common=common))) for seed in range(200)]
     assert share(found) <= 1 / 60 + 3 * np.sqrt(1 / 60 / 200)
 
 
 def test_drift_is_found() -> None:
-    """Four standard deviations of a reading over five runs, 11 targets: nearly always; run numbers are the order of time."""
+    """Four standard deviations of a reading over five runs, 11 targets: nearly always; run numbers
+    are the order of time.
+    """
     found = [bool(drift(noisy(np.random.default_rng(seed), drift=4.0))) for seed in range(100)]
     assert share(found) >= 0.97
-    found = [bool(drift(noisy(np.random.default_rng(seed), drift=-2.0, runs=8))) for seed in range(100)]
+    found = [
+        bool(drift(noisy(np.random.default_rng(seed), drift=-2.0, runs=8))) for seed in range(100)
+    ]
     assert share(found) >= 0.9
 
 
@@ -78,13 +92,19 @@ def test_one_bad_reading_does_not_hide_a_drift() -> None:
 
 @needs_shared
 def test_drift_of_the_printed_tables() -> None:
-    """The 1988 example warms up (-8.2, -5.9, -6.3, -4.5, -3.4 at 1 201.9 mm); that of 1997 shifts as a whole, in no order."""
-    found = {edition: drift(printed_table(STANDARD_TABLES / f"iso-230-2-{edition}-table-2.csv")) for edition in ("1988", "1997")}
+    """The 1988 example warms up (-8.2, -5.9, -6.3, -4.5, -3.4 at 1 201.9 mm); that of 1997 shifts
+    as a whole, in no order.
+    """
+    found = {
+        edition: drift(printed_table(STANDARD_TABLES / f"iso-230-2-{edition}-table-2.csv"))
+        for edition in ("1988", "1997")
+    }
     assert len(found["1988"]) == 1
     assert found["1997"] == []
 
 
-# --- suspects --------------------------------------------------------------------------------------------------------------------
+# --- suspects
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("common", [0.0, 0.5, 0.97])
@@ -97,7 +117,10 @@ def test_sound_tests_are_rarely_suspect(common: float) -> None:
 @needs_shared
 def test_printed_and_real_tests_are_not_suspect() -> None:
     tests = [printed_table(path) for path in sorted(STANDARD_TABLES.glob("*.csv"))]
-    tests += [read_positioning(path.read_bytes(), path.name) for path in sorted((REAL / "positioning").glob("*.dat"))]
+    tests += [
+        read_positioning(path.read_bytes(), path.name)
+        for path in sorted((REAL / "positioning").glob("*.dat"))
+    ]
     assert len(tests) == 5
     for test in tests:
         assert not suspect_traverses(test, no_comparison)
@@ -116,7 +139,9 @@ def test_a_shifted_traverse_is_found_and_named() -> None:
 
 
 def test_a_three_s_rule_could_not_see_it() -> None:
-    """One of five readings 1 000 s off lies 4/sqrt(5) = 1.789 s from the mean of the five; the pooled rule sees it."""
+    """One of five readings 1 000 s off lies 4/sqrt(5) = 1.789 s from the mean of the five; the
+    pooled rule sees it.
+    """
     test = noisy(np.random.default_rng(9))
     spoilt = test.positive.copy()
     spoilt[2, 1] += 1000.0 * UM
@@ -124,7 +149,10 @@ def test_a_three_s_rule_could_not_see_it() -> None:
     assert np.abs(row - row.mean()).max() / row.std(ddof=1) < 1.7889
     told = suspect_readings(replace(test, positive=spoilt), no_comparison)
     assert len(told) == 1
-    assert f"run 2 in + at {test.targets[2]:.10g} mm (+100" in told[0].message or "run 2 in + at" in told[0].message
+    assert (
+        f"run 2 in + at {test.targets[2]:.10g} mm (+100" in told[0].message
+        or "run 2 in + at" in told[0].message
+    )
 
 
 def test_the_result_with_and_without_a_suspect_is_told_and_nothing_is_dropped() -> None:
@@ -138,14 +166,16 @@ def test_the_result_with_and_without_a_suspect_is_told_and_nothing_is_dropped() 
     message = next(finding.message for finding in result.findings if finding.code == "CW-T014")
     for name in ("A", "R"):
         assert (
-            f"{name} {(result.parameters[name] or 0) / UM:.2f} µm with, {(without.parameters[name] or 0) / UM:.2f} µm without"
-            in message
+            f"{name} {(result.parameters[name] or 0) / UM:.2f} µm with,"
+            f" {(without.parameters[name] or 0) / UM:.2f} µm without" in message
         )
     assert (result.parameters["A"] or 0) > 60.0 * UM
 
 
 def test_coarse_readings_are_not_suspect() -> None:
-    """Readings in steps of 1 µm that nearly always repeat: a single last digit is no reason to suspect anything."""
+    """Readings in steps of 1 µm that nearly always repeat: a single last digit is no reason to
+    suspect anything.
+    """
     steps = np.zeros((11, 5))
     steps[3, 2] = steps[5, 4] = steps[8, 0] = 1.0
     steps[10] = [0.0, 1.0, 2.0, 1.0, 3.0]  # one target scatters, so the scale is not zero
@@ -154,14 +184,19 @@ def test_coarse_readings_are_not_suspect() -> None:
     assert not suspect_traverses(test, no_comparison)
 
 
-# --- zeros and missing ------------------------------------------------------------------------------------------------------------
+# --- zeros and missing
+# --------------------------------------------------------------------------------------------------
 
 
 def test_a_traverse_of_zeros_is_told_once() -> None:
     test = noisy(np.random.default_rng(2))
     zeros = test.positive.copy()
     zeros[:, 1] = 0.0
-    told = [finding for finding in reading_findings(replace(test, positive=zeros), no_comparison) if finding.code == "CW-T011"]
+    told = [
+        finding
+        for finding in reading_findings(replace(test, positive=zeros), no_comparison)
+        if finding.code == "CW-T011"
+    ]
     assert [finding.message[:23] for finding in told] == ["Traverse 2 in + is exac"]
     assert not [f for f in reading_findings(test, no_comparison) if f.code == "CW-T011"]
 
@@ -171,7 +206,9 @@ def test_run_numbers_of_the_file_are_used() -> None:
     zeros = test.positive.copy()
     zeros[:, 4] = 0.0
     told = [
-        finding.message for finding in reading_findings(replace(test, positive=zeros), no_comparison) if finding.code == "CW-T011"
+        finding.message
+        for finding in reading_findings(replace(test, positive=zeros), no_comparison)
+        if finding.code == "CW-T011"
     ]
     assert told[0].startswith("Traverse 7 in +")
 

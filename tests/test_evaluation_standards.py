@@ -1,4 +1,6 @@
-"""Evaluation against the standards' printed tables, real files with an independent evaluation, and numbers worked by hand."""
+"""Evaluation against the standards' printed tables, real files with an independent evaluation, and
+numbers worked by hand.
+"""
 
 from __future__ import annotations
 
@@ -30,10 +32,12 @@ def value(result: PositioningResult, name: str) -> float:
     return found / UM
 
 
-# --- printed tables ---------------------------------------------------------------------------------------------------------
+# --- printed tables
+# --------------------------------------------------------------------------------------------------
 
-# ISO 230-2:1988, table 2, rows "mean", "s" and "greater value of ...", typed from the document. None: misprints of the table
-# (one deviation of j = 4, s of j = 2 and of j = 8), each explained in the list that comes with the table.
+# ISO 230-2:1988, table 2, rows "mean", "s" and "greater value of ...", typed from the document.
+# None: misprints of the table (one deviation of j = 4, s of j = 2 and of j = 8), each explained in
+# the list that comes with the table.
 MEAN_UP_1988 = (-1.92, 0.92, -4.18, None, -7.32, -3.8, -4.86, -3.74, -5.66, -4.84, -5.32)
 MEAN_DOWN_1988 = (2.12, 5.4, -1.34, 2.64, -8.52, -4.6, -4.72, -4.24, -4.2, -3.46, -1.54)
 S_UP_1988 = (0.746, None, 1.339, None, 0.876, 1.054, 1.226, None, 1.828, 1.973, 1.851)
@@ -44,7 +48,9 @@ R_1988 = (8.77, 8.06, 9.13, None, 5.81, 7.85, 7.36, 8.99, 11.84, 12.25, 13.49)
 
 @needs_shared
 def test_table_of_1988_target_by_target() -> None:
-    columns = evaluate(printed_table(STANDARD_TABLES / "iso-230-2-1988-table-2.csv"), "iso230-2:1988").targets
+    columns = evaluate(
+        printed_table(STANDARD_TABLES / "iso-230-2-1988-table-2.csv"), "iso230-2:1988"
+    ).targets
     for printed, computed, tolerance in (
         (MEAN_UP_1988, columns.mean_positive, 0.005),  # µm; printed to 0.01
         (MEAN_DOWN_1988, columns.mean_negative, 0.005),
@@ -60,13 +66,19 @@ def test_table_of_1988_target_by_target() -> None:
 
 @needs_shared
 def test_table_of_1988_axis() -> None:
-    result = evaluate(printed_table(STANDARD_TABLES / "iso-230-2-1988-table-2.csv"), "iso230-2:1988")
+    result = evaluate(
+        printed_table(STANDARD_TABLES / "iso-230-2-1988-table-2.csv"), "iso230-2:1988"
+    )
     assert value(result, "A") == pytest.approx(18.03, abs=0.005)  # µm; printed to 0.01
     assert value(result, "R") == pytest.approx(13.49, abs=0.01)  # cut off
     assert value(result, "R_positive") == pytest.approx(11.84, abs=0.005)
     assert value(result, "R_negative") == pytest.approx(9.9, abs=0.05)  # printed to 0.1
     assert value(result, "B_mean") == pytest.approx(-1.53, abs=0.005)
-    assert result.at == {"R": 1500.41, "R_positive": 1351.56, "R_negative": 1351.56}  # j = 11, 10, 10
+    assert result.at == {
+        "R": 1500.41,
+        "R_positive": 1351.56,
+        "R_negative": 1351.56,
+    }  # j = 11, 10, 10
     for name in ("E", "E_positive", "E_negative", "M", "B"):
         assert result.parameters[name] is None
         assert "1988" in result.not_applicable[name]
@@ -81,15 +93,36 @@ def test_table_of_1988_axis() -> None:
 @pytest.mark.parametrize("standard", LATER)
 def test_table_of_1997(standard: str) -> None:
     result = evaluate(printed_table(STANDARD_TABLES / "iso-230-2-1997-table-2.csv"), standard)
-    printed = {"A": 9.6, "A_positive": 6.1, "A_negative": 5.7, "E": 7.7, "E_positive": 3.9, "E_negative": 4.0, "M": 4.0}
+    printed = {
+        "A": 9.6,
+        "A_positive": 6.1,
+        "A_negative": 5.7,
+        "E": 7.7,
+        "E_positive": 3.9,
+        "E_negative": 4.0,
+        "M": 4.0,
+    }
     printed |= {"R": 6.5, "R_positive": 2.9, "R_negative": 2.5, "B": 4.1, "B_mean": -3.7}
     # worked from the definitions outside this project
-    worked = {"A": 9.586, "A_positive": 6.138, "A_negative": 5.766, "E": 7.70, "E_positive": 3.94, "E_negative": 4.04, "M": 3.99}
+    worked = {
+        "A": 9.586,
+        "A_positive": 6.138,
+        "A_negative": 5.766,
+        "E": 7.70,
+        "E_positive": 3.94,
+        "E_negative": 4.04,
+        "M": 3.99,
+    }
     worked |= {"R": 6.551, "R_positive": 2.985, "R_negative": 2.552, "B": 4.12, "B_mean": -3.7109}
     for name, number in printed.items():
         assert value(result, name) == pytest.approx(number, abs=0.1)  # µm; printed and read to 0.1
         assert value(result, name) == pytest.approx(worked[name], abs=0.0006)  # µm; worked to 0.001
-    assert result.at == {"R": 1408.462, "R_positive": 1580.269, "R_negative": 1750.92, "B": 175.077}  # i = 9, 10, 11, 2
+    assert result.at == {
+        "R": 1408.462,
+        "R_positive": 1580.269,
+        "R_negative": 1750.92,
+        "B": 175.077,
+    }  # i = 9, 10, 11, 2
     assert not result.not_applicable
 
 
@@ -97,16 +130,33 @@ def test_table_of_1997(standard: str) -> None:
 @pytest.mark.parametrize("name", ["ess_b02_x.dat", "ess_muts_y_ild50.dat", "psi_test_fat_sat.dat"])
 def test_real_files(name: str) -> None:
     folder = REAL / "positioning"
-    lines = [line for line in (folder / "expected.csv").read_text("utf-8").splitlines() if not line.startswith("#")]
+    lines = [
+        line
+        for line in (folder / "expected.csv").read_text("utf-8").splitlines()
+        if not line.startswith("#")
+    ]
     expected = next(row for row in csv.DictReader(lines) if row["dataset"] == name)
     result = evaluate(read_positioning((folder / name).read_bytes(), name))
-    columns = {"B_avg": "B_mean", "E_fwd": "E_positive", "E_bwd": "E_negative", "R_fwd": "R_positive", "R_bwd": "R_negative"}
-    columns |= {"A_fwd": "A_positive", "A_bwd": "A_negative", **{key: key for key in ("A", "E", "M", "R", "B")}}
+    columns = {
+        "B_avg": "B_mean",
+        "E_fwd": "E_positive",
+        "E_bwd": "E_negative",
+        "R_fwd": "R_positive",
+        "R_bwd": "R_negative",
+    }
+    columns |= {
+        "A_fwd": "A_positive",
+        "A_bwd": "A_negative",
+        **{key: key for key in ("A", "E", "M", "R", "B")},
+    }
     for column, parameter in columns.items():
-        assert value(result, parameter) == pytest.approx(float(expected[column]) * 1000.0, abs=0.001)  # µm; printed to 0.001
+        assert value(result, parameter) == pytest.approx(
+            float(expected[column]) * 1000.0, abs=0.001
+        )  # µm; printed to 0.001
 
 
-# --- numbers worked by hand ---------------------------------------------------------------------------------------------------
+# --- numbers worked by hand
+# --------------------------------------------------------------------------------------------------
 
 SMALL = axis_test([0.0, 100.0], [[1 * UM, 3 * UM], [0.0, 0.0]], [[5 * UM, 7 * UM], [0.0, 2 * UM]])
 EXACT = 1e-9  # µm, rounding of binary numbers
@@ -148,7 +198,14 @@ def test_vdi_by_hand() -> None:
     test = axis_test([0.0, 100.0], [[1 * UM, 3 * UM], [0.0, 0.0]], [[5 * UM, 7 * UM], [0.0, 0.0]])
     result = evaluate(test, "vdi3441")
     scatter = 6.0 * sqrt(2.0)  # at target 0: both s are sqrt 2; U = 4, mean 4; target 100: all zero
-    expected = {"P": 4 + scatter, "Ps_max": scatter, "Ps_mean": scatter / 2, "Pa": 4.0, "U_max": 4.0, "U_mean": 2.0}
+    expected = {
+        "P": 4 + scatter,
+        "Ps_max": scatter,
+        "Ps_mean": scatter / 2,
+        "Pa": 4.0,
+        "U_max": 4.0,
+        "U_mean": 2.0,
+    }
     assert set(result.parameters) == set(expected)
     for name, number in expected.items():
         assert value(result, name) == pytest.approx(number, abs=EXACT), name
@@ -167,7 +224,8 @@ def test_the_factor_is_three_in_1988_and_two_later() -> None:
     assert list(by_edition.values()) == pytest.approx([4 * sqrt(2.0)] * 4, abs=EXACT)
 
 
-# --- the range method ---------------------------------------------------------------------------------------------------------
+# --- the range method
+# --------------------------------------------------------------------------------------------------
 
 
 def spread_of(n: int) -> FloatArray:
@@ -195,7 +253,9 @@ def test_range_method(standard: str, n: int, s: float) -> None:
     assert value(result, "R_positive") == pytest.approx(2 * result.coverage * s, abs=EXACT)
 
 
-@pytest.mark.parametrize(("standard", "n"), [("gost27843:2006", 4), ("gost27843:2006", 11), ("iso230-2:1988", 11)])
+@pytest.mark.parametrize(
+    ("standard", "n"), [("gost27843:2006", 4), ("gost27843:2006", 11), ("iso230-2:1988", 11)]
+)
 def test_range_method_without_a_factor(standard: str, n: int) -> None:
     with pytest.raises(UsageError, match=f"found {n}"):
         evaluate(axis_test([0.0, 1.0], spread_of(n), spread_of(n)), standard, spread="range")
@@ -212,12 +272,15 @@ def test_unknown_standard_lists_the_known() -> None:
         evaluate(SMALL, "din")
 
 
-# --- what a test cannot give ----------------------------------------------------------------------------------------------------
+# --- what a test cannot give
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("standard", LATER)
 def test_one_approach_per_direction(standard: str) -> None:
-    test = axis_test([0.0, 250.0, 500.0], [[1 * UM], [4 * UM], [2 * UM]], [[2 * UM], [6 * UM], [2 * UM]])
+    test = axis_test(
+        [0.0, 250.0, 500.0], [[1 * UM], [4 * UM], [2 * UM]], [[2 * UM], [6 * UM], [2 * UM]]
+    )
     result = evaluate(test, standard)
     for name in ("A", "A_positive", "A_negative", "R", "R_positive", "R_negative"):
         assert result.parameters[name] is None
@@ -234,7 +297,11 @@ def test_one_approach_per_direction_in_1988_and_vdi() -> None:
     first = evaluate(test, "iso230-2:1988")
     assert [name for name, number in first.parameters.items() if number is not None] == ["B_mean"]
     vdi = evaluate(test, "vdi3441")
-    assert {name for name, number in vdi.parameters.items() if number is None} == {"P", "Ps_max", "Ps_mean"}
+    assert {name for name, number in vdi.parameters.items() if number is None} == {
+        "P",
+        "Ps_max",
+        "Ps_mean",
+    }
     assert value(vdi, "U_max") == pytest.approx(2.0, abs=EXACT)
 
 
@@ -243,14 +310,25 @@ def test_one_direction_has_its_own_parameters_only(missing: str) -> None:
     other = {"positive": "negative", "negative": "positive"}[missing]
     readings = np.array([[0.0, 2 * UM], [4 * UM, 4 * UM]])
     nothing = np.full((2, 2), np.nan)
-    test = axis_test([0.0, 1.0], nothing, readings) if missing == "positive" else axis_test([0.0, 1.0], readings)
+    test = (
+        axis_test([0.0, 1.0], nothing, readings)
+        if missing == "positive"
+        else axis_test([0.0, 1.0], readings)
+    )
     result = evaluate(test)
     present = {name for name, number in result.parameters.items() if number is not None}
     assert present == {f"A_{other}", f"E_{other}", f"R_{other}"}
     assert value(result, f"E_{other}") == pytest.approx(3.0, abs=EXACT)
     sign = {"positive": "+", "negative": "−"}[missing]
     assert result.not_applicable["A"] == f"not measured in the {sign} direction"
-    assert set(evaluate(test, "vdi3441").not_applicable) == {"P", "Ps_max", "Ps_mean", "Pa", "U_max", "U_mean"}
+    assert set(evaluate(test, "vdi3441").not_applicable) == {
+        "P",
+        "Ps_max",
+        "Ps_mean",
+        "Pa",
+        "U_max",
+        "U_mean",
+    }
 
 
 def test_missing_readings_count_by_target() -> None:
@@ -259,7 +337,9 @@ def test_missing_readings_count_by_target() -> None:
     holed[0, 4] = np.nan
     result = evaluate(axis_test([0.0, 1.0], holed, full))
     assert result.targets.mean_positive[0] / UM == pytest.approx(2.5, abs=EXACT)
-    assert result.targets.s_positive[0] / UM == pytest.approx(sqrt(5.0 / 3.0), abs=EXACT)  # n - 1 = 3
+    assert result.targets.s_positive[0] / UM == pytest.approx(
+        sqrt(5.0 / 3.0), abs=EXACT
+    )  # n - 1 = 3
     assert "CW-T010" in {finding.code for finding in result.findings}
     assert None not in result.parameters.values()
 
@@ -271,7 +351,9 @@ def test_a_target_with_one_reading_takes_away_what_needs_s_in_its_direction() ->
     nulls = {name for name, number in result.parameters.items() if number is None}
     assert nulls == {"A", "A_positive", "R", "R_positive"}
     assert "+ direction at 10 mm" in result.not_applicable["A"]
-    assert value(result, "E") == pytest.approx(7.0, abs=EXACT)  # the single reading counts as its target's mean
+    assert value(result, "E") == pytest.approx(
+        7.0, abs=EXACT
+    )  # the single reading counts as its target's mean
     assert value(result, "B") == pytest.approx(4.0, abs=EXACT)
     told = next(finding.message for finding in result.findings if finding.code == "CW-T016")
     # over the targets 0 and 20: A = (4) - (1 - 2 sqrt 2), R = 4 sqrt 2
@@ -295,23 +377,32 @@ def test_a_test_without_readings_is_refused() -> None:
         evaluate(axis_test([1.0, 2.0, 3.0], [[0.0], [0.0]]))
 
 
-# --- what holds for every test ----------------------------------------------------------------------------------------------------
+# --- what holds for every test
+# --------------------------------------------------------------------------------------------------
 
 readings = arrays(np.float64, (4, 3), elements=st.floats(-0.05, 0.05, allow_subnormal=False))
 
 
 @given(readings, readings, st.sampled_from(LATER), st.floats(-1.0, 1.0))
-def test_relations_between_parameters(positive: FloatArray, negative: FloatArray, standard: str, datum: float) -> None:
+def test_relations_between_parameters(
+    positive: FloatArray, negative: FloatArray, standard: str, datum: float
+) -> None:
     test = axis_test([0.0, 10.0, 20.0, 30.0], positive, negative)
     given_ = {name: number or 0.0 for name, number in evaluate(test, standard).parameters.items()}
     slack = 1e-12  # mm, rounding
     assert given_["A"] >= given_["E"] - slack
     assert given_["A"] >= max(given_["A_positive"], given_["A_negative"], given_["R"]) - slack
     assert given_["R"] >= max(given_["R_positive"], given_["R_negative"], given_["B"]) - slack
-    assert given_["E"] >= max(given_["E_positive"], given_["E_negative"], given_["M"], given_["B"]) - slack
+    assert (
+        given_["E"]
+        >= max(given_["E_positive"], given_["E_negative"], given_["M"], given_["B"]) - slack
+    )
     assert abs(given_["B_mean"]) <= given_["B"] + slack
-    # the datum of the instrument is arbitrary; exchanging the directions changes the sign of the reversal only
-    moved = evaluate(replace(test, positive=positive + datum, negative=negative + datum), standard).parameters
+    # the datum of the instrument is arbitrary; exchanging the directions changes the sign of the
+    # reversal only
+    moved = evaluate(
+        replace(test, positive=positive + datum, negative=negative + datum), standard
+    ).parameters
     swapped = evaluate(replace(test, positive=negative, negative=positive), standard).parameters
     for name, number in given_.items():
         assert moved[name] == pytest.approx(number, abs=1e-9)

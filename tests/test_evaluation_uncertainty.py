@@ -9,7 +9,10 @@ import numpy as np
 import pytest
 
 from compwright.evaluation.decision import decide
-from compwright.evaluation.expansion import instrument_compensated_expansion, remove_differential_expansion
+from compwright.evaluation.expansion import (
+    instrument_compensated_expansion,
+    remove_differential_expansion,
+)
 from compwright.evaluation.standards import evaluate
 from compwright.evaluation.statistics import mean_deviation, parameters, standard_deviation
 from compwright.evaluation.uncertainty import length_uncertainty
@@ -26,18 +29,29 @@ HOT = Thermal(alpha_m=11.5, T_m=24.0)
 
 
 def steep_axis() -> PositioningTest:
-    """An axis without scatter whose extremes lie at its ends by far: 40 µm/m, 5 µm lost motion largest in the middle."""
+    """An axis without scatter whose extremes lie at its ends by far: 40 µm/m, 5 µm lost motion
+    largest in the middle.
+    """
     positive = 40.0 * TARGETS / LENGTH
     negative = positive + 5.0 + 15.0 * np.exp(-(((TARGETS - 500.0) / 40.0) ** 2)) * 0.2
-    return axis_test(TARGETS, np.repeat(positive[:, None], RUNS, 1) * UM, np.repeat(negative[:, None], RUNS, 1) * UM)
+    return axis_test(
+        TARGETS,
+        np.repeat(positive[:, None], RUNS, 1) * UM,
+        np.repeat(negative[:, None], RUNS, 1) * UM,
+    )
 
 
-def repeated(truth: PositioningTest, *, slope: float, drift_range: float, count: int = 4000) -> dict[str, FloatArray]:
-    """Measure ``truth`` ``count`` times: a fresh length error (std ``slope``, µm/m) per test, E_VE per reading (uniform)."""
+def repeated(
+    truth: PositioningTest, *, slope: float, drift_range: float, count: int = 4000
+) -> dict[str, FloatArray]:
+    """Measure ``truth`` ``count`` times: a fresh length error (std ``slope``, µm/m) per test, E_VE
+    per reading (uniform).
+    """
     rng = np.random.default_rng(17)
     error = rng.normal(size=(count, 1, 1)) * slope * (TARGETS[:, None] - TARGETS[0]) / 1000.0
     readings = [
-        truth_readings + (error + rng.uniform(-0.5, 0.5, (count, TARGETS.size, RUNS)) * drift_range) * UM
+        truth_readings
+        + (error + rng.uniform(-0.5, 0.5, (count, TARGETS.size, RUNS)) * drift_range) * UM
         for truth_readings in (truth.positive, truth.negative)
     ]
     return parameters(
@@ -62,7 +76,14 @@ def test_environmental_variation_agrees_with_monte_carlo() -> None:
     for name in ("E", "E_positive", "E_negative", "M", "B", "B_mean"):
         # 4 000 repeats give the spread to 1.1 %; B mixes two neighbouring targets a little
         assert 2.0 * np.std(measured[name]) / UM == pytest.approx(U[name], rel=0.06), name
-    for name in ("A", "A_positive", "A_negative", "R", "R_positive", "R_negative"):  # the band of s is an upper bound
+    for name in (
+        "A",
+        "A_positive",
+        "A_negative",
+        "R",
+        "R_positive",
+        "R_negative",
+    ):  # the band of s is an upper bound
         assert 2.0 * np.std(measured[name]) / UM < U[name], name
 
 
@@ -80,7 +101,9 @@ def test_length_terms_agree_with_monte_carlo() -> None:
 
 
 def test_everything_together_agrees_with_monte_carlo() -> None:
-    budget = UncertaintyBudget(device=0.2, device_per_m=0.5, misalignment_mm=1.0, U_theta=0.1, U_alpha=0.3, E_VE=1.5)
+    budget = UncertaintyBudget(
+        device=0.2, device_per_m=0.5, misalignment_mm=1.0, U_theta=0.1, U_alpha=0.3, E_VE=1.5
+    )
     # misalignment: cosine error R²/(2L) = 0.5 µm as a range, expanded 0.289 µm
     expanded = hypot(0.7, 0.289, 11.5 * 0.1, 4.0 * 0.3)
     measured = repeated(steep_axis(), slope=expanded / 2.0, drift_range=1.5)
@@ -91,8 +114,12 @@ def test_everything_together_agrees_with_monte_carlo() -> None:
 
 def test_hand_worked_terms() -> None:
     axis = steep_axis()
-    assert length_uncertainty(axis, UncertaintyBudget(misalignment_mm=2.0), HOT) == pytest.approx(0.289 * 4.0 / 1.0, rel=2e-3)
-    assert length_uncertainty(axis, UncertaintyBudget(device=0.5, device_per_m=0.5), HOT) == pytest.approx(1.0)
+    assert length_uncertainty(axis, UncertaintyBudget(misalignment_mm=2.0), HOT) == pytest.approx(
+        0.289 * 4.0 / 1.0, rel=2e-3
+    )
+    assert length_uncertainty(
+        axis, UncertaintyBudget(device=0.5, device_per_m=0.5), HOT
+    ) == pytest.approx(1.0)
     glass = replace(HOT, alpha_d=8.0, T_d=23.0)
     both = length_uncertainty(axis, UncertaintyBudget(U_theta=0.5, U_alpha=1.0), glass)
     assert both == pytest.approx(hypot(11.5 * 0.5, 4.0, 8.0 * 0.5, 3.0))
@@ -101,13 +128,17 @@ def test_hand_worked_terms() -> None:
     assert U["B"] == pytest.approx(v * sqrt(2 / 5))
     assert U["M"] == pytest.approx(hypot(0.4, v * sqrt(1 / 5)))
     assert U["R_positive"] == pytest.approx(2.0 * v)
-    assert U["R"] == pytest.approx(hypot(v * sqrt(2 / 5), v, v))  # reversal decides, s of both directions
+    assert U["R"] == pytest.approx(
+        hypot(v * sqrt(2 / 5), v, v)
+    )  # reversal decides, s of both directions
     assert U["A"] == pytest.approx(hypot(0.4, v * sqrt(2 / 5), 2.0 * v))
 
 
 def test_rotary_axes_have_no_length_terms() -> None:
     test = axis_test([0.0, 120.0, 300.0], np.zeros((3, 5)), np.zeros((3, 5)), kind=AxisKind.ROTARY)
-    budget = UncertaintyBudget(device=0.9, device_per_m=50.0, misalignment_mm=9.0, U_theta=5.0, U_alpha=5.0)
+    budget = UncertaintyBudget(
+        device=0.9, device_per_m=50.0, misalignment_mm=9.0, U_theta=5.0, U_alpha=5.0
+    )
     result = evaluate(test, budget=budget, thermal=HOT)
     assert result.uncertainty is not None
     assert pytest.approx(0.9) == result.uncertainty["E"].U * 3600.0  # arcsec
@@ -123,13 +154,22 @@ def test_uncertainty_of_what_is_not_there() -> None:
 
 
 def test_what_the_uncertainty_assumes_is_told() -> None:
-    codes = {f.code for f in evaluate(steep_axis(), budget=UncertaintyBudget(U_theta=0.5, U_alpha=1.0)).findings}
+    codes = {
+        f.code
+        for f in evaluate(steep_axis(), budget=UncertaintyBudget(U_theta=0.5, U_alpha=1.0)).findings
+    }
     assert {"CW-T020", "CW-T022", "CW-T023"} <= codes
-    codes = {f.code for f in evaluate(steep_axis(), budget=UncertaintyBudget(U_theta=0.5, U_alpha=1.0), thermal=HOT).findings}
+    codes = {
+        f.code
+        for f in evaluate(
+            steep_axis(), budget=UncertaintyBudget(U_theta=0.5, U_alpha=1.0), thermal=HOT
+        ).findings
+    }
     assert not {"CW-T022", "CW-T023"} & codes
 
 
-# --- nominal differential expansion ---------------------------------------------------------------------------------------------
+# --- nominal differential expansion
+# ---------------------------------------------------------------------------------------------
 
 
 def test_expansion_of_a_known_machine_is_removed() -> None:
@@ -145,7 +185,9 @@ def test_expansion_of_a_known_machine_is_removed() -> None:
 
 
 def test_the_instruments_own_expansion_counts_the_other_way() -> None:
-    """A glass scale at 23 °C is itself 8 * 3 = 24 µm/m too long, so it reads that much too little."""
+    """A glass scale at 23 °C is itself 8 * 3 = 24 µm/m too long, so it reads that much too
+    little.
+    """
     test = axis_test([0.0, 1000.0], [[0.0], [22 * UM]])
     back = remove_differential_expansion(test, replace(HOT, alpha_d=8.0, T_d=23.0))
     assert back.positive[1, 0] == pytest.approx(0.0, abs=1e-12)  # 46 - 24 = 22
@@ -154,7 +196,9 @@ def test_the_instruments_own_expansion_counts_the_other_way() -> None:
 def test_expansion_is_never_removed_twice() -> None:
     test = noisy(np.random.default_rng(1))
     with pytest.raises(InputError, match="compensated_for: the instrument already compensated"):
-        remove_differential_expansion(replace(test, header={"compensated_for": "material temperature"}), HOT)
+        remove_differential_expansion(
+            replace(test, header={"compensated_for": "material temperature"}), HOT
+        )
     with pytest.raises(InputError, match="already removed"):
         remove_differential_expansion(remove_differential_expansion(test, HOT), HOT)
     with pytest.raises(UsageError, match="linear"):
@@ -162,7 +206,16 @@ def test_expansion_is_never_removed_twice() -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["", "none", "air", "air temperature, pressure, humidity", "wavelength", "refractive index of the air", "no"]
+    "text",
+    [
+        "",
+        "none",
+        "air",
+        "air temperature, pressure, humidity",
+        "wavelength",
+        "refractive index of the air",
+        "no",
+    ],
 )
 def test_air_compensation_is_not_material_expansion(text: str) -> None:
     assert not instrument_compensated_expansion(text)
@@ -170,13 +223,23 @@ def test_air_compensation_is_not_material_expansion(text: str) -> None:
 
 @pytest.mark.parametrize(
     "text",
-    ["material", "air and material temperature", "temperature", "air; expansion", "NDE", "yes", "everything", "scale to 20 °C"],
+    [
+        "material",
+        "air and material temperature",
+        "temperature",
+        "air; expansion",
+        "NDE",
+        "yes",
+        "everything",
+        "scale to 20 °C",
+    ],
 )
 def test_any_other_compensation_counts(text: str) -> None:
     assert instrument_compensated_expansion(text)
 
 
-# --- decisions ------------------------------------------------------------------------------------------------------------------
+# --- decisions
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,8 @@
-"""One contract for every control: inject a known error, measure, fit, write, load into the virtual control, measure again.
+"""One contract for every control: inject a known error, measure, fit, write, load into the virtual
+control, measure again.
 
-With a mistake in the definition (sign, direction, start, unit) the same demand fails: that is tried for each.
+With a mistake in the definition (sign, direction, start, unit) the same demand fails: that is tried
+for each.
 """
 
 from __future__ import annotations
@@ -24,8 +26,16 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
 from loop import Floats, Machine, accuracy, allowed, csv_of
 
-FORMATS = ("siemens-840d-sl", "linuxcnc", "fanuc-30i", "fanuc-0i-16i", "heidenhain-itnc530", "heidenhain-nck")
-#: The same controls met otherwise: tables of their own that are filled, an option that they have. The name before + is the format.
+FORMATS = (
+    "siemens-840d-sl",
+    "linuxcnc",
+    "fanuc-30i",
+    "fanuc-0i-16i",
+    "heidenhain-itnc530",
+    "heidenhain-nck",
+)
+#: The same controls met otherwise: tables of their own that are filled, an option that they have.
+#: The name before + is the format.
 MET_OTHERWISE = ("heidenhain-nck+filled", "heidenhain-itnc530+filled", "siemens-840d-sl+cec")
 ADDRESS = {
     "siemens-840d-sl": "AX1",
@@ -41,31 +51,41 @@ OPTIONS: dict[str, dict[str, object]] = {
     "fanuc-0i-16i": {"detection_unit": 0.001, "first_point": 0},
 }
 #: What a control met otherwise has.
-MORE_OPTIONS = {"siemens-840d-sl+cec": {"cec": "available", "cec_tables": "3,8", "cec_sign": "correction"}}
+MORE_OPTIONS = {
+    "siemens-840d-sl+cec": {"cec": "available", "cec_tables": "3,8", "cec_sign": "correction"}
+}
 #: Controls that hold whole steps of 1 µm which come out in the middle of a section.
 STEPS = ("fanuc-30i", "fanuc-0i-16i")
 #: Decimal places of a table value in mm, where it is not 6.
 DIGITS = {"fanuc-30i": 3, "fanuc-0i-16i": 3, "heidenhain-itnc530": 4, "heidenhain-nck": 4}
 MACHINES = {
     "plain": Machine(),
-    "negative travel, referenced in -": Machine(low=-500, high=0, slope=-40e-6, lost=0.003, reference_return=-1),
+    "negative travel, referenced in -": Machine(
+        low=-500, high=0, slope=-40e-6, lost=0.003, reference_return=-1
+    ),
     "short axis": Machine(low=-20, high=130, slope=60e-6, bow=0.002, lost=0.008, noise=0.0003),
 }
 
 
-def loaded(files: list[ControlFile] | tuple[ControlFile, ...], format_id: str, machine: Machine) -> Callable[[Floats, int], Floats]:
+def loaded(
+    files: list[ControlFile] | tuple[ControlFile, ...], format_id: str, machine: Machine
+) -> Callable[[Floats, int], Floats]:
     """The correction that the virtual control applies with ``files`` loaded."""
     format_id = format_of(format_id)
     address = ADDRESS[format_id]
     returns = Direction.POSITIVE if machine.reference_return > 0 else Direction.NEGATIVE
-    control = virtual_control(format_id, files, reference_return={address: returns}, options=OPTIONS.get(format_id))
+    control = virtual_control(
+        format_id, files, reference_return={address: returns}, options=OPTIONS.get(format_id)
+    )
     assert address in control.addresses()
-    return lambda x, sign: control.correction(address, x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE)
+    return lambda x, sign: control.correction(
+        address, x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE
+    )
 
 
 def allowed_by(format_id: str, machine: Machine, targets: Floats, spacing: float) -> float:
-    """What A may be on this control: as `allowed`; steps add at both ends of the range half a step of rounding, and what the error
-    climbs in half a section."""
+    """What A may be on this control: as `allowed`; steps add at both ends of the range half a step
+    of rounding, and what the error climbs in half a section."""
     limit = allowed(machine, targets, spacing)
     if format_id not in STEPS:
         return limit
@@ -93,7 +113,9 @@ def format_of(name: str) -> str:
 
 
 def start_of(name: str, folder: Path, machine: Machine) -> list[str]:
-    """What is in the control at the beginning: nothing, or its own exported tables with a column of another axis, all written."""
+    """What is in the control at the beginning: nothing, or its own exported tables with a column of
+    another axis, all written.
+    """
     if not name.endswith("+filled"):
         return ["none"]
     folder.mkdir(exist_ok=True)
@@ -101,7 +123,9 @@ def start_of(name: str, folder: Path, machine: Machine) -> list[str]:
     step = (machine.high - machine.low) / (count - 1)
     places = [machine.low + step * index for index in range(count)]
     if name.startswith("heidenhain-nck"):
-        rows = "".join(f"{k:<3d} {x:<+10g} +0.0000    +0.00{10 + k}\n" for k, x in enumerate(places))
+        rows = "".join(
+            f"{k:<3d} {x:<+10g} +0.0000    +0.00{10 + k}\n" for k, x in enumerate(places)
+        )
         table = f"BEGIN X.COM MM\nNR  AXISPOS    X          Y\n{rows}[END]\n"
         lines = "BEGIN CONFIG.CMA MM\nNR  ACTIVE  X      Y\n0   *       X.COM\n[END]\n"
         play = "# axis: X\n# value: error\npoint,position,value,unit\nbackLash,,0.0000,mm\n"
@@ -109,7 +133,10 @@ def start_of(name: str, folder: Path, machine: Machine) -> list[str]:
     else:
         rows = "".join(f"{k:<4d} +0         +0.00{10 + k}\n" for k in range(count))
         head = f"BEGIN X      .COM MM DATUM:{machine.low:g} DIST:{step:g}\nNR   1=F()      2=F()\n"
-        files = {"X.COM": f"{head}{rows}END   X      .COM\n", "MP.TXT": "MP710.0 : 0.0000\nMP730 : %00001\n"}
+        files = {
+            "X.COM": f"{head}{rows}END   X      .COM\n",
+            "MP.TXT": "MP710.0 : 0.0000\nMP730 : %00001\n",
+        }
     for file, text in files.items():
         (folder / file).write_text(text)
     return [str(folder / file) for file in files]
@@ -117,12 +144,19 @@ def start_of(name: str, folder: Path, machine: Machine) -> list[str]:
 
 def tables_in(folder: Path, format_id: str) -> list[ControlFile]:
     return [
-        ControlFile(path.name, path.read_bytes()) for path in sorted((folder / "out" / "tables" / format_of(format_id)).iterdir())
+        ControlFile(path.name, path.read_bytes())
+        for path in sorted((folder / "out" / "tables" / format_of(format_id)).iterdir())
     ]
 
 
 def one_round(
-    folder: Path, format_id: str, machine: Machine, targets: Floats, seed: int, states: list[str], now: object
+    folder: Path,
+    format_id: str,
+    machine: Machine,
+    targets: Floats,
+    seed: int,
+    states: list[str],
+    now: object,
 ) -> list[ControlFile]:
     """Measure with ``now`` active in the control, run compwright, return the new files."""
     folder.mkdir()
@@ -135,13 +169,17 @@ def one_round(
 
 def spacing_of(files: list[ControlFile], format_id: str) -> float:
     format_id = format_of(format_id)
-    nodes = virtual_control(format_id, files, options=OPTIONS.get(format_id)).nodes(ADDRESS[format_id])
+    nodes = virtual_control(format_id, files, options=OPTIONS.get(format_id)).nodes(
+        ADDRESS[format_id]
+    )
     return float(np.max(np.diff(nodes)))
 
 
 @pytest.mark.parametrize("machine", MACHINES.values(), ids=list(MACHINES))
 @pytest.mark.parametrize("format_id", FORMATS + MET_OTHERWISE)
-def test_accuracy_falls_to_the_noise_floor(format_id: str, machine: Machine, tmp_path: Path) -> None:
+def test_accuracy_falls_to_the_noise_floor(
+    format_id: str, machine: Machine, tmp_path: Path
+) -> None:
     targets = machine.targets()
     before = accuracy(machine.measure(targets, seed=1))
     start = start_of(format_id, tmp_path / "control", machine)
@@ -154,7 +192,9 @@ def test_accuracy_falls_to_the_noise_floor(format_id: str, machine: Machine, tmp
 
 
 @pytest.mark.parametrize("format_id", FORMATS + MET_OTHERWISE)
-def test_a_wrong_old_table_is_replaced_in_one_round_and_stays_so_after_a_second(format_id: str, tmp_path: Path) -> None:
+def test_a_wrong_old_table_is_replaced_in_one_round_and_stays_so_after_a_second(
+    format_id: str, tmp_path: Path
+) -> None:
     machine = Machine()
     targets = machine.targets()
     # A table from another machine, loaded by mistake: 15 µm of bow and 12 µm of backlash too much.
@@ -164,14 +204,20 @@ def test_a_wrong_old_table_is_replaced_in_one_round_and_stays_so_after_a_second(
     active = loaded(old, format_id, machine)
     assert accuracy(machine.measure(targets, 6, active)) > accuracy(machine.measure(targets, 6))
 
-    old_files = [str(tmp_path / "other" / "out" / "tables" / format_of(format_id) / file.name) for file in old]
+    old_files = [
+        str(tmp_path / "other" / "out" / "tables" / format_of(format_id) / file.name)
+        for file in old
+    ]
     new = one_round(tmp_path / "first", format_id, machine, targets, 6, old_files, active)
     spacing = max(spacing_of(old, format_id), spacing_of(new, format_id))
     limit = allowed_by(format_id, machine, targets, spacing)
     first = loaded(new, format_id, machine)
     assert accuracy(machine.measure(targets, 7, first)) <= limit
 
-    new_files = [str(tmp_path / "first" / "out" / "tables" / format_of(format_id) / file.name) for file in new]
+    new_files = [
+        str(tmp_path / "first" / "out" / "tables" / format_of(format_id) / file.name)
+        for file in new
+    ]
     folder = tmp_path / "second"
     folder.mkdir()
     (folder / "x.csv").write_text(csv_of(targets, machine.measure(targets, 8, first)))
@@ -183,19 +229,27 @@ def test_a_wrong_old_table_is_replaced_in_one_round_and_stays_so_after_a_second(
 
 def test_rollback_holds_the_old_files_byte_by_byte(tmp_path: Path) -> None:
     machine = Machine()
-    old = one_round(tmp_path / "a", "siemens-840d-sl", machine, machine.targets(), 1, ["none"], None)
+    old = one_round(
+        tmp_path / "a", "siemens-840d-sl", machine, machine.targets(), 1, ["none"], None
+    )
     folder = tmp_path / "a" / "out" / "tables" / "siemens-840d-sl"
     active = loaded(old, "siemens-840d-sl", machine)
     shifted = replace(machine, slope=machine.slope + 50e-6)
-    one_round(tmp_path / "b", "siemens-840d-sl", shifted, machine.targets(), 2, [str(folder)], active)
+    one_round(
+        tmp_path / "b", "siemens-840d-sl", shifted, machine.targets(), 2, [str(folder)], active
+    )
     rollback = tmp_path / "b" / "out" / "rollback" / "siemens-840d-sl"
-    assert {path.name: path.read_bytes() for path in rollback.iterdir()} == {file.name: file.content for file in old}
+    assert {path.name: path.read_bytes() for path in rollback.iterdir()} == {
+        file.name: file.content for file in old
+    }
     assert not (tmp_path / "a" / "out" / "rollback").exists()
 
 
-# The definition, made wrong on purpose --------------------------------------------------------------------------------------
+# The definition, made wrong on purpose
+# --------------------------------------------------------------------------------------
 
-#: What to change in the text of a definition -> (old, new); each is a mistake that a hand-written definition can have.
+#: What to change in the text of a definition -> (old, new); each is a mistake that a hand-written
+#: definition can have.
 MUTATIONS = {
     "siemens-840d-sl": {
         "flipped sign of the table": ("    sign: error", "    sign: correction"),
@@ -203,12 +257,24 @@ MUTATIONS = {
             "unit: {linear: mm, rotary: deg}\n    sign: error",
             "unit: {linear: um, rotary: deg}\n    sign: error",
         ),
-        "start and end exchanged": ("$AA_ENC_COMP_MIN[{system},{axis}]={value}", "$AA_ENC_COMP_MAX[{system},{axis}]={value}"),
-        "backlash on the other measuring system": ("$MA_BACKLASH[{system},{axis}]=0", "$MA_BACKLASH[1,{axis}]=0"),
+        "start and end exchanged": (
+            "$AA_ENC_COMP_MIN[{system},{axis}]={value}",
+            "$AA_ENC_COMP_MAX[{system},{axis}]={value}",
+        ),
+        "backlash on the other measuring system": (
+            "$MA_BACKLASH[{system},{axis}]=0",
+            "$MA_BACKLASH[1,{axis}]=0",
+        ),
     },
     "linuxcnc": {
-        "flipped sign of the table": ("actual: actual_position, trim: correction", "actual: correction, trim: actual_position"),
-        "columns exchanged": ('form: "{position} {positive} {negative}"', 'form: "{position} {negative} {positive}"'),
+        "flipped sign of the table": (
+            "actual: actual_position, trim: correction",
+            "actual: correction, trim: actual_position",
+        ),
+        "columns exchanged": (
+            'form: "{position} {positive} {negative}"',
+            'form: "{position} {negative} {positive}"',
+        ),
         "wrong unit of one column": (
             "field: positive\n    unit: {linear: {option: units}, rotary: deg}",
             "field: positive\n    unit: {linear: inch, rotary: deg}",
@@ -216,7 +282,10 @@ MUTATIONS = {
         "forms exchanged": ('values: {"0": actual, "1": trim}', 'values: {"0": trim, "1": actual}'),
     },
     "fanuc-30i": {
-        "flipped sign of the data": ('default: "+"\n    choices: ["+", "-"]', 'default: "-"\n    choices: ["+", "-"]'),
+        "flipped sign of the data": (
+            'default: "+"\n    choices: ["+", "-"]',
+            'default: "-"\n    choices: ["+", "-"]',
+        ),
         "reference and first number exchanged": ("N#03620Q1(A", "N#03621Q1(A"),
         "magnification in the place of the reference": ('form: "N#03623Q1(A', 'form: "N#03620Q1(A'),
         "backlash in mm": (
@@ -227,7 +296,10 @@ MUTATIONS = {
     },
     "fanuc-0i-16i": {
         "interval in the place of the turn": ('form: "N#03624(A', 'form: "N#03625(A'),
-        "flipped sign of the data": ('default: "+"\n    choices: ["+", "-"]', 'default: "-"\n    choices: ["+", "-"]'),
+        "flipped sign of the data": (
+            'default: "+"\n    choices: ["+", "-"]',
+            'default: "-"\n    choices: ["+", "-"]',
+        ),
         "last number in the place of the first": ('form: "N#03621(A', 'form: "N#03622(A'),
     },
     "heidenhain-itnc530": {
@@ -246,7 +318,12 @@ MUTATIONS = {
 
 
 def axis_of(machine: Machine, format_id: str) -> Axis:
-    return Axis(name="X", kind=AxisKind.LINEAR, travel=(machine.low, machine.high), address=ADDRESS[format_id])
+    return Axis(
+        name="X",
+        kind=AxisKind.LINEAR,
+        travel=(machine.low, machine.high),
+        address=ADDRESS[format_id],
+    )
 
 
 def perfect_table(machine: Machine, format_id: str) -> AxisCompensation:
@@ -254,7 +331,9 @@ def perfect_table(machine: Machine, format_id: str) -> AxisCompensation:
     nodes = np.linspace(machine.low, machine.high, 41)
     zero = float(machine.error(np.array([0.0]), machine.reference_return)[0])
     digits = DIGITS.get(format_id, 6)
-    positive, negative = (np.round(-(machine.error(nodes, sign) - zero), digits) for sign in (1, -1))
+    positive, negative = (
+        np.round(-(machine.error(nodes, sign) - zero), digits) for sign in (1, -1)
+    )
     one_curve = format_id != "linuxcnc"
     return AxisCompensation(
         address=ADDRESS[format_id],
@@ -264,18 +343,28 @@ def perfect_table(machine: Machine, format_id: str) -> AxisCompensation:
         negative=positive if one_curve else negative,
         backlash=machine.lost if one_curve else 0.0,
         below=capacity_for(
-            load_definition(definition_text(format_id), ""), axis_of(machine, format_id), OPTIONS.get(format_id, {}), None
+            load_definition(definition_text(format_id), ""),
+            axis_of(machine, format_id),
+            OPTIONS.get(format_id, {}),
+            None,
         ).below,
         interpolation="step" if format_id in STEPS else "linear",
     )
 
 
 def accuracy_with(text: bytes, format_id: str, table: AxisCompensation | None = None) -> float:
-    """A after loading what a definition writes for the perfect table (or ``table``), by the virtual control; mm."""
+    """A after loading what a definition writes for the perfect table (or ``table``), by the virtual
+    control; mm.
+    """
     machine = MACHINES["plain"]
     definition = load_definition(text, f"{format_id}.yaml")
     options = resolve_options(definition, OPTIONS.get(format_id, {}))
-    files = write_tables(definition, [table or perfect_table(machine, format_id)], [axis_of(machine, format_id)], options)
+    files = write_tables(
+        definition,
+        [table or perfect_table(machine, format_id)],
+        [axis_of(machine, format_id)],
+        options,
+    )
     fresh = machine.targets(seed=8)
     return accuracy(machine.measure(fresh, 2, loaded(files, format_id, machine)))
 
@@ -287,10 +376,15 @@ def definition_text(format_id: str) -> bytes:
 @pytest.mark.parametrize("format_id", FORMATS)
 def test_the_definition_as_it_is_keeps_the_demand(format_id: str) -> None:
     machine = MACHINES["plain"]
-    assert accuracy_with(definition_text(format_id), format_id) <= allowed_by(format_id, machine, machine.targets(seed=8), 20.0)
+    assert accuracy_with(definition_text(format_id), format_id) <= allowed_by(
+        format_id, machine, machine.targets(seed=8), 20.0
+    )
 
 
-@pytest.mark.parametrize(("format_id", "name"), [(format_id, name) for format_id, changes in MUTATIONS.items() for name in changes])
+@pytest.mark.parametrize(
+    ("format_id", "name"),
+    [(format_id, name) for format_id, changes in MUTATIONS.items() for name in changes],
+)
 def test_a_mistake_in_the_definition_breaks_the_demand(format_id: str, name: str) -> None:
     old, new = MUTATIONS[format_id][name]
     text = definition_text(format_id).decode()
@@ -308,7 +402,9 @@ def test_a_mistake_in_the_definition_breaks_the_demand(format_id: str, name: str
 def test_a_table_one_node_off_breaks_the_demand(format_id: str) -> None:
     machine = Machine()
     table = perfect_table(machine, format_id)
-    shifted = replace(table, positive=np.roll(table.positive, 3), negative=np.roll(table.negative, 3))
+    shifted = replace(
+        table, positive=np.roll(table.positive, 3), negative=np.roll(table.negative, 3)
+    )
     if format_id in STEPS:  # refused by the writer: its table is no longer zero at the reference
         with pytest.raises(CapacityError, match="not zero at the reference"):
             accuracy_with(definition_text(format_id), format_id, shifted)
@@ -322,7 +418,9 @@ def test_a_table_one_node_off_breaks_the_demand(format_id: str) -> None:
 def test_exchanged_directions_break_the_demand(format_id: str) -> None:
     machine = Machine()
     table = perfect_table(machine, format_id)
-    swapped = replace(table, positive=table.negative, negative=table.positive, backlash=-table.backlash)
+    swapped = replace(
+        table, positive=table.negative, negative=table.positive, backlash=-table.backlash
+    )
     assert accuracy_with(definition_text(format_id), format_id, swapped) > allowed_by(
         format_id, machine, machine.targets(seed=8), 20.0
     )

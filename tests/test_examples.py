@@ -1,4 +1,6 @@
-"""The examples run, and their pages show what they show. What a page quotes is held against the run to its printed digits."""
+"""The examples run, and their pages show what they show. What a page quotes is held against the run
+to its printed digits.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,8 @@ from places import PROJECT
 pytestmark = pytest.mark.painted
 
 EXAMPLES = PROJECT / "examples"
-#: Folder -> exit code of run, format, after files of the loop (empty where the machine is not simulated).
+#: Folder -> exit code of run, format, after files of the loop (empty where the machine is not
+#: simulated).
 CASES = {
     "sinumerik-standard": (0, "siemens-840d-sl", []),
     "linuxcnc-standard": (1, "linuxcnc", []),
@@ -41,7 +44,9 @@ def printed(capsys: pytest.CaptureFixture[str]) -> list[str]:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_an_example_shows_what_its_page_says(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_example_shows_what_its_page_says(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     code, format_id, axes = CASES[name]
     folder = tmp_path / name
     shutil.copytree(EXAMPLES / name, folder)
@@ -50,12 +55,41 @@ def test_an_example_shows_what_its_page_says(name: str, tmp_path: Path, capsys: 
     assert compwright(["run", str(folder / "job.yaml")]) == code
     lines = printed(capsys)
     tables = folder / "job" / "tables" / format_id
-    assert compwright(["decode", str(tables), "--format", format_id, *OPTIONS.get(format_id, []), "--json", "-"]) == 0
+    assert (
+        compwright(
+            [
+                "decode",
+                str(tables),
+                "--format",
+                format_id,
+                *OPTIONS.get(format_id, []),
+                "--json",
+                "-",
+            ]
+        )
+        == 0
+    )
     capsys.readouterr()
     if axes:
         machine = str(folder / "machine.yaml")
-        assert compwright(["simulate", machine, "--out", str(folder / "after"), "--seed", "2", "--with-tables", str(tables)]) == 0
-        after = [word for axis in axes for word in ("--after", str(folder / "after" / f"{axis}.csv"))]
+        assert (
+            compwright(
+                [
+                    "simulate",
+                    machine,
+                    "--out",
+                    str(folder / "after"),
+                    "--seed",
+                    "2",
+                    "--with-tables",
+                    str(tables),
+                ]
+            )
+            == 0
+        )
+        after = [
+            word for axis in axes for word in ("--after", str(folder / "after" / f"{axis}.csv"))
+        ]
         assert compwright(["verify", str(folder / "job.yaml"), *after]) == 0
         lines += printed(capsys)
         assert "Verdict: good" in lines
@@ -65,14 +99,32 @@ def test_an_example_shows_what_its_page_says(name: str, tmp_path: Path, capsys: 
         assert row in lines
 
 
-def test_the_measured_files_of_the_simulated_examples_are_what_their_pages_say(tmp_path: Path) -> None:
+def test_the_measured_files_of_the_simulated_examples_are_what_their_pages_say(
+    tmp_path: Path,
+) -> None:
     for name, tables in (
-        ("sinumerik-old-table", ["--with-tables", str(EXAMPLES / "sinumerik-old-table" / "control")]),
+        (
+            "sinumerik-old-table",
+            ["--with-tables", str(EXAMPLES / "sinumerik-old-table" / "control")],
+        ),
         ("linuxcnc-two-axes", []),
         ("fanuc-backup", ["--with-tables", str(EXAMPLES / "fanuc-backup" / "control")]),
     ):
         out = tmp_path / name
-        assert compwright(["simulate", str(EXAMPLES / name / "machine.yaml"), "--out", str(out), "--seed", "1", *tables]) == 0
+        assert (
+            compwright(
+                [
+                    "simulate",
+                    str(EXAMPLES / name / "machine.yaml"),
+                    "--out",
+                    str(out),
+                    "--seed",
+                    "1",
+                    *tables,
+                ]
+            )
+            == 0
+        )
         for path in out.iterdir():
             assert path.read_bytes() == (EXAMPLES / name / "before" / path.name).read_bytes()
 

@@ -50,7 +50,13 @@ def wavy(x: Array) -> Array:
 
 
 def wish(positive: Array, negative: Array, **more: Any) -> WantedCorrection:
-    values: dict[str, Any] = {"reference": 0.0, "reference_return": POSITIVE, "noise": 1 * UM, "positions": X, **more}
+    values: dict[str, Any] = {
+        "reference": 0.0,
+        "reference_return": POSITIVE,
+        "noise": 1 * UM,
+        "positions": X,
+        **more,
+    }
     return WantedCorrection(kind=AxisKind.LINEAR, positive=positive, negative=negative, **values)
 
 
@@ -63,7 +69,9 @@ def fit(wanted: WantedCorrection, capacity: Capacity, **request: Any) -> FittedT
 
 
 def held(table: AxisCompensation, where: Array, direction: Direction) -> Array:
-    """What the control does, written out once more: straight between nodes, ends by rule, backlash against the return."""
+    """What the control does, written out once more: straight between nodes, ends by rule, backlash
+    against the return.
+    """
     curve = table.positive if direction is POSITIVE else table.negative
     total = np.interp(where, table.positions, curve)
     total = np.where((where < table.positions[0]) & (table.below == "zero"), 0.0, total)
@@ -94,12 +102,21 @@ def codes(result: FittedTable) -> set[str]:
     return {finding.code for finding in result.findings}
 
 
-# --- the pieces -------------------------------------------------------------------------------------------------------
+# --- the pieces
+# --------------------------------------------------------------------------------------------------
 
 
 def test_hat_matrix_by_hand() -> None:
     nodes, where = np.array([0.0, 10.0, 30.0]), np.array([-5.0, 0.0, 2.5, 10.0, 25.0, 30.0, 31.0])
-    expected = [[0, 0, 0], [1, 0, 0], [0.75, 0.25, 0], [0, 1, 0], [0, 0.25, 0.75], [0, 0, 1], [0, 0, 1]]
+    expected = [
+        [0, 0, 0],
+        [1, 0, 0],
+        [0.75, 0.25, 0],
+        [0, 1, 0],
+        [0, 0.25, 0.75],
+        [0, 0, 1],
+        [0, 0, 1],
+    ]
     assert hat_matrix(where, nodes, below="zero", above="hold").tolist() == expected
     ends = hat_matrix(where, nodes, below="hold", above="zero")
     assert ends[0].tolist() == [1, 0, 0]
@@ -109,7 +126,9 @@ def test_hat_matrix_by_hand() -> None:
 def test_quadrature_is_exact_for_squares_of_straight_pieces() -> None:
     points, weights = quadrature(np.array([0.0, 1.0, 4.0]), np.array([-1.0, 0.5, 3.0, 9.0]))
     assert np.sum(weights) == pytest.approx(1.0, abs=1e-14)
-    assert weights @ points**3 == pytest.approx(4.0**4 / 4 / 4, rel=1e-13)  # the mean of x^3 over 0..4
+    assert weights @ points**3 == pytest.approx(
+        4.0**4 / 4 / 4, rel=1e-13
+    )  # the mean of x^3 over 0..4
 
 
 @given(
@@ -117,12 +136,20 @@ def test_quadrature_is_exact_for_squares_of_straight_pieces() -> None:
     st.integers(1, 200),
     st.integers(0, 39),
 )
-def test_rounding_keeps_half_a_quantum_range_and_increments(steps: list[int], largest: int, anchor: int) -> None:
+def test_rounding_keeps_half_a_quantum_range_and_increments(
+    steps: list[int], largest: int, anchor: int
+) -> None:
     quantum = 0.001
-    bounded = np.clip(np.array(steps) / 100.0, -largest, largest) * quantum  # no increment exceeds the limit
+    bounded = (
+        np.clip(np.array(steps) / 100.0, -largest, largest) * quantum
+    )  # no increment exceeds the limit
     values = np.clip(np.cumsum(bounded), -0.05, 0.04)
     rounded = round_curve(
-        values, quantum, value_range=(-0.05, 0.04), max_increment=largest * quantum, anchor=min(anchor, values.size - 1)
+        values,
+        quantum,
+        value_range=(-0.05, 0.04),
+        max_increment=largest * quantum,
+        anchor=min(anchor, values.size - 1),
     )
     dust = 1e-9
     assert np.all(np.abs(rounded - values) <= quantum / 2 + dust)
@@ -169,7 +196,13 @@ def test_random_quadratic_problems_are_optimal_against_scipy() -> None:
             {"type": "ineq", "fun": lambda x, p=problem: p.upper - p.A @ x},
             {"type": "ineq", "fun": lambda x, p=problem: p.A @ x - p.lower},
         ]
-        other = minimize(value, np.zeros(6), constraints=limits, method="SLSQP", options={"ftol": 1e-14, "maxiter": 500})
+        other = minimize(
+            value,
+            np.zeros(6),
+            constraints=limits,
+            method="SLSQP",
+            options={"ftol": 1e-14, "maxiter": 500},
+        )
         assert value(solution.x) <= other.fun + 1e-9
         assert np.all(problem.A @ solution.x <= problem.upper + 1e-9)
         assert np.all(problem.A @ solution.x >= problem.lower - 1e-9)
@@ -187,7 +220,13 @@ def test_the_fallback_finds_the_same_optimum(monkeypatch: pytest.MonkeyPatch) ->
 def test_the_certificate_sees_every_kind_of_fault() -> None:
     # Minimise (x-3)^2/2 for x <= 1: optimum 1, multiplier 2.
     problem = QuadraticProblem(
-        P=np.eye(1), q=np.array([-3.0]), constant=4.5, A=np.eye(1), lower=np.array([-np.inf]), upper=np.array([1.0]), groups={}
+        P=np.eye(1),
+        q=np.array([-3.0]),
+        constant=4.5,
+        A=np.eye(1),
+        lower=np.array([-np.inf]),
+        upper=np.array([1.0]),
+        groups={},
     )
 
     def proof(x: float, y: float) -> dict[str, float]:
@@ -205,38 +244,56 @@ def test_the_gap_is_a_bound() -> None:
     cost, G, h = np.array([1.0]), np.array([[-1.0]]), np.array([-2.0])
     assert range_gap(cost, G, h, np.array([1.0]), 2.0, 10.0) == 0.0
     assert range_gap(cost, G, h, np.array([1.0]), 2.5, 10.0) == pytest.approx(0.5)
-    assert range_gap(cost, G, h, np.array([0.0]), 2.0, 10.0) == pytest.approx(12.0)  # no multiplier proves nothing
+    assert range_gap(cost, G, h, np.array([0.0]), 2.0, 10.0) == pytest.approx(
+        12.0
+    )  # no multiplier proves nothing
 
 
 def test_a_period_is_taken_out_of_the_wish_and_nothing_else() -> None:
     wave = 2 * UM * np.cos(2 * np.pi * X / 10.0 + 1.0) + 0.7 * UM * np.sin(2 * np.pi * X / 5.0)
-    smooth, taken = without_periods(replace(SMOOTH, positive=SMOOTH.positive + wave, negative=SMOOTH.negative + wave), [10.0])
+    smooth, taken = without_periods(
+        replace(SMOOTH, positive=SMOOTH.positive + wave, negative=SMOOTH.negative + wave), [10.0]
+    )
     assert taken == pytest.approx(np.sqrt(2.0**2 / 2 + 0.7**2 / 2) * UM, rel=0.02)
     assert smooth.positive == pytest.approx(SMOOTH.positive, abs=0.05 * UM)
 
 
-# --- the fit ----------------------------------------------------------------------------------------------------------
+# --- the fit
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("home", [POSITIVE, NEGATIVE])
 def test_single_table_equals_brute_force(home: Direction) -> None:
-    """Least squares over 40 001 points, the node at the reference fixed to zero, backlash as its own column."""
+    """Least squares over 40 001 points, the node at the reference fixed to zero, backlash as its
+    own column.
+    """
     shift = 4 * UM if home is NEGATIVE else 0.0
-    wanted = replace(SMOOTH, positive=SMOOTH.positive - shift, negative=SMOOTH.negative - shift, reference_return=home)
+    wanted = replace(
+        SMOOTH,
+        positive=SMOOTH.positive - shift,
+        negative=SMOOTH.negative - shift,
+        reference_return=home,
+    )
     result = fit(wanted, FINE, spacing=100.0)
     fine = np.linspace(X[0], X[-1], 40001)
     nodes = np.linspace(-800.0, 0.0, 9)
-    hats = np.column_stack([np.interp(fine, nodes, one) for one in np.eye(9)])[:, :-1]  # the last node is the reference
+    hats = np.column_stack([np.interp(fine, nodes, one) for one in np.eye(9)])[
+        :, :-1
+    ]  # the last node is the reference
     zero, one = np.zeros((fine.size, 1)), np.ones((fine.size, 1))
     plus, minus = (zero, -one) if home is POSITIVE else (one, zero)
     matrix = np.vstack([np.hstack([hats, plus]), np.hstack([hats, minus])])
-    aims = np.concatenate([np.interp(fine, X, wanted.positive), np.interp(fine, X, wanted.negative)])
+    aims = np.concatenate(
+        [np.interp(fine, X, wanted.positive), np.interp(fine, X, wanted.negative)]
+    )
     expected = np.linalg.lstsq(matrix, aims, rcond=None)[0]
-    # Brute force sums over points instead of integrating: 0.02 mm steps leave well under a nanometre.
+    # Brute force sums over points instead of integrating: 0.02 mm steps leave well under a
+    # nanometre.
     assert result.compensation.positive[:-1] == pytest.approx(expected[:-1], abs=1e-3 * UM)
     assert result.compensation.positive[-1] == 0.0
     assert result.compensation.backlash == pytest.approx(expected[-1], abs=1e-3 * UM)
-    # The node held at zero bends the first section; the reversal value takes a few nanometres of that.
+    # The node held at zero bends the first section; the reversal value takes a few nanometres of
+    # that.
     assert result.compensation.backlash == pytest.approx(-4 * UM, abs=0.05 * UM)
     assert result.mode == "single"
     assert np.array_equal(result.compensation.positive, result.compensation.negative)
@@ -254,16 +311,26 @@ def test_two_tables_equal_brute_force_each() -> None:
     assert result.compensation.positive[:-1] == pytest.approx(fixed, abs=1e-3 * UM)
     assert result.compensation.positive[-1] == 0.0  # the zero state: the reference, arriving in +
     assert result.compensation.backlash == 0.0
-    assert max(result.certificate[name] for name in ("primal", "stationarity", "dual", "complementarity")) <= 1e-9
+    assert (
+        max(
+            result.certificate[name]
+            for name in ("primal", "stationarity", "dual", "complementarity")
+        )
+        <= 1e-9
+    )
 
 
 def test_single_on_two_tables_differs_by_a_constant() -> None:
     result = fit(VARYING, replace(TWO_CURVES, quantum=1 * UM), spacing=100.0, mode="single")
     difference = result.compensation.negative - result.compensation.positive
     assert np.ptp(difference) == pytest.approx(0.0, abs=1e-12)
-    assert difference[0] == pytest.approx(1 * UM, abs=1e-9)  # 4 µm at the end 0, 4 - 6.4 µm at -800: 0.8 µm on the mean
+    assert difference[0] == pytest.approx(
+        1 * UM, abs=1e-9
+    )  # 4 µm at the end 0, 4 - 6.4 µm at -800: 0.8 µm on the mean
     assert result.compensation.backlash == 0.0
-    assert fit(SMOOTH, TWO_CURVES, spacing=100.0).mode == "single"  # no evidence that the reversal varies
+    assert (
+        fit(SMOOTH, TWO_CURVES, spacing=100.0).mode == "single"
+    )  # no evidence that the reversal varies
 
 
 def test_more_freedom_is_never_worse_and_limits_say_what_they_cost() -> None:
@@ -272,11 +339,16 @@ def test_more_freedom_is_never_worse_and_limits_say_what_they_cost() -> None:
     none = fit(VARYING, replace(FINE, backlash_quantum=None), spacing=100.0)
     sizes = [rms(result, VARYING) for result in (two, one, none)]
     assert sizes == sorted(sizes)
-    # The reversal changes by 6.4 µm end to end; half of its scatter, 0.92 µm, stays in each direction. Zero at the reference
-    # costs a little more. Without backlash half of the mean reversal stays too.
-    assert causes(one)["one table for both directions"] == pytest.approx(np.sqrt(sizes[1] ** 2 - sizes[0] ** 2), rel=1e-3)
+    # The reversal changes by 6.4 µm end to end; half of its scatter, 0.92 µm, stays in each
+    # direction. Zero at the reference costs a little more. Without backlash half of the mean
+    # reversal stays too.
+    assert causes(one)["one table for both directions"] == pytest.approx(
+        np.sqrt(sizes[1] ** 2 - sizes[0] ** 2), rel=1e-3
+    )
     assert 0.9 * UM < causes(one)["one table for both directions"] < 1.3 * UM
-    assert causes(none)["no backlash value"] == pytest.approx(np.sqrt(sizes[2] ** 2 - sizes[1] ** 2), rel=1e-3)
+    assert causes(none)["no backlash value"] == pytest.approx(
+        np.sqrt(sizes[2] ** 2 - sizes[1] ** 2), rel=1e-3
+    )
     assert "CW-F005" in codes(none)
     assert none.compensation.backlash == 0.0
     assert causes(two)["spacing of the points"] == pytest.approx(sizes[0], rel=1e-3)
@@ -284,7 +356,9 @@ def test_more_freedom_is_never_worse_and_limits_say_what_they_cost() -> None:
 
 def test_value_range_and_increments_bind() -> None:
     ranged = fit(SMOOTH, replace(COARSE, value_range=(-9.4 * UM, 100 * UM)), spacing=20.0)
-    assert ranged.compensation.positive.min() == pytest.approx(-9 * UM, abs=1e-9)  # whole quanta inside the range
+    assert ranged.compensation.positive.min() == pytest.approx(
+        -9 * UM, abs=1e-9
+    )  # whole quanta inside the range
     assert causes(ranged)["value range"] > 1 * UM
     assert "CW-F007" in codes(ranged)
     stepped = fit(SMOOTH, replace(COARSE, max_increment=1 * UM), spacing=20.0)
@@ -300,7 +374,9 @@ def test_value_range_and_increments_bind() -> None:
 def test_backlash_range_binds_in_its_own_sign(reversal: float) -> None:
     wanted = wish(wavy(X), wavy(X) + reversal * UM)
     result = fit(wanted, replace(COARSE, backlash_range=(-5 * UM, 7 * UM)), spacing=50.0)
-    assert result.compensation.backlash == pytest.approx(-5 * UM if reversal > 0 else 7 * UM, abs=1e-12)
+    assert result.compensation.backlash == pytest.approx(
+        -5 * UM if reversal > 0 else 7 * UM, abs=1e-12
+    )
     assert causes(result)["value range"] > 5 * UM
 
 
@@ -313,7 +389,8 @@ def test_both_curves_keep_the_range_when_they_differ_by_a_constant() -> None:
 
 
 def test_rounding_both_curves_up_does_not_leave_the_range() -> None:
-    # Curve 3.5 and constant 2.5 quanta reach the limit of 6 exactly; each rounded up by itself would make 7.
+    # Curve 3.5 and constant 2.5 quanta reach the limit of 6 exactly; each rounded up by itself
+    # would make 7.
     plateau = np.interp(X, [-800.0, -700.0, -100.0, 0.0], [3.5 * UM, 3.5 * UM, 3.5 * UM, 0.0])
     capacity = replace(TWO_CURVES, quantum=1 * UM, value_range=(-50 * UM, 6 * UM))
     result = fit(wish(plateau, plateau + 2.5 * UM), capacity, spacing=100.0, mode="single")
@@ -344,11 +421,20 @@ def test_every_table_keeps_every_limit(
 ) -> None:
     rng = np.random.default_rng(seed)
     order = np.arange(1, 20)
-    shape = np.sin(np.outer(X, order) * np.pi / 800.0 + rng.uniform(0, 6, 19)) @ (rng.standard_normal(19) / order) * 0.02
+    shape = (
+        np.sin(np.outer(X, order) * np.pi / 800.0 + rng.uniform(0, 6, 19))
+        @ (rng.standard_normal(19) / order)
+        * 0.02
+    )
     other = shape + rng.normal() * 5 * UM + 0.01 * np.sin(X / rng.uniform(20.0, 200.0))
     wanted = wish(shape, other, reference=reference, reference_return=home, reversal_log_odds=odds)
     capacity = replace(
-        COARSE, curves=curves, max_increment=increment, value_range=(-reach * UM, (reach // 2 + 1) * UM), below=below, above=below
+        COARSE,
+        curves=curves,
+        max_increment=increment,
+        value_range=(-reach * UM, (reach // 2 + 1) * UM),
+        below=below,
+        above=below,
     )
     result = fit(wanted, capacity, spacing=50.0)
     table = result.compensation
@@ -362,7 +448,8 @@ def test_every_table_keeps_every_limit(
     assert result.certificate["rounding"] <= 0.5 * UM + 1e-9
 
 
-# --- goals ------------------------------------------------------------------------------------------------------------
+# --- goals
+# --------------------------------------------------------------------------------------------------
 
 
 def test_each_goal_is_best_in_its_own_measure() -> None:
@@ -376,9 +463,16 @@ def test_each_goal_is_best_in_its_own_measure() -> None:
             "M": float(np.ptp(0.5 * (plus + minus))),
         }
 
-    tables = {goal: measures(fit(rough, FINE, spacing=100.0, goal=goal)) for goal in ("expected", "E", "M", "A")}
+    tables = {
+        goal: measures(fit(rough, FINE, spacing=100.0, goal=goal))
+        for goal in ("expected", "E", "M", "A")
+    }
     for goal in ("expected", "E", "M"):
-        others = [tables[other][goal] for other in tables if other not in {goal, "A" if goal == "E" else goal}]
+        others = [
+            tables[other][goal]
+            for other in tables
+            if other not in {goal, "A" if goal == "E" else goal}
+        ]
         assert all(tables[goal][goal] < 0.999 * other for other in others), goal
     # With the same noise at every position A is E and a constant: one table is best for both.
     assert tables["A"] == pytest.approx(tables["E"], rel=1e-6)
@@ -391,7 +485,9 @@ def test_the_least_range_equals_a_linear_program_of_its_own() -> None:
     nodes = np.linspace(-800.0, 0.0, 5)
     hats = np.column_stack([np.interp(X, nodes, one) for one in np.eye(5)])[:, :-1]
     none, one = np.zeros((X.size, 1)), np.ones((X.size, 1))
-    D = np.vstack([np.hstack([hats, none]), np.hstack([hats, -one])])  # unknowns: four nodes, backlash
+    D = np.vstack(
+        [np.hstack([hats, none]), np.hstack([hats, -one])]
+    )  # unknowns: four nodes, backlash
     d = np.concatenate([SMOOTH.positive, SMOOTH.negative])
     ones = np.ones((d.size, 1))
     program = linprog(
@@ -402,11 +498,14 @@ def test_the_least_range_equals_a_linear_program_of_its_own() -> None:
     )
     plus, minus = left(result, SMOOTH)
     reached = max(plus.max(), minus.max()) - min(plus.min(), minus.min())
-    assert reached == pytest.approx(program.fun, abs=2e-3 * UM)  # 1 nm of the certificate and the quantum
+    assert reached == pytest.approx(
+        program.fun, abs=2e-3 * UM
+    )  # 1 nm of the certificate and the quantum
     assert result.certificate["gap"] <= 1e-3 * UM
 
 
-# --- the reference and the ends ---------------------------------------------------------------------------------------
+# --- the reference and the ends
+# ---------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("rule", ["hold", "zero"])
@@ -418,8 +517,9 @@ def test_a_reference_outside_the_table(rule: Literal["hold", "zero"]) -> None:
     assert held(table, np.array([0.0]), POSITIVE)[0] == 0.0
     if rule == "hold":
         assert table.positive[-1] == 0.0
-        # The datum moves with the end, by 10.4 µm: the shape of the wish is kept, not bent to zero at the edge. The reversal
-        # value also has a say where the end is held, which shifts the whole by half a micrometre.
+        # The datum moves with the end, by 10.4 µm: the shape of the wish is kept, not bent to zero
+        # at the edge. The reversal value also has a say where the end is held, which shifts the
+        # whole by half a micrometre.
         plus, _ = left(result, SMOOTH, np.linspace(-650.0, -150.0, 200))
         assert np.std(plus) < 0.4 * UM
         assert abs(np.mean(plus)) == pytest.approx(abs(wavy(np.array([-100.0]))[0]), abs=1 * UM)
@@ -436,31 +536,45 @@ def test_a_second_table_gives_nothing_where_no_table_acts() -> None:
     inside = (fine >= -600.0)[:, np.newaxis]
     hats = np.column_stack([np.interp(fine, nodes, one) for one in np.eye(7)])[:, :-1] * inside
     matrix = np.vstack([np.hstack([hats, 0.0 * inside]), np.hstack([hats, 1.0 * inside])])
-    aims = np.concatenate([np.interp(fine, X, SMOOTH.positive), np.interp(fine, X, SMOOTH.negative)])
+    aims = np.concatenate(
+        [np.interp(fine, X, SMOOTH.positive), np.interp(fine, X, SMOOTH.negative)]
+    )
     expected = np.linalg.lstsq(matrix, aims, rcond=None)[0]
     assert result.compensation.positive[:-1] == pytest.approx(expected[:-1], abs=2e-3 * UM)
-    assert result.compensation.negative[0] - result.compensation.positive[0] == pytest.approx(expected[-1], abs=2e-3 * UM)
+    assert result.compensation.negative[0] - result.compensation.positive[0] == pytest.approx(
+        expected[-1], abs=2e-3 * UM
+    )
 
 
 def test_zero_between_nodes_holds_on_the_curve() -> None:
-    result = fit(replace(SMOOTH, reference=-333.0, positive=SMOOTH.positive - wavy(np.array([-333.0]))[0]), FINE, spacing=100.0)
+    result = fit(
+        replace(SMOOTH, reference=-333.0, positive=SMOOTH.positive - wavy(np.array([-333.0]))[0]),
+        FINE,
+        spacing=100.0,
+    )
     at = held(result.compensation, np.array([-333.0]), POSITIVE)[0]
     assert abs(at) <= 1e-7  # within the quantum of the fine control
 
 
-# --- the grid ---------------------------------------------------------------------------------------------------------
+# --- the grid
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
     ("request_", "pattern"),
     [
-        ({"spacing": 30.0}, r"26\.6667 steps long.*expected 25 or 32 mm \(from -800 to 0 mm\), found 30 mm"),
+        (
+            {"spacing": 30.0},
+            r"26\.6667 steps long.*expected 25 or 32 mm \(from -800 to 0 mm\), found 30 mm",
+        ),
         ({"spacing": 1.0}, r"too many points.*from 6\.4 mm on.*at most 128 points, found 801"),
         ({"spacing": 0.0125 / 10}, r"multiple of 0\.001 mm"),
         ({"start": -800.0004, "spacing": 50.0}, r"table\.start.*such as -800, found -800\.0004"),
     ],
 )
-def test_grids_that_the_control_cannot_say_exactly(request_: dict[str, float], pattern: str) -> None:
+def test_grids_that_the_control_cannot_say_exactly(
+    request_: dict[str, float], pattern: str
+) -> None:
     with pytest.raises(CapacityError, match=pattern):
         fit(SMOOTH, COARSE, **request_)
 
@@ -486,7 +600,10 @@ def test_free_spacing_may_cut_the_last_section() -> None:
 
 
 def test_the_automatic_grid_is_exact_coarse_and_good_enough() -> None:
-    for span, wanted in ((800.0, SMOOTH), (799.993, replace(SMOOTH, positions=X * 799.993 / 800.0))):
+    for span, wanted in (
+        (800.0, SMOOTH),
+        (799.993, replace(SMOOTH, positions=X * 799.993 / 800.0)),
+    ):
         result = fit(wanted, COARSE)
         nodes = result.compensation.positions
         step = nodes[1] - nodes[0]
@@ -495,7 +612,9 @@ def test_the_automatic_grid_is_exact_coarse_and_good_enough() -> None:
         assert nodes[0] <= -span
         assert 0.0 in nodes
         assert 8 <= nodes.size <= 40
-        curve = np.interp(wanted.positions, nodes, np.interp(nodes, wanted.positions, wanted.positive))
+        curve = np.interp(
+            wanted.positions, nodes, np.interp(nodes, wanted.positions, wanted.positive)
+        )
         assert np.sqrt(np.mean((curve - wanted.positive) ** 2)) <= 1 * UM
 
 
@@ -525,7 +644,9 @@ def test_a_period_is_held_where_three_points_per_period_fit_and_else_left_out() 
     assert "CW-F002" not in codes(held_fine)
     few = fit(wanted, replace(fine, max_points=60))
     assert "CW-F002" in codes(few)
-    assert causes(few)["spacing too wide for the period"] == pytest.approx(3 * UM / np.sqrt(2), rel=0.02)
+    assert causes(few)["spacing too wide for the period"] == pytest.approx(
+        3 * UM / np.sqrt(2), rel=0.02
+    )
     nodes = few.compensation.positions
     # The table follows the smooth part; the datum may move by what the wave is at the reference.
     smooth = few.compensation.positive - wavy(nodes)
@@ -535,7 +656,8 @@ def test_a_period_is_held_where_three_points_per_period_fit_and_else_left_out() 
     assert "CW-F002" not in codes(fit(wanted, fine, spacing=5.0))
 
 
-# --- what the control cannot do ---------------------------------------------------------------------------------------
+# --- what the control cannot do
+# ---------------------------------------------------------------------------------------
 
 
 def test_refusals() -> None:
@@ -545,8 +667,12 @@ def test_refusals() -> None:
     assert caught.value.exit_code == 4
 
 
-@pytest.mark.parametrize("status", ["solved inaccurate", "maximum iterations reached", "run time limit reached"])
-def test_a_solver_that_did_not_finish_has_failed(monkeypatch: pytest.MonkeyPatch, status: str) -> None:
+@pytest.mark.parametrize(
+    "status", ["solved inaccurate", "maximum iterations reached", "run time limit reached"]
+)
+def test_a_solver_that_did_not_finish_has_failed(
+    monkeypatch: pytest.MonkeyPatch, status: str
+) -> None:
     import osqp
 
     class CutOff(osqp.OSQP):  # type: ignore[misc]
@@ -602,9 +728,12 @@ def test_a_table_reaches_beyond_the_travel_where_nobody_knows_what_acts_there() 
     step = plain.positions[1] - plain.positions[0]
     expected = [plain.positions[0] - step, *plain.positions, plain.positions[-1] + step]
     assert reaching.positions.tolist() == pytest.approx(expected, abs=1e-9)  # mm
-    # Beyond the travel the end value is held: within 0.1 µm, the tie that settles what no part of the travel sees.
+    # Beyond the travel the end value is held: within 0.1 µm, the tie that settles what no part of
+    # the travel sees.
     for end in (0, -1):
-        assert reaching.positive[end] == pytest.approx(reaching.positive[1 if end == 0 else -2], abs=0.1 * UM)
+        assert reaching.positive[end] == pytest.approx(
+            reaching.positive[1 if end == 0 else -2], abs=0.1 * UM
+        )
     fixed = fit(SMOOTH, replace(FINE, cover=1), start=-800.0, end=0.0).compensation
     assert (fixed.positions[0], fixed.positions[-1]) == (-800.0, 0.0)
     full = replace(FINE, cover=1, max_points=plain.positions.size)
@@ -612,7 +741,9 @@ def test_a_table_reaches_beyond_the_travel_where_nobody_knows_what_acts_there() 
 
 
 def test_a_spacing_that_ends_a_hair_before_the_table_gives_no_node_twice() -> None:
-    """In inches the step is no whole number of what the file can say: the last node and the end may be one."""
+    """In inches the step is no whole number of what the file can say: the last node and the end may
+    be one.
+    """
     inch = replace(TWO_CURVES, spacing="free", position_quantum=25.4e-4)
     where = np.linspace(0.0, 646.0, 401)
     wanted = wish(wavy(where), wavy(where) + 4 * UM, positions=where, reference=323.0)

@@ -1,4 +1,6 @@
-"""Definitions: complete or refused with every fault, and the gate that compares hand-worked corrections."""
+"""Definitions: complete or refused with every fault, and the gate that compares hand-worked
+corrections.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +33,9 @@ def test_the_installed_definitions_pass_the_gate(definition) -> None:  # type: i
 
 
 def key_paths(data: object, path: tuple[str, ...] = ()) -> list[tuple[str, ...]]:
-    """Every key whose set of neighbours is fixed by the schema (not names of statements, options, files ...)."""
+    """Every key whose set of neighbours is fixed by the schema (not names of statements, options,
+    files ...).
+    """
     free = {(), ("statements",), ("bindings",), ("texts",), ("options",)}
     found = []
     if isinstance(data, dict):
@@ -45,7 +49,9 @@ def key_paths(data: object, path: tuple[str, ...] = ()) -> list[tuple[str, ...]]
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_missing_key_is_named_with_its_place(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_every_missing_key_is_named_with_its_place(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     document = read_yaml(CONTENT[name], "mine.yaml")
     paths = _one_of_each(key_paths(document.data))
     assert len(paths) > 60
@@ -54,14 +60,18 @@ def test_every_missing_key_is_named_with_its_place(name: str, monkeypatch: pytes
         monkeypatch.setattr(definitions, "read_yaml", lambda *_, found=damaged: found)
         with pytest.raises(InputError) as caught:
             load_definition(b"", "mine.yaml")
-        assert any(fault.file == "mine.yaml" and path[-1] in fault.place for fault in caught.value.faults), path
+        assert any(
+            fault.file == "mine.yaml" and path[-1] in fault.place for fault in caught.value.faults
+        ), path
 
 
 def _one_of_each(paths: list[tuple[str, ...]]) -> list[tuple[str, ...]]:
     """One statement, text and option, and one binding of each class: the others have the same keys."""
     kept = {"statements": {"point", "row"}, "bindings": {"value", "value_positive", "rotary", "max_points", "table_file"},
             "options": {"points", "units"}, "texts": {"control", "table"}}  # fmt: skip
-    return [path for path in paths if len(path) < 2 or path[0] not in kept or path[1] in kept[path[0]]]
+    return [
+        path for path in paths if len(path) < 2 or path[0] not in kept or path[1] in kept[path[0]]
+    ]
 
 
 def _without(data: Any, path: tuple[str, ...]) -> Any:
@@ -74,23 +84,95 @@ def _without(data: Any, path: tuple[str, ...]) -> Any:
 @pytest.mark.parametrize(
     ("what", "file", "old", "new", "says"),
     [
-        ("unknown key", "linuxcnc.yaml", "  encoding: ascii", "  encoding: ascii\n  colour: blue", "unknown key"),
-        ("misspelt key", "linuxcnc.yaml", "  pairing: two_columns", "  paring: two_columns", "pairing"),
-        ("key twice", "linuxcnc.yaml", "  encoding: ascii", "  encoding: ascii\n  encoding: ascii", "twice"),
-        ("unknown shape", "linuxcnc.yaml", "shape: rows_by_position", "shape: rows_by_magic", "rows_by_magic"),
-        ("unknown predicate", "linuxcnc.yaml", "predicate: max_points", "predicate: most_points", "most_points"),
-        ("limit without its number", "linuxcnc.yaml", "number: 256", "number: null", "needs a number"),
+        (
+            "unknown key",
+            "linuxcnc.yaml",
+            "  encoding: ascii",
+            "  encoding: ascii\n  colour: blue",
+            "unknown key",
+        ),
+        (
+            "misspelt key",
+            "linuxcnc.yaml",
+            "  pairing: two_columns",
+            "  paring: two_columns",
+            "pairing",
+        ),
+        (
+            "key twice",
+            "linuxcnc.yaml",
+            "  encoding: ascii",
+            "  encoding: ascii\n  encoding: ascii",
+            "twice",
+        ),
+        (
+            "unknown shape",
+            "linuxcnc.yaml",
+            "shape: rows_by_position",
+            "shape: rows_by_magic",
+            "rows_by_magic",
+        ),
+        (
+            "unknown predicate",
+            "linuxcnc.yaml",
+            "predicate: max_points",
+            "predicate: most_points",
+            "most_points",
+        ),
+        (
+            "limit without its number",
+            "linuxcnc.yaml",
+            "number: 256",
+            "number: null",
+            "needs a number",
+        ),
         ("unknown evidence", "linuxcnc.yaml", "state: confirmed", "state: certain", "certain"),
         ("number as text", "linuxcnc.yaml", "digits: 7", "digits: seven", "whole number"),
         ("base 60", "linuxcnc.yaml", "digits: 7", "digits: 1:30", "whole number"),
-        ("range upside down", "linuxcnc.yaml", "range: [-10, 10]", "range: [10, -10]", "smaller one first"),
+        (
+            "range upside down",
+            "linuxcnc.yaml",
+            "range: [-10, 10]",
+            "range: [10, -10]",
+            "smaller one first",
+        ),
         ("unknown quantity", "linuxcnc.yaml", "  node_position:", "  node_place:", "node_place"),
-        ("sign of the wrong kind", "linuxcnc.yaml", "sign: position", "sign: error", "does not suit"),
-        ("a sign for an unknown form", "linuxcnc.yaml", "trim: correction}", "trimm: correction}", "one sign for each"),
-        ("unknown statement", "linuxcnc.yaml", "    statement: row", "    statement: line", "no statement"),
+        (
+            "sign of the wrong kind",
+            "linuxcnc.yaml",
+            "sign: position",
+            "sign: error",
+            "does not suit",
+        ),
+        (
+            "a sign for an unknown form",
+            "linuxcnc.yaml",
+            "trim: correction}",
+            "trimm: correction}",
+            "one sign for each",
+        ),
+        (
+            "unknown statement",
+            "linuxcnc.yaml",
+            "    statement: row",
+            "    statement: line",
+            "no statement",
+        ),
         ("unknown field", "linuxcnc.yaml", "    field: positive", "    field: forward", "no field"),
-        ("form without its fields", "linuxcnc.yaml", '"{position} {positive} {negative}"', '"{position} {positive}"', "fields"),
-        ("unknown option", "linuxcnc.yaml", "writes: {option: units}", "writes: {option: unit}", "no option"),
+        (
+            "form without its fields",
+            "linuxcnc.yaml",
+            '"{position} {positive} {negative}"',
+            '"{position} {positive}"',
+            "fields",
+        ),
+        (
+            "unknown option",
+            "linuxcnc.yaml",
+            "writes: {option: units}",
+            "writes: {option: unit}",
+            "no option",
+        ),
         (
             "a choice the file cannot say",
             "linuxcnc.yaml",
@@ -98,8 +180,20 @@ def _without(data: Any, path: tuple[str, ...]) -> Any:
             'choices: ["0", "1", "2"]',
             "not one of the values",
         ),
-        ("a default outside the choices", "linuxcnc.yaml", "default: mm", "default: cm", "does not suit"),
-        ("no file for the table", "linuxcnc.yaml", "    rows: row", "    rows: null", "exactly one file"),
+        (
+            "a default outside the choices",
+            "linuxcnc.yaml",
+            "default: mm",
+            "default: cm",
+            "does not suit",
+        ),
+        (
+            "no file for the table",
+            "linuxcnc.yaml",
+            "    rows: row",
+            "    rows: null",
+            "exactly one file",
+        ),
         (
             "file name with a folder",
             "linuxcnc.yaml",
@@ -107,15 +201,41 @@ def _without(data: Any, path: tuple[str, ...]) -> Any:
             '"a/joint_{axis}.comp"\n    text',
             "plain file name",
         ),
-        ("a single value without a place", "linuxcnc.yaml", "singles: [table_file, ", "singles: [", "no place"),
-        ("too few positions", "linuxcnc.yaml", "      - {position: -7, positive: 254, negative: -254}\n", "", "at least three"),
-        ("a newer schema", "siemens-840d-sl.yaml", "compwright_format: 1", "compwright_format: 2", "newer version"),
+        (
+            "a single value without a place",
+            "linuxcnc.yaml",
+            "singles: [table_file, ",
+            "singles: [",
+            "no place",
+        ),
+        (
+            "too few positions",
+            "linuxcnc.yaml",
+            "      - {position: -7, positive: 254, negative: -254}\n",
+            "",
+            "at least three",
+        ),
+        (
+            "a newer schema",
+            "siemens-840d-sl.yaml",
+            "compwright_format: 1",
+            "compwright_format: 2",
+            "newer version",
+        ),
         ("no index", "siemens-840d-sl.yaml", "index: integer", "index: decimal", "index: integer"),
-        ("address of another type", "siemens-840d-sl.yaml", "  type: name", "  type: integer", "type of the addresses"),
+        (
+            "address of another type",
+            "siemens-840d-sl.yaml",
+            "  type: name",
+            "  type: integer",
+            "type of the addresses",
+        ),
         ("alias", "siemens-840d-sl.yaml", "proven: []", "proven: &a []\nagain: *a", "alias"),
     ],
 )
-def test_a_damaged_definition_is_refused_with_its_place(what: str, file: str, old: str, new: str, says: str) -> None:
+def test_a_damaged_definition_is_refused_with_its_place(
+    what: str, file: str, old: str, new: str, says: str
+) -> None:
     assert old in TEXT[file]
     with pytest.raises(InputError, match=says) as caught:
         load_definition(TEXT[file].replace(old, new, 1).encode(), "mine.yaml")
@@ -123,7 +243,11 @@ def test_a_damaged_definition_is_refused_with_its_place(what: str, file: str, ol
 
 
 def test_all_faults_at_once() -> None:
-    text = TEXT["linuxcnc.yaml"].replace("digits: 7", "digits: x", 1).replace("pairing: two_columns", "pairing: three", 1)
+    text = (
+        TEXT["linuxcnc.yaml"]
+        .replace("digits: 7", "digits: x", 1)
+        .replace("pairing: two_columns", "pairing: three", 1)
+    )
     with pytest.raises(InputError) as caught:
         load_definition(text.replace("  encoding: ascii\n", "", 1).encode(), "mine.yaml")
     assert len(caught.value.faults) == 3
@@ -151,12 +275,16 @@ def test_all_faults_at_once() -> None:
         ("an unknown field on the card", "linuxcnc.yaml", "section [JOINT_{address}]", "section [JOINT_{joint}]"),
     ],
 )  # fmt: skip
-def test_the_gate_catches_a_definition_that_means_something_else(what: str, file: str, old: str, new: str) -> None:
+def test_the_gate_catches_a_definition_that_means_something_else(
+    what: str, file: str, old: str, new: str
+) -> None:
     text = TEXT[file]
     assert old in text
     damaged = text.replace(old, new, 1)
     if what == "form lost on writing":
-        damaged = damaged.replace('default: "0"', 'default: "1"', 1)  # then the lost key no longer says what the table is
+        damaged = damaged.replace(
+            'default: "0"', 'default: "1"', 1
+        )  # then the lost key no longer says what the table is
     definition = load_definition(damaged.encode(), "mine.yaml")
     faults = check_definition(definition)
     assert faults
@@ -165,10 +293,13 @@ def test_the_gate_catches_a_definition_that_means_something_else(what: str, file
 
 def test_two_files_of_one_id() -> None:
     with pytest.raises(InputError, match="given twice"):
-        definitions_from([("a.yaml", CONTENT["linuxcnc.yaml"]), ("b.yaml", CONTENT["linuxcnc.yaml"])])
+        definitions_from(
+            [("a.yaml", CONTENT["linuxcnc.yaml"]), ("b.yaml", CONTENT["linuxcnc.yaml"])]
+        )
 
 
-# Options -----------------------------------------------------------------------------------------------------------------------
+# Options
+# -----------------------------------------------------------------------------------------------------------------------
 
 
 def test_options_have_defaults_and_are_converted() -> None:
@@ -184,7 +315,9 @@ def test_a_choice_that_is_not_built_is_refused_with_what_is_missing() -> None:
     text = CONTENT["siemens-840d-sl.yaml"].decode()
     old = "    choices: [absent, available]\n    not_built: {}\n"
     assert old in text
-    definition = load_definition(text.replace(old, old.replace("{}", "{available: later}")).encode(), "mine.yaml")
+    definition = load_definition(
+        text.replace(old, old.replace("{}", "{available: later}")).encode(), "mine.yaml"
+    )
     with pytest.raises(UsageError, match="not built yet: later"):
         resolve_options(definition, {"cec": "available"})
 
@@ -213,11 +346,14 @@ def test_wrong_options_are_refused(given: dict[str, object], says: str) -> None:
     assert len(caught.value.faults) >= 2
 
 
-# Patches -----------------------------------------------------------------------------------------------------------------------
+# Patches
+# -----------------------------------------------------------------------------------------------------------------------
 
 
 def test_a_patch_leaves_everything_else_alone() -> None:
-    original = "; Größe\r\nN32450 $MA_BACKLASH[1, AX2] = +0.0005 '1A2F\r\n$MA_KP[0,AX2]=1\r\nM17\r\n".encode("latin-1")
+    original = "; Größe\r\nN32450 $MA_BACKLASH[1, AX2] = +0.0005 '1A2F\r\n$MA_KP[0,AX2]=1\r\nM17\r\n".encode(
+        "latin-1"
+    )
     faults: list = []  # type: ignore[type-arg]
     read = TextReader(SIEMENS).read(ControlFile("a.ini", original), faults)
     assert read is not None
@@ -237,19 +373,28 @@ def test_spans_of_a_section_and_of_insertions() -> None:
     (place,) = read.occurrences
     axis = place.tokens["axis"]
     assert text[axis.start : axis.end] == b"12"
-    assert apply_changes(b"abc", [Change(1, 1, b"x"), Change(1, 1, b"y"), Change(2, 3, b"")]) == b"axyb"
+    assert (
+        apply_changes(b"abc", [Change(1, 1, b"x"), Change(1, 1, b"y"), Change(2, 3, b"")])
+        == b"axyb"
+    )
     with pytest.raises(ValueError, match="overlaps"):
         apply_changes(b"abc", [Change(0, 2, b""), Change(1, 3, b"")])
     with pytest.raises(ValueError, match="outside"):
         apply_changes(b"abc", [Change(2, 4, b"")])
 
 
-# The card and the commands -----------------------------------------------------------------------------------------------------
+# The card and the commands
+# -----------------------------------------------------------------------------------------------------
 
 
 def test_the_card_is_filled_in_with_its_evidence() -> None:
     axis = axis_of("AX1", system=2)
-    compensation = table("AX1", [-100.0, -50.0, 0.0, 50.0, 100.0], [-0.003, -0.001, 0.0, 0.002, 0.0045], backlash=0.0125)
+    compensation = table(
+        "AX1",
+        [-100.0, -50.0, 0.0, 50.0, 100.0],
+        [-0.003, -0.001, 0.0, 0.002, 0.0045],
+        backlash=0.0125,
+    )
     steps = card_steps(SIEMENS, axis, card_values(SIEMENS, axis, compensation, {}))
     text = "\n".join(step.text for step in steps)
     assert UNKNOWN not in text
@@ -284,7 +429,8 @@ def test_list_show_and_check(tmp_path: Path) -> None:
     good.write_bytes(CONTENT["linuxcnc.yaml"])
     assert len(check_formats([tmp_path])) == 1
     (tmp_path / "bad.yaml").write_text(
-        TEXT["siemens-840d-sl.yaml"].replace("    sign: error", "    sign: correction"), encoding="utf-8"
+        TEXT["siemens-840d-sl.yaml"].replace("    sign: error", "    sign: correction"),
+        encoding="utf-8",
     )
     (tmp_path / "worse.yaml").write_text("id: 3\n", encoding="utf-8")
     with pytest.raises(InputError) as caught:

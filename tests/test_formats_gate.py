@@ -1,4 +1,6 @@
-"""The gate over the definitions that ship: it passes them, and it notices a limit that nobody keeps and a judge that disagrees."""
+"""The gate over the definitions that ship: it passes them, and it notices a limit that nobody keeps
+and a judge that disagrees.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +28,9 @@ def test_every_definition_that_ships_passes(name: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", list(SHIPPED))
-def test_a_writer_that_takes_everything_is_noticed(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_writer_that_takes_everything_is_noticed(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(gate_limits, "write_tables", lambda *_: ())
     faults = check_definition(load_definition(SHIPPED[name], name))
     assert len(faults) >= 4
@@ -36,12 +40,23 @@ def test_a_writer_that_takes_everything_is_noticed(name: str, monkeypatch: pytes
 @pytest.mark.parametrize(
     ("name", "old", "new"),
     [
-        # Definition and hand-worked value are wrong in the same way: only the virtual control knows better.
-        ("fanuc-30i.yaml", "{position: 500, positive: 2, negative: -2}", "{position: 500, positive: 2, negative: 6}"),
-        ("siemens-840d-sl.yaml", "{position: 50, positive: 2, negative: 1.5}", "{position: 50, positive: -2, negative: 1.5}"),
+        # Definition and hand-worked value are wrong in the same way: only the virtual control knows
+        # better.
+        (
+            "fanuc-30i.yaml",
+            "{position: 500, positive: 2, negative: -2}",
+            "{position: 500, positive: 2, negative: 6}",
+        ),
+        (
+            "siemens-840d-sl.yaml",
+            "{position: 50, positive: 2, negative: 1.5}",
+            "{position: 50, positive: -2, negative: 1.5}",
+        ),
     ],
 )
-def test_a_hand_worked_value_that_does_not_come_out_is_told(name: str, old: str, new: str, tmp_path: Path) -> None:
+def test_a_hand_worked_value_that_does_not_come_out_is_told(
+    name: str, old: str, new: str, tmp_path: Path
+) -> None:
     text = SHIPPED[name].decode()
     assert old in text
     (tmp_path / name).write_text(text.replace(old, new, 1))
@@ -49,9 +64,16 @@ def test_a_hand_worked_value_that_does_not_come_out_is_told(name: str, old: str,
         check_formats([tmp_path])
 
 
-def test_a_definition_whose_sign_is_wrong_in_both_places_is_caught_by_the_virtual_control(tmp_path: Path) -> None:
-    text = SHIPPED["siemens-840d-sl.yaml"].decode().replace("    sign: error", "    sign: correction", 1)
-    # The sample's values 3, 1, 0, -2, -4.5 µm at -100 to 100 taken as corrections, backlash 0.5 µm arriving in -.
+def test_a_definition_whose_sign_is_wrong_in_both_places_is_caught_by_the_virtual_control(
+    tmp_path: Path,
+) -> None:
+    text = (
+        SHIPPED["siemens-840d-sl.yaml"]
+        .decode()
+        .replace("    sign: error", "    sign: correction", 1)
+    )
+    # The sample's values 3, 1, 0, -2, -4.5 µm at -100 to 100 taken as corrections, backlash 0.5 µm
+    # arriving in -.
     wrong = """
 expect:
   - name: worked with the wrong meaning

@@ -1,7 +1,9 @@
-"""HEIDENHAIN in formats: sheets, exported tables and parameters, worked by hand from the manuals' facts.
+"""HEIDENHAIN in formats: sheets, exported tables and parameters, worked by hand from the manuals'
+facts.
 
-Signs: a table of errors corrects by their opposite; MP720 is the error in mm/m; a positive MP710 (backLash) is lost motion, added
-only against the direction of the reference return. Grid: point k at DATUM + k * DIST, DIST as exponent 2^n * 0.0001 mm.
+Signs: a table of errors corrects by their opposite; MP720 is the error in mm/m; a positive MP710
+(backLash) is lost motion, added only against the direction of the reference return. Grid: point k
+at DATUM + k * DIST, DIST as exponent 2^n * 0.0001 mm.
 """
 
 from __future__ import annotations
@@ -101,12 +103,15 @@ def text_of(files: tuple[ControlFile, ...], name: str) -> str:
     return next(one.content.decode("latin-1") for one in files if one.name == name)
 
 
-def judged(definition_id: str, files: tuple[ControlFile, ...], axes: tuple[Axis, ...], **options: object) -> ControlState:
+def judged(
+    definition_id: str, files: tuple[ControlFile, ...], axes: tuple[Axis, ...], **options: object
+) -> ControlState:
     """Read with both readers, which share no code: decode raises where they do not agree."""
     return decode(open_control(definition_id, options), files, axes).state
 
 
-# The definitions --------------------------------------------------------------------------------------------------------------
+# The definitions
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("definition", [ITNC, NCK], ids=lambda one: one.id)
@@ -114,7 +119,8 @@ def test_the_definitions_pass_their_gate(definition: object) -> None:
     assert check_definition(definition) == ()  # type: ignore[arg-type]
 
 
-# Reading ----------------------------------------------------------------------------------------------------------------------
+# Reading
+# --------------------------------------------------------------------------------------------------
 
 
 def test_a_sheet_of_errors() -> None:
@@ -122,14 +128,21 @@ def test_a_sheet_of_errors() -> None:
     assert um(state, "X", -100) == pytest.approx(-2, abs=NM)
     assert um(state, "X", 50) == pytest.approx(2, abs=NM)
     assert um(state, "X", 50, MINUS) == pytest.approx(-1, abs=NM)  # less 3 µm of lost motion
-    assert um(state, "X", 900) == pytest.approx(4, abs=NM)  # the end value holds; MP720 is dead beside a table
+    assert um(state, "X", 900) == pytest.approx(
+        4, abs=NM
+    )  # the end value holds; MP720 is dead beside a table
     assert "CW-S009" in codes(state)
-    assert any(entry.fact == "outside the tables" and "unconfirmed" in entry.evidence for entry in state.assumed)
+    assert any(
+        entry.fact == "outside the tables" and "unconfirmed" in entry.evidence
+        for entry in state.assumed
+    )
 
 
 def test_a_sheet_of_corrections_keeps_the_sign_of_its_parameters() -> None:
     sheet = SHEET.replace("value: error", "value: correction").replace("MP730,,1,", "MP730,,0,")
-    state = itnc(file("entry_X.csv", sheet))  # bit 0: the table is off, the line acts: 0.070 mm/m too far
+    state = itnc(
+        file("entry_X.csv", sheet)
+    )  # bit 0: the table is off, the line acts: 0.070 mm/m too far
     assert um(state, "X", 100) == pytest.approx(-7, abs=NM)
     assert um(state, "X", -100, MINUS) == pytest.approx(7 - 3, abs=NM)
     assert "CW-S007" in codes(state)
@@ -146,7 +159,9 @@ def test_the_line_turns_about_the_reference() -> None:
 
 
 def test_an_exported_table_with_another_axis_column() -> None:
-    state = itnc(file("X.COM", COM), file("MP.TXT", MP.replace("%00010", "%00111")), axes=(axis_of("X"),))
+    state = itnc(
+        file("X.COM", COM), file("MP.TXT", MP.replace("%00010", "%00111")), axes=(axis_of("X"),)
+    )
     assert um(state, "X", -392) == pytest.approx(0.6, abs=NM)
     assert um(state, "X", -368) == pytest.approx(2.1, abs=NM)
     assert um(state, "X", -368, MINUS) == pytest.approx(2.1 - 4, abs=NM)
@@ -154,8 +169,14 @@ def test_an_exported_table_with_another_axis_column() -> None:
     assert (cross.input, cross.output) == ("X", "Z")
     assert cross.at(np.array([-384.0, -376.0]), PLUS) == pytest.approx([-0.0003, 0.00015], abs=1e-9)
     # the bit of Z is 0: no table acts on Z, another axis' neither; its column is there all the same
-    (off,) = itnc(file("X.COM", COM), file("MP.TXT", MP.replace("%00010", "%00011")), axes=(axis_of("X"),)).cross
-    assert (off.input, off.output, off.positive.tolist()) == ("X", "Z", [0.0] * cross.positions.size)
+    (off,) = itnc(
+        file("X.COM", COM), file("MP.TXT", MP.replace("%00010", "%00011")), axes=(axis_of("X"),)
+    ).cross
+    assert (off.input, off.output, off.positive.tolist()) == (
+        "X",
+        "Z",
+        [0.0] * cross.positions.size,
+    )
 
 
 def test_the_exponent_counts_tenths_of_a_micrometre() -> None:
@@ -166,7 +187,9 @@ def test_the_exponent_counts_tenths_of_a_micrometre() -> None:
 
 
 def test_values_as_corrections_and_in_inch() -> None:
-    assert um(itnc(file("X.COM", COM), table_values="correction"), "X", -384) == pytest.approx(-1.2, abs=NM)
+    assert um(itnc(file("X.COM", COM), table_values="correction"), "X", -384) == pytest.approx(
+        -1.2, abs=NM
+    )
     inch = itnc(file("X.COM", COM.replace(" MM ", " INCH ")))
     assert inch.axes["X"].positions == pytest.approx([-10160, -9753.6, -9347.2], abs=1e-9)
     assert um(inch, "X", -9753.6) == pytest.approx(1.2 * 25.4, abs=NM)
@@ -190,7 +213,9 @@ def test_columns_flush_right_and_without_widths() -> None:
     state = itnc(file("X.COM", full))
     assert um(state, "X", 10) == pytest.approx(-4, abs=NM)
     assert state.cross[0].positive == pytest.approx([-0.01, -0.02, -0.03], abs=1e-9)  # errors too
-    loose = "BEGIN X .COM MM DATUM:0 DIST:5\nNR 1=F() 2=F()\n0 0.0000 0.0100\n1 -0.0020 0.0200\nEND\n"
+    loose = (
+        "BEGIN X .COM MM DATUM:0 DIST:5\nNR 1=F() 2=F()\n0 0.0000 0.0100\n1 -0.0020 0.0200\nEND\n"
+    )
     assert um(itnc(file("X.COM", loose)), "X", 5) == pytest.approx(2, abs=NM)
     assert itnc(file("X.COM", loose)).cross[0].positive == pytest.approx([-0.01, -0.02], abs=1e-9)
 
@@ -200,14 +225,24 @@ def test_what_could_stand_in_two_columns_is_refused() -> None:
     with pytest.raises(InputError, match=r"line 3: .*between two columns"):
         itnc(file("X.COM", between))
     with pytest.raises(InputError, match=r"line 4: .*do not stand under"):
-        itnc(file("X.COM", "BEGIN X .COM MM DATUM:0 DIST:5\nNR 1=F() 2=F()\n0 0.0000 0.0100\n1        0.0200\nEND\n"))
+        itnc(
+            file(
+                "X.COM",
+                "BEGIN X .COM MM DATUM:0 DIST:5\nNR 1=F() 2=F()\n0 0.0000 0.0100\n1       "
+                " 0.0200\nEND\n",
+            )
+        )
 
 
 def test_the_active_line_says_which_table_acts() -> None:
     other = COM.replace("X  ", "OLD").replace("-0.0012", "-0.0099")
-    lines = "BEGIN CONFIG .CMA MM\nNR   1         2         3\n0    NEW       Y\nEND   CONFIG .CMA\n"
+    lines = (
+        "BEGIN CONFIG .CMA MM\nNR   1         2         3\n0    NEW       Y\nEND   CONFIG .CMA\n"
+    )
     new = COM.replace("X  ", "NEW")
-    state = itnc(file("old.com", other), file("new.com", new), file("c.cma", lines), axes=(axis_of("X"),))
+    state = itnc(
+        file("old.com", other), file("new.com", new), file("c.cma", lines), axes=(axis_of("X"),)
+    )
     assert um(state, "X", -384) == pytest.approx(1.2, abs=NM)
     assert any("old.com" in entry.message for entry in state.findings if entry.code == "CW-S012")
     assert any("Y, active for the motion of Y" in entry.message for entry in state.findings)
@@ -223,7 +258,10 @@ def test_the_active_line_says_which_table_acts() -> None:
 
 
 def test_the_marked_line_of_several_and_the_name_of_the_file() -> None:
-    lines = "BEGIN CONFIG .CMA MM\nNR   1         2         STATUS\n0    OLD\n1    NEW                 M\nEND   CONFIG .CMA\n"
+    lines = (
+        "BEGIN CONFIG .CMA MM\nNR   1         2         STATUS\n0    OLD\n1    NEW                "
+        " M\nEND   CONFIG .CMA\n"
+    )
     old = COM.replace("-0.0012", "-0.0099")  # both files hold a table called X in its first line
     state = itnc(file("OLD.COM", old), file("NEW.COM", COM), file("c.cma", lines))
     assert um(state, "X", -384) == pytest.approx(1.2, abs=NM)
@@ -238,7 +276,9 @@ def test_the_marked_line_of_several_and_the_name_of_the_file() -> None:
 
 
 def test_nck_star_marks_the_line() -> None:
-    lines = "BEGIN CONFIG.CMA MM\nNR  ACTIVE  X      Y\n0           A.COM\n1   *       X.COM\n[END]\n"
+    lines = (
+        "BEGIN CONFIG.CMA MM\nNR  ACTIVE  X      Y\n0           A.COM\n1   *       X.COM\n[END]\n"
+    )
     state = nck(file("X.COM", NCK_ALONE), file("config.cma", lines))
     assert um(state, "X", -100) == pytest.approx(0.55, abs=NM)
     none = nck(file("X.COM", NCK_ALONE), file("config.cma", lines.replace("*", " ")))
@@ -259,9 +299,17 @@ def test_nck_second_curve_only_when_asked() -> None:
 
 def test_parameters_have_to_agree() -> None:
     with pytest.raises(
-        InputError, match=r"MP\.TXT: line 3: .*MP710 contradicts entry_X\.csv, line 8; expected 0\.003, found \+0\.0040"
+        InputError,
+        match=(
+            r"MP\.TXT: line 3: .*MP710 contradicts entry_X\.csv, line 8; expected 0\.003, found"
+            r" \+0\.0040"
+        ),
     ):
-        itnc(file("entry_X.csv", SHEET), file("MP.TXT", MP.replace("%00010", "%00001")), axes=(axis_of("X"),))
+        itnc(
+            file("entry_X.csv", SHEET),
+            file("MP.TXT", MP.replace("%00010", "%00001")),
+            axes=(axis_of("X"),),
+        )
     with pytest.raises(InputError, match=r"MP730 says that a table acts, but no file holds it"):
         itnc(file("MP.TXT", MP), axes=(axis_of("Y"),))
     with pytest.raises(InputError, match="two tables"):
@@ -279,7 +327,11 @@ def test_the_job_counts_axes_its_own_way() -> None:
 BAD_SHEETS = {
     "no sign": ("# value: error\n", "", "must say what its values are"),
     "unknown sign": ("value: error", "value: deviation", "value: error or # value: correction"),
-    "cut short": ("# value: error\n", "# value: error\n# points: 4\n", "as many points as it says; .* expected 4, found 3"),
+    "cut short": (
+        "# value: error\n",
+        "# value: error\n# points: 4\n",
+        "as many points as it says; .* expected 4, found 3",
+    ),
     "positions descend": ("1,0,0,mm", "1,-200,0,mm", "do not ascend"),
     "a point missing": ("1,0,0,mm\n", "", "numbered one by one"),
     "unit of a point": ("1,0,0,mm", "1,0,0,inch", "unit of a point"),
@@ -307,14 +359,21 @@ BAD_TABLES = {
     "cut short": ("END   X      .COM\n", "", "no end"),
     "no datum": ("DATUM:-400 ", "", "first line cannot be read"),
     "no rows": (
-        "\n0    +0                  +0.0001\n1    -0.0012             +0.0003\n2    -0.0021             -0.0006",
+        (
+            "\n0    +0                  +0.0001\n1    -0.0012             +0.0003\n2    -0.0021    "
+            "         -0.0006"
+        ),
         "",
         "no rows",
     ),
     "row numbers": ("\n2    ", "\n3    ", "numbered one by one"),
     "no number": ("-0.0012", "-0,0012", "no number"),
     "end of another table": ("END   X", "END   Y", "end of another table"),
-    "two tables in a file": ("END   X      .COM\n", "END   X      .COM\nBEGIN\n", "more text follows"),
+    "two tables in a file": (
+        "END   X      .COM\n",
+        "END   X      .COM\nBEGIN\n",
+        "more text follows",
+    ),
     "implausible": ("-0.0012", "-12.000", "not plausible"),
     "column twice": ("2=F()", "1=F()", "stands twice"),
     "no spacing": ("DIST:16", "DIST:0", "datum and spacing"),
@@ -326,7 +385,9 @@ def test_a_bad_table_is_refused_with_its_place(old: str, new: str, says: str) ->
     assert old in COM
     with pytest.raises(InputError, match=says) as caught:
         itnc(file("X.COM", COM.replace(old, new)))
-    assert all(fault.file == "X.COM" and (fault.place or says == "no end") for fault in caught.value.faults)
+    assert all(
+        fault.file == "X.COM" and (fault.place or says == "no end") for fault in caught.value.faults
+    )
 
 
 def test_more_rows_than_the_control_takes() -> None:
@@ -337,12 +398,16 @@ def test_more_rows_than_the_control_takes() -> None:
     assert itnc(file("X.COM", text.replace("256  +0.0001\n", ""))).axes["X"].positions.size == 256
 
 
-# Rotary axes ------------------------------------------------------------------------------------------------------------------
+# Rotary axes
+# --------------------------------------------------------------------------------------------------
 
 
 def turn_table(name: str, datum: float, step: float, values: list[float]) -> ControlFile:
     rows = "".join(f"{n:<5}{value:+.4f}\n" for n, value in enumerate(values))
-    return file(f"{name}.COM", f"BEGIN {name} .COM MM DATUM:{datum:g} DIST:{step:g}\nNR   6=F()\n{rows}END\n")
+    return file(
+        f"{name}.COM",
+        f"BEGIN {name} .COM MM DATUM:{datum:g} DIST:{step:g}\nNR   6=F()\n{rows}END\n",
+    )
 
 
 def test_a_turn_repeats_and_only_0_to_360_counts() -> None:
@@ -361,16 +426,22 @@ def test_a_turn_repeats_and_only_0_to_360_counts() -> None:
 
 
 def test_an_endless_table_is_written_from_zero_wherever_the_reference_is() -> None:
-    axis = replace(axis_of("C", kind=AxisKind.ROTARY, modulo=360.0), reference=90.0, travel=(0.0, 360.0))
+    axis = replace(
+        axis_of("C", kind=AxisKind.ROTARY, modulo=360.0), reference=90.0, travel=(0.0, 360.0)
+    )
     nodes = [90, 180, 270, 360, 450]
-    wanted = replace(table("C", nodes, [0, 0.001, 0.002, -0.003, 0], kind=AxisKind.ROTARY), period=360.0)
+    wanted = replace(
+        table("C", nodes, [0, 0.001, 0.002, -0.003, 0], kind=AxisKind.ROTARY), period=360.0
+    )
     files = write_tables(ITNC, [wanted], [axis], {})
     again = judged(ITNC.id, files, (axis,)).axes["C"]
     assert again.positions.tolist() == [0, 90, 180, 270, 360]
     where = np.array([-200.0, 0.0, 33.0, 100.0, 300.0, 800.0])
     assert again.at(where, PLUS) == pytest.approx(wanted.at(where, PLUS), abs=1e-9)
     open_ended = replace(
-        wanted, positive=np.array([0, 0.001, 0.002, -0.003, 0.001]), negative=np.array([0, 0.001, 0.002, -0.003, 0.001])
+        wanted,
+        positive=np.array([0, 0.001, 0.002, -0.003, 0.001]),
+        negative=np.array([0, 0.001, 0.002, -0.003, 0.001]),
     )
     with pytest.raises(CapacityError, match="ends with the value"):
         write_tables(ITNC, [open_ended], [axis], {})
@@ -383,14 +454,29 @@ def test_an_endless_table_is_written_from_zero_wherever_the_reference_is() -> No
         write_tables(ITNC, [replace(wanted, period=None)], [limited], {})
 
 
-# Capacity ---------------------------------------------------------------------------------------------------------------------
+# Capacity
+# --------------------------------------------------------------------------------------------------
 
 
 def test_capacity_of_a_table() -> None:
     capacity = capacity_for(ITNC, axis_of("X"), {}, None)
-    assert (capacity.spacing, capacity.curves, capacity.max_points, capacity.quantum) == ("equidistant", 1, 256, 1e-4)
-    assert (capacity.backlash_range, capacity.backlash_quantum, capacity.cover) == ((-1, 1), 1e-4, 1)
-    assert (capacity.spacings, capacity.nodes, capacity.line, capacity.period) == (None, None, None, None)
+    assert (capacity.spacing, capacity.curves, capacity.max_points, capacity.quantum) == (
+        "equidistant",
+        1,
+        256,
+        1e-4,
+    )
+    assert (capacity.backlash_range, capacity.backlash_quantum, capacity.cover) == (
+        (-1, 1),
+        1e-4,
+        1,
+    )
+    assert (capacity.spacings, capacity.nodes, capacity.line, capacity.period) == (
+        None,
+        None,
+        None,
+        None,
+    )
     powers = capacity_for(ITNC, axis_of("X"), {"spacing_rule": "power_of_two"}, None).spacings
     assert powers is not None
     assert (len(powers), powers[0]) == (24, 1e-4)
@@ -409,7 +495,12 @@ def test_capacity_of_a_line() -> None:
     with pytest.raises(CapacityError, match="MP720 has no effect on rotary axes"):
         capacity_for(ITNC, axis_of("C", kind=AxisKind.ROTARY), {"method": "line"}, None)
     with pytest.raises(CapacityError, match="power_of_two"):
-        capacity_for(ITNC, axis_of("C", kind=AxisKind.ROTARY, modulo=360.0), {"spacing_rule": "power_of_two"}, None)
+        capacity_for(
+            ITNC,
+            axis_of("C", kind=AxisKind.ROTARY, modulo=360.0),
+            {"spacing_rule": "power_of_two"},
+            None,
+        )
     with pytest.raises(CapacityError, match="360"):
         capacity_for(ITNC, axis_of("C", kind=AxisKind.ROTARY, modulo=180.0), {}, None)
     with pytest.raises(UsageError, match="method"):
@@ -428,16 +519,19 @@ def test_capacity_takes_the_grid_that_other_axes_need() -> None:
     assert any("BACKLASH" in entry.value for entry in alone.assumed)
 
 
-# Writing a sheet --------------------------------------------------------------------------------------------------------------
+# Writing a sheet
+# --------------------------------------------------------------------------------------------------
 
 
 def test_a_sheet_as_it_is_written() -> None:
     wanted = table("X", [-100, 0, 100], [0.002, 0, -0.0101], backlash=0.0037)
     (sheet,) = write_tables(ITNC, [wanted], [axis_of("X")], {})
     assert sheet.name == "entry_X.csv"
-    assert sheet.content.decode() == (
-        "# axis: X\n# address: X\n# format: heidenhain-itnc530\n# value: error\n# points: 3\n"
-        "# note: values of points are errors as the control is assumed to expect them: check the sign, see the card\n"
+    assert (
+        sheet.content.decode()
+        == "# axis: X\n# address: X\n# format: heidenhain-itnc530\n# value: error\n# points: 3\n"
+        "# note: values of points are errors as the control is assumed to expect them: check the"
+        " sign, see the card\n"
         "# note: positions are machine coordinates in mm\n"
         "point,position,value,unit\n"
         "0,-100.0000,-0.0020,mm\n1,0.0000,0.0000,mm\n2,100.0000,0.0101,mm\n"
@@ -454,7 +548,14 @@ def test_a_line_is_two_numbers_and_a_bit() -> None:
     axis = replace(axis_of("X"), reference=50.0, travel=(0.0, 400.0))
     none = np.empty(0)
     line = AxisCompensation(
-        address="X", kind=AxisKind.LINEAR, positions=none, positive=none, negative=none, backlash=0.004, slope=-70e-6, origin=50.0
+        address="X",
+        kind=AxisKind.LINEAR,
+        positions=none,
+        positive=none,
+        negative=none,
+        backlash=0.004,
+        slope=-70e-6,
+        origin=50.0,
     )
     (sheet,) = write_tables(ITNC, [line], [axis], {"method": "line"})
     assert sheet.content.decode().endswith("unit\nMP710,,0.0040,mm\nMP720,,0.070,mm/m\nMP730,,0,\n")
@@ -480,13 +581,22 @@ def test_a_line_is_two_numbers_and_a_bit() -> None:
 def test_the_card_names_the_own_bit_and_column() -> None:
     wanted = table("Y", [0, 50, 100, 150, 200], [0, 0.001, 0.002, 0.003, 0.004], backlash=0.0025)
     values = card_values(ITNC, axis_of("Y"), wanted, {})
-    assert (values["number"], values["bit"], values["nonlinear"], values["linear"]) == ("2", "1", "1", "0.000")
+    assert (values["number"], values["bit"], values["nonlinear"], values["linear"]) == (
+        "2",
+        "1",
+        "1",
+        "0.000",
+    )
     steps = {step.title: step.text for step in card_steps(ITNC, axis_of("Y"), values)}
-    assert "MP710.1 = 0.0025 mm, MP720.1 = 0.000 mm/m, MP730 bit 1 = 1" in steps["Set the parameters"]
+    assert (
+        "MP710.1 = 0.0025 mm, MP720.1 = 0.000 mm/m, MP730 bit 1 = 1" in steps["Set the parameters"]
+    )
     assert "5 points from 0 to 200 mm, every 50 mm" in steps["Enter the table"]
     assert "column 2=F(). The values are errors" in steps["Enter the table"]
     assert "two of the check positions" in steps["Check the sign"]
-    other = card_values(ITNC, replace(axis_of("W"), axis_number=7), replace(wanted, address="W"), {})
+    other = card_values(
+        ITNC, replace(axis_of("W"), axis_number=7), replace(wanted, address="W"), {}
+    )
     assert other["bit"] == "6"
     assert "axis list" in card_values(ITNC, axis_of("W"), replace(wanted, address="W"), {})["bit"]
 
@@ -496,19 +606,33 @@ LIMITS = {
     "one point": (table("X", [0], [0]), {}, "at least 2"),
     "two curves": (table("X", [0, 10], [0, 0], [0, 0.001]), {}, "one curve"),
     "unequal spacing": (table("X", [0, 10, 25], [0, 0, 0]), {}, "equally spaced"),
-    "no power of two": (table("X", [0, 10, 20], [0, 0, 0]), {"spacing_rule": "power_of_two"}, "13.1072"),
+    "no power of two": (
+        table("X", [0, 10, 20], [0, 0, 0]),
+        {"spacing_rule": "power_of_two"},
+        "13.1072",
+    ),
     "value between two steps": (table("X", [0, 10], [0, 0.00005]), {}, "not a multiple"),
     "position between two steps": (table("X", [0, 10.00005], [0, 0]), {}, "not a multiple"),
     "backlash too large": (table("X", [0, 10], [0, 0], backlash=1.0001), {}, "outside"),
-    "too steep": (table("X", [0, 10], [0, 0.1563]), {}, "spacing / 64, 0.15625 mm, found 0.1563 mm"),
+    "too steep": (
+        table("X", [0, 10], [0, 0.1563]),
+        {},
+        "spacing / 64, 0.15625 mm, found 0.1563 mm",
+    ),
     "a line beside the table": (replace(table("X", [0, 10], [0, 0]), slope=1e-6), {}, "no effect"),
-    "steps between points": (replace(table("X", [0, 10], [0, 0]), interpolation="step"), {}, "straight lines"),
+    "steps between points": (
+        replace(table("X", [0, 10], [0, 0]), interpolation="step"),
+        {},
+        "straight lines",
+    ),
     "positions that descend": (table("X", [10, 0], [0, 0]), {}, "ascend"),
 }
 
 
 @pytest.mark.parametrize(("wanted", "options", "says"), LIMITS.values(), ids=list(LIMITS))
-def test_what_the_control_cannot_hold(wanted: AxisCompensation, options: dict[str, object], says: str) -> None:
+def test_what_the_control_cannot_hold(
+    wanted: AxisCompensation, options: dict[str, object], says: str
+) -> None:
     with pytest.raises(CapacityError, match=says):
         write_tables(ITNC, [wanted], [axis_of("X")], options)
 
@@ -517,12 +641,15 @@ def test_the_steepest_step_that_may_be() -> None:
     write_tables(ITNC, [table("X", [0, 10], [0, 0.1562])], [axis_of("X")], {})
 
 
-# Filling the user's own files ------------------------------------------------------------------------------------------------
+# Filling the user's own files
+# ------------------------------------------------------------------------------------------------
 
 
 def test_only_the_own_column_changes() -> None:
     wanted = table("X", [-400, -384, -368], [0.001, 0, -0.0234])
-    files = write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("X.COM", COM.replace("\n", "\r\n"))])
+    files = write_tables(
+        ITNC, [wanted], [axis_of("X")], {}, files=[file("X.COM", COM.replace("\n", "\r\n"))]
+    )
     expected = (
         "BEGIN X      .COM MM DATUM:-400 DIST:16\n"
         "NR   1=F()     2=F()     3=F()\n"
@@ -540,14 +667,26 @@ def test_only_the_own_column_changes() -> None:
 
 
 def test_a_shorter_table_on_a_shared_grid_keeps_the_end_values() -> None:
-    files = write_tables(ITNC, [table("X", [-400, -384], [0.001, 0.003])], [axis_of("X")], {}, files=[file("X.COM", COM)])
-    assert "1    -0.0030             +0.0003\n2    -0.0030             -0.0006\n" in text_of(files, "X.COM")
+    files = write_tables(
+        ITNC,
+        [table("X", [-400, -384], [0.001, 0.003])],
+        [axis_of("X")],
+        {},
+        files=[file("X.COM", COM)],
+    )
+    assert "1    -0.0030             +0.0003\n2    -0.0030             -0.0006\n" in text_of(
+        files, "X.COM"
+    )
 
 
-@pytest.mark.parametrize("nodes", [[-400, -376, -352], [-400, -368, -336], [-384, -368, -352], [-400, -384, -368, -352]])
+@pytest.mark.parametrize(
+    "nodes", [[-400, -376, -352], [-400, -368, -336], [-384, -368, -352], [-400, -384, -368, -352]]
+)
 def test_a_shared_grid_has_to_stay(nodes: list[float]) -> None:
     wanted = table("X", nodes, [0.001] * len(nodes))
-    with pytest.raises(CapacityError, match=r"start: -400, end: -368, spacing: 16.*found \d points") as caught:
+    with pytest.raises(
+        CapacityError, match=r"start: -400, end: -368, spacing: 16.*found \d points"
+    ) as caught:
         write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("X.COM", COM)])
     assert "columns 3=F() depend on them" in str(caught.value)
 
@@ -563,12 +702,20 @@ def test_rows_are_added_and_the_grid_moves_where_the_column_is_alone() -> None:
     ).replace("1    +0\n", "1    +0.0000\n")
     powers = table("X", [0, 6.5536, 13.1072], [0, 0.001, 0])
     options = {"spacing_rule": "power_of_two"}
-    exponent = write_tables(ITNC, [powers], [axis_of("X")], options, files=[file("X.COM", ALONE.replace("DIST:16", "DIST:14"))])
+    exponent = write_tables(
+        ITNC,
+        [powers],
+        [axis_of("X")],
+        options,
+        files=[file("X.COM", ALONE.replace("DIST:16", "DIST:14"))],
+    )
     assert "DATUM:0 DIST:16\n" in text_of(exponent, "X.COM")
 
 
 def test_rows_that_are_too_many_go_on_with_the_end_value() -> None:
-    files = write_tables(ITNC, [table("X", [0, 50], [0, 0.0042])], [axis_of("X")], {}, files=[file("X.COM", ALONE)])
+    files = write_tables(
+        ITNC, [table("X", [0, 50], [0, 0.0042])], [axis_of("X")], {}, files=[file("X.COM", ALONE)]
+    )
     assert "DATUM:0 DIST:50\n" in text_of(files, "X.COM")
     assert "1    -0.0042\n2    -0.0042\nEND" in text_of(files, "X.COM")
 
@@ -576,14 +723,18 @@ def test_rows_that_are_too_many_go_on_with_the_end_value() -> None:
 def test_nck_positions_and_curves() -> None:
     wanted = table("X", [-10, 0, 25.5, 100], [0.001, 0, -0.002, 0])
     files = write_tables(NCK, [wanted], [axis_of("X")], {}, files=[file("X.COM", NCK_ALONE)])
-    assert text_of(files, "X.COM") == (
-        "BEGIN X.COM MM\nNR  AXISPOS    X\n0   -10        -0.0010\n1   +0         +0.0000\n2   +25.5      +0.0020\n"
-        "3   +100       +0.0000\n[END]\n"
+    assert (
+        text_of(files, "X.COM")
+        == "BEGIN X.COM MM\nNR  AXISPOS    X\n0   -10        -0.0010\n1   +0         +0.0000\n2  "
+        " +25.5      +0.0020\n3   +100       +0.0000\n[END]\n"
     )
     options = {"backlash_column": "second_curve"}
     two = table("X", [-400, -200, 0], [0.001, 0, -0.002], [0.002, 0.0005, 0])
     both = write_tables(NCK, [two], [axis_of("X")], options, files=[file("X.COM", NCK_COM)])
-    assert "0   -400       -0.0020    -0.0010    +0.0000\n1   -200       -0.0005    +0.0000    +0.0015\n" in text_of(both, "X.COM")
+    assert (
+        "0   -400       -0.0020    -0.0010    +0.0000\n1   -200       -0.0005    +0.0000   "
+        " +0.0015\n" in text_of(both, "X.COM")
+    )
     again = judged(NCK.id, both, (axis_of("X"),), **options).axes["X"]
     assert again.negative == pytest.approx(two.negative, abs=1e-9)
     with pytest.raises(CapacityError, match="one curve"):
@@ -593,61 +744,119 @@ def test_nck_positions_and_curves() -> None:
 
 
 def test_a_filled_backlash_column_stays_equal() -> None:
-    equal = NCK_COM.replace("+0.0040", "+0.0000", 1).replace("+0.0021", "-0.0018").replace("+0.0043", "+0.0007")
-    files = write_tables(NCK, [table("X", [-400, -200, 0], [0, 0.003, 0])], [axis_of("X")], {}, files=[file("X.COM", equal)])
+    equal = (
+        NCK_COM.replace("+0.0040", "+0.0000", 1)
+        .replace("+0.0021", "-0.0018")
+        .replace("+0.0043", "+0.0007")
+    )
+    files = write_tables(
+        NCK,
+        [table("X", [-400, -200, 0], [0, 0.003, 0])],
+        [axis_of("X")],
+        {},
+        files=[file("X.COM", equal)],
+    )
     assert "1   -200       -0.0030    -0.0030    +0.0015\n" in text_of(files, "X.COM")
 
 
 def test_a_value_that_does_not_fit_its_column() -> None:
-    narrow = "BEGIN X .COM MM DATUM:0 DIST:100\nNR  1=F()  2=F()\n0   0.0    0.01\n1   0.0    0.02\nEND\n"
+    narrow = (
+        "BEGIN X .COM MM DATUM:0 DIST:100\nNR  1=F()  2=F()\n0   0.0    0.01\n1   0.0   "
+        " 0.02\nEND\n"
+    )
     wanted = table("X", [0, 100], [0, 0.0021])
-    with pytest.raises(CapacityError, match=r"-0\.0021 does not fit the column 1=F\(\) of X\.COM, which is 6 characters wide"):
+    with pytest.raises(
+        CapacityError,
+        match=r"-0\.0021 does not fit the column 1=F\(\) of X\.COM, which is 6 characters wide",
+    ):
         write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("X.COM", narrow)])
-    fits = write_tables(ITNC, [table("X", [0, 100], [0, -0.0021])], [axis_of("X")], {}, files=[file("X.COM", narrow)])
+    fits = write_tables(
+        ITNC,
+        [table("X", [0, 100], [0, -0.0021])],
+        [axis_of("X")],
+        {},
+        files=[file("X.COM", narrow)],
+    )
     assert "1   0.0021 0.02\n" in text_of(fits, "X.COM")
 
 
 def test_numbers_flush_right_stay_so() -> None:
-    right = "BEGIN X .COM MM DATUM:0 DIST:100\nNR      1=F()      2=F()\n 0          0     0.0100\n 1     0.0020     0.0300\nEND\n"
-    files = write_tables(ITNC, [table("X", [0, 100], [-0.01, 0.0001])], [axis_of("X")], {}, files=[file("X.COM", right)])
+    right = (
+        "BEGIN X .COM MM DATUM:0 DIST:100\nNR      1=F()      2=F()\n 0          0     0.0100\n 1  "
+        "   0.0020     0.0300\nEND\n"
+    )
+    files = write_tables(
+        ITNC,
+        [table("X", [0, 100], [-0.01, 0.0001])],
+        [axis_of("X")],
+        {},
+        files=[file("X.COM", right)],
+    )
     assert "0     0.0100     0.0100\n 1    -0.0001     0.0300\n" in text_of(files, "X.COM")
 
 
 def test_numbers_flush_right_under_names_flush_left() -> None:
-    text = "BEGIN X .COM MM DATUM:0 DIST:100\nNR   1=F()     2=F()\n0          0     0.0100\n1     0.0020     0.0300\nEND\n"
-    files = write_tables(ITNC, [table("X", [0, 100], [-0.01, 0.0001])], [axis_of("X")], {}, files=[file("X.COM", text)])
+    text = (
+        "BEGIN X .COM MM DATUM:0 DIST:100\nNR   1=F()     2=F()\n0          0     0.0100\n1    "
+        " 0.0020     0.0300\nEND\n"
+    )
+    files = write_tables(
+        ITNC,
+        [table("X", [0, 100], [-0.01, 0.0001])],
+        [axis_of("X")],
+        {},
+        files=[file("X.COM", text)],
+    )
     assert "0     0.0100     0.0100\n1    -0.0001     0.0300\n" in text_of(files, "X.COM")
 
 
 def test_a_column_of_zeros_does_not_hold_the_grid() -> None:
-    zeros = ALONE.replace("0    +0", "0    +0                  +0").replace("-0.0012", "-0.0012             +0")
+    zeros = ALONE.replace("0    +0", "0    +0                  +0").replace(
+        "-0.0012", "-0.0012             +0"
+    )
     zeros = zeros.replace("-0.0021", "-0.0021             +0")
     wanted = table("X", [0, 10, 20, 30], [0, 0.001, 0.002, 0.003])
     files = write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("X.COM", zeros)])
     assert "DATUM:0 DIST:10\n" in text_of(files, "X.COM")
-    assert "2    -0.0020             +0\n3    -0.0030             +0\nEND" in text_of(files, "X.COM")
+    assert "2    -0.0020             +0\n3    -0.0030             +0\nEND" in text_of(
+        files, "X.COM"
+    )
 
 
 def test_a_table_in_inch_is_not_filled() -> None:
     with pytest.raises(CapacityError, match="inch"):
-        write_tables(ITNC, [table("X", [0, 1], [0, 0])], [axis_of("X")], {}, files=[file("X.COM", ALONE.replace(" MM ", " INCH "))])
+        write_tables(
+            ITNC,
+            [table("X", [0, 1], [0, 0])],
+            [axis_of("X")],
+            {},
+            files=[file("X.COM", ALONE.replace(" MM ", " INCH "))],
+        )
 
 
 def test_one_bit_and_one_index_of_the_parameters() -> None:
     wanted = table("X", [0, 100], [0, 0.001], backlash=0.0025)
     files = write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("MP.TXT", MP)])
-    assert text_of(files, "MP.TXT") == MP.replace("+0.0040 ;", "+0.0025 ;").replace("0.0500", "0.000").replace("%00010", "%00011")
+    assert text_of(files, "MP.TXT") == MP.replace("+0.0040 ;", "+0.0025 ;").replace(
+        "0.0500", "0.000"
+    ).replace("%00010", "%00011")
     sheet = text_of(files, "entry_X.csv")
     assert "MP7" not in sheet  # everything has its place in the list
     assert "1,100.0000,-0.0010,mm" in sheet
     judged(ITNC.id, files, (axis_of("X"),))
     long = MP.replace("+0.0040", "+.00400")
-    same = write_tables(ITNC, [replace(wanted, backlash=0.004)], [axis_of("X")], {}, files=[file("MP.TXT", long)])
+    same = write_tables(
+        ITNC, [replace(wanted, backlash=0.004)], [axis_of("X")], {}, files=[file("MP.TXT", long)]
+    )
     assert "MP710.0 : +.00400 ;" in text_of(same, "MP.TXT")  # an equal number keeps its characters
-    decimal = write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("MP.TXT", MP.replace("%00010", "18"))])
+    decimal = write_tables(
+        ITNC, [wanted], [axis_of("X")], {}, files=[file("MP.TXT", MP.replace("%00010", "18"))]
+    )
     assert "MP730 : 19\n" in text_of(decimal, "MP.TXT")
     other = table("Y", [0, 100], [0, 0.001])
-    eleven = write_tables(ITNC, [other], [axis_of("Y")], {}, files=[file("MP.TXT", MP.replace("%00010", "9"))])
+    eleven = write_tables(
+        ITNC, [other], [axis_of("Y")], {}, files=[file("MP.TXT", MP.replace("%00010", "9"))]
+    )
     assert "MP730 : %1011\n" in text_of(eleven, "MP.TXT")  # 11 could be the first two axes
 
 
@@ -657,15 +866,27 @@ def test_bits_without_their_mark_that_could_be_a_decimal_number_are_refused() ->
         with pytest.raises(InputError, match="MP730 is a mask or a decimal number"):
             itnc(file("MP.TXT", MP.replace("%00010", text)), axes=(axis_of("X"),))
     for text in ("0", "18"):
-        assert itnc(file("MP.TXT", MP.replace("%00010", text)), axes=(axis_of("X"),)).axes["X"].backlash == 0.004
+        assert (
+            itnc(file("MP.TXT", MP.replace("%00010", text)), axes=(axis_of("X"),))
+            .axes["X"]
+            .backlash
+            == 0.004
+        )
 
 
 def test_two_axes_change_one_mask_and_two_tables() -> None:
     axes = (axis_of("X"), replace(axis_of("Z"), name="Z"))
     none = np.empty(0)
-    line = AxisCompensation(address="X", kind=AxisKind.LINEAR, positions=none, positive=none, negative=none, slope=5e-6)
+    line = AxisCompensation(
+        address="X", kind=AxisKind.LINEAR, positions=none, positive=none, negative=none, slope=5e-6
+    )
     axes = (replace(axes[0], options={"method": "line"}), axes[1])
-    z_table = ALONE.replace("X  ", "Z  ").replace("1=F()", "7=F()").replace("3=F()", "1=F()").replace("7=F()", "3=F()")
+    z_table = (
+        ALONE.replace("X  ", "Z  ")
+        .replace("1=F()", "7=F()")
+        .replace("3=F()", "1=F()")
+        .replace("7=F()", "3=F()")
+    )
     files = write_tables(
         ITNC,
         [line, table("Z", [0, 10], [0.001, 0])],
@@ -674,7 +895,9 @@ def test_two_axes_change_one_mask_and_two_tables() -> None:
         files=[
             file("MP.TXT", MP.replace("%00010", "%00001")),
             file("Z.COM", z_table),
-            file("entry_X.csv", SHEET.replace("3,um", "4,um").replace("0.070", "0.05")),  # what acts in X now
+            file(
+                "entry_X.csv", SHEET.replace("3,um", "4,um").replace("0.070", "0.05")
+            ),  # what acts in X now
         ],
     )
     assert "MP730 : %00100\n" in text_of(files, "MP.TXT")
@@ -684,7 +907,8 @@ def test_two_axes_change_one_mask_and_two_tables() -> None:
     assert um(state, "X", 1000) == pytest.approx(5, abs=NM)
 
 
-# Physics: inject a known error and recover it -----------------------------------------------------------------------------
+# Physics: inject a known error and recover it
+# -----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("format_id", [ITNC.id, NCK.id])
@@ -694,9 +918,21 @@ def test_a_run_removes_a_known_error(format_id: str, tmp_path: Path) -> None:
     before = machine.measure(targets, 1)
     (tmp_path / "x.csv").write_text(csv_of(targets, before))
     out = tmp_path / "out"
-    arguments = ["run", str(tmp_path / "x.csv"), "--format", format_id, "--axis", "X", "--travel", f"{machine.low}:{machine.high}"]
+    arguments = [
+        "run",
+        str(tmp_path / "x.csv"),
+        "--format",
+        format_id,
+        "--axis",
+        "X",
+        "--travel",
+        f"{machine.low}:{machine.high}",
+    ]
     assert compwright([*arguments, "--state", "none", "--out", str(out)]) == 0
-    files = [ControlFile(path.name, path.read_bytes()) for path in sorted((out / "tables" / format_id).iterdir())]
+    files = [
+        ControlFile(path.name, path.read_bytes())
+        for path in sorted((out / "tables" / format_id).iterdir())
+    ]
     assert [one.name for one in files] == ["entry_X.csv"]
     control = virtual_control(format_id, files)
 
@@ -715,29 +951,62 @@ def test_a_run_removes_a_known_error(format_id: str, tmp_path: Path) -> None:
 def test_a_run_fills_the_table_that_is_in_the_control(tmp_path: Path) -> None:
     machine = Machine()
     targets = machine.targets()
-    # In the control: errors of 5 and 10 µm that belong to another machine, in a table of three rows; MP710 of 12 µm.
-    old = "BEGIN X .COM MM DATUM:0 DIST:500\n" + ALONE.split("\n", 1)[1].replace("-0.0012", "-0.0050").replace("-0.0021", "+0.0100")
+    # In the control: errors of 5 and 10 µm that belong to another machine, in a table of three
+    # rows; MP710 of 12 µm.
+    old = "BEGIN X .COM MM DATUM:0 DIST:500\n" + ALONE.split("\n", 1)[1].replace(
+        "-0.0012", "-0.0050"
+    ).replace("-0.0021", "+0.0100")
     (tmp_path / "X.COM").write_text(old)
     (tmp_path / "MP.TXT").write_text("MP710.0 : 0.0120\nMP720.0 : 0.0000\nMP730 : %00101\n")
     states = [ControlFile(name, (tmp_path / name).read_bytes()) for name in ("X.COM", "MP.TXT")]
     was = virtual_control(ITNC.id, states)
-    measured = machine.measure(targets, 3, lambda x, sign: was.correction("X", x, PLUS if sign > 0 else MINUS))
+    measured = machine.measure(
+        targets, 3, lambda x, sign: was.correction("X", x, PLUS if sign > 0 else MINUS)
+    )
     (tmp_path / "x.csv").write_text(csv_of(targets, measured))
     out = tmp_path / "out"
-    arguments = ["run", str(tmp_path / "x.csv"), "--format", ITNC.id, "--axis", "X", "--travel", f"{machine.low}:{machine.high}"]
-    assert compwright([*arguments, "--state", str(tmp_path / "X.COM"), "--state", str(tmp_path / "MP.TXT"), "--out", str(out)]) == 0
-    files = [ControlFile(path.name, path.read_bytes()) for path in sorted((out / "tables" / ITNC.id).iterdir())]
+    arguments = [
+        "run",
+        str(tmp_path / "x.csv"),
+        "--format",
+        ITNC.id,
+        "--axis",
+        "X",
+        "--travel",
+        f"{machine.low}:{machine.high}",
+    ]
+    assert (
+        compwright(
+            [
+                *arguments,
+                "--state",
+                str(tmp_path / "X.COM"),
+                "--state",
+                str(tmp_path / "MP.TXT"),
+                "--out",
+                str(out),
+            ]
+        )
+        == 0
+    )
+    files = [
+        ControlFile(path.name, path.read_bytes())
+        for path in sorted((out / "tables" / ITNC.id).iterdir())
+    ]
     assert [one.name for one in files] == ["MP.TXT", "X.COM"]  # everything has its place: no sheet
     assert b"MP730 : %00101\n" in files[0].content
     now = virtual_control(ITNC.id, files)
     fresh = machine.targets(seed=9)
-    after = machine.measure(fresh, 4, lambda x, sign: now.correction("X", x, PLUS if sign > 0 else MINUS))
+    after = machine.measure(
+        fresh, 4, lambda x, sign: now.correction("X", x, PLUS if sign > 0 else MINUS)
+    )
     limit = allowed(machine, fresh, float(np.max(np.diff(now.nodes("X")))))  # mm
     assert accuracy(measured) > 3 * limit
     assert accuracy(after) <= limit
 
 
-# Properties -------------------------------------------------------------------------------------------------------------------
+# Properties
+# --------------------------------------------------------------------------------------------------
 
 COUNTS = st.integers(-9_999, 9_999)  # tenths of a micrometre
 
@@ -745,7 +1014,9 @@ COUNTS = st.integers(-9_999, 9_999)  # tenths of a micrometre
 @given(data=st.data())
 @settings(deadline=None, max_examples=120)
 def test_what_is_filled_in_is_read_back(data: st.DataObject) -> None:
-    """Into the user's table or a sheet, read by both readers: the same correction everywhere, other columns untouched."""
+    """Into the user's table or a sheet, read by both readers: the same correction everywhere, other
+    columns untouched.
+    """
     numbered = data.draw(st.booleans())
     definition = ITNC if numbered else NCK
     count = data.draw(st.integers(2, 8))
@@ -757,20 +1028,31 @@ def test_what_is_filled_in_is_read_back(data: st.DataObject) -> None:
     template = data.draw(st.sampled_from([None, ALONE if numbered else NCK_ALONE]))
     newline = data.draw(st.sampled_from(["\n", "\r\n"]))
     play = SHEET.split("0,-100", maxsplit=1)[0] + f"{'MP710' if numbered else 'backLash'},,0,mm\n"
-    given_files = [] if template is None else [file("X.COM", template.replace("\n", newline)), file("entry_X.csv", play)]
+    given_files = (
+        []
+        if template is None
+        else [file("X.COM", template.replace("\n", newline)), file("entry_X.csv", play)]
+    )
     options = {"table_values": data.draw(st.sampled_from(["error", "correction"]))}
     axis = axis_of("X", returns=data.draw(st.sampled_from(list(Direction))))
     files = write_tables(definition, [wanted], [axis], options, files=given_files)
     assert files == write_tables(definition, [wanted], [axis], options, files=given_files)
     again = judged(definition.id, files, (axis,), **options).axes["X"]
-    where = np.concatenate([nodes, nodes[:-1] + 0.3 * np.diff(nodes), [nodes[0] - 77, nodes[-1] + 77]])
+    where = np.concatenate(
+        [nodes, nodes[:-1] + 0.3 * np.diff(nodes), [nodes[0] - 77, nodes[-1] + 77]]
+    )
     returned = replace(wanted, reference_return=axis.reference_return)
     for direction in Direction:
-        np.testing.assert_allclose(again.at(where, direction), returned.at(where, direction), rtol=0, atol=1e-9)
+        np.testing.assert_allclose(
+            again.at(where, direction), returned.at(where, direction), rtol=0, atol=1e-9
+        )
 
 
 PIECES = st.one_of(
-    st.binary(max_size=6), st.sampled_from([b"\n", b"\r", b" ", b",", b"BEGIN", b"END", b"[END]", b"NR", b"1=F()", b"*", b"\t"])
+    st.binary(max_size=6),
+    st.sampled_from(
+        [b"\n", b"\r", b" ", b",", b"BEGIN", b"END", b"[END]", b"NR", b"1=F()", b"*", b"\t"]
+    ),
 )
 
 
@@ -780,11 +1062,29 @@ def test_a_damaged_file_is_refused_or_read(data: st.DataObject) -> None:
     definition, files = data.draw(
         st.sampled_from(
             [
-                (ITNC, (file("entry_X.csv", SHEET), file("MP.TXT", MP.replace("0040", "0030").replace("%00010", "1")))),
-                (ITNC, (file("X.COM", COM), file("c.cma", "BEGIN C .CMA MM\nNR   1         2\n0    X\nEND\n"))),
+                (
+                    ITNC,
+                    (
+                        file("entry_X.csv", SHEET),
+                        file("MP.TXT", MP.replace("0040", "0030").replace("%00010", "1")),
+                    ),
+                ),
+                (
+                    ITNC,
+                    (
+                        file("X.COM", COM),
+                        file("c.cma", "BEGIN C .CMA MM\nNR   1         2\n0    X\nEND\n"),
+                    ),
+                ),
                 (
                     NCK,
-                    (file("X.COM", NCK_ALONE), file("c.cma", "BEGIN C.CMA MM\nNR  ACTIVE  X      Y\n0   *       X.COM\n[END]\n")),
+                    (
+                        file("X.COM", NCK_ALONE),
+                        file(
+                            "c.cma",
+                            "BEGIN C.CMA MM\nNR  ACTIVE  X      Y\n0   *       X.COM\n[END]\n",
+                        ),
+                    ),
                 ),
             ]
         )
@@ -793,8 +1093,12 @@ def test_a_damaged_file_is_refused_or_read(data: st.DataObject) -> None:
     content = files[which].content
     for _ in range(data.draw(st.integers(1, 3))):
         place = data.draw(st.integers(0, len(content)))
-        content = content[:place] + data.draw(PIECES) + content[place + data.draw(st.integers(0, 12)) :]
-    damaged = [ControlFile(one.name, content) if index == which else one for index, one in enumerate(files)]
+        content = (
+            content[:place] + data.draw(PIECES) + content[place + data.draw(st.integers(0, 12)) :]
+        )
+    damaged = [
+        ControlFile(one.name, content) if index == which else one for index, one in enumerate(files)
+    ]
     try:
         state = read_state(definition, damaged, {})
     except (InputError, UsageError):
@@ -805,6 +1109,8 @@ def test_a_damaged_file_is_refused_or_read(data: st.DataObject) -> None:
         assert np.all(np.isfinite([*axis.positive, *axis.negative, axis.backlash, axis.slope]))
         assert np.all(np.abs(axis.positive) <= 254)  # the plausibility bound of 10, taken as inch
     try:
-        write_tables(definition, [table("X", [0, 128], [0, 0.001])], [axis_of("X")], {}, files=damaged)
+        write_tables(
+            definition, [table("X", [0, 128], [0, 0.001])], [axis_of("X")], {}, files=damaged
+        )
     except (InputError, UsageError, CapacityError):
         return

@@ -1,4 +1,6 @@
-"""LinuxCNC: rows and keys as the control's source reads them, against numbers seen on a running control."""
+"""LinuxCNC: rows and keys as the control's source reads them, against numbers seen on a running
+control.
+"""
 
 from __future__ import annotations
 
@@ -45,23 +47,33 @@ def test_both_forms_of_the_same_table_mean_the_same() -> None:
     trim = read(x__comp=TRIM, m__ini=MACHINE.replace("TYPE = 0", "TYPE = 1")).axes["0"]
     for axis in (actual, trim):
         np.testing.assert_array_equal(axis.positions, [-200.0, 0.0, 200.0])
-        np.testing.assert_array_equal(axis.positive, [0.008, 0.0, -0.010])  # mm, added to the command
+        np.testing.assert_array_equal(
+            axis.positive, [0.008, 0.0, -0.010]
+        )  # mm, added to the command
         np.testing.assert_array_equal(axis.negative, [-0.004, -0.012, -0.023])
         assert axis.backlash == 0.0
 
 
 def test_corrections_seen_on_a_running_control() -> None:
     # HAL pin backlash-corr of LinuxCNC 2.9.0~pre1 with this table of actual positions, mm
-    state = read(x__comp="-100 -100.010 -99.980\n0 0.004 0.010\n100 100.020 100.030\n", m__ini="[JOINT_0]\nCOMP_FILE=x.comp\n")
-    seen = [(10, POSITIVE, -0.0056), (50, POSITIVE, -0.012), (100, POSITIVE, -0.020), (150, POSITIVE, -0.020),
+    state = read(
+        x__comp="-100 -100.010 -99.980\n0 0.004 0.010\n100 100.020 100.030\n",
+        m__ini="[JOINT_0]\nCOMP_FILE=x.comp\n",
+    )
+    seen = [(10, POSITIVE, -0.0056), (50, POSITIVE, -0.012), (100, POSITIVE, -0.020), (150,
+    POSITIVE, -0.020),
             (50, NEGATIVE, -0.020), (0, NEGATIVE, -0.010), (-50, NEGATIVE, -0.015)]  # fmt: skip
     for position, direction, value in seen:
         assert correction(state, "0", position, direction) == pytest.approx(value, abs=1e-9)
 
 
 def test_backlash_without_a_table_acts_half_each_way_and_beside_one_not_at_all() -> None:
-    state = read(x__comp=ACTUAL, m__ini=MACHINE.replace("COMP_FILE_TYPE", "BACKLASH = 0.5\nCOMP_FILE_TYPE"))
-    assert correction(state, "1", 33.0, POSITIVE) == pytest.approx(0.010)  # seen on a running control: +-0.010 mm
+    state = read(
+        x__comp=ACTUAL, m__ini=MACHINE.replace("COMP_FILE_TYPE", "BACKLASH = 0.5\nCOMP_FILE_TYPE")
+    )
+    assert correction(state, "1", 33.0, POSITIVE) == pytest.approx(
+        0.010
+    )  # seen on a running control: +-0.010 mm
     assert correction(state, "1", -33.0, NEGATIVE) == pytest.approx(-0.010)
     assert correction(state, "0", 0.0, POSITIVE) == 0.0
     assert "CW-S009" in codes(state)
@@ -80,14 +92,22 @@ def test_inch_machines() -> None:
     assert capacity.quantum == pytest.approx(2.54e-6, rel=1e-12)  # mm
     held = table("0", [0.0, 254.0], [0.0, -0.0508], [-0.0254, -0.0762])
     comp = write_tables(LINUXCNC, [held], [axis_of("0")], {}, state)[0]
-    assert comp.content.decode() == "0.0000000 0.0000000 0.0010000\n10.0000000 10.0020000 10.0030000\n"
+    assert (
+        comp.content.decode() == "0.0000000 0.0000000 0.0010000\n10.0000000 10.0020000 10.0030000\n"
+    )
     assert write_tables(LINUXCNC, [held], [axis_of("0")], settled)[0] == comp
 
 
 def test_a_section_counts_by_its_exact_name() -> None:
-    state = read(m__ini="[ TRAJ]\nLINEAR_UNITS = inch\n[JOINT_1]\nBACKLASH = 0.020\n[joint_2]\nBACKLASH = 1\n")
+    state = read(
+        m__ini=(
+            "[ TRAJ]\nLINEAR_UNITS = inch\n[JOINT_1]\nBACKLASH = 0.020\n[joint_2]\nBACKLASH = 1\n"
+        )
+    )
     assert list(state.axes) == ["1"]
-    assert correction(state, "1", 0.0, POSITIVE) == pytest.approx(0.010)  # not inches: the control does not know [ TRAJ]
+    assert correction(state, "1", 0.0, POSITIVE) == pytest.approx(
+        0.010
+    )  # not inches: the control does not know [ TRAJ]
 
 
 def test_a_rotary_joint_is_in_degrees_on_any_machine() -> None:
@@ -107,7 +127,10 @@ def test_a_rotary_joint_is_in_degrees_on_any_machine() -> None:
         ("text behind the row", ACTUAL.replace("\n", " # checked\n")),
         ("blank lines at the end", ACTUAL + "\n  \n"),
         ("no line end", ACTUAL.rstrip("\n")),
-        ("exponents and plus signs", ACTUAL.replace("0.0120", "+1.2e-2").replace("200 200.0100", "+2e2 2.000100E2")),
+        (
+            "exponents and plus signs",
+            ACTUAL.replace("0.0120", "+1.2e-2").replace("200 200.0100", "+2e2 2.000100E2"),
+        ),
     ],
 )
 def test_what_the_control_accepts_is_read(what: str, text: str) -> None:
@@ -179,7 +202,9 @@ def test_missing_is_not_zero() -> None:
     with pytest.raises(InputError, match="anything about axis 5"):
         read_state(LINUXCNC, files(x__comp=ACTUAL, m__ini=MACHINE), {}, [axis_of("5")])
     bare = read_state(LINUXCNC, files(m__ini="[JOINT_5]\nMAX_VELOCITY = 1\n"), {}, [axis_of("5")])
-    assert bare.axes["5"].positions.size == 0  # the section is there and has no table: the control does nothing
+    assert (
+        bare.axes["5"].positions.size == 0
+    )  # the section is there and has no table: the control does nothing
     assert any("COMP_FILE_TYPE" in note.fact for note in read(joint_2__comp=ACTUAL).assumed)
 
 
@@ -208,7 +233,8 @@ def test_the_first_of_repeated_keys_counts() -> None:
     assert "CW-S003" in codes(state)
 
 
-# Writing -----------------------------------------------------------------------------------------------------------------------
+# Writing
+# --------------------------------------------------------------------------------------------------
 
 
 def test_the_written_files_by_hand() -> None:
@@ -216,9 +242,12 @@ def test_the_written_files_by_hand() -> None:
     comp, ini = write_tables(LINUXCNC, [compensation], [axis_of("1")], {})
     assert comp == ControlFile(
         "joint_1.comp",
-        b"-10.0000000 -10.0010000 -10.0040000\n0.0000000 0.0000000 -0.0030000\n12.5000000 12.5005000 12.4975000\n",
+        b"-10.0000000 -10.0010000 -10.0040000\n0.0000000 0.0000000 -0.0030000\n12.5000000"
+        b" 12.5005000 12.4975000\n",
     )
-    assert ini == ControlFile("joint_1.ini", b"[JOINT_1]\nCOMP_FILE = joint_1.comp\nCOMP_FILE_TYPE = 0\nBACKLASH = 0\n")
+    assert ini == ControlFile(
+        "joint_1.ini", b"[JOINT_1]\nCOMP_FILE = joint_1.comp\nCOMP_FILE_TYPE = 0\nBACKLASH = 0\n"
+    )
     comp, ini = write_tables(LINUXCNC, [compensation], [axis_of("1")], {"comp_file_type": "1"})
     assert comp.content.startswith(b"-10.0000000 0.0010000 0.0040000\n")
     assert b"COMP_FILE_TYPE = 1\n" in ini.content
@@ -261,7 +290,10 @@ def test_the_capacity_is_that_of_the_control() -> None:
         ("a position out of range", {"positions": [0.0, 100001.0]}, "outside"),
     ],
 )
-def test_what_the_control_cannot_hold_is_refused(what: str, changes: dict[str, object], says: str) -> None:
+def test_what_the_control_cannot_hold_is_refused(
+    what: str, changes: dict[str, object], says: str
+) -> None:
     values: dict[str, object] = {"positions": [0.0, 1.0], "positive": [0.001, 0.002], **changes}
     with pytest.raises(CapacityError, match=says):
-        write_tables(LINUXCNC, [table("0", **values)], [axis_of("0")], {})  # type: ignore[arg-type]  # a table of changes
+        # # a table of changes
+        write_tables(LINUXCNC, [table("0", **values)], [axis_of("0")], {})  # type: ignore[arg-type]

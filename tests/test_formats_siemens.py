@@ -15,7 +15,8 @@ from format_samples import CONTENT, SIEMENS, axis_of, codes, correction, files, 
 
 POSITIVE, NEGATIVE = Direction.POSITIVE, Direction.NEGATIVE
 
-# As printed in the function manual (own numbers): values are errors, so the correction is the opposite.
+# As printed in the function manual (own numbers): values are errors, so the correction is the
+# opposite.
 SAMPLE = """%_N_AX_EEC_INI
 CHANDATA(1)
 $AA_ENC_COMP[0,0,AX1]=0.003
@@ -72,24 +73,31 @@ def test_backlash_acts_against_the_direction_of_the_reference_return() -> None:
     ("what", "change"),
     [
         ("no header", lambda t: t.split("\n", 1)[1]),
-        ("other header", lambda t: t.replace("%_N_AX_EEC_INI", "%_N_AX1_EEC_INI\n;$PATH=/_N_NC_ACT_DIR")),
+        ("other header", lambda t: t.replace("%_N_AX_EEC_INI",
+        "%_N_AX1_EEC_INI\n;$PATH=/_N_NC_ACT_DIR")),
         ("starts at CHANDATA, ends with M30", lambda t: t.split("\n", 1)[1].replace("M17", "M30")),
         ("M0 then M17", lambda t: t.replace("M17", "M0\nM17")),
         ("M02", lambda t: t.replace("M17", "M02")),
         ("blanks around =", lambda t: t.replace("=", " = ")),
         ("plus sign", lambda t: t.replace("=0.003", "=+0.003")),
-        ("six decimals and -0.0", lambda t: t.replace("=0.0\n", "=-0.0\n").replace("0.003", "0.003000")),
+        ("six decimals and -0.0", lambda t: t.replace("=0.0\n", "=-0.0\n").replace("0.003",
+        "0.003000")),
         ("comments", lambda t: t.replace("\n", " ; comment with = and [0,9,AX1]\n")),
         ("line ends of Windows", lambda t: t.replace("\n", "\r\n")),
         ("block numbers", lambda t: t.replace("$AA", "N10 $AA")),
-        ("line checksums", lambda t: t.replace("-0.0045\n", "-0.0045 '1A2f\n").replace("50.0\n", "50.0 '0000\n")),
+        ("line checksums", lambda t: t.replace("-0.0045\n", "-0.0045 '1A2f\n").replace("50.0\n",
+        "50.0 '0000\n")),
         ("blank lines and tabs", lambda t: t.replace("\n", "\t\n\n")),
         ("lower case", str.lower),
         ("comments in another character set", lambda t: t.replace("M17", "; Zähler µm\nM17")),
-        ("values after the parameters", lambda t: "\n".join(sorted(t.split("\n"), key=lambda line: "COMP[" in line)) + "\nM17\n"),
-        ("a value given twice, the same", lambda t: t.replace("CHANDATA(1)", "CHANDATA(1)\n$AA_ENC_COMP[0,0,AX1]=0.0030")),
-        ("unused memory behind the end", lambda t: t.replace("M17", "$AA_ENC_COMP[0,5,AX1]=0\n$AA_ENC_COMP[0,6,AX1]=0.0\nM17")),
-        ("other data around", lambda t: "N10000 $MN_AXCONF_MACHAX_NAME_TAB[0]=\"X1\"\n$MA_KP[0,AX1]=1,5\n" + t),
+        ("values after the parameters", lambda t: "\n".join(sorted(t.split("\n"),
+        key=lambda line: "COMP[" in line)) + "\nM17\n"),
+        ("a value given twice, the same", lambda t: t.replace("CHANDATA(1)",
+        "CHANDATA(1)\n$AA_ENC_COMP[0,0,AX1]=0.0030")),
+        ("unused memory behind the end", lambda t: t.replace("M17",
+        "$AA_ENC_COMP[0,5,AX1]=0\n$AA_ENC_COMP[0,6,AX1]=0.0\nM17")),
+        ("other data around",
+        lambda t: "N10000 $MN_AXCONF_MACHAX_NAME_TAB[0]=\"X1\"\n$MA_KP[0,AX1]=1,5\n" + t),
     ],
 )  # fmt: skip
 def test_variants_of_the_text_mean_the_same(what: str, change) -> None:  # type: ignore[no-untyped-def]
@@ -116,7 +124,11 @@ def test_several_axes_and_tables_in_one_file() -> None:
 
 
 def test_the_measuring_system_of_the_job_counts() -> None:
-    both = SAMPLE.replace("M17", "") + SAMPLE.replace("[0,", "[1,").replace("0.003", "0.009") + "$MA_BACKLASH[1,AX1]=0.002\nM17\n"
+    both = (
+        SAMPLE.replace("M17", "")
+        + SAMPLE.replace("[0,", "[1,").replace("0.003", "0.009")
+        + "$MA_BACKLASH[1,AX1]=0.002\nM17\n"
+    )
     second = siemens(both, axis_of("AX1", system=2))
     assert second.axes["AX1"].positive[0] == -0.009
     assert second.axes["AX1"].backlash == 0.002
@@ -136,21 +148,37 @@ def test_a_table_of_the_other_measuring_system_is_not_nothing() -> None:
     with pytest.raises(InputError, match="measuring system 1") as caught:
         siemens(text, axis_of("AX1", system=1))
     assert "system 2" in str(caught.value)
-    assert siemens(text).axes["AX1"].positive[0] == -0.003  # without a job: the one that holds a table
-    named = text.replace("M17", "$MA_BACKLASH[0,AX1]=0\nM17")  # the first system is spoken of, and still holds no table
+    assert (
+        siemens(text).axes["AX1"].positive[0] == -0.003
+    )  # without a job: the one that holds a table
+    named = text.replace(
+        "M17", "$MA_BACKLASH[0,AX1]=0\nM17"
+    )  # the first system is spoken of, and still holds no table
     with pytest.raises(InputError, match="measuring system 1"):
         siemens(named, axis_of("AX1", system=1))
-    off = named.replace("M17", "$MA_ENC_COMP_ENABLE[1,AX1]=0\nM17")  # a table that is switched off does not stand in the way
+    off = named.replace(
+        "M17", "$MA_ENC_COMP_ENABLE[1,AX1]=0\nM17"
+    )  # a table that is switched off does not stand in the way
     assert siemens(off, axis_of("AX1", system=1)).axes["AX1"].positions.size == 0
 
 
 @pytest.mark.parametrize(
     ("sequence", "active"),
-    [(["0", "1"], True), (["1", "0"], False), (["0"], False), (["1"], True), (["0", "1", "0"], False)],
+    [
+        (["0", "1"], True),
+        (["1", "0"], False),
+        (["0"], False),
+        (["1"], True),
+        (["0", "1", "0"], False),
+    ],
 )
 def test_a_load_sequence_counts_by_its_last_value(sequence: list[str], active: bool) -> None:
     lines = [f"$MA_ENC_COMP_ENABLE[0,AX1]={value}\nNEWCONF" for value in sequence]
-    text = lines[0] + "\n" + SAMPLE.replace("M17", "$MA_BACKLASH[0,AX1]=0.002\n" + "\n".join(lines[1:]) + "\nM30")
+    text = (
+        lines[0]
+        + "\n"
+        + SAMPLE.replace("M17", "$MA_BACKLASH[0,AX1]=0.002\n" + "\n".join(lines[1:]) + "\nM30")
+    )
     state = siemens(text)
     assert state.axes["AX1"].positions.size == (5 if active else 0)
     assert state.axes["AX1"].backlash == 0.002  # MD32700 switches the table, not the backlash
@@ -184,7 +212,8 @@ def test_switched_on_without_the_table_is_contradictory() -> None:
         ("spacing 0", "=50.0", "=0.0", "not positive"),
         ("spacing below 0", "=50.0", "=-50.0", "not"),
         ("end below start", "=100.0", "=-150.0", "not above"),
-        ("contradictory value", "CHANDATA(1)", "CHANDATA(1)\n$AA_ENC_COMP[0,0,AX1]=0.004", "contradicts"),
+        ("contradictory value", "CHANDATA(1)", "CHANDATA(1)\n$AA_ENC_COMP[0,0,AX1]=0.004",
+        "contradicts"),
         ("contradictory end", "M17", "$AA_ENC_COMP_MAX[0,AX1]=150.0\nM17", "contradicts"),
         ("decimal comma", "=0.003", "=0,003", "decimal comma"),
         ("text for a number", "=0.003", "=0.003mm", "cannot be read"),
@@ -193,14 +222,18 @@ def test_switched_on_without_the_table_is_contradictory() -> None:
         ("a missing bracket", "$AA_ENC_COMP[0,1,AX1]", "$AA_ENC_COMP[0,1,AX1", "cannot be read"),
         ("an implausible value", "=0.003", "=30.0", "not plausible"),
         ("unknown switch", "IS_MODULO[0,AX1]=0", "IS_MODULO[0,AX1]=2", "not known"),
-        ("more points than the control has", "M17", "$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=4\nM17", "reserved"),
-        ("repeats with unequal ends", "IS_MODULO[0,AX1]=0", "IS_MODULO[0,AX1]=1", "two ends differ"),
+        ("more points than the control has", "M17", "$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=4\nM17",
+        "reserved"),
+        ("repeats with unequal ends", "IS_MODULO[0,AX1]=0", "IS_MODULO[0,AX1]=1",
+        "two ends differ"),
         ("no values at all", SAMPLE[: SAMPLE.index("$AA_ENC_COMP_STEP")], "", "no values"),
         ("backlash cannot be read", "M17", "$MA_BACKLASH[0,AX1]=x\nM17", "cannot be read"),
         ("the end of the file inside a number", "\nM17\n", "", "cut short"),
     ],
 )  # fmt: skip
-def test_contradictory_or_unreadable_files_are_refused(what: str, old: str, new: str, says: str) -> None:
+def test_contradictory_or_unreadable_files_are_refused(
+    what: str, old: str, new: str, says: str
+) -> None:
     assert old in SAMPLE
     with pytest.raises(InputError, match=says) as caught:
         siemens(SAMPLE.replace(old, new, 1))
@@ -208,7 +241,9 @@ def test_contradictory_or_unreadable_files_are_refused(what: str, old: str, new:
 
 
 def test_cut_anywhere_a_file_is_refused_or_complete() -> None:
-    """A file that was cut short: an error, or (cut behind the last number) all values and a warning."""
+    """A file that was cut short: an error, or (cut behind the last number) all values and a
+    warning.
+    """
     for length in range(len(SAMPLE)):
         try:
             state = siemens(SAMPLE[:length])
@@ -244,7 +279,13 @@ def test_files_that_say_nothing_or_another_axis() -> None:
 
 def test_two_files_have_to_agree() -> None:
     with pytest.raises(InputError, match=r"contradicts A\.INI"):
-        read_state(SIEMENS, files(A__INI="$MA_BACKLASH[0,AX1]=0.001\nM17\n", B__INI="$MA_BACKLASH[0,AX1]=0.002\nM17\n"), {})
+        read_state(
+            SIEMENS,
+            files(
+                A__INI="$MA_BACKLASH[0,AX1]=0.001\nM17\n", B__INI="$MA_BACKLASH[0,AX1]=0.002\nM17\n"
+            ),
+            {},
+        )
     last = siemens("$MA_BACKLASH[0,AX1]=0.001\n$MA_BACKLASH[0,AX1]=0.002\nM17\n")
     assert last.axes["AX1"].backlash == 0.002
     assert "CW-S003" in codes(last)
@@ -258,7 +299,8 @@ def test_the_kind_of_axis_from_the_machine_data() -> None:
         siemens(text, axis_of("AX1"))
 
 
-# Writing -----------------------------------------------------------------------------------------------------------------------
+# Writing
+# --------------------------------------------------------------------------------------------------
 
 WRITTEN = """%_N_AX_EEC_INI
 CHANDATA(1)
@@ -281,25 +323,38 @@ def test_the_written_files_are_those_of_the_manual() -> None:
     assert eec.name == "AX1_EEC.INI"
     assert eec.content.decode() == WRITTEN
     assert md.name == "AX1_MD.INI"
-    assert md.content.decode() == "CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.012500\n$MA_ENC_COMP_ENABLE[1,AX1]=1\nM17\n"
+    assert (
+        md.content.decode()
+        == "CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.012500\n$MA_ENC_COMP_ENABLE[1,AX1]=1\nM17\n"
+    )
     none = write_tables(SIEMENS, [table("AX1", NODES, CORRECTIONS)], [axis_of("AX1")], {})
-    assert b"$MA_BACKLASH[0,AX1]=0.000000" in none[1].content  # part of the complete set, also when it is 0
+    assert (
+        b"$MA_BACKLASH[0,AX1]=0.000000" in none[1].content
+    )  # part of the complete set, also when it is 0
 
 
 def test_the_capacity_is_what_the_manual_says() -> None:
     state = siemens(SAMPLE.replace("M17", "$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=26\nM17"))
     capacity = capacity_for(SIEMENS, axis_of("AX1"), {}, state)
     assert (capacity.curves, capacity.spacing) == (1, "equidistant")
-    assert (capacity.quantum, capacity.position_quantum, capacity.backlash_quantum) == (1e-6, 1e-6, 1e-6)  # mm
+    assert (capacity.quantum, capacity.position_quantum, capacity.backlash_quantum) == (
+        1e-6,
+        1e-6,
+        1e-6,
+    )  # mm
     assert (capacity.below, capacity.above) == ("hold", "hold")
     assert (capacity.min_points, capacity.max_points) == (2, 26)
-    assert capacity_for(SIEMENS, axis_of("AX1"), {"points": "801"}, state).max_points == 801  # what will be reserved
+    assert (
+        capacity_for(SIEMENS, axis_of("AX1"), {"points": "801"}, state).max_points == 801
+    )  # what will be reserved
     assert capacity_for(SIEMENS, axis_of("AX1"), {"points": "9000"}, None).max_points == 5000
     unknown = capacity_for(SIEMENS, axis_of("AX1"), {}, None)
     assert unknown.max_points is None
     assert unknown.assumed
     empty = siemens("$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=0\n$MA_BACKLASH[0,AX1]=0\nM17\n")
-    assert capacity_for(SIEMENS, axis_of("AX1"), {}, empty).max_points is None  # must be set anyway: the card says so
+    assert (
+        capacity_for(SIEMENS, axis_of("AX1"), {}, empty).max_points is None
+    )  # must be set anyway: the card says so
 
 
 @pytest.mark.parametrize(
@@ -309,11 +364,14 @@ def test_the_capacity_is_what_the_manual_says() -> None:
         ("one point", {"positions": [0.0], "positive": [0.0]}, {}, "too few"),
         ("no point", {"positions": [], "positive": []}, {}, "too few"),
         ("too many points", {}, {"points": 4}, "at most 4"),
-        ("more than any control has", {"positions": range(5001), "positive": [0.0] * 5001}, {}, "at most 5000"),
+        ("more than any control has", {"positions": range(5001), "positive": [0.0] * 5001}, {},
+        "at most 5000"),
         ("unequal spacing", {"positions": [-100, -50, 0.001, 50, 100]}, {}, "equally spaced"),
-        ("a value between the steps", {"positive": [-0.003, -0.0010005, 0.0, 0.002, 0.0045]}, {}, "multiple"),
+        ("a value between the steps", {"positive": [-0.003, -0.0010005, 0.0, 0.002, 0.0045]}, {},
+        "multiple"),
         ("a node between the steps", {"positions": np.array(NODES) + 5e-7}, {}, "multiple"),
-        ("a spacing between the steps", {"positions": np.linspace(0, 100.000001, 5)}, {}, "multiple"),
+        ("a spacing between the steps", {"positions": np.linspace(0, 100.000001, 5)}, {},
+        "multiple"),
         ("a value out of range", {"positive": [-0.003, -0.001, 0.0, 0.002, 10.5]}, {}, "outside"),
         ("backlash out of range", {"backlash": 11.0}, {}, "outside"),
         ("backlash between the steps", {"backlash": 0.0000015}, {}, "multiple"),
@@ -345,7 +403,11 @@ def test_a_table_that_does_not_close_and_wrong_addresses_are_refused() -> None:
 
 
 def test_a_range_bounds_the_value_in_the_file() -> None:
-    text = CONTENT["siemens-840d-sl.yaml"].decode().replace("range: [-10, 10]", "range: [-0.004, 10]", 1)  # errors from -0.004 mm
+    text = (
+        CONTENT["siemens-840d-sl.yaml"]
+        .decode()
+        .replace("range: [-10, 10]", "range: [-0.004, 10]", 1)
+    )  # errors from -0.004 mm
     definition = load_definition(text.encode(), "mine.yaml")
     assert capacity_for(definition, axis_of("AX1"), {}, None).value_range == (-10.0, 0.004)
     with pytest.raises(InputError, match="not plausible"):

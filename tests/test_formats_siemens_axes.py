@@ -35,13 +35,16 @@ M17
 ROUND = axis_of("AX4", kind=AxisKind.ROTARY, modulo=360.0)
 
 
-def closed(values: list[float], negative: list[float] | None = None, *, start: float = 0.0) -> AxisCompensation:
+def closed(
+    values: list[float], negative: list[float] | None = None, *, start: float = 0.0
+) -> AxisCompensation:
     positions = start + np.linspace(0.0, 360.0, len(values))
     made = table("AX4", list(positions), values, negative, kind=AxisKind.ROTARY)
     return replace(made, period=360.0)
 
 
-# Endless axes ------------------------------------------------------------------------------------------------------------------
+# Endless axes
+# --------------------------------------------------------------------------------------------------
 
 
 def test_a_table_of_one_turn_repeats() -> None:
@@ -55,7 +58,10 @@ def test_a_table_of_one_turn_repeats() -> None:
         assert correction(state, "AX4", 300 + turn, NEGATIVE) == pytest.approx(0.0005, abs=1e-12)
     assert capacity_for(SIEMENS, ROUND, {}, state).period == 360.0
     assert capacity_for(SIEMENS, replace(ROUND, kind=AxisKind.LINEAR), {}, None).period is None
-    assert capacity_for(LINUXCNC, axis_of("0", kind=AxisKind.ROTARY, modulo=360.0), {}, None).period is None
+    assert (
+        capacity_for(LINUXCNC, axis_of("0", kind=AxisKind.ROTARY, modulo=360.0), {}, None).period
+        is None
+    )
 
 
 def test_the_ends_of_a_turn_must_meet_and_its_length_be_the_modulo() -> None:
@@ -65,7 +71,10 @@ def test_the_ends_of_a_turn_must_meet_and_its_length_be_the_modulo() -> None:
         siemens(TURN, replace(ROUND, modulo=180.0))
     with pytest.raises(InputError, match="endless"):
         siemens(TURN.replace("M17", "$MA_ROT_IS_MODULO[AX4]=0\nM17"), ROUND)
-    assert siemens(TURN.replace("M17", "$MA_ROT_IS_MODULO[AX4]=1\nM17"), ROUND).axes["AX4"].period == 360.0
+    assert (
+        siemens(TURN.replace("M17", "$MA_ROT_IS_MODULO[AX4]=1\nM17"), ROUND).axes["AX4"].period
+        == 360.0
+    )
 
 
 def test_a_job_and_a_table_that_differ_about_the_turn_are_told() -> None:
@@ -86,25 +95,42 @@ def test_a_written_turn_comes_back_through_both_readers() -> None:
     new = closed([0.0, -0.0025, 0.001, 0.0004, 0.0])
     written = write_tables(SIEMENS, [new], [ROUND], {})
     text = written[0].content.decode()
-    for line in ("IS_MODULO[0,AX4]=1", "MIN[0,AX4]=0.000000", "MAX[0,AX4]=360.000000", "[0,4,AX4]=0.000000"):
+    for line in (
+        "IS_MODULO[0,AX4]=1",
+        "MIN[0,AX4]=0.000000",
+        "MAX[0,AX4]=360.000000",
+        "[0,4,AX4]=0.000000",
+    ):
         assert f"{line}\n" in text
     back = decode(open_control("siemens-840d-sl", {}), written, [ROUND]).state.axes["AX4"]
     where = np.array([-300.0, 45.0, 359.9, 700.0])
-    np.testing.assert_allclose(back.at(where, POSITIVE), new.at(where, POSITIVE), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(
+        back.at(where, POSITIVE), new.at(where, POSITIVE), rtol=0, atol=1e-12
+    )
 
 
 def test_a_turn_from_a_reference_is_told_from_the_beginning_of_the_range() -> None:
-    """Whether a control finds its way into a table of 90 to 450 deg is not known: the same turn is written as 0 to 360."""
+    """Whether a control finds its way into a table of 90 to 450 deg is not known: the same turn is
+    written as 0 to 360.
+    """
     axis = replace(ROUND, reference=90.0)
     new = closed([0.0, -0.0025, 0.001, 0.0004, 0.0], start=90.0)
     state = siemens(TURN.replace("M17", "$MA_ROT_IS_MODULO[AX4]=1\nM17"), axis)
     written = write_tables(SIEMENS, [new], [axis], {}, state)
     text = written[0].content.decode()
-    for line in ("MIN[0,AX4]=0.000000", "MAX[0,AX4]=360.000000", "[0,0,AX4]=-0.000400", "[0,1,AX4]=0.000000", "[0,2,AX4]=0.002500"):
+    for line in (
+        "MIN[0,AX4]=0.000000",
+        "MAX[0,AX4]=360.000000",
+        "[0,0,AX4]=-0.000400",
+        "[0,1,AX4]=0.000000",
+        "[0,2,AX4]=0.002500",
+    ):
         assert f"{line}\n" in text
     back = decode(open_control("siemens-840d-sl", {}), written, [axis]).state.axes["AX4"]
     where = np.array([-300.0, 45.0, 90.0, 359.9, 700.0])
-    np.testing.assert_allclose(back.at(where, POSITIVE), new.at(where, POSITIVE), rtol=0, atol=1e-12)  # deg
+    np.testing.assert_allclose(
+        back.at(where, POSITIVE), new.at(where, POSITIVE), rtol=0, atol=1e-12
+    )  # deg
     with pytest.raises(CapacityError, match="MD30340"):  # no node at 0
         write_tables(SIEMENS, [closed([0.0, -0.0025, 0.0], start=90.0)], [axis], {}, state)
 
@@ -112,10 +138,12 @@ def test_a_turn_from_a_reference_is_told_from_the_beginning_of_the_range() -> No
 def test_a_turn_is_patched_into_the_own_file() -> None:
     given = files(C__INI=TURN)
     state = siemens(TURN, ROUND)
-    (new,) = write_tables(SIEMENS, [closed([0.002, 0.001, 0.004, 0.002])], [ROUND], {}, state, given)
-    assert new.content.decode() == TURN.replace("0.001\n", "-0.002\n").replace("=0.003", "=-0.001").replace(
-        "2,AX4]=-0.002", "2,AX4]=-0.004"
+    (new,) = write_tables(
+        SIEMENS, [closed([0.002, 0.001, 0.004, 0.002])], [ROUND], {}, state, given
     )
+    assert new.content.decode() == TURN.replace("0.001\n", "-0.002\n").replace(
+        "=0.003", "=-0.001"
+    ).replace("2,AX4]=-0.002", "2,AX4]=-0.004")
     ends = files(C__INI=TURN.replace("MODULO[0,AX4]=1", "MODULO[0,AX4]=0"))
     (new,) = write_tables(SIEMENS, [closed([0.002, 0.001, 0.004, 0.002])], [ROUND], {}, state, ends)
     assert b"IS_MODULO[0,AX4]=1\n" in new.content
@@ -129,7 +157,9 @@ def test_a_pair_of_a_turn_repeats_too() -> None:
     back = decode(open_control("siemens-840d-sl", options), written, [ROUND]).state.axes["AX4"]
     where = np.array([-300.0, 45.0, 359.9, 700.0])
     for direction in Direction:
-        np.testing.assert_allclose(back.at(where, direction), new.at(where, direction), rtol=0, atol=1e-12)
+        np.testing.assert_allclose(
+            back.at(where, direction), new.at(where, direction), rtol=0, atol=1e-12
+        )
     assert capacity_for(SIEMENS, ROUND, options, None).period == 360.0
 
 
@@ -138,7 +168,10 @@ def test_a_pair_of_a_turn_repeats_too() -> None:
     [
         (replace(closed([0.0, 0.1, 0.0]), period=None), "the axis is endless"),
         (replace(closed([0.0, 0.1, 0.0]), period=180.0), "the axis is endless"),
-        (replace(closed([0.0, 0.1, 0.0]), positions=np.array([0.0, 90.0, 180.0])), "the axis is endless"),
+        (
+            replace(closed([0.0, 0.1, 0.0]), positions=np.array([0.0, 90.0, 180.0])),
+            "the axis is endless",
+        ),
         (closed([0.0, 0.1, 0.2]), "same value at both ends"),
     ],
 )
@@ -152,7 +185,8 @@ def test_a_table_that_repeats_on_an_axis_with_ends_is_refused() -> None:
         write_tables(SIEMENS, [closed([0.0, 0.1, 0.0])], [replace(ROUND, modulo=None)], {})
 
 
-# Gantry ------------------------------------------------------------------------------------------------------------------------
+# Gantry
+# --------------------------------------------------------------------------------------------------
 
 
 def straight(address: str, last: float = 0.002) -> str:
@@ -171,7 +205,9 @@ NEW = table("AX1", [0.0, 400.0], [0.0, 0.0035], backlash=0.002)
 
 
 def test_the_synchronised_axis_gets_the_same_table() -> None:
-    written = {file.name: file.content.decode() for file in write_tables(SIEMENS, [NEW], [gantry()], {})}
+    written = {
+        file.name: file.content.decode() for file in write_tables(SIEMENS, [NEW], [gantry()], {})
+    }
     assert list(written) == ["AX1_EEC.INI", "AX1_MD.INI", "AX5_EEC.INI", "AX5_MD.INI"]
     assert written["AX5_EEC.INI"] == written["AX1_EEC.INI"].replace("AX1", "AX5")
     assert written["AX5_MD.INI"] == written["AX1_MD.INI"].replace("AX1", "AX5")
@@ -207,7 +243,10 @@ def test_a_gantry_takes_a_pair_of_tables_for_each_axis() -> None:
         with pytest.raises(CapacityError, match="CEC tables"):
             attempt()
     options["cec_tables"] = [0, 1, 2, 3]
-    written = {file.name: file.content.decode() for file in write_tables(SIEMENS, [two], [gantry()], options)}
+    written = {
+        file.name: file.content.decode()
+        for file in write_tables(SIEMENS, [two], [gantry()], options)
+    }
     assert "$AN_CEC_OUTPUT_AXIS[3]=(AX5)" in written["AX5_CEC.INI"]
     assert "$AN_CEC_DIRECTION[3]=-1" in written["AX5_CEC.INI"]
 
@@ -217,21 +256,29 @@ def test_two_axes_with_the_same_table_are_asked_about() -> None:
     state = siemens(text, axis_of("AX1"))
     (finding,) = [finding for finding in state.findings if finding.code == "CW-S031"]
     assert "AX5" in finding.message
-    assert "CW-S031" not in codes(siemens(straight("AX1").replace("M17\n", "") + straight("AX5", 0.003), axis_of("AX1")))
-    assert "CW-S031" not in codes(siemens(straight("AX1", 0.0).replace("M17\n", "") + straight("AX5", 0.0), axis_of("AX1")))
+    assert "CW-S031" not in codes(
+        siemens(straight("AX1").replace("M17\n", "") + straight("AX5", 0.003), axis_of("AX1"))
+    )
+    assert "CW-S031" not in codes(
+        siemens(straight("AX1", 0.0).replace("M17\n", "") + straight("AX5", 0.0), axis_of("AX1"))
+    )
     assert "CW-S031" not in codes(siemens(text, gantry()))
     assert "CW-S031" not in codes(siemens(text))  # nobody asked for one axis
 
 
 def test_the_card_warns_of_a_gantry() -> None:
-    for axis, words in ((gantry(), "synchronised axis ax5 too"), (axis_of("AX1"), "leads no gantry as far as the job says")):
+    for axis, words in (
+        (gantry(), "synchronised axis ax5 too"),
+        (axis_of("AX1"), "leads no gantry as far as the job says"),
+    ):
         steps = card_steps(SIEMENS, axis, card_values(SIEMENS, axis, NEW, {}))
         (text,) = [step.text for step in steps if step.title == "Gantry"]
         assert words in text
         assert "racks the bridge" in text
 
 
-# Machine data ------------------------------------------------------------------------------------------------------------------
+# Machine data
+# --------------------------------------------------------------------------------------------------
 
 
 def test_what_is_said_of_an_axis_as_a_whole_does_not_make_it_one_with_tables() -> None:
@@ -248,4 +295,7 @@ def test_memory_that_nobody_wrote_is_no_table() -> None:
     assert state.axes["AX1"].positions.size == 0
     assert "CW-S032" in codes(state)
     with pytest.raises(InputError, match="not positive"):
-        siemens(blank.replace("[1,1,AX1]=0", "[1,1,AX1]=0.1") + straight("AX1"), axis_of("AX1", system=2))
+        siemens(
+            blank.replace("[1,1,AX1]=0", "[1,1,AX1]=0.1") + straight("AX1"),
+            axis_of("AX1", system=2),
+        )

@@ -1,4 +1,6 @@
-"""SINUMERIK: tables between axes (CEC), by hand-worked numbers: pairs of an axis over itself, squareness, straightness."""
+"""SINUMERIK: tables between axes (CEC), by hand-worked numbers: pairs of an axis over itself,
+squareness, straightness.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +21,12 @@ from compwright.formats.reading import read_state
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState, CrossCompensation
+from compwright.records.correction import (
+    AxisCompensation,
+    ControlFile,
+    ControlState,
+    CrossCompensation,
+)
 from compwright.workflow.control import decode, open_control
 from format_samples import LINUXCNC, SIEMENS, axis_of, codes, correction, files, siemens, table
 
@@ -37,7 +44,10 @@ def cec(
 ) -> str:
     """One table; ``grid``: MIN, STEP, MAX."""
     lines = [f"$AN_CEC[{index},{n}]={value:.7f}" for n, value in enumerate(values)]
-    lines += [f"$AN_CEC_INPUT_AXIS[{index}]=({axes[0]})", f"$AN_CEC_OUTPUT_AXIS[{index}]=({axes[1]})"]
+    lines += [
+        f"$AN_CEC_INPUT_AXIS[{index}]=({axes[0]})",
+        f"$AN_CEC_OUTPUT_AXIS[{index}]=({axes[1]})",
+    ]
     for key, number in zip(("MIN", "STEP", "MAX"), grid, strict=True):
         lines.append(f"$AN_CEC_{key}[{index}]={number}")
     said = {"DIRECTION": direction, "MULT_BY_TABLE": 0, "IS_MODULO": 0, **more}
@@ -45,7 +55,9 @@ def cec(
     return "\n".join(lines) + "\n"
 
 
-PAIR = cec(4, [0.0, 0.002, -0.0015], (0, 400, 800), direction=1) + cec(7, [-0.004, -0.001, -0.0065], (0, 400, 800), direction=-1)
+PAIR = cec(4, [0.0, 0.002, -0.0015], (0, 400, 800), direction=1) + cec(
+    7, [-0.004, -0.001, -0.0065], (0, 400, 800), direction=-1
+)
 RAMP = cec(0, [0.0, -0.016], (0, 800, 800), ("AX1", "AX2"))
 EEC = (
     "$AA_ENC_COMP[0,0,AX1]=0.003\n$AA_ENC_COMP[0,1,AX1]=0.001\n"
@@ -62,12 +74,17 @@ def texts(written: Sequence[ControlFile]) -> dict[str, str]:
     return {file.name: file.content.decode() for file in written}
 
 
-def agreed(written: Sequence[ControlFile], axes: Sequence[Axis] = (), **options: object) -> ControlState:
+def agreed(
+    written: Sequence[ControlFile], axes: Sequence[Axis] = (), **options: object
+) -> ControlState:
     """What both readers say; raises where they do not agree."""
-    return decode(open_control("siemens-840d-sl", {"cec_sign": "correction"} | options), written, axes).state
+    return decode(
+        open_control("siemens-840d-sl", {"cec_sign": "correction"} | options), written, axes
+    ).state
 
 
-# Reading -----------------------------------------------------------------------------------------------------------------------
+# Reading
+# --------------------------------------------------------------------------------------------------
 
 
 def test_a_pair_is_two_curves_and_another_pair_of_axes_stands_beside() -> None:
@@ -82,13 +99,17 @@ def test_a_pair_is_two_curves_and_another_pair_of_axes_stands_beside() -> None:
     (cross,) = state.cross
     assert (cross.input, cross.output) == ("AX1", "AX2")
     # half of -0.016 at 400; both directions; the ends hold
-    assert cross.at(np.array([-50, 400, 900]), POSITIVE) == pytest.approx([0, -0.008, -0.016], abs=EXACT)
+    assert cross.at(np.array([-50, 400, 900]), POSITIVE) == pytest.approx(
+        [0, -0.008, -0.016], abs=EXACT
+    )
     assert cross.at(np.array([400.0]), NEGATIVE) == pytest.approx([-0.008], abs=EXACT)
 
 
 def test_the_sign_is_an_option() -> None:
     state = siemens(PAIR + RAMP + EEC + MD, options={"cec_sign": "error"})
-    assert correction(state, "AX1", 400, POSITIVE) == pytest.approx(-0.002 - 0.002, abs=EXACT)  # EEC keeps its own sign
+    assert correction(state, "AX1", 400, POSITIVE) == pytest.approx(
+        -0.002 - 0.002, abs=EXACT
+    )  # EEC keeps its own sign
     assert state.cross[0].positive.tolist() == [0, 0.016]
 
 
@@ -96,14 +117,19 @@ def test_leadscrew_table_pair_and_backlash_add_up() -> None:
     state = siemens(PAIR + EEC + "$MA_BACKLASH[0,AX1]=0.010\n", axis_of("AX1"))
     assert len(state.axes["AX1"].others) == 1
     assert correction(state, "AX1", 400, POSITIVE) == pytest.approx(-0.002 + 0.002, abs=EXACT)
-    assert correction(state, "AX1", 400, NEGATIVE) == pytest.approx(-0.002 - 0.001 - 0.010, abs=EXACT)
+    assert correction(state, "AX1", 400, NEGATIVE) == pytest.approx(
+        -0.002 - 0.001 - 0.010, abs=EXACT
+    )
 
 
 def test_tables_of_one_pair_of_axes_add_up_whatever_their_grids() -> None:
-    text = cec(1, [0.0, 0.010], (0, 100, 100)) + cec(2, [0.001, 0.003, 0.002], (-30, 60, 90), direction=-1)
+    text = cec(1, [0.0, 0.010], (0, 100, 100)) + cec(
+        2, [0.001, 0.003, 0.002], (-30, 60, 90), direction=-1
+    )
     text += "$SN_CEC_TABLE_WEIGHT[1]=0.5\n"
     state = siemens(text + MD)
-    # + : half of the first; - : second table too, at 0 it is 0.001 + 0.002 * 30 / 60, at 60 it is 0.003 - 0.001 * 30 / 60
+    # + : half of the first; - : second table too, at 0 it is 0.001 + 0.002 * 30 / 60, at 60 it is
+    # 0.003 - 0.001 * 30 / 60
     assert correction(state, "AX1", 60, POSITIVE) == pytest.approx(0.003, abs=EXACT)
     assert correction(state, "AX1", 0, NEGATIVE) == pytest.approx(0.002, abs=EXACT)
     assert correction(state, "AX1", 60, NEGATIVE) == pytest.approx(0.003 + 0.0025, abs=EXACT)
@@ -172,7 +198,9 @@ def test_contradictory_tables_are_refused(what: str, old: str, new: str, says: s
 def test_what_speaks_against_a_table(line: str, says: str) -> None:
     with pytest.raises(InputError, match=says):
         siemens(f"{PAIR}{MD}{line}\n")
-    fitting = siemens(f"{PAIR}{MD}$MN_MM_CEC_MAX_POINTS[4]=3\n$MA_CEC_MAX_SUM[AX1]=0.0065\n$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=1\n")
+    fitting = siemens(
+        f"{PAIR}{MD}$MN_MM_CEC_MAX_POINTS[4]=3\n$MA_CEC_MAX_SUM[AX1]=0.0065\n$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=1\n"
+    )
     assert fitting.axes["AX1"].positions.size == 3
 
 
@@ -184,11 +212,21 @@ def test_a_product_on_another_axis_is_left_out_where_nobody_asks_for_it() -> Non
     with pytest.raises(InputError, match="multiplied"):
         siemens(text)
     with pytest.raises(CapacityError, match="0 among 0"):  # it is not free all the same
-        capacity_for(SIEMENS, axis_of("AX1"), {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}, state)
+        capacity_for(
+            SIEMENS,
+            axis_of("AX1"),
+            {"cec": "available", "cec_tables": [0], "cec_sign": "correction"},
+            state,
+        )
 
 
 def test_a_product_counts_only_where_it_acts_and_for_whom_it_acts() -> None:
-    text = RAMP.replace("MULT_BY_TABLE[0]=0", "MULT_BY_TABLE[0]=5") + PAIR + MD + "$MA_BACKLASH[0,AX2]=0\n"
+    text = (
+        RAMP.replace("MULT_BY_TABLE[0]=0", "MULT_BY_TABLE[0]=5")
+        + PAIR
+        + MD
+        + "$MA_BACKLASH[0,AX2]=0\n"
+    )
     with pytest.raises(InputError, match="multiplied"):
         siemens(text, axis_of("AX2"))
     assert siemens(text + "$SN_CEC_TABLE_ENABLE[0]=0\n").cross == ()
@@ -220,7 +258,8 @@ def test_both_spellings_of_an_axis_and_lines_that_are_not_used() -> None:
     assert "CW-S013" in codes(bare)
 
 
-# Capacity ----------------------------------------------------------------------------------------------------------------------
+# Capacity
+# --------------------------------------------------------------------------------------------------
 
 
 def test_the_capacity_of_a_pair() -> None:
@@ -228,18 +267,31 @@ def test_the_capacity_of_a_pair() -> None:
     assert (capacity.curves, capacity.backlash_quantum, capacity.quantum) == (2, None, 1e-6)
     assert (capacity.max_points, capacity.value_range) == (None, (-10.0, 10.0))
     assert any("its CEC tables (MD18342)" in note.fact for note in capacity.assumed)
-    reserved = "$MN_MM_CEC_MAX_POINTS[4]=40\n$MN_MM_CEC_MAX_POINTS[7]=30\n$MN_MM_CEC_MAX_POINTS[2]=5\n"
-    state = siemens(f"{MD}{reserved}$MA_CEC_MAX_SUM[AX1]=0.05\n" + cec(2, [0.0, -0.02], (0, 10, 10), ("AX3", "AX1")))
+    reserved = (
+        "$MN_MM_CEC_MAX_POINTS[4]=40\n$MN_MM_CEC_MAX_POINTS[7]=30\n$MN_MM_CEC_MAX_POINTS[2]=5\n"
+    )
+    state = siemens(
+        f"{MD}{reserved}$MA_CEC_MAX_SUM[AX1]=0.05\n"
+        + cec(2, [0.0, -0.02], (0, 10, 10), ("AX3", "AX1"))
+    )
     capacity = capacity_for(SIEMENS, axis_of("AX1"), CEC, state)
     assert capacity.max_points == 30
-    assert capacity.value_range == pytest.approx((-0.03, 0.03))  # 0.05 less what another axis' table takes
+    assert capacity.value_range == pytest.approx(
+        (-0.03, 0.03)
+    )  # 0.05 less what another axis' table takes
     assert capacity_for(SIEMENS, axis_of("AX1"), {**CEC, "points": 200}, state).max_points == 200
     assert capacity_for(SIEMENS, axis_of("AX1"), {}, state).curves == 1
 
 
 @pytest.mark.parametrize(
     ("indices", "found"),
-    [([], "none"), ([4], "1 among 4"), ([4, 0], "1 among 4, 0"), ([0, 1], "0 among"), ([4, 4], "1 among")],
+    [
+        ([], "none"),
+        ([4], "1 among 4"),
+        ([4, 0], "1 among 4, 0"),
+        ([0, 1], "0 among"),
+        ([4, 4], "1 among"),
+    ],
 )
 def test_too_few_tables_are_told_with_how_many_are_needed(indices: list[int], found: str) -> None:
     taken = RAMP + cec(1, [0.0, 0.1], (0, 1, 1), ("AX3", "AX3"))
@@ -255,11 +307,17 @@ def test_too_few_tables_are_told_with_how_many_are_needed(indices: list[int], fo
 
 def test_options_of_an_axis_go_over_those_of_the_control() -> None:
     axis = replace(axis_of("AX1"), options={"cec_tables": "4,7"})
-    assert capacity_for(SIEMENS, axis, {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}, None).curves == 2
+    assert (
+        capacity_for(
+            SIEMENS, axis, {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}, None
+        ).curves
+        == 2
+    )
     assert capacity_for(SIEMENS, replace(axis, options={"cec": "absent"}), CEC, None).curves == 1
 
 
-# Writing -----------------------------------------------------------------------------------------------------------------------
+# Writing
+# --------------------------------------------------------------------------------------------------
 
 WRITTEN = """%_N_NC_CEC_INI
 CHANDATA(1)
@@ -290,21 +348,29 @@ M17
 
 
 def on(*tables: int) -> str:
-    return "; by hand: $MA_CEC_ENABLE[AX1]=1\n" + "".join(f"$SN_CEC_TABLE_ENABLE[{index}]=1\n" for index in tables)
+    return "; by hand: $MA_CEC_ENABLE[AX1]=1\n" + "".join(
+        f"$SN_CEC_TABLE_ENABLE[{index}]=1\n" for index in tables
+    )
 
 
 def test_two_curves_go_into_a_pair_and_nothing_else_acts() -> None:
     written = texts(write_tables(SIEMENS, [TWO], [axis_of("AX1", system=2)], CEC))
     assert list(written) == ["AX1_CEC.INI", "AX1_MD.INI"]
     assert written["AX1_CEC.INI"] == WRITTEN
-    assert written["AX1_MD.INI"] == (f"CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.000000\n$MA_ENC_COMP_ENABLE[1,AX1]=0\n{on(4, 7)}M17\n")
+    assert (
+        written["AX1_MD.INI"]
+        == f"CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.000000\n$MA_ENC_COMP_ENABLE[1,AX1]=0\n{on(4, 7)}M17\n"
+    )
     turned = texts(write_tables(SIEMENS, [TWO], [axis_of("AX1")], {**CEC, "cec_sign": "error"}))
     assert "$AN_CEC[7,2]=0.006500\n" in turned["AX1_CEC.INI"]
 
 
 def test_one_curve_and_backlash_stay_in_the_leadscrew_table() -> None:
     one = table("AX1", [0.0, 800.0], [0.0, 0.002], backlash=0.003)
-    assert list(texts(write_tables(SIEMENS, [one], [axis_of("AX1")], CEC))) == ["AX1_EEC.INI", "AX1_MD.INI"]
+    assert list(texts(write_tables(SIEMENS, [one], [axis_of("AX1")], CEC))) == [
+        "AX1_EEC.INI",
+        "AX1_MD.INI",
+    ]
     with pytest.raises(CapacityError, match="one curve"):
         write_tables(SIEMENS, [TWO], [axis_of("AX1")], {})
     with pytest.raises(CapacityError, match="backlash"):
@@ -315,11 +381,19 @@ def test_what_is_written_comes_back_through_both_readers() -> None:
     axis = axis_of("AX1", returns=NEGATIVE)
     written = write_tables(SIEMENS, [TWO], [axis], {**CEC, "cec_sign": "error"})
     back = agreed(written, [axis], **{**CEC, "cec_sign": "error"}).axes["AX1"]
-    assert (back.positive.tolist(), back.negative.tolist()) == (TWO.positive.tolist(), TWO.negative.tolist())
+    assert (back.positive.tolist(), back.negative.tolist()) == (
+        TWO.positive.tolist(),
+        TWO.negative.tolist(),
+    )
     assert (back.backlash, back.others) == (0.0, ())
 
 
-def patch(text: str, compensation: AxisCompensation, options: Mapping[str, object], axis: Axis | None = None) -> dict[str, str]:
+def patch(
+    text: str,
+    compensation: AxisCompensation,
+    options: Mapping[str, object],
+    axis: Axis | None = None,
+) -> dict[str, str]:
     axis = axis or axis_of("AX1")
     given = files(A__INI=text)
     state = read_state(SIEMENS, given, options, [axis])
@@ -329,7 +403,9 @@ def patch(text: str, compensation: AxisCompensation, options: Mapping[str, objec
 
 
 def test_an_own_pair_is_patched_in_place_each_table_keeps_its_direction() -> None:
-    swapped = PAIR.replace("DIRECTION[4]=1", "DIRECTION[4]=-1").replace("DIRECTION[7]=-1", "DIRECTION[7]=1")
+    swapped = PAIR.replace("DIRECTION[4]=1", "DIRECTION[4]=-1").replace(
+        "DIRECTION[7]=-1", "DIRECTION[7]=1"
+    )
     text = RAMP + swapped.replace("(AX1)", "(ax1)") + MD + "$MA_ENC_COMP_ENABLE[0,AX1]=0\nM17\n"
     new = table("AX1", [0.0, 400.0, 800.0], [0.001, 0.002, 0.003], [-0.001, -0.002, -0.003])
     patched = patch(text, new, CEC)["A.INI"]
@@ -345,7 +421,11 @@ def test_an_own_pair_is_patched_in_place_each_table_keeps_its_direction() -> Non
 
 
 def test_free_tables_are_taken_in_their_order_and_others_never() -> None:
-    written = patch(RAMP + MD + "M17\n", TWO, {"cec": "available", "cec_tables": [0, 9, 3, 5], "cec_sign": "correction"})
+    written = patch(
+        RAMP + MD + "M17\n",
+        TWO,
+        {"cec": "available", "cec_tables": [0, 9, 3, 5], "cec_sign": "correction"},
+    )
     assert set(written) == {"A.INI", "AX1_MD.INI", "AX1_CEC.INI"}
     assert written["A.INI"] == RAMP + MD + "M17\n"
     assert written["AX1_MD.INI"] == f"CHANDATA(1)\n$MA_ENC_COMP_ENABLE[0,AX1]=0\n{on(9, 3)}M17\n"
@@ -353,8 +433,13 @@ def test_free_tables_are_taken_in_their_order_and_others_never() -> None:
 
 
 def test_reserved_memory_is_filled_in_place() -> None:
-    blank = cec(4, [0.0, 0.0], (0, 0, 0), ("AX2", "AX2")) + "$SN_CEC_TABLE_ENABLE[4]=0\n$SN_CEC_TABLE_WEIGHT[4]=0.5\n"
-    written = patch(blank + MD + "$MA_CEC_ENABLE[AX1]=0\n$MA_ENC_COMP_ENABLE[0,AX1]=0\nM17\n", TWO, CEC)
+    blank = (
+        cec(4, [0.0, 0.0], (0, 0, 0), ("AX2", "AX2"))
+        + "$SN_CEC_TABLE_ENABLE[4]=0\n$SN_CEC_TABLE_WEIGHT[4]=0.5\n"
+    )
+    written = patch(
+        blank + MD + "$MA_CEC_ENABLE[AX1]=0\n$MA_ENC_COMP_ENABLE[0,AX1]=0\nM17\n", TWO, CEC
+    )
     assert set(written) == {"A.INI", "AX1_CEC.INI", "AX1_MD.INI"}
     assert written["AX1_MD.INI"] == "CHANDATA(1)\n$SN_CEC_TABLE_ENABLE[7]=1\nM17\n"
     for line in (
@@ -370,14 +455,20 @@ def test_reserved_memory_is_filled_in_place() -> None:
     assert "$AN_CEC_DIRECTION[7]=-1" in written["AX1_CEC.INI"]
 
 
-def test_the_points_of_a_pair_are_reserved_where_the_files_reserve_none_or_the_option_promises_them() -> None:
-    reserved = "$MN_MM_CEC_MAX_POINTS[4]=0\n$MN_MM_CEC_MAX_POINTS[7]=9\n$MN_MM_CEC_MAX_POINTS[8]=0\n"
+def test_the_points_of_a_pair_are_reserved_where_the_files_reserve_none_or_the_option_promises_them() -> (
+    None
+):
+    reserved = (
+        "$MN_MM_CEC_MAX_POINTS[4]=0\n$MN_MM_CEC_MAX_POINTS[7]=9\n$MN_MM_CEC_MAX_POINTS[8]=0\n"
+    )
     written = patch(reserved + MD + "M17\n", TWO, CEC)["A.INI"]
     assert written.startswith(reserved.replace("[4]=0", "[4]=3"))
     few = "$MN_MM_CEC_MAX_POINTS[4]=2\n$MN_MM_CEC_MAX_POINTS[7]=2\n"
     with pytest.raises(CapacityError, match="at most 2"):
         patch(few + MD + "M17\n", TWO, CEC)
-    assert patch(few + MD + "M17\n", TWO, {**CEC, "points": 40})["A.INI"].startswith(few.replace("=2", "=40"))
+    assert patch(few + MD + "M17\n", TWO, {**CEC, "points": 40})["A.INI"].startswith(
+        few.replace("=2", "=40")
+    )
 
 
 def test_the_leadscrew_table_is_switched_off_where_a_pair_is_written() -> None:
@@ -401,20 +492,32 @@ def test_an_old_pair_is_emptied_where_one_curve_is_written() -> None:
     assert "$MA_BACKLASH[0,AX1]=0.003" in lines
     assert "AX1_EEC.INI" in written
     with pytest.raises(CapacityError, match="would act beside the new table") as caught:
-        patch(PAIR + MD + "M17\n", ONE, {"cec": "available", "cec_tables": [4, 1], "cec_sign": "correction"})
+        patch(
+            PAIR + MD + "M17\n",
+            ONE,
+            {"cec": "available", "cec_tables": [4, 1], "cec_sign": "correction"},
+        )
     assert "7" in str(caught.value)
 
 
 def test_an_own_table_that_is_switched_off_stays_as_it_is() -> None:
     written = patch(
-        PAIR + "$SN_CEC_TABLE_ENABLE[7]=0\n" + MD + "M17\n", ONE, {"cec": "available", "cec_tables": [4], "cec_sign": "correction"}
+        PAIR + "$SN_CEC_TABLE_ENABLE[7]=0\n" + MD + "M17\n",
+        ONE,
+        {"cec": "available", "cec_tables": [4], "cec_sign": "correction"},
     )
     assert "$AN_CEC[7,0]=-0.0040000" in written["A.INI"]
     assert "$AN_CEC[4,1]=0.0000000" in written["A.INI"]
 
 
 def test_a_table_for_both_directions_makes_room_for_one_that_has_its_direction() -> None:
-    text = PAIR.replace("DIRECTION[4]=1", "DIRECTION[4]=0").replace("DIRECTION[7]=-1", "DIRECTION[7]=1") + MD + "M17\n"
+    text = (
+        PAIR.replace("DIRECTION[4]=1", "DIRECTION[4]=0").replace(
+            "DIRECTION[7]=-1", "DIRECTION[7]=1"
+        )
+        + MD
+        + "M17\n"
+    )
     lines = patch(text, TWO, CEC)["A.INI"].splitlines()
     assert "$AN_CEC_DIRECTION[4]=-1" in lines
     assert "$AN_CEC_DIRECTION[7]=1" in lines
@@ -423,7 +526,11 @@ def test_a_table_for_both_directions_makes_room_for_one_that_has_its_direction()
 
 def test_a_third_own_table_is_emptied_too() -> None:
     third = cec(2, [0.001, 0.001], (0, 1, 1))
-    written = patch(PAIR + third + MD + "M17\n", TWO, {"cec": "available", "cec_tables": [7, 4, 2], "cec_sign": "correction"})
+    written = patch(
+        PAIR + third + MD + "M17\n",
+        TWO,
+        {"cec": "available", "cec_tables": [7, 4, 2], "cec_sign": "correction"},
+    )
     assert "$AN_CEC[2,0]=0.0000000" in written["A.INI"]
     assert "$AN_CEC[7,2]=-0.0065000" in written["A.INI"]
 
@@ -436,7 +543,12 @@ def test_two_axes_take_tables_apart_from_each_other() -> None:
     assert "$AN_CEC_OUTPUT_AXIS[2]=(AX1)" in written["AX1_CEC.INI"]
     assert "$AN_CEC_OUTPUT_AXIS[3]=(AX2)" in written["AX2_CEC.INI"]
     with pytest.raises(CapacityError, match=r"axis Y.*2 CEC tables"):
-        write_tables(SIEMENS, [TWO, other], axes, {"cec": "available", "cec_tables": [1, 2, 3], "cec_sign": "correction"})
+        write_tables(
+            SIEMENS,
+            [TWO, other],
+            axes,
+            {"cec": "available", "cec_tables": [1, 2, 3], "cec_sign": "correction"},
+        )
 
 
 def test_a_sum_that_is_switched_off_is_not_switched_on_for_others_tables() -> None:
@@ -459,16 +571,21 @@ def test_the_card_names_the_tables_and_the_check_of_the_sign() -> None:
         "racks the bridge",
     ):
         assert words in text
-    single = "\n".join(step.text for step in card_steps(SIEMENS, axis, card_values(SIEMENS, axis, ONE, CEC, {})))
+    single = "\n".join(
+        step.text for step in card_steps(SIEMENS, axis, card_values(SIEMENS, axis, ONE, CEC, {}))
+    )
     assert "AX1_EEC.INI" in single
     assert "MD18342 $MN" not in single
 
 
-# Tables between axes -----------------------------------------------------------------------------------------------------------
+# Tables between axes
+# --------------------------------------------------------------------------------------------------
 
 
 def cross(
-    positive: Sequence[float], negative: Sequence[float] | None = None, axes: tuple[str, str] = ("AX1", "AX2")
+    positive: Sequence[float],
+    negative: Sequence[float] | None = None,
+    axes: tuple[str, str] = ("AX1", "AX2"),
 ) -> CrossCompensation:
     return CrossCompensation(
         input=axes[0],
@@ -483,7 +600,11 @@ def cross(
 
 def test_squareness_is_a_ramp_of_two_points() -> None:
     # beta = -20 um/m: AX2 has to move by -0.016 mm while AX1 goes 800 mm
-    (file,) = write_cross(SIEMENS, [cross([0.0, -0.016])], {"cec": "available", "cec_tables": [0], "cec_sign": "correction"})
+    (file,) = write_cross(
+        SIEMENS,
+        [cross([0.0, -0.016])],
+        {"cec": "available", "cec_tables": [0], "cec_sign": "correction"},
+    )
     assert file.name == "AX2_CROSS.INI"
     body = [line for line in file.content.decode().splitlines() if line.startswith("$")]
     assert body == [
@@ -514,14 +635,26 @@ def test_straightness_by_direction_takes_a_pair_of_free_tables_and_adds_up() -> 
     assert total.at(np.array([400.0]), POSITIVE) == pytest.approx([-0.008 + 0.003], abs=EXACT)
     assert total.at(np.array([400.0]), NEGATIVE) == pytest.approx([-0.008 + 0.004], abs=EXACT)
     with pytest.raises(CapacityError, match=r"AX1 on AX2.*2 CEC tables"):
-        write_cross(SIEMENS, [bow], {"cec": "available", "cec_tables": [0, 4, 5], "cec_sign": "correction"}, state, given)
+        write_cross(
+            SIEMENS,
+            [bow],
+            {"cec": "available", "cec_tables": [0, 4, 5], "cec_sign": "correction"},
+            state,
+            given,
+        )
 
 
 def test_reserved_memory_takes_cross_tables_too() -> None:
-    given = files(A__INI=cec(3, [0.0], (0, 0, 0), ("AX1", "AX1")) + MD + "$MA_CEC_ENABLE[AX2]=0\nM17\n")
+    given = files(
+        A__INI=cec(3, [0.0], (0, 0, 0), ("AX1", "AX1")) + MD + "$MA_CEC_ENABLE[AX2]=0\nM17\n"
+    )
     state = read_state(SIEMENS, given, {"cec_sign": "correction"})
     (file,) = write_cross(
-        SIEMENS, [cross([0.0, -0.016])], {"cec": "available", "cec_tables": [3], "cec_sign": "correction"}, state, given
+        SIEMENS,
+        [cross([0.0, -0.016])],
+        {"cec": "available", "cec_tables": [3], "cec_sign": "correction"},
+        state,
+        given,
     )
     assert "$AN_CEC[3,1]=-0.0160000" in file.content.decode()
     assert "$MA_CEC_ENABLE[AX2]=1" in file.content.decode()
@@ -531,7 +664,10 @@ def test_reserved_memory_takes_cross_tables_too() -> None:
 @pytest.mark.parametrize(
     ("entry", "says"),
     [
-        (replace(cross([0.0, 0.1]), below="zero", positive=np.array([0.1, 0.1])), "holds the end value"),
+        (
+            replace(cross([0.0, 0.1]), below="zero", positive=np.array([0.1, 0.1])),
+            "holds the end value",
+        ),
         (replace(cross([0.0, 0.1]), positive=np.array([0.0])), "two points"),
         (replace(cross([0.0, 0.1]), positive=np.array([0.0, np.nan])), "not finite"),
         (replace(cross([0.0, 0.1]), positions=np.array([5.0, 5.0])), "ascend"),
@@ -542,9 +678,15 @@ def test_reserved_memory_takes_cross_tables_too() -> None:
         (replace(cross([0.0, 0.0]), period=700.0), "one period"),
     ],
 )
-def test_cross_tables_that_no_control_holds_are_refused(entry: CrossCompensation, says: str) -> None:
+def test_cross_tables_that_no_control_holds_are_refused(
+    entry: CrossCompensation, says: str
+) -> None:
     with pytest.raises(CapacityError, match=says):
-        write_cross(SIEMENS, [entry], {"cec": "available", "cec_tables": [0, 1, 2], "cec_sign": "correction"})
+        write_cross(
+            SIEMENS,
+            [entry],
+            {"cec": "available", "cec_tables": [0, 1, 2], "cec_sign": "correction"},
+        )
 
 
 def test_cross_tables_need_the_option_free_memory_and_room() -> None:
@@ -552,7 +694,9 @@ def test_cross_tables_need_the_option_free_memory_and_room() -> None:
         write_cross(SIEMENS, [cross([0.0, 0.1])], {})
     with pytest.raises(UsageError, match="over itself"):
         write_cross(
-            SIEMENS, [cross([0.0, 0.1], axes=("AX1", "ax1"))], {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}
+            SIEMENS,
+            [cross([0.0, 0.1], axes=("AX1", "ax1"))],
+            {"cec": "available", "cec_tables": [0], "cec_sign": "correction"},
         )
     given = files(
         A__INI=f"{RAMP}$MA_CEC_ENABLE[AX2]=1\n$MA_CEC_MAX_SUM[AX2]=0.02\n$MN_MM_CEC_MAX_POINTS[1]=2\n$MA_BACKLASH[0,AX2]=0\nM17\n"
@@ -583,12 +727,15 @@ def test_a_definition_without_such_tables_holds_none() -> None:
         write_cross(LINUXCNC, [cross([0.0, 0.1])], {})
 
 
-# Both readers ------------------------------------------------------------------------------------------------------------------
+# Both readers
+# --------------------------------------------------------------------------------------------------
 
 
 @st.composite
 def sag(draw: st.DrawFn) -> str:
-    text = MD + draw(st.sampled_from(["", EEC, "$MA_CEC_ENABLE[AX1]=0\n", "$MA_CEC_ENABLE[AX2]=1\n"]))
+    text = MD + draw(
+        st.sampled_from(["", EEC, "$MA_CEC_ENABLE[AX1]=0\n", "$MA_CEC_ENABLE[AX2]=1\n"])
+    )
     for index in draw(st.lists(st.integers(0, 9), unique=True, max_size=4)):
         count = draw(st.integers(2, 5))
         values = draw(st.lists(st.integers(-9999, 9999), min_size=count, max_size=count))
@@ -598,8 +745,19 @@ def sag(draw: st.DrawFn) -> str:
         start, step = draw(st.integers(-500, 500)), draw(st.integers(1, 200))
         axes = draw(st.sampled_from([("AX1", "AX1"), ("AX1", "AX2"), ("AX2", "AX1")]))
         grid = (float(start), float(step), float(start + step * (count - 1)))
-        text += cec(index, [v / 1e6 for v in values], grid, axes, draw(st.sampled_from([-1, 0, 1])), IS_MODULO=int(modulo))
-        text += draw(st.sampled_from(["", f"$SN_CEC_TABLE_ENABLE[{index}]=0\n", f"$SN_CEC_TABLE_WEIGHT[{index}]=-0.5\n"]))
+        text += cec(
+            index,
+            [v / 1e6 for v in values],
+            grid,
+            axes,
+            draw(st.sampled_from([-1, 0, 1])),
+            IS_MODULO=int(modulo),
+        )
+        text += draw(
+            st.sampled_from(
+                ["", f"$SN_CEC_TABLE_ENABLE[{index}]=0\n", f"$SN_CEC_TABLE_WEIGHT[{index}]=-0.5\n"]
+            )
+        )
     return text
 
 
@@ -615,7 +773,12 @@ def test_damaged_tables_are_refused_or_agreed_on(data: st.DataObject) -> None:
     content = (PAIR + RAMP + MD + "M17\n").encode()
     for _ in range(data.draw(st.integers(1, 3))):
         place = data.draw(st.integers(0, len(content)))
-        piece = data.draw(st.one_of(st.binary(max_size=4), st.sampled_from([b"\n", b"'", b"(", b"-1", b"$AN_CEC", b"9" * 16])))
+        piece = data.draw(
+            st.one_of(
+                st.binary(max_size=4),
+                st.sampled_from([b"\n", b"'", b"(", b"-1", b"$AN_CEC", b"9" * 16]),
+            )
+        )
         content = content[:place] + piece + content[place + data.draw(st.integers(0, 10)) :]
     try:
         state = read_state(SIEMENS, [ControlFile("A.INI", content)], {"cec_sign": "correction"})
@@ -629,7 +792,9 @@ def test_a_difference_between_the_readers_is_found(monkeypatch: pytest.MonkeyPat
     given = files(A__INI=RAMP + MD)
     agreed(given)
 
-    def a_micrometre_off(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
+    def a_micrometre_off(
+        cec: Cec, kind: Callable[[str], AxisKind]
+    ) -> tuple[CrossCompensation, ...]:
         return tuple(replace(one, positive=one.positive + 1e-3) for one in cross_tables(cec, kind))
 
     def none(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
@@ -638,7 +803,11 @@ def test_a_difference_between_the_readers_is_found(monkeypatch: pytest.MonkeyPat
     def another(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
         return tuple(replace(one, output="AX3") for one in cross_tables(cec, kind))
 
-    for wrong, says in ((a_micrometre_off, "do not agree"), (none, "do not agree"), (another, "different tables")):
+    for wrong, says in (
+        (a_micrometre_off, "do not agree"),
+        (none, "do not agree"),
+        (another, "different tables"),
+    ):
         monkeypatch.setattr("compwright.formats.reading.cross_tables", wrong)
         with pytest.raises(CompwrightError, match=says):
             agreed(given)

@@ -1,4 +1,6 @@
-"""A table on one axis of a gantry alone racks the bridge: the card of every control names the other axis and its numbers."""
+"""A table on one axis of a gantry alone racks the bridge: the card of every control names the other
+axis and its numbers.
+"""
 
 from __future__ import annotations
 
@@ -17,18 +19,23 @@ MACHINE = Machine()
     [
         ("linuxcnc", "0", "1", "{}", ["joint_0.ini", "joint_1.ini", "JOINT_"]),
         ("fanuc-30i", "1", "5", "{detection_unit: 0.001, first_point: 1}", ["axis 5"]),
-        # V is the second axis of the letters UVW, which have no place among X, Y, Z, A, B, C: its bit is nobody's guess
+        # V is the second axis of the letters UVW, which have no place among X, Y, Z, A, B, C: its
+        # bit is nobody's guess
         ("heidenhain-itnc530", "X", "Y", "{}", ["entry_X.csv", "entry_Y.csv", "MP710"]),
         ("heidenhain-nck", "X", "V", "{}", ["entry_X.csv", "entry_V.csv"]),
         ("siemens-840d-sl", "AX1", "AX5", "{}", ["synchronised axis AX5"]),
     ],
 )
-def test_the_card_names_both_axes(tmp_path: Path, control: str, address: str, partner: str, options: str, words: list[str]) -> None:
+def test_the_card_names_both_axes(
+    tmp_path: Path, control: str, address: str, partner: str, options: str, words: list[str]
+) -> None:
     targets = MACHINE.targets()
     (tmp_path / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
     (tmp_path / "job.yaml").write_text(
-        f"compwright: 1\ncontroller: {{format: {control}, options: {options}}}\nstates: {{as_found: none}}\n"
-        f'axes:\n  X: {{travel: [0, 800], address: "{address}", gantry: "{partner}", before: [x.csv]}}\n'
+        f"compwright: 1\ncontroller: {{format: {control}, options: {options}}}\nstates: {{as_found:"
+        " none}\n"
+        f'axes:\n  X: {{travel: [0, 800], address: "{address}", gantry: "{partner}", before:'
+        " [x.csv]}\n"
     )
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
     card = (tmp_path / "job" / "card" / "card.md").read_text(encoding="utf-8")
@@ -40,7 +47,9 @@ def test_the_card_names_both_axes(tmp_path: Path, control: str, address: str, pa
 
 
 def test_the_number_of_the_leading_axis_is_not_that_of_the_other(tmp_path: Path) -> None:
-    """MP710 and the bit of MP730 count axes: with X as axis 1, Y is axis 2, index and bit 1 (TNC 426/430 p366: MP710.1-8)."""
+    """MP710 and the bit of MP730 count axes: with X as axis 1, Y is axis 2, index and bit 1 (TNC
+    426/430 p366: MP710.1-8).
+    """
     targets = MACHINE.targets()
     (tmp_path / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
     (tmp_path / "job.yaml").write_text(

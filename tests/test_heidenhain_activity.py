@@ -1,7 +1,9 @@
-"""HEIDENHAIN: whether the table in the control acted while the axis was measured is read, or asked for; never taken for granted.
+"""HEIDENHAIN: whether the table in the control acted while the axis was measured is read, or asked
+for; never taken for granted.
 
-A table acts where the bit of its axis in MP730 is 1 (TNC 407 technical manual p151), on NCK controls where `*` marks the line
-of the .CMA that names it (MANUALplus 620 p718). A table alone says neither.
+A table acts where the bit of its axis in MP730 is 1 (TNC 407 technical manual p151), on NCK
+controls where `*` marks the line of the .CMA that names it (MANUALplus 620 p718). A table alone
+says neither.
 """
 
 from __future__ import annotations
@@ -27,14 +29,23 @@ PLAY = "# axis: X\n# value: error\npoint,position,value,unit\n{},,0.0000,mm\n"
 
 def table(control: str, values: Floats) -> str:
     if control == NCK:
-        rows = "".join(f"{k:<4d}{x:<+11.4f}{value:+.4f}\n" for k, (x, value) in enumerate(zip(NODES, values, strict=True)))
+        rows = "".join(
+            f"{k:<4d}{x:<+11.4f}{value:+.4f}\n"
+            for k, (x, value) in enumerate(zip(NODES, values, strict=True))
+        )
         return f"BEGIN X.COM MM\nNR  AXISPOS    X\n{rows}[END]\n"
     rows = "".join(f"{k:<5d}{value:+.4f}\n" for k, value in enumerate(values))
-    return f"BEGIN X      .COM MM DATUM:-50 DIST:50\nNR   1=F()     2=F()\n{rows}END   X      .COM\n"
+    return (
+        f"BEGIN X      .COM MM DATUM:-50 DIST:50\nNR   1=F()     2=F()\n{rows}END   X      .COM\n"
+    )
 
 
 def run_without_backlash(
-    folder: Path, control: str, answer: str = "", values: Floats = OLD, files: dict[str, str] | None = None
+    folder: Path,
+    control: str,
+    answer: str = "",
+    values: Floats = OLD,
+    files: dict[str, str] | None = None,
 ) -> int:
     targets = MACHINE.targets()
     (folder / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
@@ -45,13 +56,20 @@ def run_without_backlash(
         (folder / names.get(key, key)).write_text(text)
     given = ", ".join(["X.COM", *(names.get(key, key) for key in files)])
     (folder / "job.yaml").write_text(
-        f"compwright: 1\ncontroller: {{format: {control}}}\nstates: {{as_found: {{files: [{given}]{answer}}}}}\n"
-        "axes:\n  X: {travel: [0, 800], before: [x.csv], table: {start: -50, end: 850, spacing: 50}}\n"
+        f"compwright: 1\ncontroller: {{format: {control}}}\nstates: {{as_found: {{files:"
+        f" [{given}]{answer}}}}}\naxes:\n  X: {{travel: [0, 800], before: [x.csv], table: {{start:"
+        " -50, end: 850, spacing: 50}}\n"
     )
     return compwright(["run", str(folder / "job.yaml"), "--force"])
 
 
-def run(folder: Path, control: str, answer: str = "", values: Floats = OLD, files: dict[str, str] | None = None) -> int:
+def run(
+    folder: Path,
+    control: str,
+    answer: str = "",
+    values: Floats = OLD,
+    files: dict[str, str] | None = None,
+) -> int:
     """The same with a backlash of 0 in the files, where no other is."""
     files = dict(files or {})
     if "MP710" not in files.get("mp", ""):
@@ -71,7 +89,9 @@ def without_answer(control: str) -> list[dict[str, str]]:
 
 
 @pytest.mark.parametrize("control", [ITNC, NCK])
-def test_files_that_leave_it_open_are_asked_about(tmp_path: Path, control: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_files_that_leave_it_open_are_asked_about(
+    tmp_path: Path, control: str, capsys: pytest.CaptureFixture[str]
+) -> None:
     for files in without_answer(control):
         assert run(tmp_path, control, files=files) == 2
         said = capsys.readouterr().err
@@ -82,19 +102,27 @@ def test_files_that_leave_it_open_are_asked_about(tmp_path: Path, control: str, 
 
 @pytest.mark.parametrize("control", [ITNC, NCK])
 def test_the_answer_decides_what_the_new_table_holds(tmp_path: Path, control: str) -> None:
-    """With one measurement, the total of a table that acted is larger by just that table (its zero at the reference, 0 mm)."""
+    """With one measurement, the total of a table that acted is larger by just that table (its zero
+    at the reference, 0 mm).
+    """
     assert run(tmp_path, control, ", active: no") == 0
     slept = errors(tmp_path, control)
     assert run(tmp_path, control, ", active: yes") == 0
     acted = errors(tmp_path, control)
     inside = (NODES >= 0) & (NODES <= 800)
-    np.testing.assert_allclose((acted - slept)[inside], OLD[inside], atol=2.01e-4)  # mm: two roundings to 0.0001
+    np.testing.assert_allclose(
+        (acted - slept)[inside], OLD[inside], atol=2.01e-4
+    )  # mm: two roundings to 0.0001
 
 
 @pytest.mark.parametrize(
-    ("control", "files"), [(ITNC, {"mp": "MP710.0 : 0.0\nMP730 : %00001\n"}), (NCK, {"cma": STAR})], ids=["bit", "star"]
+    ("control", "files"),
+    [(ITNC, {"mp": "MP710.0 : 0.0\nMP730 : %00001\n"}), (NCK, {"cma": STAR})],
+    ids=["bit", "star"],
 )
-def test_files_that_say_it_need_no_answer_and_bear_no_other(tmp_path: Path, control: str, files: dict[str, str]) -> None:
+def test_files_that_say_it_need_no_answer_and_bear_no_other(
+    tmp_path: Path, control: str, files: dict[str, str]
+) -> None:
     assert run(tmp_path, control, files=files) == 0
     assert run(tmp_path, control, ", active: no", files=files) == 2
 
@@ -111,7 +139,9 @@ def test_a_table_of_zeros_asks_nothing(tmp_path: Path, control: str) -> None:
     assert run(tmp_path, control, values=0 * OLD) == 0
 
 
-def test_a_slope_that_no_file_says_is_named_where_it_would_act(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_slope_that_no_file_says_is_named_where_it_would_act(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert run(tmp_path, ITNC, files={"mp": "MP710.0 : 0.0\nMP730 : %00000\n"}) == 0
     assert "MP720 is not in the files" in capsys.readouterr().out
 
@@ -120,9 +150,13 @@ def test_a_slope_that_no_file_says_is_named_where_it_would_act(tmp_path: Path, c
 def test_a_backlash_that_is_written_over_is_asked_for(
     tmp_path: Path, control: str, name: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """A value that stands in the control is part of what was measured with; written over unseen, it is lost from the total."""
+    """A value that stands in the control is part of what was measured with; written over unseen, it
+    is lost from the total.
+    """
     files = {"cma": STAR} if control == NCK else {"mp": "MP730 : %00001\n"}
     assert run_without_backlash(tmp_path, control, files=files) == 2
     assert f"axis X (X): {name} is in no file of the state" in capsys.readouterr().err
     assert not (tmp_path / "job" / "tables").exists()
-    assert run_without_backlash(tmp_path, control, files={**files, "play.csv": PLAY.format(name)}) == 0
+    assert (
+        run_without_backlash(tmp_path, control, files={**files, "play.csv": PLAY.format(name)}) == 0
+    )

@@ -1,4 +1,6 @@
-"""HEIDENHAIN: a rotary axis with ends. Of its table only 0 to 360 degrees are used (TNC 407 technical manual p156)."""
+"""HEIDENHAIN: a rotary axis with ends. Of its table only 0 to 360 degrees are used (TNC 407
+technical manual p156).
+"""
 
 from __future__ import annotations
 
@@ -29,7 +31,9 @@ def run(folder: Path, control: str, low: float, high: float) -> int:
 
 @pytest.mark.parametrize("control", ["heidenhain-itnc530", "heidenhain-nck"])
 @pytest.mark.parametrize(("low", "high"), [(0.0, 360.0), (0.0, 350.0), (5.0, 340.0)])
-def test_a_travel_within_the_turn_gets_a_table_within_it(tmp_path: Path, control: str, low: float, high: float) -> None:
+def test_a_travel_within_the_turn_gets_a_table_within_it(
+    tmp_path: Path, control: str, low: float, high: float
+) -> None:
     assert run(tmp_path, control, low, high) == 0
     sheet = (tmp_path / "job" / "tables" / control / "entry_C.csv").read_text()
     nodes = [float(line.split(",")[1]) for line in sheet.splitlines() if line[:1].isdigit()]

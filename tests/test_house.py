@@ -1,7 +1,8 @@
-"""The house rules that no single test sees: who may import whom, who touches the disk, what start-up loads, finding codes.
+"""The house rules that no single test sees: who may import whom, who touches the disk, what
+start-up loads, finding codes.
 
-Everything is read from the syntax trees of ``src/compwright``; the table of edges repeats ``docs/architecture.md`` on
-purpose, and a test compares the two.
+Everything is read from the syntax trees of ``src/compwright``; the table of edges repeats
+``docs/architecture.md`` on purpose, and a test compares the two.
 """
 
 from __future__ import annotations
@@ -23,7 +24,17 @@ from places import PROJECT
 
 SOURCE = PROJECT / "src" / "compwright"
 ROOMS = (
-    *("foundations", "records", "instruments", "evaluation", "estimation", "fitting", "formats", "controllers", "prediction"),
+    *(
+        "foundations",
+        "records",
+        "instruments",
+        "evaluation",
+        "estimation",
+        "fitting",
+        "formats",
+        "controllers",
+        "prediction",
+    ),
     *("verification", "simulation", "documents", "reporting", "jobs", "workflow"),
 )
 MAY_IMPORT: dict[str, set[str]] = {
@@ -47,7 +58,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "__init__": set(),
 }
 
-#: Packages of others -> rooms that may import them anywhere. What is not listed here needs an entry, and so a thought.
+#: Packages of others -> rooms that may import them anywhere. What is not listed here needs an
+#: entry, and so a thought.
 OTHERS: dict[str, set[str]] = {
     "numpy": set(ROOMS) - {"foundations", "jobs"},
     "scipy": {"fitting", "estimation"},
@@ -65,11 +77,37 @@ SLOW_TO_IMPORT = {"scipy", "osqp", "cvxpy", "matplotlib", "pydantic", "rich", "j
 
 # What reaches the file system, other programs or the network.
 REACHING_MODULES = {
-    *("os", "shutil", "tempfile", "glob", "fileinput", "subprocess", "socket", "ssl", "http", "ftplib", "sqlite3", "dbm", "shelve"),
+    *(
+        "os",
+        "shutil",
+        "tempfile",
+        "glob",
+        "fileinput",
+        "subprocess",
+        "socket",
+        "ssl",
+        "http",
+        "ftplib",
+        "sqlite3",
+        "dbm",
+        "shelve",
+    ),
     *("urllib.request", "webbrowser", "mmap", "fcntl", "multiprocessing", "requests", "linecache"),
 }
 REACHING_CALLS = {
-    *("read_text", "read_bytes", "write_text", "write_bytes", "mkdir", "rmdir", "unlink", "touch", "rename", "exists", "is_file"),
+    *(
+        "read_text",
+        "read_bytes",
+        "write_text",
+        "write_bytes",
+        "mkdir",
+        "rmdir",
+        "unlink",
+        "touch",
+        "rename",
+        "exists",
+        "is_file",
+    ),
     *(
         "is_dir",
         "is_symlink",
@@ -90,7 +128,9 @@ REACHING_CALLS = {
 
 @dataclass(frozen=True, slots=True)
 class Import:
-    """One imported name: by which module (dotted, without compwright), from where, and whether when that module is loaded."""
+    """One imported name: by which module (dotted, without compwright), from where, and whether when
+    that module is loaded.
+    """
 
     by: str
     target: str
@@ -103,7 +143,10 @@ class Import:
         return self.by.partition(".")[0]
 
     def __str__(self) -> str:
-        return f"{self.by} line {self.line} imports {self.target}{f'.{self.name}' if self.name else ''}"
+        return (
+            f"{self.by} line {self.line} imports"
+            f" {self.target}{f'.{self.name}' if self.name else ''}"
+        )
 
 
 @cache
@@ -157,7 +200,9 @@ def test_table_of_edges_is_that_of_the_page() -> None:
     for room, allowed in rows:
         words = set() if "nothing" in allowed else {word.strip() for word in allowed.split(",")}
         by_page[room.removesuffix(".py")] = set(ROOMS) - {room} if words == {"all"} else words
-    assert by_page == {room: allowed for room, allowed in MAY_IMPORT.items() if not room.startswith("__")}
+    assert by_page == {
+        room: allowed for room, allowed in MAY_IMPORT.items() if not room.startswith("__")
+    }
 
 
 def test_rooms_import_only_what_the_table_allows() -> None:
@@ -166,7 +211,11 @@ def test_rooms_import_only_what_the_table_allows() -> None:
         target = inside(found)
         room = (target or "").partition(".")[0]
         # the version in compwright/__init__.py is everybody's
-        if target is None or room in ("", found.room) or (target == "__init__" and found.name == "__version__"):
+        if (
+            target is None
+            or room in ("", found.room)
+            or (target == "__init__" and found.name == "__version__")
+        ):
             continue
         if room not in MAY_IMPORT[found.room]:
             wrong.append(str(found))
@@ -186,14 +235,22 @@ def test_packages_of_others_are_imported_only_where_they_belong() -> None:
 
 def test_estimation_uses_of_scipy_only_linear_algebra_and_minimisers() -> None:
     targets = {
-        found.target if found.target != "scipy" else f"scipy.{found.name}" for found in all_imports() if found.room == "estimation"
+        found.target if found.target != "scipy" else f"scipy.{found.name}"
+        for found in all_imports()
+        if found.room == "estimation"
     }
-    parts = {".".join(target.split(".")[:2]) for target in targets if target.partition(".")[0] == "scipy"}
+    parts = {
+        ".".join(target.split(".")[:2]) for target in targets if target.partition(".")[0] == "scipy"
+    }
     assert parts <= {"scipy.linalg", "scipy.optimize"}
 
 
 def test_modules_by_name_are_imported_only_for_the_report_extra() -> None:
-    users = {found.by for found in all_imports() if found.target.partition(".")[0] in ("importlib", "pkgutil", "runpy")}
+    users = {
+        found.by
+        for found in all_imports()
+        if found.target.partition(".")[0] in ("importlib", "pkgutil", "runpy")
+    }
     assert users <= {"reporting.extra"}
 
 
@@ -203,7 +260,8 @@ def test_no_import_cycles() -> None:
         target = inside(found)
         if target is not None and target in edges and target != found.by:
             edges[found.by].add(target)
-    # an import of a package's own __init__ by a module inside it is how packages work, not a cycle of meaning
+    # an import of a package's own __init__ by a module inside it is how packages work, not a cycle
+    # of meaning
     finished: set[str] = set()
 
     def visit(name: str, way: tuple[str, ...]) -> None:
@@ -227,24 +285,44 @@ def test_only_storage_reaches_the_file_system() -> None:
             if isinstance(node, ast.Call):
                 wrong += [f"{name} line {node.lineno}: {call}" for call in reaching(node.func)]
     for found in all_imports():
-        environment = found.by == "foundations.processors" and found.target == "os"  # for os.environ alone, see the next lines
+        environment = (
+            found.by == "foundations.processors" and found.target == "os"
+        )  # for os.environ alone, see the next lines
         if found.by != "foundations.storage" and not environment and reached(found):
             wrong.append(str(found))
-    uses = {node.attr for node in ast.walk(trees().get("foundations.processors", ast.Module([], []))) if is_of_os(node)}
+    uses = {
+        node.attr
+        for node in ast.walk(trees().get("foundations.processors", ast.Module([], [])))
+        if is_of_os(node)
+    }
     assert uses <= {"environ"}
     assert wrong == []
 
 
 def reached(found: Import) -> bool:
-    return bool({found.target, found.target.partition(".")[0], f"{found.target}.{found.name}"} & REACHING_MODULES)
+    return bool(
+        {found.target, found.target.partition(".")[0], f"{found.target}.{found.name}"}
+        & REACHING_MODULES
+    )
 
 
 def is_of_os(node: ast.AST) -> TypeGuard[ast.Attribute]:
-    return isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == "os"
+    return (
+        isinstance(node, ast.Attribute)
+        and isinstance(node.value, ast.Name)
+        and node.value.id == "os"
+    )
 
 
 def reaching(function: ast.expr) -> Iterator[str]:
-    if isinstance(function, ast.Name) and function.id in ("open", "exec", "eval", "__import__", "input", "print"):
+    if isinstance(function, ast.Name) and function.id in (
+        "open",
+        "exec",
+        "eval",
+        "__import__",
+        "input",
+        "print",
+    ):
         yield function.id
     if isinstance(function, ast.Attribute) and function.attr in REACHING_CALLS:
         owner = function.value
@@ -258,16 +336,24 @@ def test_only_workflow_calls_storage() -> None:
 
 
 def test_judge_shares_nothing_with_the_judged() -> None:
-    """``controllers`` know bytes and assumptions, not the records that the writing side computes with."""
+    """``controllers`` know bytes and assumptions, not the records that the writing side computes
+    with.
+    """
     allowed = {"ControlFile", "Assumption"}
     wrong = [
         str(found)
         for found in all_imports()
-        if found.room == "controllers" and inside(found) == "records.correction" and found.name not in allowed
+        if found.room == "controllers"
+        and inside(found) == "records.correction"
+        and found.name not in allowed
     ]
     assert wrong == []
     for one, other in (("controllers", "formats"), ("formats", "controllers")):
-        assert [str(f) for f in all_imports() if f.room == one and (inside(f) or "").partition(".")[0] == other] == []
+        assert [
+            str(f)
+            for f in all_imports()
+            if f.room == one and (inside(f) or "").partition(".")[0] == other
+        ] == []
 
 
 def test_starting_loads_nothing_slow_by_the_source() -> None:
@@ -284,7 +370,9 @@ def test_starting_loads_nothing_slow_by_the_source() -> None:
         if name in loaded or name not in by_module:
             continue
         loaded.add(name)
-        waiting += [".".join(name.split(".")[:count]) for count in range(1, name.count(".") + 1)]  # packages above
+        waiting += [
+            ".".join(name.split(".")[:count]) for count in range(1, name.count(".") + 1)
+        ]  # packages above
         for found in by_module[name]:
             target = inside(found)
             if target is not None:
@@ -295,7 +383,9 @@ def test_starting_loads_nothing_slow_by_the_source() -> None:
 
 
 def loaded_by(*arguments: str) -> set[str]:
-    """Return the top-level packages that a fresh interpreter has loaded after running compwright with ``arguments``."""
+    """Return the top-level packages that a fresh interpreter has loaded after running compwright
+    with ``arguments``.
+    """
     command = [sys.executable, "-X", "importtime", "-m", "compwright", *arguments]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=600)
     assert done.returncode in (0, 1), done.stderr[-2000:]
@@ -352,11 +442,17 @@ FAMILIES = {
 
 @cache
 def codes() -> dict[str, set[str]]:
-    """Return each finding code that stands alone in a text of the source -> modules in which it stands."""
+    """Return each finding code that stands alone in a text of the source -> modules in which it
+    stands.
+    """
     found: dict[str, set[str]] = {}
     for name, tree in trees().items():
         for node in ast.walk(tree):
-            if isinstance(node, ast.Constant) and isinstance(node.value, str) and CODE.fullmatch(node.value):
+            if (
+                isinstance(node, ast.Constant)
+                and isinstance(node.value, str)
+                and CODE.fullmatch(node.value)
+            ):
                 found.setdefault(node.value, set()).add(name)
     return found
 
@@ -371,10 +467,21 @@ def made() -> dict[str, set[str]]:
             called = ast.unparse(node.func).split(".")[-1] if isinstance(node, ast.Call) else ""
             if not isinstance(node, ast.Call) or called not in ("Finding", "find"):
                 continue
-            for word in (*node.args[:1], *(word.value for word in node.keywords if word.arg == "code")):
-                code = constants.get(word.id) if isinstance(word, ast.Name) else getattr(word, "value", None)
-                if isinstance(code, str) and (called == "Finding" or CODE.fullmatch(code)):  # str.find is no finding
-                    assert CODE.fullmatch(code), f"{name} line {node.lineno}: {code!r} is no finding code"
+            for word in (
+                *node.args[:1],
+                *(word.value for word in node.keywords if word.arg == "code"),
+            ):
+                code = (
+                    constants.get(word.id)
+                    if isinstance(word, ast.Name)
+                    else getattr(word, "value", None)
+                )
+                if isinstance(code, str) and (
+                    called == "Finding" or CODE.fullmatch(code)
+                ):  # str.find is no finding
+                    assert CODE.fullmatch(code), (
+                        f"{name} line {node.lineno}: {code!r} is no finding code"
+                    )
                     found.setdefault(code, set()).add(name)
     return found
 
@@ -382,9 +489,21 @@ def made() -> dict[str, set[str]]:
 def constants_of(tree: ast.Module) -> Iterator[tuple[str, object]]:
     """Yield name and value of the constants at the top of a module."""
     for node in tree.body:
-        targets = node.targets if isinstance(node, ast.Assign) else [node.target] if isinstance(node, ast.AnnAssign) else []
-        if targets and isinstance(node, ast.Assign | ast.AnnAssign) and isinstance(node.value, ast.Constant):
-            yield from ((target.id, node.value.value) for target in targets if isinstance(target, ast.Name))
+        targets = (
+            node.targets
+            if isinstance(node, ast.Assign)
+            else [node.target]
+            if isinstance(node, ast.AnnAssign)
+            else []
+        )
+        if (
+            targets
+            and isinstance(node, ast.Assign | ast.AnnAssign)
+            and isinstance(node.value, ast.Constant)
+        ):
+            yield from (
+                (target.id, node.value.value) for target in targets if isinstance(target, ast.Name)
+            )
 
 
 def listed() -> Counter[str]:

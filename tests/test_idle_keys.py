@@ -15,7 +15,10 @@ from compwright.workflow.idle_keys import without_effect
         ("linuxcnc", ["encoder.system: 2", "axis_number: 3"]),
         ("fanuc-30i", ["encoder.system: 2", "axis_number: 3"]),
         ("heidenhain-nck", ["encoder.system: 2", "axis_number: 3"]),
-        ("heidenhain-itnc530", ["encoder.system: 2"]),  # its columns and parameters have the number of the axis
+        (
+            "heidenhain-itnc530",
+            ["encoder.system: 2"],
+        ),  # its columns and parameters have the number of the axis
         ("siemens-840d-sl", ["axis_number: 3"]),  # its lines have the index of the measuring system
     ],
 )
@@ -26,5 +29,7 @@ def test_keys_without_effect_are_named(control: str, idle: list[str]) -> None:
     )
     job = read_job(text.encode(), "job.yaml", lambda _: iter(()))
     found = without_effect(job, open_control(control, {}).definition)
-    assert [finding.message for finding in found] == [f"axes.X.{key} has no effect on this control ({control})" for key in idle]
+    assert [finding.message for finding in found] == [
+        f"axes.X.{key} has no effect on this control ({control})" for key in idle
+    ]
     assert {finding.code for finding in found} == {"CW-J020"}

@@ -1,4 +1,6 @@
-"""Measurements that cannot be right: run refuses what is certain, what is possible stands first everywhere, honest ones pass."""
+"""Measurements that cannot be right: run refuses what is certain, what is possible stands first
+everywhere, honest ones pass.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,9 @@ from loop import Floats, Machine, csv_of
 MACHINE = Machine(high=1200.0)
 
 
-def readings(machine: Machine = MACHINE, seed: int = 1, runs: int = 5) -> tuple[Floats, dict[int, Floats]]:
+def readings(
+    machine: Machine = MACHINE, seed: int = 1, runs: int = 5
+) -> tuple[Floats, dict[int, Floats]]:
     targets = machine.targets(count=25)
     return targets, machine.measure(targets, seed, runs=runs)
 
@@ -59,8 +63,12 @@ def test_mm_read_as_um_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert "1000 times too small (mm read as µm)" in said
     assert "x.csv" in said
     assert not (tmp_path / "job").exists()
-    assert compwright(["evaluate", str(tmp_path / "x.csv"), "--json", str(tmp_path / "x.json")]) == 0
-    assert "CW-T030" in {finding["code"] for finding in document(tmp_path / "x.json")["results"][0]["findings"]}
+    assert (
+        compwright(["evaluate", str(tmp_path / "x.csv"), "--json", str(tmp_path / "x.json")]) == 0
+    )
+    assert "CW-T030" in {
+        finding["code"] for finding in document(tmp_path / "x.json")["results"][0]["findings"]
+    }
 
 
 @pytest.mark.parametrize("runs", [1, 5])
@@ -86,8 +94,12 @@ def test_deg_read_as_arcsec_is_refused(tmp_path: Path, capsys: pytest.CaptureFix
     assert "the unit is another one" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(("factor", "unit"), [(25.4, "inches"), (1000.0, "metres"), (0.001, "micrometres")])
-def test_targets_in_another_unit_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], factor: float, unit: str) -> None:
+@pytest.mark.parametrize(
+    ("factor", "unit"), [(25.4, "inches"), (1000.0, "metres"), (0.001, "micrometres")]
+)
+def test_targets_in_another_unit_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], factor: float, unit: str
+) -> None:
     targets, values = readings()
     write(tmp_path / "x.csv", targets / factor, values)
     assert run(tmp_path) == 3
@@ -96,12 +108,18 @@ def test_targets_in_another_unit_are_refused(tmp_path: Path, capsys: pytest.Capt
 
 def test_measured_positions_named_deviations_are_refused(tmp_path: Path) -> None:
     targets, values = readings()
-    write(tmp_path / "x.csv", targets, {sign: block + targets[:, None] for sign, block in values.items()})
+    write(
+        tmp_path / "x.csv",
+        targets,
+        {sign: block + targets[:, None] for sign, block in values.items()},
+    )
     assert run(tmp_path) == 3
 
 
 @pytest.mark.parametrize("how", ["two tests", "two axes", "one test", "renamed"])
-def test_one_measurement_given_twice_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], how: str) -> None:
+def test_one_measurement_given_twice_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], how: str
+) -> None:
     path = write(tmp_path / "x.csv", *readings(), axis="")
     shutil.copy(path, tmp_path / "copy.csv")
     if how == "renamed":  # another comment: other bytes, the same readings
@@ -118,14 +136,19 @@ def test_one_measurement_given_twice_is_refused(tmp_path: Path, capsys: pytest.C
     if how == "two tests":
         words = [str(path), str(tmp_path / "copy.csv"), "--json", str(tmp_path / "e.json")]
         assert compwright(["evaluate", *words]) == 0
-        found = [[entry["code"] for entry in result["findings"]] for result in document(tmp_path / "e.json")["results"]]
+        found = [
+            [entry["code"] for entry in result["findings"]]
+            for result in document(tmp_path / "e.json")["results"]
+        ]
         assert all("CW-T034" in codes for codes in found)
 
 
 # ---------------------------------------------------------------- doubts
 
 
-def test_swapped_directions_stand_first_everywhere(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_swapped_directions_stand_first_everywhere(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """Lost motion of 13 µm with + and - exchanged: a mean reversal of +13 µm."""
     targets, values = readings(replace(MACHINE, lost=0.013))
     write(tmp_path / "x.csv", targets, {1: values[-1], -1: values[1]})
@@ -150,12 +173,18 @@ def test_a_doubt_stands_beside_met_limits(tmp_path: Path) -> None:
     path.write_text(path.read_text().replace("before: [x.csv]", "before: [x.csv], accept: {A: 20}"))
     assert compwright(["run", str(path)]) == 0
     page = (tmp_path / "job" / "report.html").read_text()
-    assert "All limits are predicted to be met, if what is to be settled first turns out well" in page
+    assert (
+        "All limits are predicted to be met, if what is to be settled first turns out well" in page
+    )
 
 
 def test_one_run_copied_is_a_doubt(tmp_path: Path) -> None:
     targets, values = readings(runs=1)
-    write(tmp_path / "x.csv", targets, {sign: np.repeat(block, 5, axis=1) for sign, block in values.items()})
+    write(
+        tmp_path / "x.csv",
+        targets,
+        {sign: np.repeat(block, 5, axis=1) for sign, block in values.items()},
+    )
     assert run(tmp_path) == 0
     assert doubts(tmp_path) == ["CW-T031"]
     message = document(tmp_path / "job" / "prediction.json")["doubts"][0]["message"]
@@ -167,8 +196,12 @@ def test_targets_written_in_inches_are_a_doubt_without_a_travel(tmp_path: Path) 
     targets = np.round(np.arange(1, 25) * 48.0 / 25.4, 4)
     _, values = readings()
     write(tmp_path / "x.csv", targets, {sign: block[:24] for sign, block in values.items()})
-    assert compwright(["evaluate", str(tmp_path / "x.csv"), "--json", str(tmp_path / "x.json")]) == 0
-    assert "CW-T033" in {finding["code"] for finding in document(tmp_path / "x.json")["results"][0]["findings"]}
+    assert (
+        compwright(["evaluate", str(tmp_path / "x.csv"), "--json", str(tmp_path / "x.json")]) == 0
+    )
+    assert "CW-T033" in {
+        finding["code"] for finding in document(tmp_path / "x.json")["results"][0]["findings"]
+    }
 
 
 # ---------------------------------------------------------------- honest tests
@@ -178,7 +211,9 @@ def test_targets_written_in_inches_are_a_doubt_without_a_travel(tmp_path: Path) 
     "machine",
     [
         MACHINE,
-        replace(MACHINE, slope=0.0, bow=0.0003, lost=0.0002, noise=0.00005),  # among the best: A 0.9 µm, noise 0.05 µm
+        replace(
+            MACHINE, slope=0.0, bow=0.0003, lost=0.0002, noise=0.00005
+        ),  # among the best: A 0.9 µm, noise 0.05 µm
         replace(MACHINE, slope=200e-6, bow=0.05, lost=0.04, noise=0.004),  # among the worst
         replace(MACHINE, lost=-0.002),  # backlash over-compensated by 2 µm
         replace(MACHINE, lost=0.0),
@@ -206,30 +241,50 @@ def test_two_axes_with_readings_of_their_own_pass(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("travel", ["[0, 31.5]", "[0, 700]", "[-800, 0]"])
-def test_targets_where_the_axis_cannot_go_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str], travel: str) -> None:
-    """An axis does not leave its travel: the travel is that of another axis, or in inches, or the offset is missing."""
+def test_targets_where_the_axis_cannot_go_are_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], travel: str
+) -> None:
+    """An axis does not leave its travel: the travel is that of another axis, or in inches, or the
+    offset is missing.
+    """
     machine = Machine()
     targets = machine.targets(count=17)
     write(tmp_path / "x.csv", targets, machine.measure(targets, 1))
-    words = ["--format", "linuxcnc", "--axis", "X", f"--travel={travel[1:-1].replace(', ', ':')}", "--state", "none"]
+    words = [
+        "--format",
+        "linuxcnc",
+        "--axis",
+        "X",
+        f"--travel={travel[1:-1].replace(', ', ':')}",
+        "--state",
+        "none",
+    ]
     assert compwright(["run", str(tmp_path / "x.csv"), *words, "--out", str(tmp_path / "out")]) == 3
     assert "travel" in capsys.readouterr().err
     assert not (tmp_path / "out").exists()
 
 
 def test_targets_a_little_outside_the_travel_are_a_doubt(tmp_path: Path) -> None:
-    """12 mm beyond the travel at intervals of 48 mm: a rounded travel perhaps, an offset perhaps."""
+    """12 mm beyond the travel at intervals of 48 mm: a rounded travel perhaps, an offset
+    perhaps.
+    """
     targets, values = readings()
     write(tmp_path / "x.csv", targets - targets[0] - 12.0, values)
     assert run(tmp_path) == 0
     assert "CW-T007" in doubts(tmp_path)
 
 
-def test_a_test_of_another_axis_with_another_zero_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Readings that agree to the last digit but for one constant: one measurement, two zeros of the instrument."""
+def test_a_test_of_another_axis_with_another_zero_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Readings that agree to the last digit but for one constant: one measurement, two zeros of the
+    instrument.
+    """
     targets, values = readings()
     write(tmp_path / "x.csv", targets, values)
-    write(tmp_path / "y.csv", targets, {sign: block + 0.0003 for sign, block in values.items()}, "Y")
+    write(
+        tmp_path / "y.csv", targets, {sign: block + 0.0003 for sign, block in values.items()}, "Y"
+    )
     assert run(tmp_path, axes="  Y: {travel: [0, 1200], address: AX2, before: [y.csv]}\n") == 3
     assert "the same readings twice" in capsys.readouterr().err
 
@@ -245,7 +300,10 @@ def test_a_second_test_that_contradicts_the_first_is_a_doubt(tmp_path: Path, fau
     if fault == "sign":
         fresh = {sign: -block for sign, block in fresh.items()}
     if fault == "corrected":
-        fresh = {sign: block - MACHINE.error(targets, sign)[:, np.newaxis] for sign, block in fresh.items()}
+        fresh = {
+            sign: block - MACHINE.error(targets, sign)[:, np.newaxis]
+            for sign, block in fresh.items()
+        }
     if fault == "directions":
         fresh = {sign: fresh[-sign] for sign in fresh}
     write(tmp_path / "x2.csv", targets / 25.4 if fault == "inches" else targets, fresh)
@@ -255,11 +313,16 @@ def test_a_second_test_that_contradicts_the_first_is_a_doubt(tmp_path: Path, fau
 
 @pytest.mark.parametrize("slope", [-4e-6, 4e-6])
 def test_a_second_test_on_a_warmer_day_is_no_doubt(tmp_path: Path, slope: float) -> None:
-    """4 µm/m, a third of a degree, beside an error of 25 µm/m, at other targets and with another zero."""
+    """4 µm/m, a third of a degree, beside an error of 25 µm/m, at other targets and with another
+    zero.
+    """
     targets, values = readings()
     write(tmp_path / "x.csv", targets, values)
     targets = MACHINE.targets(count=13, seed=8)
-    fresh = {sign: block + slope * targets[:, np.newaxis] for sign, block in MACHINE.measure(targets, 7).items()}
+    fresh = {
+        sign: block + slope * targets[:, np.newaxis]
+        for sign, block in MACHINE.measure(targets, 7).items()
+    }
     write(tmp_path / "x2.csv", targets, fresh)
     assert run(tmp_path, before="[x.csv, x2.csv]") == 0
     assert doubts(tmp_path) == []
@@ -267,10 +330,14 @@ def test_a_second_test_on_a_warmer_day_is_no_doubt(tmp_path: Path, slope: float)
 
 def test_an_endless_axis_may_be_counted_from_anywhere(tmp_path: Path) -> None:
     """Targets from -180 to 150 on a table of 0 to 360: the same places."""
-    targets = np.arange(-180.0, 180.0, 30.0) + np.random.default_rng(2).uniform(-5.0, 5.0, 12).round(1)
+    targets = np.arange(-180.0, 180.0, 30.0) + np.random.default_rng(2).uniform(
+        -5.0, 5.0, 12
+    ).round(1)
     rng = np.random.default_rng(1)
     wave = (8.0 * np.sin(np.radians(targets)))[:, None] / 3600.0
-    values = {sign: wave - sign * 1.5 / 3600.0 + rng.normal(0, 0.3 / 3600.0, (12, 5)) for sign in (1, -1)}
+    values = {
+        sign: wave - sign * 1.5 / 3600.0 + rng.normal(0, 0.3 / 3600.0, (12, 5)) for sign in (1, -1)
+    }
     (tmp_path / "c.csv").write_text(csv_of(targets, values, "C", "deg"))
     path = tmp_path / "job.yaml"
     path.write_text(

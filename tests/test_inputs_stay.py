@@ -1,4 +1,6 @@
-"""With --force too: what a command has read stays as it is, under whatever name, and so does what an earlier run did not write."""
+"""With --force too: what a command has read stays as it is, under whatever name, and so does what
+an earlier run did not write.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +31,11 @@ axes:
 
 
 def tree(folder: Path) -> dict[str, bytes]:
-    return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+    return {
+        str(path.relative_to(folder)): path.read_bytes()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
 
 
 @pytest.fixture(scope="module")
@@ -69,14 +75,41 @@ READ = {
     "evaluate, folder": (["evaluate", "tests", "--json", "tests/x.csv"], "tests/x.csv"),
     "run, job": (["run", "job.yaml", "--json", "job.yaml"], "job.yaml"),
     "run, measurement": (["run", "job.yaml", "--json", "x.csv"], "x.csv"),
-    "new": (["new", "--from", "control", "--format", CONTROL, "--out", "control/AX1_MD.INI"], "control/AX1_MD.INI"),
-    "decode": (["decode", "control", "--format", CONTROL, "--json", "control/AX1_MD.INI"], "control/AX1_MD.INI"),
-    "compare, plan": (["compare", "job/plan.json", "--loaded", "control", "--json", "job/plan.json"], "job/plan.json"),
-    "compare, loaded": (["compare", "job", "--loaded", "control", "--json", "control/AX1_EEC.INI"], "control/AX1_EEC.INI"),
-    "verify, plan": (["verify", "job.yaml", "--after", "after.csv", "--json", "job/plan.json"], "job/plan.json"),
-    "verify, after": (["verify", "job.yaml", "--after", "after.csv", "--json", "after.csv"], "after.csv"),
+    "new": (
+        ["new", "--from", "control", "--format", CONTROL, "--out", "control/AX1_MD.INI"],
+        "control/AX1_MD.INI",
+    ),
+    "decode": (
+        ["decode", "control", "--format", CONTROL, "--json", "control/AX1_MD.INI"],
+        "control/AX1_MD.INI",
+    ),
+    "compare, plan": (
+        ["compare", "job/plan.json", "--loaded", "control", "--json", "job/plan.json"],
+        "job/plan.json",
+    ),
+    "compare, loaded": (
+        ["compare", "job", "--loaded", "control", "--json", "control/AX1_EEC.INI"],
+        "control/AX1_EEC.INI",
+    ),
+    "verify, plan": (
+        ["verify", "job.yaml", "--after", "after.csv", "--json", "job/plan.json"],
+        "job/plan.json",
+    ),
+    "verify, after": (
+        ["verify", "job.yaml", "--after", "after.csv", "--json", "after.csv"],
+        "after.csv",
+    ),
     "verify, loaded": (
-        ["verify", "job.yaml", "--after", "after.csv", "--loaded", "control", "--json", "control/AX1_MD.INI"],
+        [
+            "verify",
+            "job.yaml",
+            "--after",
+            "after.csv",
+            "--loaded",
+            "control",
+            "--json",
+            "control/AX1_MD.INI",
+        ],
         "control/AX1_MD.INI",
     ),
     "export, state": (
@@ -99,7 +132,9 @@ READ = {
 
 
 @pytest.mark.parametrize("case", READ)
-def test_what_was_read_is_not_overwritten(case: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_was_read_is_not_overwritten(
+    case: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     words, name = READ[case]
     (folder / "tests").mkdir()
     (folder / "before").mkdir()
@@ -111,7 +146,9 @@ def test_what_was_read_is_not_overwritten(case: str, folder: Path, capsys: pytes
     if case == "export, state":  # another table than the one that is there
         text = (folder / "control" / "AX1_EEC.INI").read_text()
         (folder / "control" / "AX1_EEC.INI").write_text(text.replace("=0.00", "=-0.00"))
-    assert f"{name}: was read by this command and is not overwritten" in refused(folder, capsys, *words)
+    assert f"{name}: was read by this command and is not overwritten" in refused(
+        folder, capsys, *words
+    )
 
 
 OTHER_NAMES: dict[str, Callable[[Path], str]] = {
@@ -128,16 +165,22 @@ def _link(make: Callable[[Path, Path], None], folder: Path) -> str:
 
 
 @pytest.mark.parametrize("name", OTHER_NAMES)
-def test_what_was_read_is_not_overwritten_under_another_name(name: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_was_read_is_not_overwritten_under_another_name(
+    name: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     other = OTHER_NAMES[name](folder)
-    assert "was read by this command" in refused(folder, capsys, "evaluate", "x.csv", "--json", other)
+    assert "was read by this command" in refused(
+        folder, capsys, "evaluate", "x.csv", "--json", other
+    )
 
 
 def test_what_was_not_read_may_be_replaced_where_it_is_named(folder: Path) -> None:
     shutil.copy("after.csv", "old.json")
     assert compwright(["evaluate", "x.csv", "--json", "old.json", "--force"]) == 0
     assert compwright(["evaluate", "x.csv", "--json", "old.json", "--force"]) == 0
-    assert (folder / "old.json").read_bytes().startswith(b'{\n  "schema": "compwright/evaluation/1"')
+    assert (
+        (folder / "old.json").read_bytes().startswith(b'{\n  "schema": "compwright/evaluation/1"')
+    )
 
 
 def test_a_command_remembers_only_its_own_inputs(folder: Path) -> None:
@@ -157,11 +200,16 @@ def test_the_notes_of_the_user_stay(folder: Path, capsys: pytest.CaptureFixture[
         notes.write_text("mine")
     said = refused(folder, capsys, "run", "job.yaml")
     for place in ("tables", "rollback"):
-        assert f"{place}/{CONTROL}/notes.txt: is no part of what is written, and all that lies here is handed on" in said
+        assert (
+            f"{place}/{CONTROL}/notes.txt: is no part of what is written, and all that lies here is"
+            " handed on" in said
+        )
         assert "expected another place for it" in said
 
 
-def test_results_that_the_user_changed_stay(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_results_that_the_user_changed_stay(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """A card that was filled in, a table that was corrected by hand."""
     names = ("card/card.md", f"tables/{CONTROL}/AX1_EEC.INI")
     for name in names:
@@ -175,11 +223,18 @@ def test_results_that_the_user_changed_stay(folder: Path, capsys: pytest.Capture
 def test_what_an_earlier_run_wrote_and_this_one_does_not_is_removed(folder: Path) -> None:
     (folder / "job.yaml").write_text(JOB.replace("AX1", "AX2"))
     assert compwright(["run", "job.yaml", "--force"]) == 0
-    assert {path.name for path in (folder / "job" / "tables" / CONTROL).iterdir()} == {"AX2_EEC.INI", "AX2_MD.INI"}
+    assert {path.name for path in (folder / "job" / "tables" / CONTROL).iterdir()} == {
+        "AX2_EEC.INI",
+        "AX2_MD.INI",
+    }
 
 
-def test_the_control_s_own_files_are_not_replaced_by_export(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The plan carries the files of the control, so that export does not read them from their folder again."""
+def test_the_control_s_own_files_are_not_replaced_by_export(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The plan carries the files of the control, so that export does not read them from their
+    folder again.
+    """
     (folder / "job.yaml").write_text(JOB.replace("none", "[control]").replace("x.csv", "after.csv"))
     assert compwright(["run", "job.yaml", "--out", "second"]) in {0, 1}
     text = (folder / "second" / "plan.json").read_text()
@@ -189,23 +244,36 @@ def test_the_control_s_own_files_are_not_replaced_by_export(folder: Path, capsys
             folder, capsys, "export", "second/plan.json", "--format", CONTROL, "--out", "control"
         )
     assert '"results"' in text
-    assert compwright(["export", "second/plan.json", "--format", CONTROL, "--out", "new", "--force"]) == 0
+    assert (
+        compwright(["export", "second/plan.json", "--format", CONTROL, "--out", "new", "--force"])
+        == 0
+    )
 
 
-def test_simulate_replaces_its_own_files_and_no_real_ones(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_simulate_replaces_its_own_files_and_no_real_ones(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert compwright(["simulate", "machine.yaml", "--out", "virtual"]) == 0
-    assert compwright(["simulate", "machine.yaml", "--out", "virtual", "--seed", "2", "--force"]) == 0
+    assert (
+        compwright(["simulate", "machine.yaml", "--out", "virtual", "--seed", "2", "--force"]) == 0
+    )
     said = refused(folder, capsys, "simulate", "machine.yaml", "--out", ".")
     assert "x.csv: was not written by an earlier run" in said
 
 
-def test_the_demo_leaves_a_job_of_the_user_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_demo_leaves_a_job_of_the_user_alone(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (tmp_path / "job.yaml").write_text(JOB)
-    assert "job.yaml: was not written by an earlier run" in refused(tmp_path, capsys, "demo", "--out", str(tmp_path))
+    assert "job.yaml: was not written by an earlier run" in refused(
+        tmp_path, capsys, "demo", "--out", str(tmp_path)
+    )
 
 
 @pytest.mark.parametrize("name", ["plan.json", "evaluation.json", "../job/plan.json"])
-def test_one_name_for_two_results_is_refused(name: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_one_name_for_two_results_is_refused(
+    name: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     said = refused(folder, capsys, "run", "job.yaml", "--json", f"job/{name}")
     assert "is also the name of another file that is written" in said
 
@@ -214,5 +282,11 @@ def test_existing_files_are_one_line(folder: Path, capsys: pytest.CaptureFixture
     capsys.readouterr()
     assert compwright(["run", "job.yaml"]) == 5
     (line,) = [line for line in capsys.readouterr().err.splitlines() if line.startswith("error")]
-    assert line.startswith("error: job: 8 files exist already; expected new files, another folder, or --force to replace them")
-    assert line.endswith("found evaluation.json, prediction.json, plan.json, tables/siemens-840d-sl/AX1_EEC.INI and 4 more")
+    assert line.startswith(
+        "error: job: 8 files exist already; expected new files, another folder, or --force to"
+        " replace them"
+    )
+    assert line.endswith(
+        "found evaluation.json, prediction.json, plan.json, tables/siemens-840d-sl/AX1_EEC.INI and"
+        " 4 more"
+    )

@@ -1,4 +1,6 @@
-"""Circular tests read from plain CSV: order, arcs, units, keys and every refusal; the merging of files of one test."""
+"""Circular tests read from plain CSV: order, arcs, units, keys and every refusal; the merging of
+files of one test.
+"""
 
 from __future__ import annotations
 
@@ -19,11 +21,15 @@ HEAD = "# plane: XY\n# nominal_radius_mm: 150\n# feed_mm_min: 1000\n"
 
 
 def rows(angles: list[float], sense: str = "ccw", run: int = 1) -> str:
-    """Rows whose deviation is a tenth of the angle modulo 360, in um, so that every sample tells where it belongs."""
+    """Rows whose deviation is a tenth of the angle modulo 360, in um, so that every sample tells
+    where it belongs.
+    """
     return "".join(f"{sense},{run},{angle:g},{(angle % 360) / 10:.4f}\n" for angle in angles)
 
 
-def csv(body: str, columns: str = "direction,run,angle_deg,deviation_um", head: str = HEAD) -> bytes:
+def csv(
+    body: str, columns: str = "direction,run,angle_deg,deviation_um", head: str = HEAD
+) -> bytes:
     return f"{head}{columns}\n{body}".encode()
 
 
@@ -55,11 +61,22 @@ FULL = [10.0 * k for k in range(36)]
 
 
 def test_both_directions_in_any_order_of_rows() -> None:
-    body = rows(FULL, "ccw").splitlines(keepends=True) + rows(FULL[::-1], "cw").splitlines(keepends=True)
+    body = rows(FULL, "ccw").splitlines(keepends=True) + rows(FULL[::-1], "cw").splitlines(
+        keepends=True
+    )
     shuffled = "".join(body[k] for k in np.random.default_rng(1).permutation(len(body)))
     test = read(csv(shuffled))
-    assert (test.name, test.plane, test.axes, test.nominal_radius, test.feed) == ("xy", "XY", ("X", "Y"), 150.0, 1000.0)
-    assert [(run.sense, run.number, run.angles.size) for run in test.runs] == [("ccw", 1, 36), ("cw", 1, 36)]
+    assert (test.name, test.plane, test.axes, test.nominal_radius, test.feed) == (
+        "xy",
+        "XY",
+        ("X", "Y"),
+        150.0,
+        1000.0,
+    )
+    assert [(run.sense, run.number, run.angles.size) for run in test.runs] == [
+        ("ccw", 1, 36),
+        ("cw", 1, 36),
+    ]
     belongs(test)
     assert test.arc == (0.0, 360.0)
     assert test.full_circle
@@ -70,8 +87,16 @@ def test_both_directions_in_any_order_of_rows() -> None:
 
 def test_radius_in_mm() -> None:
     body = "".join(f"cw,{angle:g},{150 + angle / 1e5:.6f}\n" for angle in FULL)
-    test = read(csv(body, "direction,angle_deg,radius_mm", HEAD + "# calibrated: yes\n# centre: -400, -250.5, -300\n"))
-    assert test.of("cw")[0].deviations[::-1] == pytest.approx([angle / 1e5 for angle in FULL], abs=1e-12)
+    test = read(
+        csv(
+            body,
+            "direction,angle_deg,radius_mm",
+            HEAD + "# calibrated: yes\n# centre: -400, -250.5, -300\n",
+        )
+    )
+    assert test.of("cw")[0].deviations[::-1] == pytest.approx(
+        [angle / 1e5 for angle in FULL], abs=1e-12
+    )
     assert test.calibrated
     assert test.centre == (-400.0, -250.5, -300.0)
     assert test.findings == ()
@@ -80,7 +105,11 @@ def test_radius_in_mm() -> None:
 def test_several_runs_of_unequal_samples_keep_their_numbers() -> None:
     body = rows(FULL, "cw", 3) + rows([5.0 * k for k in range(72)], "ccw", 2) + rows(FULL, "ccw", 7)
     test = read(csv(body))
-    assert [(run.sense, run.number, run.angles.size) for run in test.runs] == [("ccw", 2, 72), ("ccw", 7, 36), ("cw", 3, 36)]
+    assert [(run.sense, run.number, run.angles.size) for run in test.runs] == [
+        ("ccw", 2, 72),
+        ("ccw", 7, 36),
+        ("cw", 3, 36),
+    ]
     belongs(test)
 
 
@@ -90,15 +119,27 @@ def test_several_runs_of_unequal_samples_keep_their_numbers() -> None:
         codecs.BOM_UTF8 + csv(rows(FULL)),
         csv(rows(FULL)).replace(b"\n", b"\r\n"),
         csv(rows(FULL)).decode().encode("utf-16"),
-        csv(rows(FULL).replace(",", ";").replace(".", ","), "direction;run;angle_deg;deviation_um", HEAD.replace("150", "150,0")),
+        csv(
+            rows(FULL).replace(",", ";").replace(".", ","),
+            "direction;run;angle_deg;deviation_um",
+            HEAD.replace("150", "150,0"),
+        ),
         csv(rows(FULL).replace(",", "\t"), "direction\trun\tangle_deg\tdeviation_µm"),
-        csv(rows(FULL).replace("ccw", "CCW"), "Direction, Run, Angle_deg, Deviation_um", HEAD.replace("plane: XY", "Plane: x-y")),
+        csv(
+            rows(FULL).replace("ccw", "CCW"),
+            "Direction, Run, Angle_deg, Deviation_um",
+            HEAD.replace("plane: XY", "Plane: x-y"),
+        ),
     ],
 )
 def test_the_spellings_of_one_file(text: bytes) -> None:
     plain, other = read(csv(rows(FULL))), read(text)
     assert np.array_equal(plain.runs[0].deviations, other.runs[0].deviations)
-    assert (plain.plane, plain.nominal_radius, plain.arc) == (other.plane, other.nominal_radius, other.arc)
+    assert (plain.plane, plain.nominal_radius, plain.arc) == (
+        other.plane,
+        other.nominal_radius,
+        other.arc,
+    )
     assert is_circular(text, "x.csv")
 
 
@@ -118,12 +159,16 @@ def test_the_spellings_of_one_file(text: bytes) -> None:
     ],
 )
 @pytest.mark.parametrize("sense", ["ccw", "cw"])
-def test_the_arc_is_found_from_the_angles(angles: list[float], arc: tuple[float, float], sense: str) -> None:
+def test_the_arc_is_found_from_the_angles(
+    angles: list[float], arc: tuple[float, float], sense: str
+) -> None:
     test = read(csv(rows(angles, sense)))
     assert test.arc == pytest.approx(arc)
     run = test.runs[0]
     assert run.angles.size == len(angles)
-    low, high = (run.angles[0], run.angles[-1]) if sense == "ccw" else (run.angles[-1], run.angles[0])
+    low, high = (
+        (run.angles[0], run.angles[-1]) if sense == "ccw" else (run.angles[-1], run.angles[0])
+    )
     assert low == pytest.approx(arc[0])
     assert high - low <= 360.0
     assert set(np.diff(run.angles) > 0) == {sense == "ccw"}
@@ -134,9 +179,13 @@ def test_a_hole_in_the_circle_is_told_and_stays_a_circle() -> None:
     test = read(csv(rows(angles)))
     assert test.full_circle
     assert "CW-R034" in codes(test)
-    assert "from 95.76 deg on, over 3.84 deg" in next(f.message for f in test.findings if f.code == "CW-R034")
+    assert "from 95.76 deg on, over 3.84 deg" in next(
+        f.message for f in test.findings if f.code == "CW-R034"
+    )
     wide = read(csv(rows([0.24 * k for k in range(1500) if not 400 <= k < 500])))
-    assert wide.arc == pytest.approx((120.0, 360.0 - 24.24))  # wider than any hole: an arc of its own
+    assert wide.arc == pytest.approx(
+        (120.0, 360.0 - 24.24)
+    )  # wider than any hole: an arc of its own
 
 
 def test_runs_may_differ_by_a_sample_but_not_by_more() -> None:
@@ -147,20 +196,33 @@ def test_runs_may_differ_by_a_sample_but_not_by_more() -> None:
     assert test.of("cw")[0].angles[[0, -1]] == pytest.approx([470.0, 251.0])
     far = rows([253.0 + k for k in range(220)], "cw")
     line = fault(csv(one + far))
-    assert "cw run 1: covers another arc; expected 220 deg from 250 deg as in ccw run 1, found 219 deg from 253 deg" in line
+    assert (
+        "cw run 1: covers another arc; expected 220 deg from 250 deg as in ccw run 1, found 219 deg"
+        " from 253 deg" in line
+    )
     assert "covers another arc" in fault(csv(one + rows([float(k) for k in range(360)], "cw")))
 
 
 def test_runs_that_begin_on_either_side_of_zero_lie_together() -> None:
-    one, near = rows([359.6 + k for k in range(181)], "ccw"), rows([0.2 + k for k in range(181)], "cw")
-    for body, start in ((one + near, 359.6), (one.replace("ccw", "cw") + near.replace("cw", "ccw"), 0.2 - 0.6)):
+    one, near = (
+        rows([359.6 + k for k in range(181)], "ccw"),
+        rows([0.2 + k for k in range(181)], "cw"),
+    )
+    for body, start in (
+        (one + near, 359.6),
+        (one.replace("ccw", "cw") + near.replace("cw", "ccw"), 0.2 - 0.6),
+    ):
         test = read(csv(body))
-        assert test.arc == pytest.approx((start % 360, 180.6))  # from the first sample of either to the last of either
+        assert test.arc == pytest.approx(
+            (start % 360, 180.6)
+        )  # from the first sample of either to the last of either
         lowest = [min(run.angles) for run in test.runs]
         assert abs(lowest[0] - lowest[1]) == pytest.approx(0.6)
     ends = rows([float(k) for k in range(181)], "ccw") + rows([2.5 + k for k in range(179)], "cw")
     assert "covers another arc" in fault(csv(ends))
-    starts = rows([2.5 + k * 177.5 / 180 for k in range(181)], "cw")  # the same end, another beginning
+    starts = rows(
+        [2.5 + k * 177.5 / 180 for k in range(181)], "cw"
+    )  # the same end, another beginning
     assert "covers another arc" in fault(csv(rows([float(k) for k in range(181)], "ccw") + starts))
     moved = rows([2.5 + k for k in range(181)], "cw")  # the same extent, moved
     assert "covers another arc" in fault(csv(rows([float(k) for k in range(181)], "ccw") + moved))
@@ -186,7 +248,9 @@ def test_the_centre(value: str, centre: tuple[float, ...]) -> None:
     assert read(csv(rows(FULL), head=f"{HEAD}# centre: {value}\n")).centre == centre
 
 
-@pytest.mark.parametrize(("value", "calibrated"), [("yes", True), ("TRUE", True), ("no", False), ("false", False)])
+@pytest.mark.parametrize(
+    ("value", "calibrated"), [("yes", True), ("TRUE", True), ("no", False), ("false", False)]
+)
 def test_calibrated_is_said(value: str, calibrated: bool) -> None:
     test = read(csv(rows(FULL), head=f"{HEAD}# calibrated: {value}\n"))
     assert test.calibrated is calibrated
@@ -197,13 +261,31 @@ BAD: list[tuple[bytes, str]] = [
     (csv(rows(FULL), head=""), "key 'plane' is missing"),
     (csv(rows(FULL), head=""), "key 'nominal_radius_mm' is missing"),
     (csv(rows(FULL), head=""), "key 'feed_mm_min' is missing"),
-    (csv(rows(FULL), head=HEAD.replace("XY", "XX")), "line 1: key 'plane' names no plane; expected first and second axis"),
-    (csv(rows(FULL), head=HEAD.replace("150", "-150")), "line 2: key 'nominal_radius_mm' is not positive"),
-    (csv(rows(FULL), head=HEAD.replace("1000", "fast")), "line 3: key 'feed_mm_min' is not a number"),
-    (csv(rows(FULL), head=HEAD + "# plane: ZX\n"), "line 4: key 'plane' is given twice; expected 'XY', found 'ZX'"),
-    (csv(rows(FULL), head=HEAD + "# calibrated: maybe\n"), "line 4: key 'calibrated' has an unknown value"),
+    (
+        csv(rows(FULL), head=HEAD.replace("XY", "XX")),
+        "line 1: key 'plane' names no plane; expected first and second axis",
+    ),
+    (
+        csv(rows(FULL), head=HEAD.replace("150", "-150")),
+        "line 2: key 'nominal_radius_mm' is not positive",
+    ),
+    (
+        csv(rows(FULL), head=HEAD.replace("1000", "fast")),
+        "line 3: key 'feed_mm_min' is not a number",
+    ),
+    (
+        csv(rows(FULL), head=HEAD + "# plane: ZX\n"),
+        "line 4: key 'plane' is given twice; expected 'XY', found 'ZX'",
+    ),
+    (
+        csv(rows(FULL), head=HEAD + "# calibrated: maybe\n"),
+        "line 4: key 'calibrated' has an unknown value",
+    ),
     (csv(rows(FULL), head=HEAD + "# centre: here\n"), "line 4: key 'centre' is not a position"),
-    (csv(rows(FULL), head=HEAD + "# compwright: circular 2\n"), "was written for a newer compwright"),
+    (
+        csv(rows(FULL), head=HEAD + "# compwright: circular 2\n"),
+        "was written for a newer compwright",
+    ),
     (csv(rows(FULL), head=HEAD + "# compwright: positioning 1\n"), "is not a circular test"),
     (HEAD.encode(), "holds comment lines only"),
     (csv(""), "holds no samples"),
@@ -211,21 +293,48 @@ BAD: list[tuple[bytes, str]] = [
     (b"\x00\x01\x02\x00", "is a binary file"),
     (csv(rows(FULL), "direction,run,angle,deviation_um"), "line 4: column 'angle_deg' is missing"),
     (csv(rows(FULL), "sense,run,angle_deg,deviation_um"), "line 4: column 'direction' is missing"),
-    (csv(rows(FULL), "direction,run,angle_deg,deviation_mm"), "the value column is missing; expected radius_mm or deviation_um"),
-    (csv("ccw,0,150,0\n", "direction,angle_deg,radius_mm,deviation_um"), "there is more than one value column"),
-    (csv(rows(FULL) + "up,1,5,0\n"), "line 41, column direction: direction is neither ccw nor cw; expected ccw or cw, found 'up'"),
-    (csv(rows(FULL) + "ccw,0,5,0\n"), "line 41, column run: run is not a whole number of at least 1"),
+    (
+        csv(rows(FULL), "direction,run,angle_deg,deviation_mm"),
+        "the value column is missing; expected radius_mm or deviation_um",
+    ),
+    (
+        csv("ccw,0,150,0\n", "direction,angle_deg,radius_mm,deviation_um"),
+        "there is more than one value column",
+    ),
+    (
+        csv(rows(FULL) + "up,1,5,0\n"),
+        (
+            "line 41, column direction: direction is neither ccw nor cw; expected ccw or cw, found"
+            " 'up'"
+        ),
+    ),
+    (
+        csv(rows(FULL) + "ccw,0,5,0\n"),
+        "line 41, column run: run is not a whole number of at least 1",
+    ),
     (csv(rows(FULL) + "ccw,1,5,\n"), "line 41, column deviation_um: is empty"),
     (csv(rows(FULL) + "ccw,1,nan,1\n"), "line 41, column angle_deg: is not a finite number"),
     (csv(rows(FULL) + "ccw,1,800,1\n"), "line 41, column angle_deg: is no angle on the circle"),
-    (csv(rows(FULL) + "ccw,1,20,1\n"), "line 41: a sample is given twice; expected each angle once per direction and run"),
+    (
+        csv(rows(FULL) + "ccw,1,20,1\n"),
+        "line 41: a sample is given twice; expected each angle once per direction and run",
+    ),
     (csv(rows(FULL) + "ccw,1,20\n"), "line 41: the row has not as many cells as the header row"),
-    (csv(rows([0.0, 120.0, 240.0])), "ccw run 1: has too few samples; expected at least 4, found 3"),
-    (csv(rows([0.0, 20.0, 40.0, 60.0])), "covers too short an arc; expected at least 90 deg, found 60 deg from 0 deg"),
+    (
+        csv(rows([0.0, 120.0, 240.0])),
+        "ccw run 1: has too few samples; expected at least 4, found 3",
+    ),
+    (
+        csv(rows([0.0, 20.0, 40.0, 60.0])),
+        "covers too short an arc; expected at least 90 deg, found 60 deg from 0 deg",
+    ),
     (csv(rows([float(k) for k in range(400)])), "goes round more than once"),
     (csv(rows(FULL).replace(".", ",")), "the row has not as many cells"),
     (
-        csv(rows(FULL).replace(",", ";").replace("1.0000", "1,0000"), "direction;run;angle_deg;deviation_um"),
+        csv(
+            rows(FULL).replace(",", ";").replace("1.0000", "1,0000"),
+            "direction;run;angle_deg;deviation_um",
+        ),
         "column deviation_um: decimal marks are mixed",
     ),
 ]
@@ -238,7 +347,13 @@ def test_bad_files_are_refused_with_place_and_reason(content: bytes, words: str)
 
 def test_all_faults_are_told_at_once() -> None:
     text = fault(csv(rows(FULL) + "up,1,5,0\nccw,1,x,0\n", head="# plane: X\n"))
-    for words in ("names no plane", "nominal_radius_mm", "feed_mm_min", "neither ccw nor cw", "is not a number"):
+    for words in (
+        "names no plane",
+        "nominal_radius_mm",
+        "feed_mm_min",
+        "neither ccw nor cw",
+        "is not a number",
+    ):
         assert words in text
 
 
@@ -254,16 +369,23 @@ def test_all_faults_are_told_at_once() -> None:
 def test_radii_in_another_unit_are_refused(factor: float, hint: str) -> None:
     body = "".join(f"ccw,{angle:g},{150.01 * factor:.6f}\n" for angle in FULL)
     text = fault(csv(body, "direction,angle_deg,radius_mm"))
-    assert "ccw run 1, column radius_mm: radius_mm is far from the nominal radius; expected about 150 mm" in text
+    assert (
+        "ccw run 1, column radius_mm: radius_mm is far from the nominal radius; expected about"
+        " 150 mm" in text
+    )
     assert hint in text
     assert (
-        "far from the nominal radius" in fault(csv(body.replace(",150", ",100"), "direction,angle_deg,radius_mm")) or factor != 1.0
+        "far from the nominal radius"
+        in fault(csv(body.replace(",150", ",100"), "direction,angle_deg,radius_mm"))
+        or factor != 1.0
     )
 
 
 def test_repeated_angles_without_run_ask_for_the_column() -> None:
     body = "".join(f"ccw,{angle:g},1\n" for angle in FULL * 2)
-    assert "a column 'run' if a direction has several" in fault(csv(body, "direction,angle_deg,deviation_um"))
+    assert "a column 'run' if a direction has several" in fault(
+        csv(body, "direction,angle_deg,deviation_um")
+    )
 
 
 def test_what_is_remarkable() -> None:
@@ -281,20 +403,28 @@ def test_what_is_circular() -> None:
     assert is_circular(b"", "run.B5R")
     assert not is_circular(b"", "run.csv")
     assert not is_circular(b"target_mm,direction,run,deviation_um\n0,+,1,2\n", "run.b5r")
-    assert not is_circular(b"target_deg,angle_deg,direction,run,deviation_arcsec\n0,0,+,1,2\n", "c.csv")
+    assert not is_circular(
+        b"target_deg,angle_deg,direction,run,deviation_arcsec\n0,0,+,1,2\n", "c.csv"
+    )
     assert not is_circular(b"TGT_DATA[1]=0\n", "a.dat")
     assert not is_circular(b"\x00\xff\xfe<", "a.dat")
     with pytest.raises(InputError, match="holds a circular test, not a positioning test"):
         read_positioning(csv(rows(FULL)), "a.csv")
 
 
-def one(sense: str, angles: list[float] | None = None, head: str = HEAD, run: int = 1) -> CircularTest:
+def one(
+    sense: str, angles: list[float] | None = None, head: str = HEAD, run: int = 1
+) -> CircularTest:
     return read_circular(csv(rows(angles or FULL, sense, run), head=head), f"{sense}{run}.csv")
 
 
 def test_files_of_one_test_are_merged_and_runs_counted_on() -> None:
     head = HEAD + "# calibrated: yes\n# machine: A\n"
-    tests = [one("cw", head=head), one("ccw", head=head), one("ccw", head=head.replace("A", "B"), run=2)]
+    tests = [
+        one("cw", head=head),
+        one("ccw", head=head),
+        one("ccw", head=head.replace("A", "B"), run=2),
+    ]
     merged = merge_circular(tests, "xy-150")
     assert merged.name == "xy-150"
     assert [(run.sense, run.number) for run in merged.runs] == [("ccw", 1), ("ccw", 2), ("cw", 1)]
@@ -306,7 +436,13 @@ def test_files_of_one_test_are_merged_and_runs_counted_on() -> None:
 
 
 def test_one_uncalibrated_file_makes_the_test_uncalibrated() -> None:
-    merged = merge_circular([one("cw", head=HEAD + "# calibrated: yes\n"), one("ccw", head=HEAD + "# calibrated: no\n")], "t")
+    merged = merge_circular(
+        [
+            one("cw", head=HEAD + "# calibrated: yes\n"),
+            one("ccw", head=HEAD + "# calibrated: no\n"),
+        ],
+        "t",
+    )
     assert not merged.calibrated
     assert codes(merged) == ["CW-R037"]
     assert "for ccw1.csv" in merged.findings[0].message
@@ -318,11 +454,20 @@ ARC = [float(k) for k in range(181)]
 @pytest.mark.parametrize(
     ("other", "words"),
     [
-        (one("cw", head=HEAD.replace("XY", "ZX")), "cw1.csv: the plane differs between the files of one test; expected XY"),
+        (
+            one("cw", head=HEAD.replace("XY", "ZX")),
+            "cw1.csv: the plane differs between the files of one test; expected XY",
+        ),
         (one("cw", head=HEAD.replace("150", "100")), "the nominal radius differs"),
         (one("cw", head=HEAD.replace("1000", "2000")), "the feed differs"),
         (one("cw", head=HEAD + "# centre: 0, 5\n"), "the centre differs"),
-        (one("cw", ARC), "covers another arc; expected 360 deg from 0 deg as in ccw1.csv, found 180 deg from 0 deg"),
+        (
+            one("cw", ARC),
+            (
+                "covers another arc; expected 360 deg from 0 deg as in ccw1.csv, found 180 deg from"
+                " 0 deg"
+            ),
+        ),
         (one("ccw", head=HEAD + "# centre: 0, 0\n"), "the same measurement is given twice"),
     ],
 )
@@ -365,7 +510,11 @@ def test_any_change_of_a_file_is_read_or_refused(data: st.DataObject) -> None:
             case "cut":
                 del content[at : at + data.draw(st.integers(1, 40))]
             case "insert":
-                content[at:at] = data.draw(st.sampled_from([b"\n", b",", b"-", b"e9", b"nan", b"0", b"\x00", b'"', b"9999"]))
+                content[at:at] = data.draw(
+                    st.sampled_from(
+                        [b"\n", b",", b"-", b"e9", b"nan", b"0", b"\x00", b'"', b"9999"]
+                    )
+                )
             case _:
                 content[at:at] = content[at : at + 30]
         if not content:
@@ -401,7 +550,9 @@ def test_any_bytes_are_read_or_refused(content: bytes) -> None:
     extent=st.integers(95, 350),
     order=st.randoms(use_true_random=False),
 )
-def test_an_arc_is_found_whatever_the_order_and_the_counting(start: int, count: int, extent: int, order: object) -> None:
+def test_an_arc_is_found_whatever_the_order_and_the_counting(
+    start: int, count: int, extent: int, order: object
+) -> None:
     angles = [round((start + extent * k / (count - 1)) % 360, 4) for k in range(count)]
     if 360 - extent <= 2 * extent / (count - 1):
         return  # the gap is hardly wider than a sample: it may as well be a circle

@@ -1,4 +1,6 @@
-"""Ballbar files: the published ones against their own printed results, and one made by hand with every way to be wrong."""
+"""Ballbar files: the published ones against their own printed results, and one made by hand with
+every way to be wrong.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +22,11 @@ from compwright.records.circular import CircularRun, CircularTest
 from places import REAL, needs_shared
 
 FOLDER = REAL / "ballbar"
-NAMES = ("ballbar_demo_100mm_XY.b5r", "ballbar_qc20w_150mm_XY.b5r", "ballbar_qc20w_150mm_ZX_220deg.b5r")
+NAMES = (
+    "ballbar_demo_100mm_XY.b5r",
+    "ballbar_qc20w_150mm_XY.b5r",
+    "ballbar_qc20w_150mm_ZX_220deg.b5r",
+)
 
 
 def real(name: str) -> bytes:
@@ -29,11 +35,17 @@ def real(name: str) -> bytes:
 
 def expected(name: str) -> dict[str, str]:
     lines = (FOLDER / "ballbar_expected.csv").read_text(encoding="utf-8").splitlines()
-    return next(row for row in csv.DictReader(line for line in lines if not line.startswith("#")) if row["file"] == name)
+    return next(
+        row
+        for row in csv.DictReader(line for line in lines if not line.startswith("#"))
+        if row["file"] == name
+    )
 
 
 def circle(run: CircularRun, nominal: float) -> tuple[float, float, float]:
-    """Least-squares circle (cx, cy, mean radius - nominal) in um: Gauss-Newton on the distances, on its own."""
+    """Least-squares circle (cx, cy, mean radius - nominal) in um: Gauss-Newton on the distances, on
+    its own.
+    """
     t = np.radians(run.angles)
     points = (nominal + run.deviations) * np.array([np.cos(t), np.sin(t)])
     centre, radius = np.zeros(2), nominal
@@ -49,7 +61,9 @@ def circle(run: CircularRun, nominal: float) -> tuple[float, float, float]:
 @needs_shared
 @pytest.mark.parametrize("name", NAMES)
 def test_published_files_give_their_centres_and_radii(name: str) -> None:
-    """Half a sample of angle is 0.1 deg: 0.01 um of these centres; the table is printed to 0.01 um, 0.05 um is asked for."""
+    """Half a sample of angle is 0.1 deg: 0.01 um of these centres; the table is printed to 0.01 um,
+    0.05 um is asked for.
+    """
     test, row = read_circular(real(name), name), expected(name)
     assert test.plane == row["plane"]
     assert test.axes == ((row["plane"][0], row["plane"][1]))
@@ -72,9 +86,17 @@ def test_printed_results_of_the_runs_come_out_of_the_readings(name: str) -> None
         printed = test.vendor[run.sense]
         assert isinstance(printed, dict)
         cx, cy, mean = circle(run, test.nominal_radius)
-        assert printed["AF_CENTRE_OFFSET_A"] == {"value": pytest.approx(cx / 1e3, abs=1e-4), "unit": "mm"}
-        assert printed["AF_CENTRE_OFFSET_B"] == {"value": pytest.approx(cy / 1e3, abs=1e-4), "unit": "mm"}
-        assert printed["AF_BEST_RADIUS"]["value"] == pytest.approx(test.nominal_radius + mean / 1e3, abs=1e-4)
+        assert printed["AF_CENTRE_OFFSET_A"] == {
+            "value": pytest.approx(cx / 1e3, abs=1e-4),
+            "unit": "mm",
+        }
+        assert printed["AF_CENTRE_OFFSET_B"] == {
+            "value": pytest.approx(cy / 1e3, abs=1e-4),
+            "unit": "mm",
+        }
+        assert printed["AF_BEST_RADIUS"]["value"] == pytest.approx(
+            test.nominal_radius + mean / 1e3, abs=1e-4
+        )
         feeds.append(printed["AF_CALCULATED_FEEDRATE"]["value"])
     assert test.feed == pytest.approx(sum(feeds) / len(feeds), abs=0.1)  # mm/min, printed to 0.1
 
@@ -117,7 +139,10 @@ def test_the_same_file_in_other_clothes() -> None:
         assert is_circular(other, "a")
         test = read_circular(other, "a.b5r")
         assert test.vendor == plain.vendor
-        assert all(np.array_equal(a.deviations, b.deviations) for a, b in zip(test.runs, plain.runs, strict=True))
+        assert all(
+            np.array_equal(a.deviations, b.deviations)
+            for a, b in zip(test.runs, plain.runs, strict=True)
+        )
 
 
 @needs_shared
@@ -129,16 +154,22 @@ def test_published_files_cut_short(name: str, share: float) -> None:
         read_circular(content[: int(len(content) * share)], name)
 
 
-#: Ten samples of overshoot, forty of the arc from 30 to 210 deg, ten of overshoot; the arc's readings are 1, 2, ... um.
+#: Ten samples of overshoot, forty of the arc from 30 to 210 deg, ten of overshoot; the arc's
+#: readings are 1, 2, ... um.
 READINGS = " ".join(["+0.90000"] * 10 + [f"+0.{k:03d}00" for k in range(1, 41)] + ["-0.90000"] * 10)
 
 
-def run_xml(sense: str = "CCW", readings: str = READINGS, start: str = "10", end: str = "49", rate: str = "2.122066") -> str:
+def run_xml(
+    sense: str = "CCW",
+    readings: str = READINGS,
+    start: str = "10",
+    end: str = "49",
+    rate: str = "2.122066",
+) -> str:
     # 2 pi 100 mm * 180/360 / 40 samples * 2.122066/s * 60 = 1000 mm/min
     return (
-        f"<BALLBAR_RUN><RUN_DIRECTION>{sense}</RUN_DIRECTION><RUN_TEMPERATURE>21.5</RUN_TEMPERATURE><START_INDEX>{start}</START_INDEX>"
-        f"<END_INDEX>{end}</END_INDEX><SAMPLE_RATE>{rate}</SAMPLE_RATE><READINGS>{readings}</READINGS>"
-        '<FEATURE NAME="AF_X" DT="UT_NEW">n/a</FEATURE></BALLBAR_RUN>\n'
+        f"<BALLBAR_RUN><RUN_DIRECTION>{sense}</RUN_DIRECTION><RUN_TEMPERATURE>21.5</RUN_TEMPERATURE><START_INDEX>{start}</START_INDEX><END_INDEX>{end}</END_INDEX><SAMPLE_RATE>{rate}</SAMPLE_RATE><READINGS>{readings}</READINGS><FEATURE"
+        ' NAME="AF_X" DT="UT_NEW">n/a</FEATURE></BALLBAR_RUN>\n'
     )
 
 
@@ -153,12 +184,12 @@ def document(runs: str | None = None, **changes: str) -> bytes:
     } | changes
     lines = "".join(f"<{tag}>{text}</{tag}>\n" for tag, text in spec.items())
     return (
-        '<?xml version="1.0" encoding="utf-8"?>\n<TEST_DOCUMENT>\n<TEST_SPEC NAME="by hand"><INSTRUMENT MODEL="QC20-W">\n'
-        f'<DYNAMIC_BALLBAR CALIBRATION_REQUIRED="true">\n{lines}<PLANE VIEW="+A+B" TEST_PLANE="YZ"><A_AXIS_NAME>Y</A_AXIS_NAME>'
-        "<B_AXIS_NAME>Z</B_AXIS_NAME></PLANE><RUN_SPEC><RUN_DIRECTION>CCW</RUN_DIRECTION><RUN_DIRECTION>CW</RUN_DIRECTION></RUN_SPEC>\n"
-        "<CENTRE>100; -50</CENTRE></DYNAMIC_BALLBAR></INSTRUMENT></TEST_SPEC>\n<RUN_RESULTS>\n"
-        f'{run_xml("CW") + run_xml("CCW") if runs is None else runs}</RUN_RESULTS>\n<ANALYSIS NAME="A">'
-        "<SIMULATION>1 2 3</SIMULATION></ANALYSIS>\n</TEST_DOCUMENT>"
+        '<?xml version="1.0" encoding="utf-8"?>\n<TEST_DOCUMENT>\n<TEST_SPEC NAME="by'
+        ' hand"><INSTRUMENT MODEL="QC20-W">\n<DYNAMIC_BALLBAR'
+        f' CALIBRATION_REQUIRED="true">\n{lines}<PLANE VIEW="+A+B"'
+        ' TEST_PLANE="YZ"><A_AXIS_NAME>Y</A_AXIS_NAME><B_AXIS_NAME>Z</B_AXIS_NAME></PLANE><RUN_SPEC><RUN_DIRECTION>CCW</RUN_DIRECTION><RUN_DIRECTION>CW</RUN_DIRECTION></RUN_SPEC>\n<CENTRE>100;'
+        f" -50</CENTRE></DYNAMIC_BALLBAR></INSTRUMENT></TEST_SPEC>\n<RUN_RESULTS>\n{run_xml('CW') + run_xml('CCW') if runs is None else runs}</RUN_RESULTS>\n<ANALYSIS"
+        ' NAME="A"><SIMULATION>1 2 3</SIMULATION></ANALYSIS>\n</TEST_DOCUMENT>'
     ).encode()
 
 
@@ -176,7 +207,13 @@ def fault(content: bytes) -> str:
 
 def test_a_file_made_by_hand() -> None:
     test = read(document())
-    assert (test.name, test.plane, test.axes, test.arc, test.calibrated) == ("yz", "YZ", ("Y", "Z"), (30.0, 180.0), True)
+    assert (test.name, test.plane, test.axes, test.arc, test.calibrated) == (
+        "yz",
+        "YZ",
+        ("Y", "Z"),
+        (30.0, 180.0),
+        True,
+    )
     ccw, cw = test.runs
     assert ccw.angles == pytest.approx(30 + 4.5 * (np.arange(40) + 0.5))
     assert cw.angles == pytest.approx(210 - 4.5 * (np.arange(40) + 0.5))
@@ -191,7 +228,11 @@ def test_a_file_made_by_hand() -> None:
 
 
 def test_runs_of_one_direction_are_numbered() -> None:
-    test = read(document(run_xml("CW") + run_xml("CCW") + run_xml("CW", READINGS.replace("+0.001", "+0.101"))))
+    test = read(
+        document(
+            run_xml("CW") + run_xml("CCW") + run_xml("CW", READINGS.replace("+0.001", "+0.101"))
+        )
+    )
     assert [(run.sense, run.number) for run in test.runs] == [("ccw", 1), ("cw", 1), ("cw", 2)]
     assert [run.deviations[0] for run in test.runs] == pytest.approx([0.001, 0.001, 0.101])
     assert set(test.vendor) == {"cw", "ccw", "cw 2"}
@@ -207,13 +248,31 @@ def test_full_circles_by_equal_angles() -> None:
 @pytest.mark.parametrize(
     ("content", "words"),
     [
-        (document(PROGRAMMED_FEEDRATE="1200"), "CW-R031: The true feed, from sample rate and number of samples, is 1000 mm/min"),
+        (
+            document(PROGRAMMED_FEEDRATE="1200"),
+            "CW-R031: The true feed, from sample rate and number of samples, is 1000 mm/min",
+        ),
         (document(run_xml("CW")), "CW-R033: The test asks for a ccw run"),
-        (document(run_xml("CW") + run_xml("CCW", READINGS + " 0.1 0.1")), "CW-R032: Run ccw 1 has 2 more readings"),
-        (document(run_xml("CW") + run_xml("CCW", READINGS.removesuffix(" -0.90000"))), "CW-R032: Run ccw 1 has 1 fewer readings"),
-        (document(TEMP_MATERIAL_COEFFICIENT="11.5"), "CW-R030: The readings hold the ballbar's calibration and its temperature"),
-        (document(run_xml("CW") + run_xml("CCW", READINGS.replace("+0.020", "-1.200"))), "CW-R035: The largest deviation"),
-        (document(run_xml("CW") + run_xml("CCW", " ".join(["0.00000"] * 60))), "CW-R036: Every deviation of run ccw 1 is zero"),
+        (
+            document(run_xml("CW") + run_xml("CCW", READINGS + " 0.1 0.1")),
+            "CW-R032: Run ccw 1 has 2 more readings",
+        ),
+        (
+            document(run_xml("CW") + run_xml("CCW", READINGS.removesuffix(" -0.90000"))),
+            "CW-R032: Run ccw 1 has 1 fewer readings",
+        ),
+        (
+            document(TEMP_MATERIAL_COEFFICIENT="11.5"),
+            "CW-R030: The readings hold the ballbar's calibration and its temperature",
+        ),
+        (
+            document(run_xml("CW") + run_xml("CCW", READINGS.replace("+0.020", "-1.200"))),
+            "CW-R035: The largest deviation",
+        ),
+        (
+            document(run_xml("CW") + run_xml("CCW", " ".join(["0.00000"] * 60))),
+            "CW-R036: Every deviation of run ccw 1 is zero",
+        ),
     ],
 )
 def test_what_is_remarkable(content: bytes, words: str) -> None:
@@ -226,7 +285,10 @@ def test_what_is_remarkable(content: bytes, words: str) -> None:
     [
         (
             document(NOMINAL_LENGTH="x"),
-            "DYNAMIC_BALLBAR/NOMINAL_LENGTH: is not a number; expected a number with a decimal point, found 'x'",
+            (
+                "DYNAMIC_BALLBAR/NOMINAL_LENGTH: is not a number; expected a number with a decimal"
+                " point, found 'x'"
+            ),
         ),
         (document(NOMINAL_LENGTH="100,0"), "is not a number"),
         (document(NOMINAL_LENGTH="0"), "NOMINAL_LENGTH: is out of range"),
@@ -235,37 +297,85 @@ def test_what_is_remarkable(content: bytes, words: str) -> None:
         (document(PROGRAMMED_FEEDRATE="-5"), "PROGRAMMED_FEEDRATE: is out of range"),
         (
             document(TEST_RADIUS="150"),
-            "test radius and length of the ballbar differ; expected 100 mm, as NOMINAL_LENGTH, found 150 mm",
+            (
+                "test radius and length of the ballbar differ; expected 100 mm, as NOMINAL_LENGTH,"
+                " found 150 mm"
+            ),
         ),
         (
             document(END_ANGLE="110"),
-            "covers too short an arc; expected at least 90 deg from START_ANGLE to END_ANGLE, found 80 deg",
+            (
+                "covers too short an arc; expected at least 90 deg from START_ANGLE to END_ANGLE,"
+                " found 80 deg"
+            ),
         ),
-        (document().replace(b'TEST_PLANE="YZ"', b'TEST_PLANE="Q"'), "DYNAMIC_BALLBAR/PLANE: names no plane"),
+        (
+            document().replace(b'TEST_PLANE="YZ"', b'TEST_PLANE="Q"'),
+            "DYNAMIC_BALLBAR/PLANE: names no plane",
+        ),
         (document(run_xml("UP")), "BALLBAR_RUN/RUN_DIRECTION: direction is neither CCW nor CW"),
-        (document(run_xml(readings=READINGS.replace("+0.003", "abc"))), "READINGS, value 13: a reading is not a number"),
-        (document(run_xml(readings=READINGS.replace("+0.003", "nan"))), "a reading is not a number"),
-        (document(run_xml(readings=READINGS.replace("0.00300", "0,00300"))), "a reading is not a number"),
-        (document(run_xml(readings=READINGS[:200])), "END_INDEX lies outside the readings; expected at most"),
-        (document(run_xml(readings=READINGS + " 0.1" * 20)), "READINGS have the wrong length; expected 60 values"),
-        (document(run_xml(readings=READINGS.removesuffix(" -0.90000" * 5))), "READINGS have the wrong length; expected 60 values"),
-        (document(run_xml(start="0", end="60")), "END_INDEX lies outside the readings; expected at most 59, the last, found 60"),
-        (document(run_xml(readings="x " * 1_000_001)), "READINGS are longer than any run; expected at most 1000000 values"),
+        (
+            document(run_xml(readings=READINGS.replace("+0.003", "abc"))),
+            "READINGS, value 13: a reading is not a number",
+        ),
+        (
+            document(run_xml(readings=READINGS.replace("+0.003", "nan"))),
+            "a reading is not a number",
+        ),
+        (
+            document(run_xml(readings=READINGS.replace("0.00300", "0,00300"))),
+            "a reading is not a number",
+        ),
+        (
+            document(run_xml(readings=READINGS[:200])),
+            "END_INDEX lies outside the readings; expected at most",
+        ),
+        (
+            document(run_xml(readings=READINGS + " 0.1" * 20)),
+            "READINGS have the wrong length; expected 60 values",
+        ),
+        (
+            document(run_xml(readings=READINGS.removesuffix(" -0.90000" * 5))),
+            "READINGS have the wrong length; expected 60 values",
+        ),
+        (
+            document(run_xml(start="0", end="60")),
+            "END_INDEX lies outside the readings; expected at most 59, the last, found 60",
+        ),
+        (
+            document(run_xml(readings="x " * 1_000_001)),
+            "READINGS are longer than any run; expected at most 1000000 values",
+        ),
         (document(run_xml(readings="")), "READINGS: is empty"),
-        (document(run_xml(start="-1")), "START_INDEX: is not an index; expected 0, 1, 2, ..., found '-1'"),
-        (document(run_xml(start="49")), "has too few samples; expected at least 4 samples from START_INDEX to END_INDEX"),
+        (
+            document(run_xml(start="-1")),
+            "START_INDEX: is not an index; expected 0, 1, 2, ..., found '-1'",
+        ),
+        (
+            document(run_xml(start="49")),
+            "has too few samples; expected at least 4 samples from START_INDEX to END_INDEX",
+        ),
         (document(run_xml(end="99999999")), "END_INDEX lies outside the readings"),
         (document(run_xml(rate="fast")), "BALLBAR_RUN/SAMPLE_RATE: is not a number"),
-        (document(re.sub("<END_INDEX>.*</END_INDEX>", "", run_xml())), "BALLBAR_RUN/END_INDEX: is missing"),
+        (
+            document(re.sub("<END_INDEX>.*</END_INDEX>", "", run_xml())),
+            "BALLBAR_RUN/END_INDEX: is missing",
+        ),
         (document(run_xml().replace("READINGS", "VALUES")), "holds no readings"),
         (document(""), "holds no readings: the test was set up, or its header exported"),
-        (document(run_xml() + run_xml("CW").replace("READINGS", "VALUES")), "BALLBAR_RUN/READINGS: is missing"),
+        (
+            document(run_xml() + run_xml("CW").replace("READINGS", "VALUES")),
+            "BALLBAR_RUN/READINGS: is missing",
+        ),
         (
             document().replace(b"DYNAMIC_BALLBAR", b"LASER"),
             "is of another instrument; expected a dynamic ballbar test, found 'LASER'",
         ),
         (document().replace(b"INSTRUMENT", b"TOOL"), "does not say which instrument measured"),
-        (b"<?xml version='1.0'?><a/>", "line 1: is not a ballbar file; expected the root element TEST_DOCUMENT, found 'a'"),
+        (
+            b"<?xml version='1.0'?><a/>",
+            "line 1: is not a ballbar file; expected the root element TEST_DOCUMENT, found 'a'",
+        ),
         (b"<html><body>", "is cut short"),
         (b"<a></b>", "line 1, column 6: is not whole XML (mismatched tag); expected </a>"),
         (document().replace(b"utf-8", b"klingon"), "in an unknown encoding"),
@@ -295,10 +405,14 @@ LAUGHS = "".join(f'<!ENTITY a{k + 1} "{f"&a{k};" * 10}">' for k in range(12))
     ],
 )
 def test_entities_are_refused_before_they_grow(head: str) -> None:
-    content = document(NOMINAL_LENGTH="&a12;").replace(b"<TEST_DOCUMENT>", head.encode() + b"\n<TEST_DOCUMENT>", 1)
+    content = document(NOMINAL_LENGTH="&a12;").replace(
+        b"<TEST_DOCUMENT>", head.encode() + b"\n<TEST_DOCUMENT>", 1
+    )
     begin = time.process_time()
     assert "line 2: declares a document type (DOCTYPE)" in fault(content)
-    assert time.process_time() - begin < 1.0  # s of the processor; growing it would take 10^12 characters
+    assert (
+        time.process_time() - begin < 1.0
+    )  # s of the processor; growing it would take 10^12 characters
 
 
 def test_directions_in_two_files_are_merged() -> None:
@@ -332,13 +446,40 @@ def test_any_change_of_a_file_is_read_or_refused(data: st.DataObject) -> None:
                 del content[at : at + data.draw(st.integers(1, 60))]
             case "insert":
                 content[at:at] = data.draw(
-                    st.sampled_from([b"<", b">", b"&amp;", b"&x;", b"-", b"9", b"e5", b"<a/>", b"<!---->", b"\x00"])
+                    st.sampled_from(
+                        [
+                            b"<",
+                            b">",
+                            b"&amp;",
+                            b"&x;",
+                            b"-",
+                            b"9",
+                            b"e5",
+                            b"<a/>",
+                            b"<!---->",
+                            b"\x00",
+                        ]
+                    )
                 )
             case _:
                 numbers = list(re.finditer(rb">[0-9.]+<", content))
                 if numbers:
                     found = numbers[at % len(numbers)]
-                    new = data.draw(st.sampled_from([b"0", b"-1", b"1e9", b"1e400", b"nan", b"", b"99999999999", b"0.5", b"90"]))
+                    new = data.draw(
+                        st.sampled_from(
+                            [
+                                b"0",
+                                b"-1",
+                                b"1e9",
+                                b"1e400",
+                                b"nan",
+                                b"",
+                                b"99999999999",
+                                b"0.5",
+                                b"90",
+                            ]
+                        )
+                    )
                     content[found.start() + 1 : found.end() - 1] = new
         if not content:
             break
@@ -346,7 +487,9 @@ def test_any_change_of_a_file_is_read_or_refused(data: st.DataObject) -> None:
     if isinstance(test, InputError):
         assert all(fault.file == "yz.b5r" for fault in test.faults)
     else:
-        assert all(np.isfinite(run.deviations).all() and np.isfinite(run.angles).all() for run in test.runs)
+        assert all(
+            np.isfinite(run.deviations).all() and np.isfinite(run.angles).all() for run in test.runs
+        )
         assert math.isfinite(test.feed)
         assert test.feed > 0
         assert 90 - 1e-6 <= test.arc[1] <= 360

@@ -31,7 +31,10 @@ def fault(content: bytes) -> str:
         (b"\x93\x00\x01\xff", "is a binary file"),
         (b"PK\x03\x04....", "an Excel workbook"),
         (b"\xd0\xcf\x11\xe0....", "an old Excel workbook"),
-        ("# operator: Müller\ntarget_mm\n".encode("latin-1"), "line 1: is not text in a known encoding"),
+        (
+            "# operator: Müller\ntarget_mm\n".encode("latin-1"),
+            "line 1: is not text in a known encoding",
+        ),
         (b"# a\r# b\r\n# c\n\xff", "line 4: is not text in a known encoding"),
         (b"\xff\xfea", "is not text in a known encoding"),
         (b"<html><body>", "found XML or HTML"),
@@ -68,7 +71,9 @@ def test_a_ballbar_file(name: str) -> None:
 @needs_shared
 def test_a_rotary_log_in_columns_of_its_own() -> None:
     with pytest.raises(InputError) as caught:
-        read_positioning((REAL / "rotary" / "ess_tank_axis_repeatability.csv").read_bytes(), "f.csv")
+        read_positioning(
+            (REAL / "rotary" / "ess_tank_axis_repeatability.csv").read_bytes(), "f.csv"
+        )
     text = str(caught.value)
     assert "line 4: the value column is missing" in text
     assert "column 'direction' is missing" in text

@@ -1,4 +1,6 @@
-"""No reading is lost in silence: header cells as spreadsheets write them, one-sided targets, files cut off inside a number."""
+"""No reading is lost in silence: header cells as spreadsheets write them, one-sided targets, files
+cut off inside a number.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +15,8 @@ from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
 from places import PROJECT
 
-#: Three traverses each way at two targets; a reading says which traverse it is: 1.3 is run 3 in +, -2.3 run 3 in -.
+#: Three traverses each way at two targets; a reading says which traverse it is: 1.3 is run 3 in +,
+#: -2.3 run 3 in -.
 ROWS = "0.5,1.1,-1.1,1.2,-1.2,1.3,-1.3\n100.5,2.1,-2.1,2.2,-2.2,2.3,-2.3\n"
 
 
@@ -22,7 +25,9 @@ def read(text: str) -> PositioningTest:
 
 
 def wide(column: str, place: int = 5) -> PositioningTest:
-    """Read the wide file in which one column (counted from 1; 5 is +3, 6 is -3) has another name."""
+    """Read the wide file in which one column (counted from 1; 5 is +3, 6 is -3) has another
+    name.
+    """
     names = ["+1", "-1", "+2", "-2", "+3", "-3"]
     names[place - 1] = column
     return read(f"# unit: um\ntarget_mm,{','.join(names)}\n{ROWS}")
@@ -38,7 +43,10 @@ def messages(test: PositioningTest) -> dict[str, tuple[str, str]]:
     return {finding.code: (finding.severity, finding.message) for finding in test.findings}
 
 
-@pytest.mark.parametrize("column", ["+ 3", "3+", "3 +", "+3.0", '"+3,0"', "run 3 +", "+ run 3", "run +3", "+03", "\uff0b3"])
+@pytest.mark.parametrize(
+    "column",
+    ["+ 3", "3+", "3 +", "+3.0", '"+3,0"', "run 3 +", "+ run 3", "run +3", "+03", "\uff0b3"],
+)
 def test_a_traverse_in_positive_direction_is_known_however_it_is_written(column: str) -> None:
     test = wide(column)
     assert test.runs_positive == test.runs_negative == (1, 2, 3)
@@ -46,28 +54,42 @@ def test_a_traverse_in_positive_direction_is_known_however_it_is_written(column:
     assert "CW-R005" not in messages(test)
 
 
-@pytest.mark.parametrize("column", ["- 3", "3-", "-3.0", "run 3 -", "\u22123", "\u2013 3", "\u20103", "3\u2013", "\uff0d3"])
+@pytest.mark.parametrize(
+    "column",
+    ["- 3", "3-", "-3.0", "run 3 -", "\u22123", "\u2013 3", "\u20103", "3\u2013", "\uff0d3"],
+)
 def test_a_traverse_in_negative_direction_is_known_however_it_is_written(column: str) -> None:
     test = wide(column, 6)
     assert test.runs_positive == test.runs_negative == (1, 2, 3)
     assert test.negative[:, 2].tolist() == pytest.approx([-0.0013, -0.0023])
 
 
-@pytest.mark.parametrize("column", ["+3 up", "up 3", "3 forward", "+3.5", "±3", "+3-", "+-3", "3↑", "run 3", "+0"])
+@pytest.mark.parametrize(
+    "column", ["+3 up", "up 3", "3 forward", "+3.5", "±3", "+3-", "+-3", "3↑", "run 3", "+0"]
+)
 def test_what_may_be_a_traverse_is_refused_with_its_line(column: str) -> None:
     text = f"# unit: um\ntarget_mm,+1,-1,+2,-2,{column},-3\n{ROWS}"
-    assert "x.csv: line 2: traverse columns are not named by direction and run; expected +1, -1" in refusal(text)
+    assert (
+        "x.csv: line 2: traverse columns are not named by direction and run; expected +1, -1"
+        in refusal(text)
+    )
     assert f"found {column}" in refusal(text)
 
 
 def test_one_traverse_in_two_columns() -> None:
     text = f"# unit: um\ntarget_mm,+1,-1,+2,-2,+ 2,-3\n{ROWS}"
-    assert "x.csv: line 2: a traverse is given twice; expected one column per traverse, found '+2' and '+ 2'" in refusal(text)
+    assert (
+        "x.csv: line 2: a traverse is given twice; expected one column per traverse, found '+2' and"
+        " '+ 2'" in refusal(text)
+    )
 
 
 def test_columns_that_are_no_traverse_are_a_warning() -> None:
     text = "# unit: um\ntarget_mm,+1,-1,temperature,mean +,sensor-2\n0.5,1,2,20.1,1,7\n"
-    assert messages(read(text))["CW-R005"] == ("warning", "Columns that were left out: temperature, mean +, sensor-2.")
+    assert messages(read(text))["CW-R005"] == (
+        "warning",
+        "Columns that were left out: temperature, mean +, sensor-2.",
+    )
 
 
 def test_direction_with_the_dash_of_a_word_processor() -> None:
@@ -89,7 +111,9 @@ def test_a_target_that_lacks_one_direction_is_left_out_with_a_warning() -> None:
     assert np.isfinite(test.positive).all()
     severity, message = messages(test)["CW-R050"]
     assert severity == "warning"
-    assert message.endswith("approached them in one only: target 300 mm in direction + only (line 8).")
+    assert message.endswith(
+        "approached them in one only: target 300 mm in direction + only (line 8)."
+    )
 
 
 def test_many_targets_that_lack_one_direction_are_refused() -> None:
@@ -98,7 +122,9 @@ def test_many_targets_that_lack_one_direction_are_refused() -> None:
 
 def test_a_typing_error_in_a_target_is_refused() -> None:
     text = long(6).replace("300,-", "301,-")
-    assert "the targets of the two directions differ; expected 300 mm as in direction +" in refusal(text)
+    assert "the targets of the two directions differ; expected 300 mm as in direction +" in refusal(
+        text
+    )
 
 
 @pytest.mark.parametrize(
@@ -135,7 +161,10 @@ def test_a_last_number_as_long_as_the_others_is_whole() -> None:
 )
 def test_inches_are_answered_with_what_to_do(text: str, column: str) -> None:
     said = refusal(text)
-    assert "is in inches, which are not read; expected target_mm and deviation_um: multiply targets in inches by 25.4" in said
+    assert (
+        "is in inches, which are not read; expected target_mm and deviation_um: multiply targets in"
+        " inches by 25.4" in said
+    )
     assert f"found '{column}'" in said
 
 
@@ -143,9 +172,11 @@ def test_the_code_page_of_windows_is_answered_with_what_to_do() -> None:
     text = "# operator: Müller\n" + long(5)
     with pytest.raises(InputError) as caught:
         read_positioning(text.encode("cp1252"), "x.csv")
-    assert str(caught.value) == (
-        "x.csv: line 1: is not text in a known encoding; expected UTF-8: save the file again with that encoding (editor: save as,"
-        " encoding UTF-8; spreadsheet: CSV UTF-8), or write u for µ and deg for °, found byte 0xFC, which is 'ü' in Windows-1252"
+    assert (
+        str(caught.value)
+        == "x.csv: line 1: is not text in a known encoding; expected UTF-8: save the file again"
+        " with that encoding (editor: save as, encoding UTF-8; spreadsheet: CSV UTF-8), or write"
+        " u for µ and deg for °, found byte 0xFC, which is 'ü' in Windows-1252"
     )
 
 
@@ -158,9 +189,14 @@ def test_the_page_about_measurement_files() -> None:
         assert getattr(one, values).tolist() == getattr(other, values).tolist()
     # As the page says: at 100.274, coming in +, run 1, it stood 2.1 µm too far to plus.
     assert one.positive[1, 0] == pytest.approx(0.0021)
-    assert one.negative.tolist() == [pytest.approx([-0.0029, -0.0031]), pytest.approx([-0.0016, -0.0012])]
+    assert one.negative.tolist() == [
+        pytest.approx([-0.0029, -0.0031]),
+        pytest.approx([-0.0016, -0.0012]),
+    ]
     head = circle.partition("ccw,")[0]
-    rows = "".join(f"{sense},{angle},1.2\n" for sense in ("ccw", "cw") for angle in range(0, 360, 5))
+    rows = "".join(
+        f"{sense},{angle},1.2\n" for sense in ("ccw", "cw") for angle in range(0, 360, 5)
+    )
     assert read_circular_csv((head + rows).encode(), "xy.csv", "xy").plane == "XY"
     for code in re.findall(r"`(CW-[A-Z][0-9]{3})`", page):
         assert code in (PROJECT / "docs" / "findings.md").read_text(encoding="utf-8")

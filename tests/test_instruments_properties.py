@@ -10,7 +10,10 @@ from compwright.foundations.errors import InputError
 from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
 
-LONG = b"# axis: X\n# unit: um\ntarget_mm;direction;run;deviation_um\n0,5;+;1;-2,5\n0,5;-;1;3\n100;+;1;1,5\n100;-;1;2\n"
+LONG = (
+    b"# axis: X\n# unit:"
+    b" um\ntarget_mm;direction;run;deviation_um\n0,5;+;1;-2,5\n0,5;-;1;3\n100;+;1;1,5\n100;-;1;2\n"
+)
 WIDE = b"# unit: um\ntarget_mm,+1,-1\n0.5,1,2\n100,,-3.25\n200,4,5\n"
 DATA = b"UNIT=mm\nCYCLES=1\nTGT_DATA[1]=0.5\nTGT_DATA[2]=7\nREF_DATA_FWD[1,1]=.501\nREF_DATA_FWD[2,1]=7.002\n"
 #: Pieces that have a meaning somewhere in the forms, so that random files come near to valid ones.
@@ -85,7 +88,9 @@ def test_random_bytes(content: bytes) -> None:
 
 
 @UNHURRIED
-@given(st.lists(PIECES, max_size=60).map("".join), st.sampled_from(["utf-8", "utf-8-sig", "utf-16"]))
+@given(
+    st.lists(PIECES, max_size=60).map("".join), st.sampled_from(["utf-8", "utf-8-sig", "utf-16"])
+)
 def test_random_pieces(text: str, encoding: str) -> None:
     check(text.encode(encoding))
 
@@ -96,19 +101,36 @@ def test_mutated_files(content: bytes, data: st.DataObject) -> None:
     for _ in range(data.draw(st.integers(1, 4))):
         start = data.draw(st.integers(0, len(content)))
         end = data.draw(st.integers(start, min(len(content), start + 12)))
-        content = content[:start] + data.draw(st.one_of(st.binary(max_size=4), PIECES.map(str.encode))) + content[end:]
+        content = (
+            content[:start]
+            + data.draw(st.one_of(st.binary(max_size=4), PIECES.map(str.encode)))
+            + content[end:]
+        )
     check(content)
 
 
-DEVIATIONS = st.integers(-99_999, 99_999).map(lambda value: value / 100)  # um, two decimals as instruments print
+DEVIATIONS = st.integers(-99_999, 99_999).map(
+    lambda value: value / 100
+)  # um, two decimals as instruments print
 
 
 @st.composite
 def tables(draw: st.DrawFn) -> tuple[list[float], list[str], list[list[float | None]]]:
-    """Targets, traverses and deviations with gaps, each target approached in each of the directions."""
-    targets = draw(st.lists(st.integers(-50_000, 50_000).map(lambda value: value / 10), min_size=1, max_size=6, unique=True))
+    """Targets, traverses and deviations with gaps, each target approached in each of the
+    directions.
+    """
+    targets = draw(
+        st.lists(
+            st.integers(-50_000, 50_000).map(lambda value: value / 10),
+            min_size=1,
+            max_size=6,
+            unique=True,
+        )
+    )
     traverses = [
-        f"{sign}{run}" for sign in draw(st.sampled_from(["+", "-", "+-"])) for run in range(1, draw(st.integers(1, 4)) + 1)
+        f"{sign}{run}"
+        for sign in draw(st.sampled_from(["+", "-", "+-"]))
+        for run in range(1, draw(st.integers(1, 4)) + 1)
     ]
     rows: list[list[float | None]] = []
     for _ in targets:
@@ -130,7 +152,9 @@ def same(one: PositioningTest, other: PositioningTest) -> None:
 
 @UNHURRIED
 @given(tables(), st.sampled_from([(",", "."), (";", ","), ("\t", ","), (";", ".")]))
-def test_wide_and_long_say_the_same(table: tuple[list[float], list[str], list[list[float | None]]], marks: tuple[str, str]) -> None:
+def test_wide_and_long_say_the_same(
+    table: tuple[list[float], list[str], list[list[float | None]]], marks: tuple[str, str]
+) -> None:
     targets, traverses, rows = table
     delimiter, mark = marks
 
@@ -138,7 +162,10 @@ def test_wide_and_long_say_the_same(table: tuple[list[float], list[str], list[li
         return "" if value is None else f"{value:.2f}".replace(".", mark)
 
     wide = ["# unit: um", delimiter.join(["target_mm", *traverses])]
-    wide += [delimiter.join([cell(target), *map(cell, row)]) for target, row in zip(targets, rows, strict=True)]
+    wide += [
+        delimiter.join([cell(target), *map(cell, row)])
+        for target, row in zip(targets, rows, strict=True)
+    ]
     long = [delimiter.join(["target_mm", "direction", "run", "deviation_um"])]
     long += [
         delimiter.join([cell(target), traverse[0], traverse[1:], cell(value)])
@@ -148,7 +175,11 @@ def test_wide_and_long_say_the_same(table: tuple[list[float], list[str], list[li
     ]
     from_wide = read_positioning("\n".join(wide).encode(), "x.csv")
     from_long = read_positioning("\r\n".join(long).encode(), "x.csv")
-    columns = [traverse for index, traverse in enumerate(traverses) if any(row[index] is not None for row in rows)]
+    columns = [
+        traverse
+        for index, traverse in enumerate(traverses)
+        if any(row[index] is not None for row in rows)
+    ]
     assert len(from_long.runs_positive) + len(from_long.runs_negative) == len(columns)
     same(from_wide, from_long)
     # Against the table itself, not only against each other: um to mm.

@@ -1,4 +1,6 @@
-"""The target data form: three files of real machines, and each way in which entries can be missing or disagree."""
+"""The target data form: three files of real machines, and each way in which entries can be missing
+or disagree.
+"""
 
 from __future__ import annotations
 
@@ -52,8 +54,12 @@ def real(name: str) -> PositioningTest:
 
 
 @needs_shared
-@pytest.mark.parametrize(("name", "targets"), [("ess_b02_x", 9), ("ess_muts_y_ild50", 5), ("psi_test_fat_sat", 5)])
-def test_real_files_give_the_parameters_computed_from_the_definitions(name: str, targets: int) -> None:
+@pytest.mark.parametrize(
+    ("name", "targets"), [("ess_b02_x", 9), ("ess_muts_y_ild50", 5), ("psi_test_fat_sat", 5)]
+)
+def test_real_files_give_the_parameters_computed_from_the_definitions(
+    name: str, targets: int
+) -> None:
     test = real(f"{name}.dat")
     assert test.name == name
     assert test.positive.shape == test.negative.shape == (targets, 5)
@@ -75,18 +81,22 @@ def test_real_files_give_the_parameters_computed_from_the_definitions(name: str,
         "A_fwd": (up + 2 * s_up).max() - (up - 2 * s_up).min(),
     }
     for key, value in computed.items():
-        assert value == pytest.approx(float(expected[key]), abs=0.6e-6), key  # mm: half of the sixth decimal, and float noise
+        assert value == pytest.approx(float(expected[key]), abs=0.6e-6), (
+            key
+        )  # mm: half of the sixth decimal, and float noise
 
 
 @needs_shared
 def test_cycle_means_of_a_real_file() -> None:
-    # Facts on this file: cycle means -10.0 to -14.7 um forward and 16.3 to 9.7 um backward (one decimal: 0.05 um).
+    # Facts on this file: cycle means -10.0 to -14.7 um forward and 16.3 to 9.7 um backward (one
+    # decimal: 0.05 um).
     test = real("ess_b02_x.dat")
     assert test.positive[:, 0].mean() * 1000 == pytest.approx(-10.0, abs=0.05)
     assert test.positive[:, 4].mean() * 1000 == pytest.approx(-14.7, abs=0.05)
     assert test.negative[:, 0].mean() * 1000 == pytest.approx(16.3, abs=0.05)
     assert test.negative[:, 4].mean() * 1000 == pytest.approx(9.7, abs=0.05)
-    # One reading by eye: REF_DATA_BWD[9,5]=20.0405726224096368 at TGT_DATA[9]=20 (mm, double precision at 20).
+    # One reading by eye: REF_DATA_BWD[9,5]=20.0405726224096368 at TGT_DATA[9]=20 (mm, double
+    # precision at 20).
     assert test.negative[8, 4] == pytest.approx(0.0405726224096368, abs=1e-14)
     assert test.targets[0] == -20.0
     assert test.header["TGT_SET_PV"] == "TARGET_DU:X-PosCmd"
@@ -99,7 +109,9 @@ def test_cycle_means_of_a_real_file() -> None:
 def test_small_file() -> None:
     test = read(COMPLETE)
     np.testing.assert_array_equal(test.targets, [-5.0, 0.5])
-    np.testing.assert_allclose(test.positive * 1000, [[-2.0, -1.0], [3.0, 4.0]], atol=1e-11)  # um, doubles at 5 mm
+    np.testing.assert_allclose(
+        test.positive * 1000, [[-2.0, -1.0], [3.0, 4.0]], atol=1e-11
+    )  # um, doubles at 5 mm
     np.testing.assert_allclose(test.negative * 1000, [[1.0, 2.0], [0.5, 1.0]], atol=1e-11)
     assert test.runs_positive == (1, 2)
     assert {finding.code for finding in test.findings} == {"CW-R001", "CW-R002", "CW-R003"}
@@ -119,11 +131,17 @@ def test_the_unit_is_that_of_targets_and_readings(unit: str, factor: float, kind
     test = read(COMPLETE.replace("UNIT=mm", f"UNIT={unit}"))
     assert test.kind is kind
     np.testing.assert_allclose(test.targets, np.array([-5.0, 0.5]) * factor, rtol=1e-15)
-    np.testing.assert_allclose(test.positive[:, 0], np.array([-0.002, 0.003]) * factor, rtol=1e-12)  # doubles at 5 mm
+    np.testing.assert_allclose(
+        test.positive[:, 0], np.array([-0.002, 0.003]) * factor, rtol=1e-12
+    )  # doubles at 5 mm
 
 
 def test_keys_in_comments_and_absent_keys() -> None:
-    bare = "".join(line + "\n" for line in COMPLETE.splitlines() if not line.startswith(("UNIT", "CYCLES", "POSITIONS", "DEC")))
+    bare = "".join(
+        line + "\n"
+        for line in COMPLETE.splitlines()
+        if not line.startswith(("UNIT", "CYCLES", "POSITIONS", "DEC"))
+    )
     test = read("# axis: X\n# cycle: step\n#   UNIT   : Unit for measurements\n" + bare)
     assert (test.axis, test.cycle, test.kind) == ("X", "step", AxisKind.LINEAR)
     (assumed,) = [finding.message for finding in test.findings if finding.code == "CW-R001"]
@@ -131,7 +149,11 @@ def test_keys_in_comments_and_absent_keys() -> None:
 
 
 def test_targets_listed_from_high_to_low() -> None:
-    text = COMPLETE.replace("TGT_DATA[1]=-5\n", "TGT_DATA[1]=5\n").replace("=-5.", "=5.").replace("=-4.", "=4.")
+    text = (
+        COMPLETE.replace("TGT_DATA[1]=-5\n", "TGT_DATA[1]=5\n")
+        .replace("=-5.", "=5.")
+        .replace("=-4.", "=4.")
+    )
     assert "CW-R014" in {finding.code for finding in read(text).findings}
 
 
@@ -151,19 +173,43 @@ def without(entry: str) -> str:
         (without("REF_DATA_BWD[2,1]"), "x.dat: entries are missing; expected REF_DATA_BWD[2,1]"),
         (without("REF_DATA_BWD[1,2]"), "x.dat: entries are missing; expected REF_DATA_BWD[1,2]"),
         (without("TGT_DATA[1]"), "x.dat: entries are missing; expected TGT_DATA[1]"),
-        (COMPLETE + "TGT_DATA[2]=1\n", "line 16, TGT_DATA[2]: is given twice; expected each index once, found the first in line 7"),
+        (
+            COMPLETE + "TGT_DATA[2]=1\n",
+            (
+                "line 16, TGT_DATA[2]: is given twice; expected each index once, found the first in"
+                " line 7"
+            ),
+        ),
         (COMPLETE + "REF_DATA_FWD[2,2]=1\n", "line 16, REF_DATA_FWD[2,2]: is given twice"),
         (COMPLETE + "UNIT=um\n", "line 16, UNIT: is given twice"),
-        (COMPLETE.replace("CYCLES=2", "CYCLES=5"), "line 3, CYCLES: disagrees with the entries; expected 2"),
-        (COMPLETE.replace("POSITIONS=2", "POSITIONS=3"), "line 4, POSITIONS: disagrees with the entries; expected 2"),
-        (COMPLETE.replace("CYCLES=2", "CYCLES=two"), "line 3, CYCLES: is not a whole number of at least 1"),
+        (
+            COMPLETE.replace("CYCLES=2", "CYCLES=5"),
+            "line 3, CYCLES: disagrees with the entries; expected 2",
+        ),
+        (
+            COMPLETE.replace("POSITIONS=2", "POSITIONS=3"),
+            "line 4, POSITIONS: disagrees with the entries; expected 2",
+        ),
+        (
+            COMPLETE.replace("CYCLES=2", "CYCLES=two"),
+            "line 3, CYCLES: is not a whole number of at least 1",
+        ),
         (COMPLETE.replace("UNIT=mm", "UNIT=steps"), "line 2, UNIT: names an unknown unit"),
         (COMPLETE.replace("=.503", "=nan"), "line 9, REF_DATA_FWD[2,1]: is not a finite number"),
         (COMPLETE.replace("=.503", "="), "line 9, REF_DATA_FWD[2,1]: is empty"),
         (COMPLETE.replace("=.503", "=0,503"), "line 9, REF_DATA_FWD[2,1]: decimal marks are mixed"),
-        (COMPLETE.replace("TGT_DATA[1]=-5", "TGT_DATA[1]=five"), "line 6, TGT_DATA[1]: is not a number"),
-        (COMPLETE + "REF_DATA_FWD[3,1]=1\n", "line 16, REF_DATA_FWD[3,1]: has no target; expected an index up to 2"),
-        (COMPLETE + "REF_DATA_FWD[1]=1\n", "line 16: has wrong indices; expected REF_DATA_FWD[target,cycle]"),
+        (
+            COMPLETE.replace("TGT_DATA[1]=-5", "TGT_DATA[1]=five"),
+            "line 6, TGT_DATA[1]: is not a number",
+        ),
+        (
+            COMPLETE + "REF_DATA_FWD[3,1]=1\n",
+            "line 16, REF_DATA_FWD[3,1]: has no target; expected an index up to 2",
+        ),
+        (
+            COMPLETE + "REF_DATA_FWD[1]=1\n",
+            "line 16: has wrong indices; expected REF_DATA_FWD[target,cycle]",
+        ),
         (COMPLETE + "TGT_DATA[0]=1\n", "line 16: has wrong indices"),
         (COMPLETE + "TGT_DATA=1\n", "line 16: has wrong indices"),
         (COMPLETE + "done\n", "line 16: is not KEY=value"),
@@ -178,4 +224,7 @@ def test_faults(text: str, words: str) -> None:
 def test_a_huge_index_neither_hangs_nor_floods() -> None:
     line = one_fault("TGT_DATA[1]=0\nREF_DATA_FWD[1,999999999]=0.5\n")
     assert line.endswith("REF_DATA_FWD[1,10] and 999999988 more")
-    assert "and 999999988 more" in faults("TGT_DATA[999999999]=0.5\nREF_DATA_FWD[999999999,1]=0.5\n")[0]
+    assert (
+        "and 999999988 more"
+        in faults("TGT_DATA[999999999]=0.5\nREF_DATA_FWD[999999999,1]=0.5\n")[0]
+    )

@@ -20,7 +20,9 @@ def from_options(
     states: Sequence[str] = (),
     options: Sequence[str] = (),
 ) -> Job:
-    return job_from_options(files, format="fanuc-30i", axis=axis, travel=travel, states=states, options=options)
+    return job_from_options(
+        files, format="fanuc-30i", axis=axis, travel=travel, states=states, options=options
+    )
 
 
 def faults_of(**words: object) -> list[str]:
@@ -56,7 +58,14 @@ axes:
         travel="-30:110.5",
         states=["control/P.TXT", "control/Q.TXT"],
         options=[
-            *("address=4", "kind=rotary", "reference=-0.5", "reference_return=-", "encoder_system=2", "screw_pitch=2,4.5"),
+            *(
+                "address=4",
+                "kind=rotary",
+                "reference=-0.5",
+                "reference_return=-",
+                "encoder_system=2",
+                "screw_pitch=2,4.5",
+            ),
             *("spacing=10", "mode=single", "detection_unit=0.001", "axis_number=3"),
         ],
     )
@@ -83,12 +92,20 @@ def test_states() -> None:
 
 
 def test_values_of_controller_options_stay_text() -> None:
-    assert from_options(options=["a=1", "b=", "c=x=y", "spacing=auto"]).options == {"a": "1", "b": "", "c": "x=y"}
+    assert from_options(options=["a=1", "b=", "c=x=y", "spacing=auto"]).options == {
+        "a": "1",
+        "b": "",
+        "c": "x=y",
+    }
 
 
-@pytest.mark.parametrize("travel", ["", "0", "0:", "0:1:2", "1:0", "a:b", "0:1e999", "0:nan", "0:0", "0,5:1"])
+@pytest.mark.parametrize(
+    "travel", ["", "0", "0:", "0:1:2", "1:0", "a:b", "0:1e999", "0:nan", "0:0", "0,5:1"]
+)
 def test_travel_is_two_numbers_in_order(travel: str) -> None:
-    assert faults_of(travel=travel) == [f"--travel: is no travel; expected LO:HI in mm or deg, LO below HI, found {travel!r}"]
+    assert faults_of(travel=travel) == [
+        f"--travel: is no travel; expected LO:HI in mm or deg, LO below HI, found {travel!r}"
+    ]
 
 
 @pytest.mark.parametrize(
@@ -119,4 +136,9 @@ def test_faults_name_their_option(words: dict[str, object], start: str) -> None:
 
 def test_all_faults_at_once() -> None:
     faults = faults_of(travel="0", options=["mode=x", "spacing=y", "z"])
-    assert sorted(fault.split(": ")[0] for fault in faults) == ["--option", "--option mode", "--option spacing", "--travel"]
+    assert sorted(fault.split(": ")[0] for fault in faults) == [
+        "--option",
+        "--option mode",
+        "--option spacing",
+        "--travel",
+    ]

@@ -17,13 +17,20 @@ from places import PROJECT
 
 PAGE = (PROJECT / "docs" / "job-file.md").read_text(encoding="utf-8")
 EXAMPLE = re.findall(r"```yaml\n(.*?)```", PAGE, re.DOTALL)[0]
-DATA: dict[str, Any] = yaml.load(EXAMPLE, Loader=yaml.BaseLoader)  # noqa: S506 - own text, everything as text
+# own text, everything as text
+DATA: dict[str, Any] = yaml.load(EXAMPLE, Loader=yaml.BaseLoader)  # noqa: S506
 
 Path = tuple[str | int, ...]
 
 
 def paths_of(value: Any, path: Path = ()) -> list[Path]:
-    inner = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    inner = (
+        value.items()
+        if isinstance(value, dict)
+        else enumerate(value)
+        if isinstance(value, list)
+        else ()
+    )
     return [path, *(found for key, below in inner for found in paths_of(below, (*path, key)))]
 
 
@@ -33,9 +40,12 @@ ANYTHING = st.recursive(
     | st.integers()
     | st.floats()
     | st.text(max_size=8)
-    | st.sampled_from(["010", "1:30", "none", "auto", "+", "-", "as_found", "X", "rotary", "1e999", 10**30, -1, 0]),
+    | st.sampled_from(
+        ["010", "1:30", "none", "auto", "+", "-", "as_found", "X", "rotary", "1e999", 10**30, -1, 0]
+    ),
     lambda inner: (
-        st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=5) | st.sampled_from(["files", "A"]), inner, max_size=3)
+        st.lists(inner, max_size=3)
+        | st.dictionaries(st.text(max_size=5) | st.sampled_from(["files", "A"]), inner, max_size=3)
     ),
     max_leaves=6,
 )
@@ -92,17 +102,22 @@ def test_bytes(content: bytes) -> None:
     axis=st.text(max_size=4),
     states=st.lists(st.sampled_from(["none", "a", "", "\0"]), max_size=3),
     options=st.lists(
-        st.tuples(st.sampled_from(["spacing", "mode", "kind", "address", "x", "", "screw_pitch"]), st.text(max_size=6)).map(
-            "=".join
-        ),
+        st.tuples(
+            st.sampled_from(["spacing", "mode", "kind", "address", "x", "", "screw_pitch"]),
+            st.text(max_size=6),
+        ).map("=".join),
         max_size=4,
     ),
 )
 @settings(max_examples=150, deadline=None)
-def test_options(files: list[str], travel: str, axis: str, states: list[str], options: list[str]) -> None:
+def test_options(
+    files: list[str], travel: str, axis: str, states: list[str], options: list[str]
+) -> None:
     faults: tuple[Fault, ...] = ()
     try:
-        job = job_from_options(files, format="linuxcnc", axis=axis, travel=travel, states=states, options=options)
+        job = job_from_options(
+            files, format="linuxcnc", axis=axis, travel=travel, states=states, options=options
+        )
         assert list(job.axes) == [axis]
     except UsageError as error:
         faults = error.faults

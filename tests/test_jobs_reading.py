@@ -1,6 +1,7 @@
 """Job files: the contract's own example, every rule of the schema, all faults at once.
 
-The expected values are read off the job texts by hand and off the outside contract (`shared/contract.md`, "Job file").
+The expected values are read off the job texts by hand and off the outside contract
+(`shared/contract.md`, "Job file").
 """
 
 from __future__ import annotations
@@ -40,18 +41,38 @@ def axis_faults(keys: str) -> list[str]:
     """Return the faults of a job whose axis X has ``keys`` beside what is required."""
     required = {"travel": "[0, 500]", "before": "[x.csv]"}
     lines = [f"{key}: {value}" for key, value in required.items() if f"{key}:" not in keys] + [keys]
-    text = "compwright: 1\ncontroller: {format: linuxcnc}\nstates: {as_found: none, off: none}\naxes:\n  X:\n"
+    text = (
+        "compwright: 1\ncontroller: {format: linuxcnc}\nstates: {as_found: none, off:"
+        " none}\naxes:\n  X:\n"
+    )
     return faults_of(text + textwrap.indent("\n".join(lines), "    "))
 
 
 def test_smallest_job_has_every_default_of_the_contract() -> None:
     read = job(SMALLEST)
     axis = read.axes["X"].axis
-    assert (read.file, read.format, read.standard, read.language) == ("job.yaml", "linuxcnc", "iso230-2:2014", "en")
+    assert (read.file, read.format, read.standard, read.language) == (
+        "job.yaml",
+        "linuxcnc",
+        "iso230-2:2014",
+        "en",
+    )
     assert (axis.kind, axis.travel, axis.address) == (AxisKind.LINEAR, (0.0, 500.0), "X")
-    assert (axis.reference, axis.reference_return, axis.encoder) == (0.0, Direction.POSITIVE, Encoder("incremental", 1))
-    assert (axis.programmed, axis.screw_pitch, axis.modulo, axis.axis_number, axis.gantry) == ("radius", (), None, None, None)
-    assert read.axes["X"].table == TableRequest(start=None, end=None, spacing=None, mode="auto", goal="expected")
+    assert (axis.reference, axis.reference_return, axis.encoder) == (
+        0.0,
+        Direction.POSITIVE,
+        Encoder("incremental", 1),
+    )
+    assert (axis.programmed, axis.screw_pitch, axis.modulo, axis.axis_number, axis.gantry) == (
+        "radius",
+        (),
+        None,
+        None,
+        None,
+    )
+    assert read.axes["X"].table == TableRequest(
+        start=None, end=None, spacing=None, mode="auto", goal="expected"
+    )
     (test,) = read.axes["X"].before
     assert (test.files, test.name, test.measured_in) == (("runs/x.csv",), "x", "as_found")
     assert test.position_map == PositionMap(1, 0.0)
@@ -69,27 +90,61 @@ def example_of_the_page() -> str:
 def test_complete_example_of_the_page_is_read_key_by_key() -> None:
     read = job(example_of_the_page())
     x, b = read.axes["X"], read.axes["B"]
-    assert read.machine == {"name": "VMC 850", "serial": "1111111", "type": "vertical machining centre"}
+    assert read.machine == {
+        "name": "VMC 850",
+        "serial": "1111111",
+        "type": "vertical machining centre",
+    }
     assert read.options == {"detection_unit": 0.001}
-    assert read.states == {"as_found": ("control/CNC-PARA.TXT", "control/PITCH.TXT"), "comp_off": NONE_STATE}
-    assert (x.axis.address, x.axis.axis_number, x.axis.gantry, x.axis.screw_pitch) == ("1", 1, "5", (10.0,))
+    assert read.states == {
+        "as_found": ("control/CNC-PARA.TXT", "control/PITCH.TXT"),
+        "comp_off": NONE_STATE,
+    }
+    assert (x.axis.address, x.axis.axis_number, x.axis.gantry, x.axis.screw_pitch) == (
+        "1",
+        1,
+        "5",
+        (10.0,),
+    )
     assert x.axis.travel == (-850.0, 0.0)
     assert [test.name for test in x.before] == ["x_before", "x_off"]
     assert x.before[1].files == ("runs/x_off_1.csv", "runs/x_off_2.csv")
     assert [test.measured_in for test in x.before] == ["as_found", "comp_off"]
     assert [test.position_map for test in x.before] == [PositionMap(1, -850.0)] * 2
-    assert x.table == TableRequest(start=-850.0, end=0.0, spacing=50.0, mode="auto", goal="expected")
+    assert x.table == TableRequest(
+        start=-850.0, end=0.0, spacing=50.0, mode="auto", goal="expected"
+    )
     assert x.accept is not None
     assert (x.accept.limits, x.accept.test) == ({"A": 8.0, "E": 6.0, "B": 3.0}, None)
-    assert (b.axis.kind, b.axis.modulo, b.axis.screw_pitch, b.axis.address) == (AxisKind.ROTARY, 360.0, (2.0, 4.0), "4")
+    assert (b.axis.kind, b.axis.modulo, b.axis.screw_pitch, b.axis.address) == (
+        AxisKind.ROTARY,
+        360.0,
+        (2.0, 4.0),
+        "4",
+    )
     assert b.accept is not None
     assert (b.accept.limits, b.accept.test) == ({"A": 12.0}, "b_before")
     assert read.uncertainty == UncertaintyBudget(
-        device=0.5, device_per_m=0.5, misalignment_mm=1.0, U_theta=0.5, U_alpha=1.0, setup=0.0, E_VE=1.0
+        device=0.5,
+        device_per_m=0.5,
+        misalignment_mm=1.0,
+        U_theta=0.5,
+        U_alpha=1.0,
+        setup=0.0,
+        E_VE=1.0,
     )
-    assert read.thermal == Thermal(alpha_m=11.5, T_m=22.0, alpha_d=0.0, T_d=20.0, x_fix=0.0, refer_to="scale")
+    assert read.thermal == Thermal(
+        alpha_m=11.5, T_m=22.0, alpha_d=0.0, T_d=20.0, x_fix=0.0, refer_to="scale"
+    )
     assert read.fixed_positions == {"tool_change": {"Z": 0.0}}
-    assert read.proven == ({"control": "FANUC 31i-B", "machine": "VMC 850", "date": "2024-05-17", "how": "laser before and after"},)
+    assert read.proven == (
+        {
+            "control": "FANUC 31i-B",
+            "machine": "VMC 850",
+            "date": "2024-05-17",
+            "how": "laser before and after",
+        },
+    )
     assert [(circle.name, circle.files, circle.centre) for circle in read.circles] == [
         ("xy-150", ("runs/xy.b5r",), (-400.0, -250.0, -300.0)),
         ("zx-100", ("runs/zx_ccw.csv", "runs/zx_cw.csv"), None),
@@ -97,8 +152,16 @@ def test_complete_example_of_the_page_is_read_key_by_key() -> None:
     (cross,) = read.cross
     assert (cross.input, cross.output, cross.positions) == ("X", "Y", (-800.0, -400.0, 0.0))
     assert cross.deviations == pytest.approx((0.0015, 0.0004, 0.0))  # mm
-    assert (read.apply.squareness, read.apply.scale, read.apply.backlash_from) == ({"XY": "Y"}, ("X", "Y"), "positioning")
-    told = [finding.message.split(" does nothing")[0] for finding in read.findings if finding.code == "CW-J004"]
+    assert (read.apply.squareness, read.apply.scale, read.apply.backlash_from) == (
+        {"XY": "Y"},
+        ("X", "Y"),
+        "positioning",
+    )
+    told = [
+        finding.message.split(" does nothing")[0]
+        for finding in read.findings
+        if finding.code == "CW-J004"
+    ]
     assert told == ["cross[0]", "apply.scale", "apply.squareness.XY"]  # Y is no axis of this job
 
 
@@ -107,7 +170,9 @@ def test_page_and_schema_have_the_same_keys() -> None:
 
     page = (PROJECT / "docs" / "job-file.md").read_text(encoding="utf-8")
     words = set(re.findall(r"[A-Za-z_]+", " ".join(re.findall(r"`([^`\n]+)`", page))))
-    sections = [s for s in vars(schema).values() if isinstance(s, type) and issubclass(s, schema.Section)]
+    sections = [
+        s for s in vars(schema).values() if isinstance(s, type) and issubclass(s, schema.Section)
+    ]
     keys = {key for section in sections for key in section.model_fields}
     assert len(keys) > 50  # the sections were found at all
     assert keys - words == set()
@@ -116,7 +181,9 @@ def test_page_and_schema_have_the_same_keys() -> None:
 @needs_shared
 def test_example_of_the_contract_is_read() -> None:
     contract = (SHARED / "contract.md").read_text(encoding="utf-8")
-    text = contract[contract.index("    compwright: 1  ") : contract.index("Required: `compwright`")]
+    text = contract[
+        contract.index("    compwright: 1  ") : contract.index("Required: `compwright`")
+    ]
     text = textwrap.dedent(text).replace("[..]", "[0, 1]").replace("..", "x")
     read = job(text)
     # The page gives modulo for completeness; X is linear there, so it is told and left out.
@@ -144,7 +211,9 @@ def test_keys_without_work_behind_them_are_said() -> None:
         cross: [{input: X, output: B, positions: [0, 1], deviations: [0, 1], unit: arcsec}]
         """)
     assert {finding.code for finding in read.findings} == {"CW-J001"}
-    assert [finding.message.removeprefix("read, but not used yet: ") for finding in read.findings] == ["report.language: fr"]
+    assert [
+        finding.message.removeprefix("read, but not used yet: ") for finding in read.findings
+    ] == ["report.language: fr"]
 
 
 @pytest.mark.parametrize(
@@ -152,7 +221,10 @@ def test_keys_without_work_behind_them_are_said() -> None:
     [
         ("{as_found: none}", {"as_found": NONE_STATE}),
         ("{as_found: a.txt}", {"as_found": ("a.txt",)}),
-        ("{as_found: [a.txt, b/c.txt], off: none}", {"as_found": ("a.txt", "b/c.txt"), "off": NONE_STATE}),
+        (
+            "{as_found: [a.txt, b/c.txt], off: none}",
+            {"as_found": ("a.txt", "b/c.txt"), "off": NONE_STATE},
+        ),
     ],
 )
 def test_states(states: str, expected: dict[str, tuple[str, ...]]) -> None:
@@ -190,7 +262,10 @@ def test_position_map_of_a_test_goes_over_that_of_the_axis() -> None:
             position_map: {sense: -1, offset: 5}
             before: [a.csv, {files: [b.csv], position_map: {offset: 2}}]
         """)
-    assert [test.position_map for test in read.axes["X"].before] == [PositionMap(-1, 5.0), PositionMap(1, 2.0)]
+    assert [test.position_map for test in read.axes["X"].before] == [
+        PositionMap(-1, 5.0),
+        PositionMap(1, 2.0),
+    ]
 
 
 def test_all_faults_stand_in_one_error_in_the_order_of_the_lines() -> None:
@@ -206,13 +281,23 @@ def test_all_faults_stand_in_one_error_in_the_order_of_the_lines() -> None:
             table: {spacing: 010}
         """)
     assert faults == [
-        "job.yaml: line 3, controller.optoins: unknown key; expected 'options', the nearest known name",
-        "job.yaml: line 6, axes.X.travel: ends are not in order; expected [low, high] with low < high, found [0, -850]",
-        "job.yaml: line 8, axes.X.kind: is not an accepted value; expected 'linear' or 'rotary', found 'lineal'",
+        (
+            "job.yaml: line 3, controller.optoins: unknown key; expected 'options', the nearest"
+            " known name"
+        ),
+        (
+            "job.yaml: line 6, axes.X.travel: ends are not in order; expected [low, high] with low"
+            " < high, found [0, -850]"
+        ),
+        (
+            "job.yaml: line 8, axes.X.kind: is not an accepted value; expected 'linear' or"
+            " 'rotary', found 'lineal'"
+        ),
         "job.yaml: line 9, axes.X.kind: key given twice (first on line 8)",
         (
-            "job.yaml: line 10, axes.X.table.spacing: is text, not a number (a leading zero is read as an octal number by some "
-            "programs, write it without); expected a number, found '010'"
+            "job.yaml: line 10, axes.X.table.spacing: is text, not a number (a leading zero is read"
+            " as an octal number by some programs, write it without); expected a number, found"
+            " '010'"
         ),
     ]
 
@@ -239,7 +324,10 @@ def test_newer_job_is_refused_alone() -> None:
 
 @pytest.mark.parametrize("version", ["0", "-1", '"1"', "true", "1.0", "one"])
 def test_other_versions_are_refused(version: str) -> None:
-    assert any("compwright:" in fault for fault in faults_of(SMALLEST.replace("compwright: 1", f"compwright: {version}")))
+    assert any(
+        "compwright:" in fault
+        for fault in faults_of(SMALLEST.replace("compwright: 1", f"compwright: {version}"))
+    )
 
 
 @pytest.mark.parametrize(
@@ -316,13 +404,36 @@ def test_fault_of_an_axis_names_its_place(keys: str, place: str, words: str) -> 
         ("circles: [{file: p/a.b5r}, {file: q/a.b5r}]", "circles[1]", "another circle"),
         ("circles: [{file: a, measured_in: x}]", "circles[0].measured_in", "no state"),
         ("circles: [{file: a, centre: [1]}]", "circles[0].centre", "at least 2"),
-        ("cross: [{input: X, output: X, positions: [0, 1], deviations: [0, 1], unit: um}]", "cross[0].output", "another axis"),
-        ("cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1, 2], unit: um}]", "cross[0].deviations", "match"),
-        ("cross: [{input: X, output: Y, positions: [0, 0], deviations: [0, 1], unit: um}]", "cross[0].positions", "twice"),
-        ("cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1], unit: inch}]", "cross[0].unit", "'um'"),
-        ("cross: [{input: Y, output: X, positions: [0, 1], deviations: [0, 1], unit: deg}]", "cross[0].unit", "um or mm"),
         (
-            "cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1], unit: um, measured_in: a}]",
+            "cross: [{input: X, output: X, positions: [0, 1], deviations: [0, 1], unit: um}]",
+            "cross[0].output",
+            "another axis",
+        ),
+        (
+            "cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1, 2], unit: um}]",
+            "cross[0].deviations",
+            "match",
+        ),
+        (
+            "cross: [{input: X, output: Y, positions: [0, 0], deviations: [0, 1], unit: um}]",
+            "cross[0].positions",
+            "twice",
+        ),
+        (
+            "cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1], unit: inch}]",
+            "cross[0].unit",
+            "'um'",
+        ),
+        (
+            "cross: [{input: Y, output: X, positions: [0, 1], deviations: [0, 1], unit: deg}]",
+            "cross[0].unit",
+            "um or mm",
+        ),
+        (
+            (
+                "cross: [{input: X, output: Y, positions: [0, 1], deviations: [0, 1], unit: um,"
+                " measured_in: a}]"
+            ),
             "cross[0].measured_in",
             "no state",
         ),
@@ -331,7 +442,11 @@ def test_fault_of_an_axis_names_its_place(keys: str, place: str, words: str) -> 
         ("apply: {backlash_from: laser}", "apply.backlash_from", "positioning"),
         ("uncertainty: {device: {U: -1}}", "uncertainty.device.U", "0 or more"),
         ("thermal: {T_m: 22}", "thermal.alpha_m", "missing"),
-        ("thermal: {T_m: 22, alpha_m: 11, refer_to: part}", "thermal.refer_to", "'scale' or 'workpiece'"),
+        (
+            "thermal: {T_m: 22, alpha_m: 11, refer_to: part}",
+            "thermal.refer_to",
+            "'scale' or 'workpiece'",
+        ),
         ("decision_rule: strict", "decision_rule", "'simple' or 'guarded'"),
         ("proven: [{control: a, machine: b, date: c}]", "proven[0].how", "missing"),
         ("standard: iso230-2", "standard", "'iso230-2:2014'"),
@@ -348,17 +463,26 @@ def test_fault_at_the_top_names_its_place(text: str, place: str, words: str) -> 
 
 @pytest.mark.parametrize(
     ("standard", "parameter", "words"),
-    [("iso230-2:1988", "E", "not defined"), ("iso230-2:1988", "B", "not defined"), ("vdi3441", "A", "no parameter of vdi3441")],
+    [
+        ("iso230-2:1988", "E", "not defined"),
+        ("iso230-2:1988", "B", "not defined"),
+        ("vdi3441", "A", "no parameter of vdi3441"),
+    ],
 )
 def test_limits_follow_the_standard(standard: str, parameter: str, words: str) -> None:
     """1988 defines neither E nor M nor B = max|B_i|; VDI 3441 has names of its own."""
-    text = SMALLEST.replace("before:", f"accept: {{{parameter}: 5}}, before:") + f"standard: '{standard}'\n"
+    text = (
+        SMALLEST.replace("before:", f"accept: {{{parameter}: 5}}, before:")
+        + f"standard: '{standard}'\n"
+    )
     (fault,) = faults_of(text)
     assert words in fault
 
 
 def test_limits_of_vdi() -> None:
-    read = job(SMALLEST.replace("before:", "accept: {P: 5, Pa: 3.5}, before:") + "standard: vdi3441\n")
+    read = job(
+        SMALLEST.replace("before:", "accept: {P: 5, Pa: 3.5}, before:") + "standard: vdi3441\n"
+    )
     assert read.axes["X"].accept is not None
     assert read.axes["X"].accept.limits == {"P": 5.0, "Pa": 3.5}
 
@@ -372,10 +496,15 @@ def test_two_axes_cannot_share_an_address() -> None:
 
 @pytest.mark.parametrize("name", ["../X", "X/Y", '"X\\nY"', "''", '" X"', "."])
 def test_axis_name_cannot_lead_out_of_the_folder(name: str) -> None:
-    assert any("no name for an axis" in fault for fault in faults_of(SMALLEST.replace("X:", f"{name}:")))
+    assert any(
+        "no name for an axis" in fault for fault in faults_of(SMALLEST.replace("X:", f"{name}:"))
+    )
 
 
-@pytest.mark.parametrize("content", [b"", b"\xff\xfe", b"a: [", b"- 1\n", b"text", b"a: &x 1\nb: *x", b"!!python/name:os.system x"])
+@pytest.mark.parametrize(
+    "content",
+    [b"", b"\xff\xfe", b"a: [", b"- 1\n", b"text", b"a: &x 1\nb: *x", b"!!python/name:os.system x"],
+)
 def test_what_is_no_job_at_all_is_a_fault_of_the_job(content: bytes) -> None:
     with pytest.raises(UsageError) as caught:
         read_job(content, "job.yaml")
@@ -383,9 +512,19 @@ def test_what_is_no_job_at_all_is_a_fault_of_the_job(content: bytes) -> None:
 
 
 def test_defaults_of_thermal_and_uncertainty() -> None:
-    """The contract: device without expansion (alpha_d 0), 20 °C, fixed point at 0, referred to the scale; U contributors 0."""
+    """The contract: device without expansion (alpha_d 0), 20 °C, fixed point at 0, referred to the
+    scale; U contributors 0.
+    """
     read = job(SMALLEST + "thermal: {alpha_m: 11.5, T_m: 22}\nuncertainty: {E_VE: 2}\n")
-    assert read.thermal == Thermal(alpha_m=11.5, T_m=22.0, alpha_d=0.0, T_d=20.0, x_fix=0.0, refer_to="scale")
+    assert read.thermal == Thermal(
+        alpha_m=11.5, T_m=22.0, alpha_d=0.0, T_d=20.0, x_fix=0.0, refer_to="scale"
+    )
     assert read.uncertainty == UncertaintyBudget(
-        device=0.0, device_per_m=0.0, misalignment_mm=0.0, U_theta=0.0, U_alpha=0.0, setup=0.0, E_VE=2.0
+        device=0.0,
+        device_per_m=0.0,
+        misalignment_mm=0.0,
+        U_theta=0.0,
+        U_alpha=0.0,
+        setup=0.0,
+        E_VE=2.0,
     )

@@ -1,4 +1,6 @@
-"""What a whole INI of LinuxCNC says of its joints: letters, gantries, limits, units, kinematics; taken, or refused by name."""
+"""What a whole INI of LinuxCNC says of its joints: letters, gantries, limits, units, kinematics;
+taken, or refused by name.
+"""
 
 from __future__ import annotations
 
@@ -53,14 +55,29 @@ def test_a_new_job_takes_kind_limits_and_letters_and_names_what_it_leaves_out(
 ) -> None:
     (tmp_path / "machine.ini").write_text(INI)
     assert (
-        compwright(["new", "--from", str(tmp_path / "machine.ini"), "--format", "linuxcnc", "--out", str(tmp_path / "j.yaml")]) == 0
+        compwright(
+            [
+                "new",
+                "--from",
+                str(tmp_path / "machine.ini"),
+                "--format",
+                "linuxcnc",
+                "--out",
+                str(tmp_path / "j.yaml"),
+            ]
+        )
+        == 0
     )
     text = (tmp_path / "j.yaml").read_text()
     assert "travel: [-25.4, 508.0]" in text  # -1 in and 20 in
     assert "travel: [-90.0, 90.0]" in text
     assert text.count("kind: rotary   # from the control's files") == 1
     assert 'gantry: "2"' in text
-    named = [line.strip(' :"') for line in text.splitlines() if line.endswith(":") and line.startswith("  ")]
+    named = [
+        line.strip(' :"')
+        for line in text.splitlines()
+        if line.endswith(":") and line.startswith("  ")
+    ]
     assert [name for name in named if len(name) == 1] == ["X", "Y", "A"]
     assert "left out, because nothing in the files acts on them: 3 (Z)" in capsys.readouterr().err
 
@@ -68,10 +85,18 @@ def test_a_new_job_takes_kind_limits_and_letters_and_names_what_it_leaves_out(
 @pytest.mark.parametrize(
     ("axis", "ini", "word"),
     [
-        ('Z: {address: "2", ', INI, "joint 2 is Y"),  # the place of Z among XYZ, but the second joint of Y here
+        (
+            'Z: {address: "2", ',
+            INI,
+            "joint 2 is Y",
+        ),  # the place of Z among XYZ, but the second joint of Y here
         ("Z: {", INI, "joint 2 is Y"),
         ('Y: {address: "1", ', INI, 'gantry: "2"'),
-        ('X: {address: "0", ', INI.replace("trivkins coordinates=XYYZA", "corexykins"), "KINEMATICS"),
+        (
+            'X: {address: "0", ',
+            INI.replace("trivkins coordinates=XYYZA", "corexykins"),
+            "KINEMATICS",
+        ),
         ('A: {address: "4", kind: rotary, ', INI.replace("= degree", "= rad"), "ANGULAR_UNITS"),
     ],
 )
@@ -86,15 +111,19 @@ def test_the_joints_of_a_gantry_get_one_table_each(tmp_path: Path) -> None:
     assert run(tmp_path, 'Y: {address: "1", gantry: "2", ') == 0
     names = sorted(path.name for path in (tmp_path / "job" / "tables" / "linuxcnc").iterdir())
     assert names == ["joint_1.comp", "joint_1.ini", "joint_2.comp", "joint_2.ini"]
-    assert "BACKLASH becomes 0" in (tmp_path / "job" / "card" / "card.md").read_text(encoding="utf-8")
+    assert "BACKLASH becomes 0" in (tmp_path / "job" / "card" / "card.md").read_text(
+        encoding="utf-8"
+    )
 
 
-# --- what decides a unit, and whether a table can act at all (LinuxCNC documentation, ini-config: LINEAR_UNITS, WRAPPED_ROTARY)
+# --- what decides a unit, and whether a table can act at all (LinuxCNC documentation, ini-config:
+# LINEAR_UNITS, WRAPPED_ROTARY)
 
 
 def write_job(folder: Path, axis: str, *, states: str, options: str = "{}") -> int:
     (folder / "job.yaml").write_text(
-        f"compwright: 1\ncontroller: {{format: linuxcnc, options: {options}}}\nstates: {{as_found: {states}}}\naxes:\n  {axis}\n"
+        f"compwright: 1\ncontroller: {{format: linuxcnc, options: {options}}}\nstates: {{as_found:"
+        f" {states}}}\naxes:\n  {axis}\n"
     )
     return compwright(["run", str(folder / "job.yaml"), "--force"])
 
@@ -149,21 +178,31 @@ def rotary(folder: Path, ini: str, more: str = "") -> int:
     return write_job(folder, axis, states="[machine.ini]")
 
 
-@pytest.mark.parametrize(("word", "code"), [("WRAPPED_ROTARY = 1", 3), ("WRAPPED_ROTARY = 0", 0), ("", 0)])
-def test_a_wrapped_rotary_axis_gets_no_table(tmp_path: Path, word: str, code: int, capsys: pytest.CaptureFixture[str]) -> None:
-    """The joint counts on past 360; a table holds its end value there (seen in runs of LinuxCNC 2.9)."""
+@pytest.mark.parametrize(
+    ("word", "code"), [("WRAPPED_ROTARY = 1", 3), ("WRAPPED_ROTARY = 0", 0), ("", 0)]
+)
+def test_a_wrapped_rotary_axis_gets_no_table(
+    tmp_path: Path, word: str, code: int, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The joint counts on past 360; a table holds its end value there (seen in runs of LinuxCNC
+    2.9).
+    """
     ini = (
-        "[KINS]\nKINEMATICS = trivkins coordinates=XA\n[TRAJ]\nLINEAR_UNITS = mm\nANGULAR_UNITS = degree\n"
-        f"[AXIS_A]\n{word}\n[AXIS_X]\nWRAPPED_ROTARY = 0\n[JOINT_0]\nBACKLASH = 0\n[JOINT_1]\nTYPE = ANGULAR\nBACKLASH = 0\n"
+        "[KINS]\nKINEMATICS = trivkins coordinates=XA\n[TRAJ]\nLINEAR_UNITS = mm\nANGULAR_UNITS ="
+        f" degree\n[AXIS_A]\n{word}\n[AXIS_X]\nWRAPPED_ROTARY = 0\n[JOINT_0]\nBACKLASH ="
+        " 0\n[JOINT_1]\nTYPE = ANGULAR\nBACKLASH = 0\n"
     )
     assert rotary(tmp_path, ini) == code
     assert ("[AXIS_A] WRAPPED_ROTARY" in capsys.readouterr().err) == (code == 3)
 
 
-def test_a_table_that_no_joint_names_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_table_that_no_joint_names_is_said(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     measured(tmp_path)
     (tmp_path / "machine.ini").write_text(
-        "[TRAJ]\nLINEAR_UNITS = mm\n[JOINT_0]\nBACKLASH = 0.001\n[JOINT_1]\nCOMP_FILE = comp/y.comp\n"
+        "[TRAJ]\nLINEAR_UNITS = mm\n[JOINT_0]\nBACKLASH = 0.001\n[JOINT_1]\nCOMP_FILE ="
+        " comp/y.comp\n"
     )
     rows = "0 0 0\n200 200.005 200.006\n"
     (tmp_path / "old.comp").write_text(rows)
@@ -175,11 +214,17 @@ def test_a_table_that_no_joint_names_is_said(tmp_path: Path, capsys: pytest.Capt
 
 
 def joint(limits: str, tmp_path: Path) -> int:
-    return run(tmp_path, "X: {address: 0, ", INI.replace("MIN_LIMIT = -1.0\nMAX_LIMIT = 20\n", limits))
+    return run(
+        tmp_path, "X: {address: 0, ", INI.replace("MIN_LIMIT = -1.0\nMAX_LIMIT = 20\n", limits)
+    )
 
 
-def test_a_travel_outside_the_limits_of_the_joint_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Travel 0 to 200 mm; 1 in = 25.4 mm: -20 to 0 in is the other side of machine zero, 0 to 7 in ends at 177.8 mm."""
+def test_a_travel_outside_the_limits_of_the_joint_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Travel 0 to 200 mm; 1 in = 25.4 mm: -20 to 0 in is the other side of machine zero, 0 to 7 in
+    ends at 177.8 mm.
+    """
     assert joint("MIN_LIMIT = -20\nMAX_LIMIT = 0\n", tmp_path) == 3
     assert "(MIN_LIMIT, MAX_LIMIT)" in capsys.readouterr().err
     assert joint("MIN_LIMIT = 0\nMAX_LIMIT = 7\n", tmp_path) == 0

@@ -1,4 +1,6 @@
-"""The minimum zone against hand-worked figures, brute force, a linear program and the alternation that proves it."""
+"""The minimum zone against hand-worked figures, brute force, a linear program and the alternation
+that proves it.
+"""
 
 from __future__ import annotations
 
@@ -16,26 +18,33 @@ from compwright.evaluation.circular_fit import least_squares_circle
 from compwright.evaluation.minimum_zone import minimum_zone
 from compwright.foundations.errors import InputError
 
-#: Widths of figures of 50 to 150 mm are compared to this, mm: some hundred roundings of a distance (2e-14), a millionth of a nm.
+#: Widths of figures of 50 to 150 mm are compared to this, mm: some hundred roundings of a distance
+#: (2e-14), a millionth of a nm.
 CLOSE = 1e-11
 
 
 def polar(angles: ArrayLike, radii: ArrayLike, centre: tuple[float, float] = (0.0, 0.0)) -> Array:
     """Return points (n, 2) from angles in deg and radii in mm."""
-    angle, radius = np.radians(np.array(angles, dtype=np.float64)), np.array(radii, dtype=np.float64)
+    angle, radius = (
+        np.radians(np.array(angles, dtype=np.float64)),
+        np.array(radii, dtype=np.float64),
+    )
     return np.column_stack([centre[0] + radius * np.cos(angle), centre[1] + radius * np.sin(angle)])
 
 
 def widths(points: Array, centres: Array) -> Array:
-    distance = np.hypot(points[:, 0, np.newaxis] - centres[:, 0], points[:, 1, np.newaxis] - centres[:, 1])
+    distance = np.hypot(
+        points[:, 0, np.newaxis] - centres[:, 0], points[:, 1, np.newaxis] - centres[:, 1]
+    )
     return np.array(distance.max(axis=0) - distance.min(axis=0))
 
 
 def brute_force(points: Array) -> float:
-    """Return the least width over all centres equally far from two points and equally far from two others (or the same).
+    """Return the least width over all centres equally far from two points and equally far from two
+    others (or the same).
 
-    Every minimum lies at such a centre; those far away, about which an arc is a strip, are left out. An own formula: the
-    equations 2 (p - q)·c = |p|² - |q|² one by one.
+    Every minimum lies at such a centre; those far away, about which an arc is a strip, are left
+    out. An own formula: the equations 2 (p - q)·c = |p|² - |q|² one by one.
     """
     near = np.array(least_squares_circle(points)[0])
     moved = points - near
@@ -74,7 +83,9 @@ def width_of(points: Array) -> float:
 
 
 def test_a_cross_of_two_diameters() -> None:
-    """(±10.1, 0) outside and (0, ±9.9) inside alternate about the origin: no other centre has a smaller width than 0.2."""
+    """(±10.1, 0) outside and (0, ±9.9) inside alternate about the origin: no other centre has a
+    smaller width than 0.2.
+    """
     points = polar([0.0, 90.0, 180.0, 270.0], [10.1, 9.9, 10.1, 9.9], (3.0, -4.0))
     centre, inner, outer = minimum_zone(points)
     assert centre == pytest.approx((3.0, -4.0), abs=CLOSE)
@@ -82,8 +93,12 @@ def test_a_cross_of_two_diameters() -> None:
 
 
 def test_unequal_diameters_move_the_centre() -> None:
-    """Outer points at x = 10.3 and -9.9 are equally far from x = 0.2; inner ones at y = ±9 from y = 0, 9.0022 from (0.2, 0)."""
-    centre, inner, outer = minimum_zone(np.array([[10.3, 0.0], [-9.9, 0.0], [0.0, 9.0], [0.0, -9.0]]))
+    """Outer points at x = 10.3 and -9.9 are equally far from x = 0.2; inner ones at y = ±9 from y =
+    0, 9.0022 from (0.2, 0).
+    """
+    centre, inner, outer = minimum_zone(
+        np.array([[10.3, 0.0], [-9.9, 0.0], [0.0, 9.0], [0.0, -9.0]])
+    )
     assert centre == pytest.approx((0.2, 0.0), abs=CLOSE)
     assert outer == pytest.approx(10.1, abs=CLOSE)
     assert inner == pytest.approx(np.sqrt(81.04), abs=CLOSE)
@@ -92,15 +107,21 @@ def test_unequal_diameters_move_the_centre() -> None:
 def test_an_ellipse() -> None:
     """Half axes 50.01 and 50: the width is their difference, about the middle."""
     angle = np.radians(np.arange(0.0, 360.0, 0.5))
-    centre, inner, outer = minimum_zone(np.column_stack([50.01 * np.cos(angle), 50.0 * np.sin(angle)]))
+    centre, inner, outer = minimum_zone(
+        np.column_stack([50.01 * np.cos(angle), 50.0 * np.sin(angle)])
+    )
     assert centre == pytest.approx((0.0, 0.0), abs=1e-9)
     assert (inner, outer) == pytest.approx((50.0, 50.01), abs=CLOSE)
 
 
 @pytest.mark.parametrize("lobes", [2, 3, 5, 7])
 def test_lobes(lobes: int) -> None:
-    """r = 50 + 0.004 cos(k t) has k maxima and k minima that alternate about the origin: 0.008, whatever the eccentricity."""
-    angle = np.arange(0.0, 360.0, 0.25)  # meets the maxima and, for even k, the minima; 1e-6 of the amplitude else
+    """r = 50 + 0.004 cos(k t) has k maxima and k minima that alternate about the origin: 0.008,
+    whatever the eccentricity.
+    """
+    angle = np.arange(
+        0.0, 360.0, 0.25
+    )  # meets the maxima and, for even k, the minima; 1e-6 of the amplitude else
     points = polar(angle, 50.0 + 0.004 * np.cos(lobes * np.radians(angle)), (0.3, -0.4))
     centre, inner, outer = minimum_zone(points)
     assert centre == pytest.approx((0.3, -0.4), abs=1e-6)
@@ -108,17 +129,24 @@ def test_lobes(lobes: int) -> None:
 
 
 def test_an_arc_of_90_degrees() -> None:
-    """On an arc the Chebyshev polynomial of degree 3 in the angle-like variable alternates four times; here four points only.
+    """On an arc the Chebyshev polynomial of degree 3 in the angle-like variable alternates four
+    times; here four points only.
 
-    Directions 0°, 30°, 60°, 90° with +1, -1, +1, -1 µm of a fit that has no first-order effect: the multipliers of r, x and y are
-    solved for by hand in ``weights`` and give the width of the zone as the weighted sum of the distances.
+    Directions 0°, 30°, 60°, 90° with +1, -1, +1, -1 µm of a fit that has no first-order effect: the
+    multipliers of r, x and y are solved for by hand in ``weights`` and give the width of the zone
+    as the weighted sum of the distances.
     """
     angle = np.array([0.0, 30.0, 60.0, 90.0])
     radii = 100.0 + np.array([3.0, -2.0, 5.0, -4.0]) * 1e-3
     weights = np.linalg.solve(  # 1·w = 0, cos·w = 0, sin·w = 0, w0 + w2 = 1
-        np.vstack([np.ones(4), np.cos(np.radians(angle)), np.sin(np.radians(angle)), [1.0, 0.0, 1.0, 0.0]]), [0.0, 0.0, 0.0, 1.0]
+        np.vstack(
+            [np.ones(4), np.cos(np.radians(angle)), np.sin(np.radians(angle)), [1.0, 0.0, 1.0, 0.0]]
+        ),
+        [0.0, 0.0, 0.0, 1.0],
     )
-    expected = float(weights @ radii)  # first order; the second is (shift 0.03 mm)²/R, about 1e-5 mm
+    expected = float(
+        weights @ radii
+    )  # first order; the second is (shift 0.03 mm)²/R, about 1e-5 mm
     assert width_of(polar(angle, radii)) == pytest.approx(expected, abs=2e-5)
 
 
@@ -131,8 +159,12 @@ def test_an_arc_of_90_degrees() -> None:
     st.booleans(),
     st.booleans(),
 )
-def test_equal_to_brute_force(seed: int, n: int, extent: float, noise: float, twice: bool, coarse: bool) -> None:
-    """Small random sets on arcs and circles, exact ones, repeated directions and repeated values."""
+def test_equal_to_brute_force(
+    seed: int, n: int, extent: float, noise: float, twice: bool, coarse: bool
+) -> None:
+    """Small random sets on arcs and circles, exact ones, repeated directions and repeated
+    values.
+    """
     assume(n > 3 or not twice)  # two different points lie on no circle
     rng = np.random.default_rng(seed)
     angle = extent * (np.arange(n) + rng.uniform(0.0, 0.9, n)) / n
@@ -164,7 +196,9 @@ def test_the_touching_points_alternate(extent: float, n: int) -> None:
 
 @pytest.mark.parametrize("extent", [90.0, 360.0])
 def test_no_smaller_than_the_linear_program_allows(extent: float) -> None:
-    """Distances from a centre moved by s are at least d - u·s: no s within 0.1 mm beats the program by more than s²/2r."""
+    """Distances from a centre moved by s are at least d - u·s: no s within 0.1 mm beats the program
+    by more than s²/2r.
+    """
     rng = np.random.default_rng(5)
     points = polar(rng.uniform(0.0, extent, 600), 50.0 + rng.normal(0.0, 0.002, 600), (0.2, 0.5))
     centre, inner, outer = minimum_zone(points)
@@ -182,24 +216,32 @@ def test_no_smaller_than_the_linear_program_allows(extent: float) -> None:
         method="highs-ds",
     )
     assert program.status == 0
-    assert outer - inner == pytest.approx(program.fun, abs=1e-9)  # HiGHS works to 1e-7 of its tolerances; met far better here
+    assert outer - inner == pytest.approx(
+        program.fun, abs=1e-9
+    )  # HiGHS works to 1e-7 of its tolerances; met far better here
 
 
 def test_two_points_on_one_ray_set_the_width() -> None:
-    """A spike of 20 µm in one of two runs, -1 µm in the other at the same angle: no centre can bring the two closer.
+    """A spike of 20 µm in one of two runs, -1 µm in the other at the same angle: no centre can
+    bring the two closer.
 
-    Both runs scatter by less than 1 µm otherwise, so many centres leave all other points between the two.
+    Both runs scatter by less than 1 µm otherwise, so many centres leave all other points between
+    the two.
     """
     rng = np.random.default_rng(3)
     angle = np.tile(np.arange(0.0, 360.0, 0.25), 2)
     deviation = rng.uniform(-0.5e-3, 0.5e-3, angle.size)
     deviation[480], deviation[480 + 1440] = 0.02, -0.001
     _, inner, outer = minimum_zone(polar(angle, 150.0 + deviation))
-    assert outer - inner == pytest.approx(0.021, abs=1e-9)  # the ray turns by the shift over the radius: 0.021 (1e-4)²/2
+    assert outer - inner == pytest.approx(
+        0.021, abs=1e-9
+    )  # the ray turns by the shift over the radius: 0.021 (1e-4)²/2
 
 
 def test_eccentric_circle_is_still_a_circle() -> None:
-    """0.5 mm off centre at R = 50: a centre term alone, without its second order, would leave 2.5 µm."""
+    """0.5 mm off centre at R = 50: a centre term alone, without its second order, would leave 2.5
+    µm.
+    """
     angle = np.arange(0.0, 360.0, 0.3)
     centre, inner, outer = minimum_zone(polar(angle, np.full(angle.size, 50.0), (0.5, 0.0)))
     assert centre == pytest.approx((0.5, 0.0), abs=CLOSE)
@@ -207,7 +249,9 @@ def test_eccentric_circle_is_still_a_circle() -> None:
 
 
 def test_every_point_counts() -> None:
-    """One sample of 3000 stands out by 50 µm: a moved centre is as much nearer to its neighbours, 0.12° beside."""
+    """One sample of 3000 stands out by 50 µm: a moved centre is as much nearer to its neighbours,
+    0.12° beside.
+    """
     deviation = np.zeros(3000)
     deviation[1234] = 0.05
     angle = np.arange(3000) * 0.12
@@ -216,9 +260,16 @@ def test_every_point_counts() -> None:
 
 
 @settings(max_examples=60, deadline=None)
-@given(st.integers(0, 2**32 - 1), st.floats(-500.0, 500.0), st.floats(0.0, 360.0), st.floats(0.01, 100.0))
+@given(
+    st.integers(0, 2**32 - 1),
+    st.floats(-500.0, 500.0),
+    st.floats(0.0, 360.0),
+    st.floats(0.01, 100.0),
+)
 def test_shift_turn_and_scale(seed: int, shift: float, turn: float, scale: float) -> None:
-    """The width does not depend on place and direction and grows with the scale, to the roundings of coordinates of 1000 mm."""
+    """The width does not depend on place and direction and grows with the scale, to the roundings
+    of coordinates of 1000 mm.
+    """
     rng = np.random.default_rng(seed)
     angle, radius = np.sort(rng.uniform(0.0, 270.0, 200)), 50.0 + rng.normal(0.0, 0.005, 200)
     plain = width_of(polar(angle, radius))
@@ -227,12 +278,23 @@ def test_shift_turn_and_scale(seed: int, shift: float, turn: float, scale: float
 
 
 @settings(max_examples=100, deadline=None)
-@given(st.integers(0, 2**32 - 1), st.integers(5, 400), st.floats(1e-6, 1.0), st.sampled_from(["normal", "heavy", "spikes"]))
+@given(
+    st.integers(0, 2**32 - 1),
+    st.integers(5, 400),
+    st.floats(1e-6, 1.0),
+    st.sampled_from(["normal", "heavy", "spikes"]),
+)
 def test_wild_points_give_a_zone_or_are_refused(seed: int, n: int, size: float, kind: str) -> None:
-    """Scatter up to the radius: the zone holds all points and is no wider than that about the least-squares centre."""
+    """Scatter up to the radius: the zone holds all points and is no wider than that about the
+    least-squares centre.
+    """
     rng = np.random.default_rng(seed)
     spikes = (rng.random(n) < 0.02).astype(np.float64)
-    scatter = {"normal": rng.normal(size=n), "heavy": rng.standard_cauchy(size=n), "spikes": spikes}[kind]
+    scatter = {
+        "normal": rng.normal(size=n),
+        "heavy": rng.standard_cauchy(size=n),
+        "spikes": spikes,
+    }[kind]
     points = polar(rng.uniform(0.0, 360.0, n), 1.0 + size * scatter)
     try:
         centre, inner, outer = minimum_zone(points)

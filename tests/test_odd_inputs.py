@@ -29,8 +29,11 @@ axes:
   X: {travel: [0, 800], address: AX1, before: [x.csv]}
 """
 CIRCLE = (
-    "# plane: XY\n# nominal_radius_mm: 100\n# feed_mm_min: 1000\n# calibrated: yes\ndirection,angle_deg,deviation_um\n"
-    + "".join(f"{sense},{angle},{angle % 7}.5\n" for sense in ("ccw", "cw") for angle in range(0, 360, 5))
+    "# plane: XY\n# nominal_radius_mm: 100\n# feed_mm_min: 1000\n# calibrated:"
+    " yes\ndirection,angle_deg,deviation_um\n"
+    + "".join(
+        f"{sense},{angle},{angle % 7}.5\n" for sense in ("ccw", "cw") for angle in range(0, 360, 5)
+    )
 )
 
 
@@ -60,14 +63,18 @@ def plan(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("place", ["before: [empty]", "before: [x.csv, empty]"])
-def test_an_empty_folder_as_a_test(place: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_empty_folder_as_a_test(
+    place: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (folder / "empty").mkdir()
     (folder / "job.yaml").write_text(JOB.replace("before: [x.csv]", place))
     assert compwright(["run", "job.yaml"]) == 3
     assert "error: empty: the folder holds no files" in capsys.readouterr().err
 
 
-def test_an_empty_folder_as_a_circle_and_after_loading(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_empty_folder_as_a_circle_and_after_loading(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (folder / "empty").mkdir()
     assert compwright(["run", "job.yaml"]) == 0
     assert compwright(["verify", "job.yaml", "--after", "x=empty"]) == 3
@@ -76,7 +83,9 @@ def test_an_empty_folder_as_a_circle_and_after_loading(folder: Path, capsys: pyt
     assert capsys.readouterr().err.count("error: empty: the folder holds no files") == 2
 
 
-def test_a_folder_with_its_own_plot_answer_and_job(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_folder_with_its_own_plot_answer_and_job(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (folder / "runs").mkdir()
     shutil.copy("x.csv", "runs")
     assert compwright(["evaluate", "runs", "--plot", "runs/x.svg", "--json", "runs/x.json"]) == 0
@@ -86,7 +95,9 @@ def test_a_folder_with_its_own_plot_answer_and_job(folder: Path, capsys: pytest.
     told = capsys.readouterr()
     for name in ("job.yaml", "x.json", "x.svg"):
         assert f"note: {Path('runs', name)}: skipped, by its ending no measurement" in told.err
-    assert json.loads(told.out)["skipped"] == [str(Path("runs", name)) for name in ("job.yaml", "x.json", "x.svg")]
+    assert json.loads(told.out)["skipped"] == [
+        str(Path("runs", name)) for name in ("job.yaml", "x.json", "x.svg")
+    ]
     assert json.loads(told.out)["errors"] == []
     (folder / "runs" / "y.csv").write_text("broken")
     assert compwright(["evaluate", "runs"]) == 3
@@ -105,13 +116,22 @@ def test_a_test_in_a_folder_with_its_plot(folder: Path) -> None:
     (folder / "runs" / "x.svg").write_text("<svg/>")
     (folder / "job.yaml").write_text(JOB.replace("[x.csv]", "[runs]"))
     assert compwright(["run", "job.yaml"]) == 0
-    found = json.loads((folder / "job" / "plan.json").read_text())["axes"]["X"]["tests"][0]["findings"]
+    found = json.loads((folder / "job" / "plan.json").read_text())["axes"]["X"]["tests"][0][
+        "findings"
+    ]
     assert "CW-R052" in [finding["code"] for finding in found]
 
 
-def test_one_test_that_the_method_does_not_fit_does_not_lose_the_others(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_one_test_that_the_method_does_not_fit_does_not_lose_the_others(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """The range method has factors for 2 to 10 readings (ISO 230-2:1988, table 1)."""
-    rows = "".join(f"{target},{sign},{run},{run}.5\n" for target in (0, 100) for sign in "+-" for run in range(1, 12))
+    rows = "".join(
+        f"{target},{sign},{run},{run}.5\n"
+        for target in (0, 100)
+        for sign in "+-"
+        for run in range(1, 12)
+    )
     (folder / "long.csv").write_text(f"target_mm,direction,run,deviation_um\n{rows}")
     words = ["--standard", "iso230-2:1988", "--spread", "range"]
     assert compwright(["evaluate", "long.csv", "x.csv", *words, "--json", "all.json"]) == 2
@@ -135,7 +155,10 @@ def test_names_that_are_no_utf8(folder: Path) -> None:
     except OSError:
         pytest.skip("the file system takes no such name")
     assert compwright(["evaluate", "runs", "--json", "all.json", "--plot", "all.svg"]) == 0
-    names = [result["sources"][0]["file"] for result in json.loads((folder / "all.json").read_bytes())["results"]]
+    names = [
+        result["sources"][0]["file"]
+        for result in json.loads((folder / "all.json").read_bytes())["results"]
+    ]
     assert names == ["runs/x.csv", "runs/\\udcff\\udcfe.csv"]
     out = "o\udcff"
     assert compwright(["run", "job.yaml", "--out", out]) == 0
@@ -152,7 +175,21 @@ def test_names_that_are_no_utf8(folder: Path) -> None:
         (3, ["evaluate", "/dev/zero"]),
         (3, ["decode", "pipe", "--format", CONTROL]),
         (3, ["new", "--from", "folder", "--format", CONTROL, "--out", "new.yaml"]),
-        (3, ["run", "x.csv", "--format", CONTROL, "--axis", "X", "--travel", "0:800", "--state", "pipe"]),
+        (
+            3,
+            [
+                "run",
+                "x.csv",
+                "--format",
+                CONTROL,
+                "--axis",
+                "X",
+                "--travel",
+                "0:800",
+                "--state",
+                "pipe",
+            ],
+        ),
         (3, ["run", "pipe.yaml"]),
         (5, ["run", "job.yaml", "--out", "pipe"]),
         (5, ["evaluate", "x.csv", "--json", "pipe", "--force"]),
@@ -172,7 +209,10 @@ def test_pipes_and_devices_are_refused_at_once(
     (folder / "link").symlink_to("/dev/null")
     assert compwright(words) == code
     said = capsys.readouterr().err
-    assert any(part in said for part in ("an ordinary file, found a", "is no ordinary file", "is no folder"))
+    assert any(
+        part in said
+        for part in ("an ordinary file, found a", "is no ordinary file", "is no folder")
+    )
 
 
 # ---------------------------------------------------------------------------------------------------- numbers, keys
@@ -199,10 +239,20 @@ def test_a_radius_or_feed_that_is_none(key: str, value: str, folder: Path) -> No
 def test_a_definition_that_lacks_an_entry(
     definition: str, block: str, place: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    lines = (PROJECT / "controller_formats" / f"{definition}.yaml").read_text(encoding="utf-8").splitlines()
+    lines = (
+        (PROJECT / "controller_formats" / f"{definition}.yaml")
+        .read_text(encoding="utf-8")
+        .splitlines()
+    )
     start = next(index for index, line in enumerate(lines) if line.startswith(block))
-    end = next(index for index in range(start + 1, len(lines)) if lines[index].strip() and not lines[index].startswith("   "))
-    (folder / "mine.yaml").write_text("\n".join(lines[:start] + lines[end:]) + "\n", encoding="utf-8")
+    end = next(
+        index
+        for index in range(start + 1, len(lines))
+        if lines[index].strip() and not lines[index].startswith("   ")
+    )
+    (folder / "mine.yaml").write_text(
+        "\n".join(lines[:start] + lines[end:]) + "\n", encoding="utf-8"
+    )
     assert compwright(["formats", "check", "mine.yaml"]) == 3
     assert f"{place}: the definition lacks an entry" in capsys.readouterr().err
 
@@ -256,20 +306,52 @@ def test_an_edited_plan_is_read_or_refused(plan: dict[str, Any]) -> None:
 @pytest.mark.parametrize(
     ("path", "value", "words"),
     [
-        (("axes", "X", "axis", "travel", 1), -1, "axes.X.axis: contradicts itself; expected a travel from a lower to a higher"),
-        (("axes", "X", "axis", "gantry"), -1, "axes.X.axis.gantry: does not fit the schema of plans; expected text, found -1"),
-        (("axes", "X", "fitted", "compensation", "below"), [[1]], "fitted.compensation.below: does not fit"),
-        (("axes", "X", "wanted", "positive", 0), 1e308, "axes.X.wanted.positive: does not fit the schema of plans"),
-        (("axes", "X", "wanted", "positive"), [], "axes.X.wanted: contradicts itself; expected ascending positions"),
-        (("axes", "X", "axis", "encoder", "system"), None, "axes.X.axis.encoder.system: does not fit"),
+        (
+            ("axes", "X", "axis", "travel", 1),
+            -1,
+            "axes.X.axis: contradicts itself; expected a travel from a lower to a higher",
+        ),
+        (
+            ("axes", "X", "axis", "gantry"),
+            -1,
+            "axes.X.axis.gantry: does not fit the schema of plans; expected text, found -1",
+        ),
+        (
+            ("axes", "X", "fitted", "compensation", "below"),
+            [[1]],
+            "fitted.compensation.below: does not fit",
+        ),
+        (
+            ("axes", "X", "wanted", "positive", 0),
+            1e308,
+            "axes.X.wanted.positive: does not fit the schema of plans",
+        ),
+        (
+            ("axes", "X", "wanted", "positive"),
+            [],
+            "axes.X.wanted: contradicts itself; expected ascending positions",
+        ),
+        (
+            ("axes", "X", "axis", "encoder", "system"),
+            None,
+            "axes.X.axis.encoder.system: does not fit",
+        ),
         (("axes", "X", "tests"), "x", "does not fit the schema"),
     ],
 )
 def test_an_edited_plan_is_refused_by_its_key(
-    path: tuple[str | int, ...], value: object, words: str, plan: dict[str, Any], folder: Path, capsys: pytest.CaptureFixture[str]
+    path: tuple[str | int, ...],
+    value: object,
+    words: str,
+    plan: dict[str, Any],
+    folder: Path,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     (folder / "plan.json").write_bytes(edited(plan, path, value))
-    for command in (["export", "plan.json", "--format", CONTROL, "--out", "new"], ["compare", "plan.json", "--loaded", "x.csv"]):
+    for command in (
+        ["export", "plan.json", "--format", CONTROL, "--out", "new"],
+        ["compare", "plan.json", "--loaded", "x.csv"],
+    ):
         assert compwright(command) == 3
         assert words in capsys.readouterr().err
     assert not (folder / "new").exists()

@@ -1,7 +1,8 @@
-"""A table is never counted twice: the test from which it was made does not go with the state that it has become.
+"""A table is never counted twice: the test from which it was made does not go with the state that
+it has become.
 
-Three rounds with one and the same test would add the same correction three times. A fresh test, taken with the tables loaded, is
-the next round, and that works.
+Three rounds with one and the same test would add the same correction three times. A fresh test,
+taken with the tables loaded, is the next round, and that works.
 """
 
 from __future__ import annotations
@@ -20,7 +21,10 @@ from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from loop import Floats, Machine, csv_of
 
-AXES = {"X": Machine(low=0.0, high=800.0), "Y": Machine(low=-500.0, high=0.0, slope=-20e-6, bow=0.004)}
+AXES = {
+    "X": Machine(low=0.0, high=800.0),
+    "Y": Machine(low=-500.0, high=0.0, slope=-20e-6, bow=0.004),
+}
 ADDRESS = {"X": "0", "Y": "1"}
 
 
@@ -29,13 +33,20 @@ def measure(folder: Path, axis: str, seed: int, tables: Path | None = None) -> N
     machine = AXES[axis]
     acting = None
     if tables is not None:
-        judge = virtual_control("linuxcnc", [ControlFile(path.name, path.read_bytes()) for path in sorted(tables.iterdir())])
+        judge = virtual_control(
+            "linuxcnc",
+            [ControlFile(path.name, path.read_bytes()) for path in sorted(tables.iterdir())],
+        )
 
         def acting(where: Floats, sign: int) -> Floats:
-            return judge.correction(ADDRESS[axis], where, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE)
+            return judge.correction(
+                ADDRESS[axis], where, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE
+            )
 
     targets = machine.targets()
-    (folder / f"{axis.lower()}.csv").write_text(csv_of(targets, machine.measure(targets, seed, acting), axis=axis))
+    (folder / f"{axis.lower()}.csv").write_text(
+        csv_of(targets, machine.measure(targets, seed, acting), axis=axis)
+    )
 
 
 @pytest.fixture(scope="module")
@@ -55,21 +66,31 @@ def folder(once: Path, tmp_path: Path) -> Path:
 
 
 def run(
-    folder: Path, *words: str, as_found: str = "none", axes: str = "XY", name: str = "job", extra: str = "", entry: str = ""
+    folder: Path,
+    *words: str,
+    as_found: str = "none",
+    axes: str = "XY",
+    name: str = "job",
+    extra: str = "",
+    entry: str = "",
 ) -> int:
     sections = {
         "X": f"  X: {{travel: [0, 800], address: 0, before: [{entry or 'x.csv'}]}}\n",
         "Y": "  Y: {travel: [-500, 0], address: 1, before: [y.csv]}\n",
     }
     (folder / f"{name}.yaml").write_text(
-        f"compwright: 1\ncontroller: {{format: linuxcnc}}\nstates: {{as_found: {as_found}{extra}}}\naxes:\n"
-        + "".join(sections[axis] for axis in axes)
+        "compwright: 1\ncontroller: {format: linuxcnc}\nstates: {as_found:"
+        f" {as_found}{extra}}}\naxes:\n" + "".join(sections[axis] for axis in axes)
     )
     return compwright(["run", str(folder / f"{name}.yaml"), *words])
 
 
 def table(out: Path) -> Any:
-    return np.array(json.loads((out / "prediction.json").read_text())["axes"]["X"]["table"]["correction_positive"])
+    return np.array(
+        json.loads((out / "prediction.json").read_text())["axes"]["X"]["table"][
+            "correction_positive"
+        ]
+    )
 
 
 def copied(folder: Path) -> str:
@@ -77,14 +98,18 @@ def copied(folder: Path) -> str:
     return "[control]"
 
 
-def test_what_a_run_writes_is_not_what_it_starts_from(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_a_run_writes_is_not_what_it_starts_from(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     measure(folder, "X", 9, folder / "job" / "tables" / "linuxcnc")
     assert run(folder, "--force", as_found="[job/tables/linuxcnc]") == 2
     assert "is what this run writes" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("axes", ["XY", "X"])
-def test_copied_tables_with_the_test_from_which_they_were_made(folder: Path, axes: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_copied_tables_with_the_test_from_which_they_were_made(
+    folder: Path, axes: str, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert run(folder, "--force", as_found=copied(folder), axes=axes) == 2
     said = capsys.readouterr().err
     assert "added a second time" in said
@@ -94,8 +119,13 @@ def test_copied_tables_with_the_test_from_which_they_were_made(folder: Path, axe
 
 
 def test_another_folder_for_the_results_makes_no_difference(folder: Path) -> None:
-    assert run(folder, "--out", str(folder / "two"), as_found="[job/tables/linuxcnc]", name="two") == 2
-    assert run(folder, "--out", str(folder.parent / "away"), as_found=copied(folder), name="three") == 2
+    assert (
+        run(folder, "--out", str(folder / "two"), as_found="[job/tables/linuxcnc]", name="two") == 2
+    )
+    assert (
+        run(folder, "--out", str(folder.parent / "away"), as_found=copied(folder), name="three")
+        == 2
+    )
 
 
 def test_files_that_do_the_same_in_another_form_are_the_same_tables(folder: Path) -> None:
@@ -107,11 +137,33 @@ def test_files_that_do_the_same_in_another_form_are_the_same_tables(folder: Path
 
 def test_the_same_readings_in_another_file_are_the_same_test(folder: Path) -> None:
     (folder / "again.csv").write_text("# a copy\n" + (folder / "x.csv").read_text())
-    assert run(folder, "--out", str(folder / "two"), as_found=copied(folder), axes="X", entry="again.csv", name="two") == 2
+    assert (
+        run(
+            folder,
+            "--out",
+            str(folder / "two"),
+            as_found=copied(folder),
+            axes="X",
+            entry="again.csv",
+            name="two",
+        )
+        == 2
+    )
 
 
 def test_a_run_without_a_job(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = ["run", str(folder / "x.csv"), "--format", "linuxcnc", "--axis", "X", "--travel", "0:800", "--option", "address=0"]
+    words = [
+        "run",
+        str(folder / "x.csv"),
+        "--format",
+        "linuxcnc",
+        "--axis",
+        "X",
+        "--travel",
+        "0:800",
+        "--option",
+        "address=0",
+    ]
     tables = [str(path) for path in sorted((folder / "job" / "tables" / "linuxcnc").iterdir())]
     states = [word for path in tables for word in ("--state", path)]
     assert compwright([*words, *states, "--out", str(folder / "two")]) == 2
@@ -123,8 +175,11 @@ def test_a_fresh_test_with_the_tables_loaded_is_the_next_round(folder: Path) -> 
     state = copied(folder)
     for number, axis in enumerate(AXES):
         measure(folder, axis, 20 + number, folder / "control")
-    assert run(folder, "--out", str(folder / "two"), "--accept-worse", as_found=state, name="two") == 0
-    # µm: what is left is noise, 0.4 a reading, the mean of ten 0.13; at a node no more than ten of these
+    assert (
+        run(folder, "--out", str(folder / "two"), "--accept-worse", as_found=state, name="two") == 0
+    )
+    # µm: what is left is noise, 0.4 a reading, the mean of ten 0.13; at a node no more than ten of
+    # these
     assert np.max(np.abs(table(folder / "two") - first)) < 1.3
 
 
@@ -133,8 +188,13 @@ def test_the_old_test_with_the_state_in_which_it_was_taken_is_right(folder: Path
     state = copied(folder)
     entry = "{files: [x.csv], measured_in: bare}"
     words = ("--out", str(folder / "two"), "--accept-worse")
-    assert run(folder, *words, as_found=state, extra=", bare: none", entry=entry, axes="X", name="two") == 0
-    assert table(folder / "two") == pytest.approx(table(folder / "job"), abs=0.2)  # µm: half of a quantum is far less
+    assert (
+        run(folder, *words, as_found=state, extra=", bare: none", entry=entry, axes="X", name="two")
+        == 0
+    )
+    assert table(folder / "two") == pytest.approx(
+        table(folder / "job"), abs=0.2
+    )  # µm: half of a quantum is far less
 
 
 def test_the_same_job_again_is_the_same_job(folder: Path) -> None:
@@ -147,12 +207,27 @@ def test_one_axis_that_was_not_loaded_keeps_its_test(folder: Path) -> None:
     for name in ("joint_1.comp", "joint_1.ini"):
         shutil.copy(folder / "job" / "tables" / "linuxcnc" / name, folder / "control")
     (folder / "control" / "joint_0.ini").write_text("[JOINT_0]\nBACKLASH = 0\n")
-    assert run(folder, "--out", str(folder / "two"), as_found="[control]", axes="X", name="two") == 0
-    assert run(folder, "--out", str(folder / "two"), "--force", as_found="[control]", axes="Y", name="two") == 2
+    assert (
+        run(folder, "--out", str(folder / "two"), as_found="[control]", axes="X", name="two") == 0
+    )
+    assert (
+        run(
+            folder,
+            "--out",
+            str(folder / "two"),
+            "--force",
+            as_found="[control]",
+            axes="Y",
+            name="two",
+        )
+        == 2
+    )
 
 
 def test_the_old_test_less_a_row_is_still_the_old_test(folder: Path) -> None:
-    """A row deleted in a spreadsheet makes no new measurement: 169 of 170 readings to the last digit are no chance."""
+    """A row deleted in a spreadsheet makes no new measurement: 169 of 170 readings to the last
+    digit are no chance.
+    """
     state = copied(folder)
     rows = (folder / "x.csv").read_text().splitlines()
     (folder / "x.csv").write_text("\n".join(rows[:-1]) + "\n")

@@ -1,4 +1,6 @@
-"""The predicted test against readings drawn one by one, against known truth, and against the contract's rules."""
+"""The predicted test against readings drawn one by one, against known truth, and against the
+contract's rules.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +11,12 @@ from hypothesis import strategies as st
 
 from compwright.evaluation.statistics import mean_deviation, parameters, standard_deviation
 from compwright.foundations.errors import UsageError
-from compwright.prediction.positioning import Quantiles, decide_prediction, dithered_targets, predict_test
+from compwright.prediction.positioning import (
+    Quantiles,
+    decide_prediction,
+    dithered_targets,
+    predict_test,
+)
 from compwright.records.axis import FloatArray
 
 NOISE = 0.5
@@ -57,8 +64,9 @@ def test_agrees_with_readings_drawn_one_by_one(runs: int) -> None:
     assert set(predicted) == set(drawn)
     for name, values in drawn.items():
         p05, median, p95 = np.quantile(values, [0.05, 0.5, 0.95])
-        # A quantile from 20 000 draws has a standard error near 2.1 sqrt(0.05 * 0.95 / 20 000) = 0.003 in units of the spread at
-        # the 5 % point of a normal law; 0.03 of the 90 % width leaves room for skewed parameters and for two samples.
+        # A quantile from 20 000 draws has a standard error near 2.1 sqrt(0.05 * 0.95 / 20 000) =
+        # 0.003 in units of the spread at the 5 % point of a normal law; 0.03 of the 90 % width
+        # leaves room for skewed parameters and for two samples.
         room = 0.03 * (p95 - p05)
         assert predicted[name].median == pytest.approx(median, abs=room), name
         assert predicted[name].p05 == pytest.approx(p05, abs=room), name
@@ -66,8 +74,9 @@ def test_agrees_with_readings_drawn_one_by_one(runs: int) -> None:
 
 
 def test_ninety_percent_interval_holds_ninety_percent_of_fresh_tests() -> None:
-    # Truth from a normal law, measured with known noise, posterior exact (normal with known variances): the interval must hold
-    # 90 % of the fresh tests. 600 axes: standard error 1.2 %, bounds at about 3.3 of these.
+    # Truth from a normal law, measured with known noise, posterior exact (normal with known
+    # variances): the interval must hold 90 % of the fresh tests. 600 axes: standard error 1.2 %,
+    # bounds at about 3.3 of these.
     axes, draws, runs, prior = 600, 1000, 5, 1.0
     inside = dict.fromkeys(("A", "A_positive", "E", "M", "R", "R_negative", "B", "B_mean"), 0)
     generator = rng(17)
@@ -76,7 +85,9 @@ def test_ninety_percent_interval_holds_ninety_percent_of_fresh_tests() -> None:
     for _ in range(axes):
         truth = prior * generator.standard_normal((2, M))
         before = truth + np.sqrt(mean_variance) * generator.standard_normal((2, M))
-        posterior = shrink * before + np.sqrt(shrink * mean_variance) * generator.standard_normal((draws, 2, M))
+        posterior = shrink * before + np.sqrt(shrink * mean_variance) * generator.standard_normal(
+            (draws, 2, M)
+        )
         change = generator.standard_normal((2, M))
         predicted = predict_test(
             posterior[:, 0],
@@ -99,7 +110,8 @@ def test_ninety_percent_interval_holds_ninety_percent_of_fresh_tests() -> None:
 
 
 def test_by_hand_without_noise() -> None:
-    # one draw: + 0 1 2, - 1 1 4; the change takes 1 off the last + and adds 1 to the first -: + 0 1 1, - 2 1 4
+    # one draw: + 0 1 2, - 1 1 4; the change takes 1 off the last + and adds 1 to the first -: + 0 1
+    # 1, - 2 1 4
     predicted = predict_test(
         np.array([[0.0, 1.0, 2.0]]),
         np.array([[1.0, 1.0, 4.0]]),
@@ -111,7 +123,16 @@ def test_by_hand_without_noise() -> None:
         coverage=2.0,
         rng=rng(0),
     )
-    expected = {"A": 4.0, "A_positive": 1.0, "A_negative": 3.0, "E": 4.0, "M": 1.5, "R": 3.0, "B": 3.0, "B_mean": -5.0 / 3.0}
+    expected = {
+        "A": 4.0,
+        "A_positive": 1.0,
+        "A_negative": 3.0,
+        "E": 4.0,
+        "M": 1.5,
+        "R": 3.0,
+        "B": 3.0,
+        "B_mean": -5.0 / 3.0,
+    }
     # B: -2, 0, -3; means of both: 1, 1, 2.5
     for name, value in expected.items():
         got = predicted[name]
@@ -131,14 +152,22 @@ def test_perfect_correction_leaves_the_noise() -> None:
         coverage=2.0,
         rng=rng(1),
     )
-    # Ranges of 24 means of standard deviation noise / sqrt(5): expected range 3.895 of them (tables of the studentised range,
-    # d2 for 24); the median of the range lies within 0.1 of its mean.
-    assert predicted["E"].median == pytest.approx(3.895 * NOISE / np.sqrt(5.0), abs=0.1 * NOISE / np.sqrt(5.0))
+    # Ranges of 24 means of standard deviation noise / sqrt(5): expected range 3.895 of them (tables
+    # of the studentised range, d2 for 24); the median of the range lies within 0.1 of its mean.
+    assert predicted["E"].median == pytest.approx(
+        3.895 * NOISE / np.sqrt(5.0), abs=0.1 * NOISE / np.sqrt(5.0)
+    )
 
 
 def test_a_new_datum_changes_nothing() -> None:
     draws = rng(3).standard_normal((500, M))
-    common = {"runs_positive": 5, "runs_negative": 5, "change_positive": still(), "change_negative": still(), "coverage": 2.0}
+    common = {
+        "runs_positive": 5,
+        "runs_negative": 5,
+        "change_positive": still(),
+        "change_negative": still(),
+        "coverage": 2.0,
+    }
     first = predict_test(draws, draws, np.full(500, NOISE), rng=rng(4), **common)  # type: ignore[arg-type]
     moved = predict_test(draws + 7.0, draws + 7.0, np.full(500, NOISE), rng=rng(4), **common)  # type: ignore[arg-type]
     for name, value in first.items():
@@ -148,7 +177,9 @@ def test_a_new_datum_changes_nothing() -> None:
 # ---------------------------------------------------------------- tests with fewer readings
 
 
-def names_of(runs_positive: int | FloatArray, runs_negative: int | FloatArray, *, vdi: bool = False) -> set[str]:
+def names_of(
+    runs_positive: int | FloatArray, runs_negative: int | FloatArray, *, vdi: bool = False
+) -> set[str]:
     draws = rng(2).standard_normal((50, M))
     predicted = predict_test(
         draws,
@@ -177,8 +208,18 @@ def test_only_the_parameters_that_such_a_test_has() -> None:
 def test_number_of_readings_by_target() -> None:
     runs = np.full(M, 5.0)
     runs[3] = 1.0  # one target has no s: no A, no R in that direction, but every mean
-    assert names_of(runs, 5) == {"A_negative", "R_negative", "E", "E_positive", "E_negative", "M", "B", "B_mean"}
-    # The mean of a target read once scatters by the full noise: E of two targets, one read 100 times, is noise away from zero.
+    assert names_of(runs, 5) == {
+        "A_negative",
+        "R_negative",
+        "E",
+        "E_positive",
+        "E_negative",
+        "M",
+        "B",
+        "B_mean",
+    }
+    # The mean of a target read once scatters by the full noise: E of two targets, one read 100
+    # times, is noise away from zero.
     count = 20_000
     predicted = predict_test(
         np.zeros((count, 2)),
@@ -237,8 +278,14 @@ def test_targets_follow_the_contract(low: float, length: float, count: int, seed
 
 
 def test_targets_use_the_whole_dither() -> None:
-    u = np.concatenate([dithered_targets((0.0, 1000.0), 10, rng(seed)) / 100.0 - np.arange(10) - 0.5 for seed in range(300)])
-    # 3000 values uniform in ±0.3: the extremes come within 0.001 with near certainty; the mean has standard error 0.0032
+    u = np.concatenate(
+        [
+            dithered_targets((0.0, 1000.0), 10, rng(seed)) / 100.0 - np.arange(10) - 0.5
+            for seed in range(300)
+        ]
+    )
+    # 3000 values uniform in ±0.3: the extremes come within 0.001 with near certainty; the mean has
+    # standard error 0.0032
     assert u.min() == pytest.approx(-0.3, abs=0.002)
     assert u.max() == pytest.approx(0.3, abs=0.002)
     assert u.mean() == pytest.approx(0.0, abs=0.013)
@@ -256,7 +303,10 @@ def test_targets_of_short_and_rotary_axes() -> None:
     assert crowded.min() >= 4.0
 
 
-@pytest.mark.parametrize(("travel", "count"), [((10.0, 10.0), 5), ((10.0, 0.0), 5), ((0.0, 10.0), 0), ((float("nan"), 1.0), 3)])
+@pytest.mark.parametrize(
+    ("travel", "count"),
+    [((10.0, 10.0), 5), ((10.0, 0.0), 5), ((0.0, 10.0), 0), ((float("nan"), 1.0), 3)],
+)
 def test_impossible_targets(travel: tuple[float, float], count: int) -> None:
     with pytest.raises(UsageError, match="no targets"):
         dithered_targets(travel, count, rng(0))
@@ -267,7 +317,13 @@ def test_impossible_targets(travel: tuple[float, float], count: int) -> None:
 
 @pytest.mark.parametrize(
     ("p05", "p95", "decision"),
-    [(4.0, 8.0, "accept"), (4.0, 8.001, "undecided"), (8.0, 9.0, "undecided"), (8.001, 9.0, "reject"), (1.0, 2.0, "accept")],
+    [
+        (4.0, 8.0, "accept"),
+        (4.0, 8.001, "undecided"),
+        (8.0, 9.0, "undecided"),
+        (8.001, 9.0, "reject"),
+        (1.0, 2.0, "accept"),
+    ],
 )
 def test_decision_by_the_interval(p05: float, p95: float, decision: str) -> None:
     assert decide_prediction(Quantiles(median=6.0, p05=p05, p95=p95), 8.0) == decision

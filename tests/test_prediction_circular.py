@@ -1,4 +1,6 @@
-"""The moved path against exact geometry and against a second simulation, and what a prediction says of fresh tests."""
+"""The moved path against exact geometry and against a second simulation, and what a prediction says
+of fresh tests.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +23,14 @@ CENTRE = (300.0, -120.0)
 def plain(sense: str, angles: list[float], radius: float = 100.0) -> CircularTest:
     run = CircularRun(sense=sense, angles=np.array(angles), deviations=np.zeros(len(angles)))  # type: ignore[arg-type]
     return CircularTest(
-        name="c", plane="XY", axes=("X", "Y"), nominal_radius=radius, feed=1000.0, arc=(0.0, 360.0), calibrated=True, runs=(run,)
+        name="c",
+        plane="XY",
+        axes=("X", "Y"),
+        nominal_radius=radius,
+        feed=1000.0,
+        arc=(0.0, 360.0),
+        calibrated=True,
+        runs=(run,),
     )
 
 
@@ -30,8 +39,12 @@ def test_where_a_run_commands_its_axes_and_which_way_they_move(sense: str, d: in
     test = plain(sense, [30.0, 120.0, 210.0, 300.0])
     path = path_of(test, test.runs[0], CENTRE)
     half, most = 50.0, 100.0 * np.sqrt(0.75)
-    np.testing.assert_allclose(path.first, CENTRE[0] + np.array([most, -half, -most, half]), atol=1e-9)
-    np.testing.assert_allclose(path.second, CENTRE[1] + np.array([half, most, -half, -most]), atol=1e-9)
+    np.testing.assert_allclose(
+        path.first, CENTRE[0] + np.array([most, -half, -most, half]), atol=1e-9
+    )
+    np.testing.assert_allclose(
+        path.second, CENTRE[1] + np.array([half, most, -half, -most]), atol=1e-9
+    )
     # ccw: from the first axis to the second: in the first quadrant X goes back and Y forth
     np.testing.assert_array_equal(path.moves_first, d * np.array([-1, -1, 1, 1]))
     np.testing.assert_array_equal(path.moves_second, d * np.array([1, -1, -1, 1]))
@@ -69,17 +82,28 @@ def correction(axis: str, positions: FloatArray, direction: FloatArray) -> Float
 
 @pytest.mark.parametrize("arc", [(0.0, 360.0), (20.0, 220.0)])
 def test_the_change_of_tables_is_that_of_the_exact_machine(arc: tuple[float, float]) -> None:
-    """A simulated machine with the tables loaded, and the test without them moved by the tables: the same circle."""
+    """A simulated machine with the tables loaded, and the test without them moved by the tables:
+    the same circle.
+    """
     plan = CirclePlan(radius=100.0, centre=CENTRE, arc=arc)
     errors = CircleErrors(squareness=60e-6, offset=(0.05, -0.03))
-    before, after = simulate_circle(errors, plan), simulate_circle(errors, plan, corrections=correction)
+    before, after = (
+        simulate_circle(errors, plan),
+        simulate_circle(errors, plan, corrections=correction),
+    )
 
     def tables(path: CirclePath) -> FloatArray:
-        return np.column_stack([correction("X", path.first, path.moves_first), correction("Y", path.second, path.moves_second)])
+        return np.column_stack(
+            [
+                correction("X", path.first, path.moves_first),
+                correction("Y", path.second, path.moves_second),
+            ]
+        )
 
     moved = moved_test(before, CENTRE, tables)
     for mine, other in zip(moved.runs, after.runs, strict=True):
-        # 20 µm of correction on a point that lies 60 µm off its commanded ray, R = 100: 0.02 · 0.06 / 100 = 1.2e-5 mm
+        # 20 µm of correction on a point that lies 60 µm off its commanded ray, R = 100: 0.02 · 0.06
+        # / 100 = 1.2e-5 mm
         assert np.max(np.abs(mine.deviations - other.deviations)) < 2e-5
         assert np.ptp(other.deviations) > 5e-3  # mm: there is something to see
 
@@ -87,9 +111,15 @@ def test_the_change_of_tables_is_that_of_the_exact_machine(arc: tuple[float, flo
 def test_predicted_intervals_hold_fresh_tests() -> None:
     """Of fresh tests of one machine a prediction from one of them must hold most.
 
-    Meant are 90 %, held were 84 % of 100 (white noise); ten fresh tests share one prediction, so 65 % of 60 is the least likely.
+    Meant are 90 %, held were 84 % of 100 (white noise); ten fresh tests share one prediction, so 65
+    % of 60 is the least likely.
     """
-    machine = Machine(squareness=30.0, backlash_first_at_positive=4.0, backlash_first_at_negative=4.0, servo_mismatch=0.1)
+    machine = Machine(
+        squareness=30.0,
+        backlash_first_at_positive=4.0,
+        backlash_first_at_negative=4.0,
+        servo_mismatch=0.1,
+    )
     setup = Setup(noise=0.4, samples=720)
     held: dict[str, int] = {}
     rounds = 6
@@ -109,19 +139,26 @@ def test_predicted_intervals_hold_fresh_tests() -> None:
 
 
 def test_causes_keep_their_value_and_widen_for_two_tests() -> None:
-    test = measured(Machine(squareness=30.0), Setup(noise=0.3, samples=720), np.random.default_rng(2))
+    test = measured(
+        Machine(squareness=30.0), Setup(noise=0.3, samples=720), np.random.default_rng(2)
+    )
     before = replace(evaluate_circle(test), diagnosis=diagnose(test))
     assert before.diagnosis is not None
     effect = before.diagnosis.effects["squareness"]
     band = predict_circle(before, before, np.random.default_rng(1), 10).causes["squareness"]
     assert band.median == effect.value
     assert band.p95 - band.p05 == pytest.approx(2 * 1.645 * np.sqrt(2) * effect.std_error)
-    spike = predict_circle(before, before, np.random.default_rng(1), 10).causes["reversal_spike_first"]
+    spike = predict_circle(before, before, np.random.default_rng(1), 10).causes[
+        "reversal_spike_first"
+    ]
     assert spike.p05 >= 0.0
 
 
 def test_a_parameter_that_the_test_does_not_have_is_not_predicted() -> None:
-    test = replace(measured(Machine(), Setup(noise=0.3, samples=360), np.random.default_rng(2)), calibrated=False)
+    test = replace(
+        measured(Machine(), Setup(noise=0.3, samples=360), np.random.default_rng(2)),
+        calibrated=False,
+    )
     before = evaluate_circle(test)
     prediction = predict_circle(before, before, np.random.default_rng(1), 5)
     assert prediction.causes == {}  # no diagnosis was made

@@ -1,4 +1,5 @@
-"""Jobs on variations of a real SINUMERIK archive, before a virtual control that shares nothing with the package: none does harm.
+"""Jobs on variations of a real SINUMERIK archive, before a virtual control that shares nothing with
+the package: none does harm.
 
 ``benchmarks/bench_backups_sinumerik.py`` runs several hundred more of the same jobs.
 """
@@ -52,19 +53,23 @@ def good(outcome: Outcome, *, written: bool | None = None) -> Outcome:
     return outcome
 
 
-# -- random jobs ------------------------------------------------------------------------------------------------------------------
+# -- random jobs
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("chunk", range(CHUNKS))
 def test_no_job_does_harm(chunk: int, judged: Judge) -> None:
-    """Every job is right or refused by name, what nothing else acts on is written, and so are most."""
+    """Every job is right or refused by name, what nothing else acts on is written, and so are
+    most.
+    """
     outcomes = [judged(case_of(seed)) for seed in range(chunk * EACH, (chunk + 1) * EACH)]
     harms = [outcome.line() for outcome in outcomes if outcome.harms]
     assert not harms, "\n".join(harms)
     assert sum(outcome.written for outcome in outcomes) >= 0.6 * EACH
 
 
-# -- inches, names, foreign tables ------------------------------------------------------------------------------------------------
+# -- inches, names, foreign tables
+# ------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("seed", INCH_SEEDS)
@@ -78,7 +83,8 @@ def test_units_that_disagree_are_refused(judged: Judge) -> None:
 
 
 @pytest.mark.parametrize(
-    ("special", "seed"), [(variations.known_by_two_names, n) for n in range(4)] + [(variations.half_by_name, 0)]
+    ("special", "seed"),
+    [(variations.known_by_two_names, n) for n in range(4)] + [(variations.half_by_name, 0)],
 )
 def test_x1_and_ax1_are_one_axis(special: Special, seed: int, judged: Judge) -> None:
     good(judged(named(special, seed)), written=True)
@@ -99,7 +105,9 @@ def test_two_names_and_a_sleeping_table_of_the_axis(judged: Judge) -> None:
 
 @pytest.mark.parametrize("axis", ["AX1", "AX2", "AX3", "AX4", "AX5"])
 def test_foreign_tables_of_the_archive_are_kept(axis: str, judged: Judge) -> None:
-    """Their range is no multiple of the step, one has STEP 0 and the output (X); none is touched."""
+    """Their range is no multiple of the step, one has STEP 0 and the output (X); none is
+    touched.
+    """
     outcome = good(judged(named(variations.nothing, axis=axis)), written=True)
     assert outcome.case.cec is not None
     assert outcome.files.get("NC_CEC.INI", outcome.case.cec.encode()) == outcome.case.cec.encode()
@@ -118,7 +126,8 @@ def test_work_that_touches_foreign_tables_is_refused(special: Special, judged: J
     good(judged(named(special)), written=False)
 
 
-# -- measuring systems, compensation on or off ------------------------------------------------------------------------------------
+# -- measuring systems, compensation on or off
+# ------------------------------------------------------------------------------------
 
 
 def test_two_measuring_systems_only_the_second_is_on(judged: Judge) -> None:
@@ -157,7 +166,11 @@ def test_a_loader_against_the_machine_data_is_not_guessed(seed: int, judged: Jud
 @pytest.mark.parametrize("answer", ["yes", "no", "true", "false"])
 @pytest.mark.parametrize("loader", [True, False], ids=["loader", "table alone"])
 def test_the_answer_whether_compensation_acted(answer: str, loader: bool, judged: Judge) -> None:
-    seed = next(n for n in range(100) if ("G_LAS.MPF" in named(variations.stated_active, n).given()) is loader)
+    seed = next(
+        n
+        for n in range(100)
+        if ("G_LAS.MPF" in named(variations.stated_active, n).given()) is loader
+    )
     case = named(variations.stated_active, seed)
     case.active, case.enabled = answer, answer in {"yes", "true"}
     good(judged(case), written=True)
@@ -169,17 +182,22 @@ def test_nothing_is_asked_where_the_table_is_zero(judged: Judge) -> None:
 
 @pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("answer", [None, "yes"])
-def test_a_sleeping_table_is_left_asleep_beside_one_that_acts(seed: int, answer: str | None, judged: Judge) -> None:
+def test_a_sleeping_table_is_left_asleep_beside_one_that_acts(
+    seed: int, answer: str | None, judged: Judge
+) -> None:
     """The EEC acted, and the job may say so; the CEC table of 100 µm slept."""
     case = named(variations.sleeping_table_over_itself, seed)
     case.active, case.options["cec_sign"] = answer, "correction"
     good(judged(case), written=True)
 
 
-# -- the sign of CEC --------------------------------------------------------------------------------------------------------------
+# -- the sign of CEC
+# --------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("special", [variations.pair_without_a_sign, variations.table_over_itself_without_a_sign])
+@pytest.mark.parametrize(
+    "special", [variations.pair_without_a_sign, variations.table_over_itself_without_a_sign]
+)
 def test_the_sign_of_cec_has_no_default(special: Special, judged: Judge) -> None:
     outcome = judged(named(special))
     assert (outcome.code, outcome.written) == (2, False), outcome.line()
@@ -188,7 +206,9 @@ def test_the_sign_of_cec_has_no_default(special: Special, judged: Judge) -> None
 
 @pytest.mark.parametrize("sign", [1.0, -1.0], ids=["correction", "error"])
 def test_a_pair_is_right_in_both_worlds(sign: float, judged: Judge) -> None:
-    """And its card reserves and switches what the plan needs, in the order that the control takes, and names only files written."""
+    """And its card reserves and switches what the plan needs, in the order that the control takes,
+    and names only files written.
+    """
     case = named(variations.pair_is_wanted)
     case.cec_sign, case.options["cec_sign"] = sign, "correction" if sign > 0 else "error"
     outcome = good(judged(case), written=True)
@@ -198,7 +218,9 @@ def test_a_pair_is_right_in_both_worlds(sign: float, judged: Judge) -> None:
     assert off, "SD41300 is not switched off"
     assert load
     assert off.start() < load.start()
-    sign_check, on = (re.search(pattern, card) for pattern in (r"\*\*Check the sign", r"SD41300[^.\n]*= 1"))
+    sign_check, on = (
+        re.search(pattern, card) for pattern in (r"\*\*Check the sign", r"SD41300[^.\n]*= 1")
+    )
     assert sign_check
     assert on
     assert sign_check.start() < on.start(), "the sign is checked after the table acts"
@@ -209,7 +231,9 @@ def test_a_pair_is_right_in_both_worlds(sign: float, judged: Judge) -> None:
 
 @pytest.mark.parametrize("sign", [1.0, -1.0], ids=["correction", "error"])
 @pytest.mark.parametrize("seed", range(3))
-def test_a_table_of_the_axis_over_itself_in_both_worlds(sign: float, seed: int, judged: Judge) -> None:
+def test_a_table_of_the_axis_over_itself_in_both_worlds(
+    sign: float, seed: int, judged: Judge
+) -> None:
     case = named(variations.table_over_itself, seed)
     case.cec_sign, case.options["cec_sign"] = sign, "correction" if sign > 0 else "error"
     good(judged(case))
@@ -233,7 +257,8 @@ def test_a_pair_without_room(judged: Judge) -> None:
     good(judged(named(variations.pair_without_room)))
 
 
-# -- rotary axes, gantries --------------------------------------------------------------------------------------------------------
+# -- rotary axes, gantries
+# --------------------------------------------------------------------------------------------------
 
 
 def test_a_turned_reference_stays_inside_the_turn(judged: Judge) -> None:
@@ -249,7 +274,8 @@ def test_a_gantry_of_the_machine_data_is_never_racked(special: Special, judged: 
     good(judged(named(special)))
 
 
-# -- the judge itself -------------------------------------------------------------------------------------------------------------
+# -- the judge itself
+# --------------------------------------------------------------------------------------------------
 
 
 def after_of(outcome: Outcome, **turned: float) -> float:
@@ -262,13 +288,20 @@ def after_of(outcome: Outcome, **turned: float) -> float:
 
 
 def test_the_judge_notices_what_is_turned(judged: Judge) -> None:
-    """Signs, the measuring system, inches, a byte of another axis, a step of the card that is left out."""
+    """Signs, the measuring system, inches, a byte of another axis, a step of the card that is left
+    out.
+    """
     case = named(variations.nothing)
     case.md = put(case.md, "$MA_BACKLASH[1,AX1]", "0.004")
     outcome = good(judged(case), written=True)
     limit = 1.4 * outcome.predicted + 1
     assert after_of(outcome) < limit
-    for turned in ({"eec_turned": -1.0}, {"eec_turned": 2.0}, {"backlash_turned": -1.0}, {"system_turned": 1}):
+    for turned in (
+        {"eec_turned": -1.0},
+        {"eec_turned": 2.0},
+        {"backlash_turned": -1.0},
+        {"system_turned": 1},
+    ):
         assert after_of(outcome, **turned) > limit, turned
 
     control = control_before(case)
@@ -278,16 +311,24 @@ def test_the_judge_notices_what_is_turned(judged: Judge) -> None:
     assert any(refused.mattered for refused in control.refused)
 
     given = {name: text.encode("latin-1") for name, text in case.given().items()}
-    for damage in ((b"$AA_ENC_COMP[1,3,AX2]=0", b"$AA_ENC_COMP[1,3,AX2]=0.001"), (b"\nM17", b"\r\nM17"), (b"METRIC\n", b"")):
+    for damage in (
+        (b"$AA_ENC_COMP[1,3,AX2]=0", b"$AA_ENC_COMP[1,3,AX2]=0.001"),
+        (b"\nM17", b"\r\nM17"),
+        (b"METRIC\n", b""),
+    ):
         changed = {name: content.replace(*damage) for name, content in given.items()}
-        assert any("differs" in harm for harm in foreign_bytes(case, changed, given, Path("nowhere"))), damage
+        assert any(
+            "differs" in harm for harm in foreign_bytes(case, changed, given, Path("nowhere"))
+        ), damage
 
 
 def test_the_judge_notices_the_sign_of_cec(judged: Judge) -> None:
     case = named(variations.pair_is_wanted)
     outcome = judged(case)
     assert outcome.written
-    assert after_of(outcome) < 1.4 * outcome.predicted + 1 < after_of(outcome, cec_sign=-case.cec_sign)
+    assert (
+        after_of(outcome) < 1.4 * outcome.predicted + 1 < after_of(outcome, cec_sign=-case.cec_sign)
+    )
 
 
 def test_the_judge_notices_inches() -> None:
@@ -313,4 +354,6 @@ def test_a_sleeping_table_that_is_woken_is_noticed() -> None:
     asleep, woken = control_before(case), control_before(case)
     woken.load("$MA_CEC_ENABLE[AX1]=1")
     x = np.array([450.0])
-    assert woken.correction("AX1", x, 1)[0] - asleep.correction("AX1", x, 1)[0] == pytest.approx(0.1, abs=1e-9)
+    assert woken.correction("AX1", x, 1)[0] - asleep.correction("AX1", x, 1)[0] == pytest.approx(
+        0.1, abs=1e-9
+    )

@@ -1,4 +1,6 @@
-"""Plots, reports and cards: what stands in the document stands on the paper, whole, escaped, and the same every time."""
+"""Plots, reports and cards: what stands in the document stands on the paper, whole, escaped, and
+the same every time.
+"""
 
 from __future__ import annotations
 
@@ -19,10 +21,25 @@ from compwright.foundations.errors import UsageError
 from compwright.reporting import plots, report
 from compwright.reporting.card import card_html, card_markdown
 from compwright.reporting.numbers import MISSING, decimals_of, number, plain
-from compwright.reporting.plots import before_after_plot, estimate_plot, evaluation_plot, plot_format, positioning_plot, table_plot
+from compwright.reporting.plots import (
+    before_after_plot,
+    estimate_plot,
+    evaluation_plot,
+    plot_format,
+    positioning_plot,
+    table_plot,
+)
 from compwright.reporting.report import run_report, verify_report
 from places import PROJECT, needs_shared
-from reporting_samples import made_up, positioning, printed_table, quantiles, run_view, sample_card, verify_view
+from reporting_samples import (
+    made_up,
+    positioning,
+    printed_table,
+    quantiles,
+    run_view,
+    sample_card,
+    verify_view,
+)
 
 pytestmark = pytest.mark.painted
 
@@ -30,7 +47,8 @@ HOSTILE = "<script>alert('x')</script> & \"$\\frac{1}{0}$\" \x00\x0b\ud800\uffff
 EXACT = 1e-9  # µm: a number that only passes through
 
 
-# --- reading a page ------------------------------------------------------------------------------------------------------------
+# --- reading a page
+# --------------------------------------------------------------------------------------------------
 
 
 def tree(page: bytes) -> ET.Element:
@@ -50,7 +68,11 @@ def tables(page: bytes) -> Iterator[tuple[list[str], list[list[str]]]]:
 
 def table_with(page: bytes, *words: str) -> tuple[list[str], list[list[str]]]:
     """The first table in whose head all ``words`` occur."""
-    return next((head, rows) for head, rows in tables(page) if all(any(word in cell for cell in head) for word in words))
+    return next(
+        (head, rows)
+        for head, rows in tables(page)
+        if all(any(word in cell for cell in head) for word in words)
+    )
 
 
 def value(cell: str) -> float:
@@ -67,7 +89,9 @@ def assert_self_contained(page: bytes, files: tuple[str, ...] = ()) -> None:
     ids = [element.get("id") for element in root.iter() if element.get("id")]
     assert len(ids) == len(set(ids)), "an id stands twice"
     for element in root.iter():
-        assert not any(name.startswith("on") or name == "src" for name in element.keys()), element.attrib  # noqa: SIM118  not a dict
+        assert not any(name.startswith("on") or name == "src" for name in element.keys()), (  # noqa: SIM118
+            element.attrib
+        )
         target = element.get("href")
         if target is not None:
             assert target[1:] in ids if target.startswith("#") else target in files, target
@@ -75,7 +99,8 @@ def assert_self_contained(page: bytes, files: tuple[str, ...] = ()) -> None:
         assert reference.decode() in ids
 
 
-# --- numbers -------------------------------------------------------------------------------------------------------------------
+# --- numbers
+# --------------------------------------------------------------------------------------------------
 
 
 def test_numbers_have_a_true_minus_sign_no_minus_zero_and_a_dash_where_there_is_none() -> None:
@@ -84,7 +109,9 @@ def test_numbers_have_a_true_minus_sign_no_minus_zero_and_a_dash_where_there_is_
     assert number(-0.006) == "−0.01"
     assert number(12) == "12.00"
     assert number(3.14159, 0) == "3"
-    assert [number(nothing) for nothing in (None, float("nan"), float("inf"), "7", True)] == [MISSING] * 5
+    assert [number(nothing) for nothing in (None, float("nan"), float("inf"), "7", True)] == [
+        MISSING
+    ] * 5
     assert plain(50.0) == "50"
     assert plain(-0.0) == "0"
     assert plain(-2) == "−2"
@@ -92,7 +119,9 @@ def test_numbers_have_a_true_minus_sign_no_minus_zero_and_a_dash_where_there_is_
 
 @given(st.floats(-1e6, 1e6), st.integers(0, 4))
 def test_a_number_reads_back_to_its_last_digit(given_value: float, decimals: int) -> None:
-    assert abs(value(number(given_value, decimals)) - given_value) <= 0.5000001 * 10.0**-decimals  # half a last digit
+    assert (
+        abs(value(number(given_value, decimals)) - given_value) <= 0.5000001 * 10.0**-decimals
+    )  # half a last digit
 
 
 def test_a_column_gets_the_decimals_that_it_needs() -> None:
@@ -103,7 +132,8 @@ def test_a_column_gets_the_decimals_that_it_needs() -> None:
     assert decimals_of([17.000000000002]) == 0  # from mm to µm
 
 
-# --- plots ---------------------------------------------------------------------------------------------------------------------
+# --- plots
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.fixture
@@ -133,7 +163,9 @@ def band_at(panel: Any, label: str, position: float) -> tuple[float, float]:
 @needs_shared
 @pytest.mark.parametrize(
     ("year", "label", "position", "low", "high", "tolerance"),
-    [  # printed rows "mean - 2s" and "mean + 2s" of table 2, rounded to 0.1 µm: half a digit, and half a digit of the readings
+    # printed rows "mean - 2s" and "mean + 2s" of table 2, rounded to 0.1 µm: half a digit, and half
+    # a digit of the readings
+    [
         (1997, "mean ± 2 s (−)", 6.711, 1.6, 2.9, 0.1),
         (1997, "mean ± 2 s (+)", 6.711, -2.3, -0.9, 0.1),
         (1997, "mean ± 2 s (−)", 1750.920, -1.7, 0.8, 0.1),
@@ -143,7 +175,13 @@ def band_at(panel: Any, label: str, position: float) -> tuple[float, float]:
     ],
 )
 def test_the_bands_are_the_limits_that_the_standard_prints(
-    drawn: Callable[[], Any], year: int, label: str, position: float, low: float, high: float, tolerance: float
+    drawn: Callable[[], Any],
+    year: int,
+    label: str,
+    position: float,
+    low: float,
+    high: float,
+    tolerance: float,
 ) -> None:
     positioning_plot(printed_table(year))
     found = band_at(drawn().axes[0], label, position)
@@ -152,14 +190,20 @@ def test_the_bands_are_the_limits_that_the_standard_prints(
 
 
 @needs_shared
-def test_means_and_readings_of_each_direction_stand_at_their_targets(drawn: Callable[[], Any]) -> None:
+def test_means_and_readings_of_each_direction_stand_at_their_targets(
+    drawn: Callable[[], Any],
+) -> None:
     positioning_plot(printed_table(1997))
     panel = drawn().axes[0]
     positive, negative = lines(panel, "mean (+)"), lines(panel, "mean (−)")
     assert positive.get_xdata()[0] == 6.711
     # printed means of the first and last target, to 0.1 µm
-    assert [positive.get_ydata()[i] for i in (0, -1)] == pytest.approx([-1.6, -4.0], abs=0.05 + EXACT)
-    assert [negative.get_ydata()[i] for i in (0, -1)] == pytest.approx([2.3, -0.5], abs=0.05 + EXACT)
+    assert [positive.get_ydata()[i] for i in (0, -1)] == pytest.approx(
+        [-1.6, -4.0], abs=0.05 + EXACT
+    )
+    assert [negative.get_ydata()[i] for i in (0, -1)] == pytest.approx(
+        [2.3, -0.5], abs=0.05 + EXACT
+    )
     assert (positive.get_marker(), positive.get_linestyle()) == ("^", "-")
     assert (negative.get_marker(), negative.get_linestyle()) == ("v", "--")
     readings = lines(panel, "single readings (+)")
@@ -180,13 +224,23 @@ def test_before_predicted_and_after_share_one_scale(drawn: Callable[[], Any]) ->
     for sign, key in (("+", "positive"), ("−", "negative")):
         assert list(lines(second, f"expected mean ({sign})").get_ydata()) == expected[key]
         low, high = band_at(second, f"mean ± 2 s ({sign})", expected["positions"][3])
-        assert (low, high) == pytest.approx((expected[key][3] - 2 * 0.71, expected[key][3] + 2 * 0.71), abs=EXACT)
-        assert list(lines(third, f"mean ({sign})").get_ydata()) == [target[f"mean_{key}"] for target in after["targets"]]
+        assert (low, high) == pytest.approx(
+            (expected[key][3] - 2 * 0.71, expected[key][3] + 2 * 0.71), abs=EXACT
+        )
+        assert list(lines(third, f"mean ({sign})").get_ydata()) == [
+            target[f"mean_{key}"] for target in after["targets"]
+        ]
     assert "A 4.12 (3.47 to 5.03) µm" in [note.get_text() for note in second.texts]
-    assert [panel.get_title(loc="left").strip() for panel in (first, second, third)] == ["Before", "Predicted", "After"]
+    assert [panel.get_title(loc="left").strip() for panel in (first, second, third)] == [
+        "Before",
+        "Predicted",
+        "After",
+    ]
 
 
-def test_the_table_plot_marks_the_nodes_of_each_direction_beside_what_was_wanted(drawn: Callable[[], Any]) -> None:
+def test_the_table_plot_marks_the_nodes_of_each_direction_beside_what_was_wanted(
+    drawn: Callable[[], Any],
+) -> None:
     view = run_view()
     table, wanted = view["prediction"]["axes"]["X"]["table"], view["axes"]["X"]["wanted"]
     table_plot({"table": table, "wanted": wanted})
@@ -199,13 +253,30 @@ def test_the_table_plot_marks_the_nodes_of_each_direction_beside_what_was_wanted
     assert panel.get_ylabel() == "Correction in µm"
     assert lines(panel, "table (+)").get_markersize() > 0
     nodes_ = [float(node) for node in range(400)]  # markers would cover the curve
-    table_plot({"table": {**table, "positions": nodes_, "correction_positive": nodes_, "correction_negative": nodes_}})
+    table_plot(
+        {
+            "table": {
+                **table,
+                "positions": nodes_,
+                "correction_positive": nodes_,
+                "correction_negative": nodes_,
+            }
+        }
+    )
     assert lines(drawn().axes[0], "table (+ and −)").get_markersize() == 0
-    table_plot({"table": {**table, "correction_negative": table["correction_positive"]}, "wanted": None, "unit": "um"})
+    table_plot(
+        {
+            "table": {**table, "correction_negative": table["correction_positive"]},
+            "wanted": None,
+            "unit": "um",
+        }
+    )
     assert [line.get_label() for line in drawn().axes[0].get_lines()][1:] == ["table (+ and −)"]
 
 
-def test_the_estimate_plot_shows_two_standard_deviations_and_the_measured_means(drawn: Callable[[], Any]) -> None:
+def test_the_estimate_plot_shows_two_standard_deviations_and_the_measured_means(
+    drawn: Callable[[], Any],
+) -> None:
     view = run_view()
     estimate = view["axes"]["X"]["estimate"]
     estimate["std_negative"] = [1.5 for _ in estimate["positions"]]
@@ -215,10 +286,14 @@ def test_the_estimate_plot_shows_two_standard_deviations_and_the_measured_means(
     band = panel.collections[1].get_paths()[0].vertices
     heights = [y for x, y in band if x == estimate["positions"][40]]
     assert max(heights) - min(heights) == pytest.approx(4 * 1.5, abs=EXACT)
-    assert list(lines(panel, "measured mean (−)").get_ydata()) == [target["mean_negative"] for target in result["targets"]]
+    assert list(lines(panel, "measured mean (−)").get_ydata()) == [
+        target["mean_negative"] for target in result["targets"]
+    ]
 
 
-def test_one_direction_single_runs_and_missing_readings_draw_only_what_there_is(drawn: Callable[[], Any]) -> None:
+def test_one_direction_single_runs_and_missing_readings_draw_only_what_there_is(
+    drawn: Callable[[], Any],
+) -> None:
     one_way = run_view()["evaluation"]["results"][1]
     positioning_plot(one_way)
     panel = drawn().axes[0]
@@ -228,7 +303,12 @@ def test_one_direction_single_runs_and_missing_readings_draw_only_what_there_is(
     assert panel.get_ylabel() == "Deviation in arcsec"
     assert panel.get_xlabel() == "Position in deg"
     assert panel.get_title(loc="right") == "A+ 9.13   E+ 7.52   R+ 3.24 arcsec"
-    single = positioning([0.0, 900.0, 3000.0], [[1.0], [2.0], [8.0]], [[0.0], [None], [7.0]], {"A": None, "E": 8.0, "B": 1.0})
+    single = positioning(
+        [0.0, 900.0, 3000.0],
+        [[1.0], [2.0], [8.0]],
+        [[0.0], [None], [7.0]],
+        {"A": None, "E": 8.0, "B": 1.0},
+    )
     positioning_plot(single)
     assert not drawn().axes[0].collections  # no s, no band
     assert drawn().axes[0].get_title(loc="right") == "E 8.00   B 1.00 µm"
@@ -240,10 +320,16 @@ def test_a_flat_curve_is_not_blown_up(drawn: Callable[[], Any]) -> None:
     assert high - low >= 0.2 - EXACT
 
 
-@pytest.mark.parametrize(("kind", "magic"), [("svg", b"<?xml"), ("png", b"\x89PNG\r\n"), ("pdf", b"%PDF-")])
+@pytest.mark.parametrize(
+    ("kind", "magic"), [("svg", b"<?xml"), ("png", b"\x89PNG\r\n"), ("pdf", b"%PDF-")]
+)
 def test_every_format_is_written_and_the_same_every_time(kind: str, magic: bytes) -> None:
     document = {
-        "results": [made_up(), {"kind": "circular"}, made_up(standard="vdi3441", parameters={"P": 40.0, "A": None, "E": None})]
+        "results": [
+            made_up(),
+            {"kind": "circular"},
+            made_up(standard="vdi3441", parameters={"P": 40.0, "A": None, "E": None}),
+        ]
     }
     first = evaluation_plot(document, format=kind)
     assert first.startswith(magic)
@@ -274,13 +360,16 @@ def test_nothing_to_plot_is_said(results: list[dict[str, Any]]) -> None:
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """Pages with an empty figure instead of each plot, where a test is about words and numbers."""
     for name in ("before_after_plot", "estimate_plot", "positioning_plot", "table_plot"):
-        monkeypatch.setattr(report, name, lambda *_documents: b'<svg width="1" viewBox="0 0 1 1"></svg>')
+        monkeypatch.setattr(
+            report, name, lambda *_documents: b'<svg width="1" viewBox="0 0 1 1"></svg>'
+        )
 
 
 words_only = pytest.mark.usefixtures("quick")
 
 
-# --- the report of run ---------------------------------------------------------------------------------------------------------
+# --- the report of run
+# --------------------------------------------------------------------------------------------------
 
 
 def test_the_report_is_whole_well_formed_and_the_same_every_time() -> None:
@@ -297,14 +386,20 @@ def test_the_report_states_the_numbers_of_the_documents() -> None:
     page = run_report(view)
     axis = view["prediction"]["axes"]["X"]
     head, rows = table_with(page, "Parameter", "Predicted, same targets", "Predicted, new targets")
-    titles = ["Before µm; ± U, k = 2", "Predicted, same targets µm; median, 5–95 %", "Predicted, new targets µm; median, 5–95 %"]
+    titles = [
+        "Before µm; ± U, k = 2",
+        "Predicted, same targets µm; median, 5–95 %",
+        "Predicted, new targets µm; median, 5–95 %",
+    ]
     assert head == ["Parameter ISO 230-2:2014", *titles]
     found = {row[0]: row for row in rows}
     for key, name in (("A", "A"), ("A_positive", "A+"), ("B_mean", "mean B"), ("M", "M")):
         row = found[name]
         assert value(row[2]) == axis["before"][key]
         for column, source in ((4, axis["predicted"]), (6, axis["predicted_new_targets"])):
-            assert value(row[column]) == pytest.approx(source[key]["median"], abs=0.005 + EXACT)  # two decimals are shown
+            assert value(row[column]) == pytest.approx(
+                source[key]["median"], abs=0.005 + EXACT
+            )  # two decimals are shown
             low, high = row[column + 1].split(" to ")
             assert value(low) == pytest.approx(source[key]["p05"], abs=0.005 + EXACT)
             assert value(high) == pytest.approx(source[key]["p95"], abs=0.005 + EXACT)
@@ -318,7 +413,9 @@ def test_the_table_in_numbers_is_the_table() -> None:
     table = view["prediction"]["axes"]["X"]["table"]
     head, rows = table_with(run_report(view), "Correction +", "Correction −")
     assert head == ["Position mm", "Correction + µm", "Correction − µm"]
-    expected = zip(table["positions"], table["correction_positive"], table["correction_negative"], strict=True)
+    expected = zip(
+        table["positions"], table["correction_positive"], table["correction_negative"], strict=True
+    )
     assert [tuple(map(value, row)) for row in rows] == list(expected)
 
 
@@ -326,8 +423,14 @@ def test_the_table_in_numbers_is_the_table() -> None:
 def test_a_long_table_stands_in_columns_and_loses_no_point() -> None:
     view = run_view()
     nodes = [float(node) for node in range(131)]
-    view["prediction"]["axes"]["X"]["table"] |= {"positions": nodes, "correction_positive": nodes, "correction_negative": nodes}
-    found = [rows for head, rows in tables(run_report(view)) if head and head[-1] == "Correction − µm"]
+    view["prediction"]["axes"]["X"]["table"] |= {
+        "positions": nodes,
+        "correction_positive": nodes,
+        "correction_negative": nodes,
+    }
+    found = [
+        rows for head, rows in tables(run_report(view)) if head and head[-1] == "Correction − µm"
+    ]
     assert [value(row[0]) for rows in found for row in rows] == nodes
     assert len(found) == 3
 
@@ -351,8 +454,14 @@ def test_single_readings_stand_under_their_run_and_direction() -> None:
         "B": "reversal",
         "R +": "R_positive",
     }.items():
-        assert value(statistics[title]) == pytest.approx(target[key], abs=0.005 + EXACT)  # two decimals are shown
-    _, rotary = next((head, rows) for head, rows in tables(run_report(view)) if head == ["Position deg", "+1 arcsec", "+2 arcsec"])
+        assert value(statistics[title]) == pytest.approx(
+            target[key], abs=0.005 + EXACT
+        )  # two decimals are shown
+    _, rotary = next(
+        (head, rows)
+        for head, rows in tables(run_report(view))
+        if head == ["Position deg", "+1 arcsec", "+2 arcsec"]
+    )
     assert rotary[1] == ["45", "2.00", MISSING]
 
 
@@ -367,7 +476,9 @@ def test_the_verdict_stands_first_with_each_limit_and_its_decision() -> None:
 
 
 def verdict_of(page: bytes) -> str:
-    section = next(element for element in tree(page).iter("section") if "verdict" in str(element.get("class")))
+    section = next(
+        element for element in tree(page).iter("section") if "verdict" in str(element.get("class"))
+    )
     return f"{str(section.get('class')).split()[-1]}: {text(section)}"
 
 
@@ -384,7 +495,9 @@ def verdict_of(page: bytes) -> str:
 def test_the_headline_is_that_of_the_worst_decision(decisions: list[str], headline: str) -> None:
     view = run_view()
     limits = zip(("A", "E", "R"), decisions, strict=False)
-    view["prediction"]["axes"]["X"]["accept"] = {key: {"limit": 5.0, "decision": decision} for key, decision in limits}
+    view["prediction"]["axes"]["X"]["accept"] = {
+        key: {"limit": 5.0, "decision": decision} for key, decision in limits
+    }
     assert verdict_of(run_report(view)).startswith(headline)
 
 
@@ -397,14 +510,18 @@ def test_without_tables_the_report_says_why() -> None:
     assert "predicted is the next test without one" in text(tree(page))
     refused = run_view()
     refused["axes"]["X"]["refused"] = "it would make the axis worse"
-    assert verdict_of(run_report(refused)).startswith("bad: No table was written for axis X Axis X: it would make the axis worse.")
+    assert verdict_of(run_report(refused)).startswith(
+        "bad: No table was written for axis X Axis X: it would make the axis worse."
+    )
 
 
 @words_only
 def test_limits_about_another_test_are_shown_with_that_test() -> None:
     view = run_view()
     axis = view["prediction"]["axes"]["X"]
-    axis["tests"].append({"name": "x_long", "before": {"E": 50.0}, "predicted": {"E": quantiles(7.0, 6.0, 8.0)}})
+    axis["tests"].append(
+        {"name": "x_long", "before": {"E": 50.0}, "predicted": {"E": quantiles(7.0, 6.0, 8.0)}}
+    )
     axis["accept"] = {"E": {"limit": 9.0, "decision": "accept", "test": "x_long"}}
     page = run_report(view)
     _, rows = table_with(page, "Limit", "Decision")
@@ -420,14 +537,20 @@ def test_the_state_that_was_taken_is_told() -> None:
         return text(tree(run_report(view)))
 
     assert "None: nothing was active in the control" in section("none")
-    assert "As in CNC-PARA.TXT, PITCH.TXT; the table is the total" in section(["CNC-PARA.TXT", "PITCH.TXT"])
+    assert "As in CNC-PARA.TXT, PITCH.TXT; the table is the total" in section(
+        ["CNC-PARA.TXT", "PITCH.TXT"]
+    )
     assert section(None).count("Not said. Without it no table is written") == 2  # axes X and C
 
 
 @words_only
 def test_unconfirmed_facts_come_first_and_are_marked() -> None:
     _, rows = table_with(run_report(run_view()), "Fact", "Evidence")
-    assert [row[0] for row in rows] == ["sign of a pitch error value", "detection unit", "compensation is active"]
+    assert [row[0] for row in rows] == [
+        "sign of a pitch error value",
+        "detection unit",
+        "compensation is active",
+    ]
     assert rows[0][2] == "! unconfirmed B-64490EN 5.2 does not say"
     assert not any("!" in row[2] for row in rows[1:])
 
@@ -439,7 +562,12 @@ def test_findings_stand_once_with_code_and_severity() -> None:
     view["evaluation"]["results"][0]["findings"] = [view["axes"]["X"]["findings"][1]]
     view["evaluation"]["errors"] = [{"file": "runs/y.csv", "message": "line 3: not a number"}]
     page = run_report(view)
-    found = [text(item) for group in tree(page).iter("ul") if group.get("class") == "findings" for item in group]
+    found = [
+        text(item)
+        for group in tree(page).iter("ul")
+        if group.get("class") == "findings"
+        for item in group
+    ]
     assert found == [
         "! warning The readings drift by 1.2 µm over the five traverses. CW-T005",
         "info No screw pitch was given: a periodic error is not estimated. CW-E003",
@@ -459,13 +587,34 @@ def test_provenance_and_written_files_are_listed() -> None:
 
 def everywhere(document: Any, text_value: str) -> Any:
     """The document with every text that is free for the user replaced."""
-    free = {"machine", "name", "message", "fact", "value", "evidence", "file", "cause", "mode_reason", "title", "quantity", "text"}
+    free = {
+        "machine",
+        "name",
+        "message",
+        "fact",
+        "value",
+        "evidence",
+        "file",
+        "cause",
+        "mode_reason",
+        "title",
+        "quantity",
+        "text",
+    }
     if isinstance(document, dict):
         return {
-            key: text_value if key in free and isinstance(item, str) else everywhere(item, text_value)
+            key: (
+                text_value
+                if key in free and isinstance(item, str)
+                else everywhere(item, text_value)
+            )
             for key, item in document.items()
         }
-    return [everywhere(item, text_value) for item in document] if isinstance(document, list) else document
+    return (
+        [everywhere(item, text_value) for item in document]
+        if isinstance(document, list)
+        else document
+    )
 
 
 def test_hostile_text_stays_text() -> None:
@@ -481,7 +630,15 @@ def test_hostile_text_stays_text() -> None:
     assert_self_contained(verify_report(after))
     card = everywhere(sample_card(), HOSTILE)
     assert_self_contained(
-        card_html({**card, "files": [HOSTILE], "restore": [HOSTILE], "proven": HOSTILE, "machine": {HOSTILE: HOSTILE}})
+        card_html(
+            {
+                **card,
+                "files": [HOSTILE],
+                "restore": [HOSTILE],
+                "proven": HOSTILE,
+                "machine": {HOSTILE: HOSTILE},
+            }
+        )
     )
 
 
@@ -489,17 +646,43 @@ def test_a_report_without_predictions_estimates_or_results_still_stands() -> Non
     bare = run_view()
     for axis in bare["prediction"]["axes"].values():
         axis.update(
-            dict.fromkeys(("tests", "before", "predicted", "predicted_new_targets", "table", "limits", "accept", "quantum"))
+            dict.fromkeys(
+                (
+                    "tests",
+                    "before",
+                    "predicted",
+                    "predicted_new_targets",
+                    "table",
+                    "limits",
+                    "accept",
+                    "quantum",
+                )
+            )
         )
     for axis in bare["axes"].values():
-        axis.update(dict.fromkeys(("estimate", "wanted", "certificate", "predicted_targets", "findings", "mode", "mode_reason")))
+        axis.update(
+            dict.fromkeys(
+                (
+                    "estimate",
+                    "wanted",
+                    "certificate",
+                    "predicted_targets",
+                    "findings",
+                    "mode",
+                    "mode_reason",
+                )
+            )
+        )
     assert_self_contained(run_report(bare), tuple(bare["files"]))
     bare["evaluation"] = {"results": [], "errors": []}
     bare["prediction"] = {}
-    assert_self_contained(run_report({**bare, "files": [], "assumed": [], "findings": None, "machine": None}))
+    assert_self_contained(
+        run_report({**bare, "files": [], "assumed": [], "findings": None, "machine": None})
+    )
 
 
-# --- the report of verify ------------------------------------------------------------------------------------------------------
+# --- the report of verify
+# --------------------------------------------------------------------------------------------------
 
 
 @words_only
@@ -511,7 +694,18 @@ def test_the_verification_shows_before_predicted_and_after() -> None:
     assert verdict_of(page).startswith("open: Undecided: the tests do not tell")
     _, rows = table_with(page, "Loading", "After")
     # axis, loading, symbol, before, median, range, after, limit, unit, decision, bar
-    assert rows[0][:10] == ["X", "✓ loaded", "A", "31.42", "4.12", "3.47 to 5.03", "4.43", "8.00", "µm", "✓ accept"]
+    assert rows[0][:10] == [
+        "X",
+        "✓ loaded",
+        "A",
+        "31.42",
+        "4.12",
+        "3.47 to 5.03",
+        "4.43",
+        "8.00",
+        "µm",
+        "✓ accept",
+    ]
     _, parameters = table_with(page, "Parameter", "After")
     found = {row[0]: row for row in parameters}
     assert [value(found["E"][column]) for column in (2, 4, 6)] == [28.77, 1.93, 2.21]
@@ -520,7 +714,11 @@ def test_the_verification_shows_before_predicted_and_after() -> None:
     assert decisions[1] == ["E", "2.21", "1.70", "2.00", "? undecided"]
     view["verification"]["axes"]["X"]["within_prediction"] = {"A": True, "E": False}
     _, parameters = table_with(verify_report(view), "Parameter", "5–95 % of the prediction")
-    assert {row[0]: row[-1] for row in parameters if row[0] in {"A", "E", "R"}} == {"A": "within", "E": "outside", "R": ""}
+    assert {row[0]: row[-1] for row in parameters if row[0] in {"A", "E", "R"}} == {
+        "A": "within",
+        "E": "outside",
+        "R": "",
+    }
     words = text(tree(page))
     assert "cannot be told from thermal" in words
     assert "runs/broken.csv: line 3: not a number" in words
@@ -532,7 +730,10 @@ def test_the_verification_shows_before_predicted_and_after() -> None:
     [
         ({"verdict": "not_active", "message": "Nothing changed."}, "✗ not active Nothing changed."),
         ({"verdict": "scaled", "factor": 2.0, "message": "Twice."}, "✗ scaled Twice. factor 2"),
-        ({"verdict": "shifted", "shift_nodes": -1, "message": "Moved."}, "✗ shifted Moved. shift in nodes −1"),
+        (
+            {"verdict": "shifted", "shift_nodes": -1, "message": "Moved."},
+            "✗ shifted Moved. shift in nodes −1",
+        ),
         ({"verdict": "wrong_axis", "of": "Y", "message": "Y."}, "✗ wrong axis Y. table of axis Y"),
         ({"verdict": "undecided", "message": "Too little."}, "? undecided Too little."),
     ],
@@ -554,7 +755,8 @@ def test_a_verification_without_the_test_before_shows_the_one_after() -> None:
     assert_self_contained(verify_report(view))
 
 
-# --- the card ------------------------------------------------------------------------------------------------------------------
+# --- the card
+# --------------------------------------------------------------------------------------------------
 
 
 def test_the_card_has_every_number_and_a_box_for_every_step() -> None:
@@ -568,11 +770,15 @@ def test_the_card_has_every_number_and_a_box_for_every_step() -> None:
     assert head[:3] == ["Position mm", "Approach", "Control adds µm"]
     assert rows[1] == ["−50.5", "−", "−3", "", "−0.62", "8 µm either way", ""]
     head, rows = table_with(page, "reference number")
-    assert (head, rows) == (["", "axis", "reference number", "spacing"], [["", "X", "17", "50"], ["", "Y", "40", "25"]])
+    assert (head, rows) == (
+        ["", "axis", "reference number", "spacing"],
+        [["", "X", "17", "50"], ["", "Y", "40", "25"]],
+    )
     _, rows = table_with(page, "Moves by")
     assert rows == [["", "tool change", "−20.0", "+1.20"]]
     ticks = [element for element in tree(page).iter("span") if element.get("class") == "tick"]
-    # 1 unconfirmed, 4 steps and the 2 lines or rows of two of them, 1 number of points, 4 values, 1 fixed position, 2 to go back
+    # 1 unconfirmed, 4 steps and the 2 lines or rows of two of them, 1 number of points, 4 values, 1
+    # fixed position, 2 to go back
     assert len(ticks) == 17
     words = text(tree(page))
     assert "2. Load the pitch error file ! unconfirmed" in words
@@ -584,15 +790,24 @@ def test_the_card_as_text_says_the_same() -> None:
     lines_ = card_markdown(card).splitlines()
     assert lines_[0] == "# Commissioning card: VMC 850"
     assert "- [ ] **Load the pitch error file** **(unconfirmed)**" in lines_
-    assert any(re.fullmatch(r"\| −50\.5 +\| − +\| −3 +\| +\| −0\.62 +\| 8 µm either way +\| +\|", line) for line in lines_)
+    assert any(
+        re.fullmatch(r"\| −50\.5 +\| − +\| −3 +\| +\| −0\.62 +\| 8 µm either way +\| +\|", line)
+        for line in lines_
+    )
     assert any(re.fullmatch(r"  \| \[ \] \| Y +\| 40 +\| 25 +\|", line) for line in lines_)
-    assert any(re.fullmatch(r"\| \[ \] \| 1851 backlash, detection units +\| 4 +\| -2 +\|", line) for line in lines_)
+    assert any(
+        re.fullmatch(r"\| \[ \] \| 1851 backlash, detection units +\| 4 +\| -2 +\|", line)
+        for line in lines_
+    )
     assert (
         sum("[ ]" in line for line in lines_) == 15
     )  # 1 + 4 + 2 + 1 + 4 + 2 as on the page without the fixed position, and the last line
     assert any("instrument set to zero" in line for line in lines_) is False
     card["axes"][0]["quick_check"][0]["expected"] = 0.0
-    assert "In this order, the instrument set to zero at the first row." in card_markdown(card).splitlines()
+    assert (
+        "In this order, the instrument set to zero at the first row."
+        in card_markdown(card).splitlines()
+    )
 
 
 def test_markup_in_names_stays_text_in_markdown() -> None:
@@ -617,15 +832,20 @@ def test_any_text_gives_a_well_formed_page_and_whole_tables(words: str) -> None:
 
 def test_an_empty_card_is_a_card() -> None:
     assert_self_contained(card_html({}))
-    assert card_markdown({"axes": [{"name": "X", "address": "1", "unit": "um"}]}).startswith("# Commissioning card\n")
+    assert card_markdown({"axes": [{"name": "X", "address": "1", "unit": "um"}]}).startswith(
+        "# Commissioning card\n"
+    )
 
 
-# --- the extra -----------------------------------------------------------------------------------------------------------------
+# --- the extra
+# --------------------------------------------------------------------------------------------------
 
 
 def test_without_the_extra_the_tool_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     for module in ("matplotlib", "jinja2"):
-        monkeypatch.setitem(sys.modules, module, None)  # what importing a package that is not installed comes to
+        monkeypatch.setitem(
+            sys.modules, module, None
+        )  # what importing a package that is not installed comes to
     calls: list[Callable[[], bytes]] = [
         lambda: positioning_plot(made_up()),
         lambda: run_report(run_view()),
@@ -646,7 +866,11 @@ def test_nothing_heavy_is_loaded_before_it_is_asked_for() -> None:
         "sys.exit(str(heavy) if heavy else 0)"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code], env={"PYTHONPATH": str(PROJECT / "src")}, capture_output=True, text=True, check=False
+        [sys.executable, "-c", code],
+        env={"PYTHONPATH": str(PROJECT / "src")},
+        capture_output=True,
+        text=True,
+        check=False,
     )
     assert done.returncode == 0, done.stderr
 

@@ -1,4 +1,6 @@
-"""Pictures of circular tests: what is drawn is compared with geometry and with the document, never with an older picture."""
+"""Pictures of circular tests: what is drawn is compared with geometry and with the document, never
+with an older picture.
+"""
 
 from __future__ import annotations
 
@@ -22,23 +24,46 @@ from compwright.records.circular import CircularEffect, CircularTest, Diagnosis
 from compwright.reporting import polar
 from compwright.reporting.causes import Cause, ranked_causes
 from compwright.reporting.plots import evaluation_plot
-from compwright.reporting.polar import draw_causes, draw_path, draw_test, magnification_of, paths_of, polar_figure
+from compwright.reporting.polar import (
+    draw_causes,
+    draw_path,
+    draw_test,
+    magnification_of,
+    paths_of,
+    polar_figure,
+)
 
 pytestmark = pytest.mark.painted
 
 RADIUS = 100.0
 #: µm. Points are laid by geometry in double precision.
 EXACT = 1e-6
-BAD = Machine(squareness=60.0, backlash_first_at_positive=5.0, backlash_first_at_negative=5.0, centre=(0.15, -0.1))
+BAD = Machine(
+    squareness=60.0,
+    backlash_first_at_positive=5.0,
+    backlash_first_at_negative=5.0,
+    centre=(0.15, -0.1),
+)
 
 
-def circle(machine: Machine = BAD, *, standard: str = "iso230-4:2005", **setup: Any) -> dict[str, Any]:
+def circle(
+    machine: Machine = BAD, *, standard: str = "iso230-4:2005", **setup: Any
+) -> dict[str, Any]:
     test = measured(machine, Setup(radius=RADIUS, feed=1000.0, samples=720, **setup))
     return circular_document(evaluate_circle(test, standard))
 
 
-def effect(value: float, error: float, size: float, share: float, unit: str = "um", low: float | None = None) -> CircularEffect:
-    return CircularEffect(value=value, std_error=error, unit=unit, effect=size, share=share, low=low)
+def effect(
+    value: float,
+    error: float,
+    size: float,
+    share: float,
+    unit: str = "um",
+    low: float | None = None,
+) -> CircularEffect:
+    return CircularEffect(
+        value=value, std_error=error, unit=unit, effect=size, share=share, low=low
+    )
 
 
 EFFECTS = {
@@ -91,14 +116,19 @@ def labels(panel: Any) -> list[str]:
     return list(panel.get_legend_handles_labels()[1])
 
 
-# --- the path ------------------------------------------------------------------------------------------------------------------
+# --- the path
+# --------------------------------------------------------------------------------------------------
 
 
 @given(st.floats(0.1, 1e5), st.floats(10.0, 1000.0))
-def test_the_magnification_is_round_and_the_largest_that_fits(largest: float, radius: float) -> None:
+def test_the_magnification_is_round_and_the_largest_that_fits(
+    largest: float, radius: float
+) -> None:
     found = magnification_of(largest, radius)
     first = f"{found:e}"[0]
-    assert found == pytest.approx(float(first) * 10.0 ** int(f"{found:e}".partition("e")[2]), rel=1e-12)
+    assert found == pytest.approx(
+        float(first) * 10.0 ** int(f"{found:e}".partition("e")[2]), rel=1e-12
+    )
     assert first in "125"
     drawn = found * largest / 1000.0  # mm of the picture
     assert drawn <= 0.32 * radius * (1 + 1e-6)
@@ -106,14 +136,18 @@ def test_the_magnification_is_round_and_the_largest_that_fits(largest: float, ra
 
 
 def test_a_path_about_its_centre_has_no_offset_left() -> None:
-    """A true circle 180 µm beside the set-up centre: without it, or with the wrong sign, deviations of 180 or 360 µm."""
+    """A true circle 180 µm beside the set-up centre: without it, or with the wrong sign, deviations
+    of 180 or 360 µm.
+    """
     centre = (0.15, -0.1)
     result = circle(Machine(centre=centre))
     name, found = polar.picture_centre(result)
     assert name == "common"
     assert found == pytest.approx((150.0, -100.0), abs=0.001)  # µm, of the evaluation
     for path in paths_of(result, found):
-        assert max(map(abs, path.radial)) < 0.002  # µm; e²/2R of the offset, 0.16 µm, is taken off too
+        assert (
+            max(map(abs, path.radial)) < 0.002
+        )  # µm; e²/2R of the offset, 0.16 µm, is taken off too
     for path in paths_of(result, (150.0, -100.0)):
         assert max(map(abs, path.radial)) < EXACT
 
@@ -126,7 +160,9 @@ def test_deviations_are_drawn_magnified_outward_about_the_nominal_circle() -> No
     assert panel.get_title().endswith("Magnification 10 000 : 1, rings in µm")
     for way, deviation in (("ccw", 3.0), ("cw", -1.0)):
         angles, radii = polar_of(line(panel, f"{way}: "))
-        assert radii == pytest.approx(np.full(radii.size, RADIUS + 10.0 * deviation), abs=10.0 * EXACT)  # 10 mm per µm
+        assert radii == pytest.approx(
+            np.full(radii.size, RADIUS + 10.0 * deviation), abs=10.0 * EXACT
+        )  # 10 mm per µm
         run = next(run for run in result["runs"] if run["direction"] == way)
         assert angles[:-1] == pytest.approx(np.array(run["angles"]) % 360.0, abs=1e-6)  # deg
         star = line(panel, f"start of {way}")
@@ -136,12 +172,16 @@ def test_deviations_are_drawn_magnified_outward_about_the_nominal_circle() -> No
 
 
 @pytest.mark.parametrize("arc", [(0.0, 360.0), (250.0, 220.0), (20.0, 130.0)])
-def test_the_path_lies_between_the_circles_of_its_zone_and_touches_both(arc: tuple[float, float]) -> None:
+def test_the_path_lies_between_the_circles_of_its_zone_and_touches_both(
+    arc: tuple[float, float],
+) -> None:
     result = circle(start=arc[0], extent=arc[1])
     both, common = result["minimum_zone"]["both"]["centre"], result["centre"]["common"]
-    assert arc[1] > 200.0 or min(abs(both[i] - common[i]) for i in (0, 1)) > 0.05  # µm: a wrong sign would show
+    assert (
+        arc[1] > 200.0 or min(abs(both[i] - common[i]) for i in (0, 1)) > 0.05
+    )  # µm: a wrong sign would show
     panel = drawn_path(result)
-    (inner, outer) = [entry for entry in panel.lines if entry.get_color() == polar._ZONE]
+    inner, outer = [entry for entry in panel.lines if entry.get_color() == polar._ZONE]
     scale = _scale(panel)
 
     def at(entry: Any, angles: Any) -> Any:
@@ -153,8 +193,12 @@ def test_the_path_lies_between_the_circles_of_its_zone_and_touches_both(arc: tup
     for way in ("ccw", "cw"):
         angles, radii = polar_of(line(panel, f"{way}: "))
         margins += [radii - at(inner, angles), at(outer, angles) - radii]
-    below, above = np.concatenate(margins[0::2]) / scale, np.concatenate(margins[1::2]) / scale  # µm
-    # 0.02 µm: chords of 1° across the magnified circles, and e/R of first order in the offset of the zone
+    below, above = (
+        np.concatenate(margins[0::2]) / scale,
+        np.concatenate(margins[1::2]) / scale,
+    )  # µm
+    # 0.02 µm: chords of 1° across the magnified circles, and e/R of first order in the offset of
+    # the zone
     for margin in (below, above):
         assert -0.02 < margin.min() < 0.02
     assert f"G {result['parameters']['G_bidirectional']:.2f} µm" in inner.get_label()
@@ -172,7 +216,10 @@ def test_directions_differ_by_line_and_width_not_by_colour_alone() -> None:
     one, other = line(panel, "ccw: "), line(panel, "cw: ")
     assert one.get_linestyle() != other.get_linestyle()
     assert one.get_linewidth() > other.get_linewidth()
-    assert line(panel, "start of ccw").get_markerfacecolor() != line(panel, "start of cw").get_markerfacecolor()
+    assert (
+        line(panel, "start of ccw").get_markerfacecolor()
+        != line(panel, "start of cw").get_markerfacecolor()
+    )
 
 
 def test_the_legend_states_the_parameters() -> None:
@@ -180,7 +227,10 @@ def test_the_legend_states_the_parameters() -> None:
     values = result["parameters"]
     told = " | ".join(labels(drawn_path(result))).replace("−", "-")
     for way in ("ccw", "cw"):
-        expected = f"{way}: G {values[f'G_{way}']:.2f}, F {values[f'F_max_{way}']:+.2f} / {values[f'F_min_{way}']:+.2f} µm"
+        expected = (
+            f"{way}: G {values[f'G_{way}']:.2f}, F {values[f'F_max_{way}']:+.2f} /"
+            f" {values[f'F_min_{way}']:+.2f} µm"
+        )
         assert expected in told
     assert f"G {values['G_bidirectional']:.2f} µm; D {values['D']:+.2f} µm" in told
     assert "common least-squares centre: X 150.0, Y -100.0 µm" in told
@@ -193,7 +243,10 @@ def test_the_legend_states_the_parameters() -> None:
 
 
 def test_which_centre_radial_deviations_count_from_is_said() -> None:
-    assert any(label.startswith("ccw: ") and "F (set-up centre) " in label for label in labels(drawn_path(circle(extent=180.0))))
+    assert any(
+        label.startswith("ccw: ") and "F (set-up centre) " in label
+        for label in labels(drawn_path(circle(extent=180.0)))
+    )
     loose = circle(calibrated=False)
     told = next(label for label in labels(drawn_path(loose)) if label.startswith("ccw: "))
     assert f"F (own centre) +{loose['parameters']['F_max_ccw_lsc']:.2f}" in told
@@ -202,14 +255,21 @@ def test_which_centre_radial_deviations_count_from_is_said() -> None:
 def test_a_radius_far_from_nominal_does_not_hide_the_form() -> None:
     """150 µm too large, with 5 µm of form: drawn about its own circle, which the legend names."""
     result = circle(
-        Machine(backlash_first_at_positive=5.0, backlash_first_at_negative=5.0, scale_error_first=1500.0, scale_error_second=1500.0)
+        Machine(
+            backlash_first_at_positive=5.0,
+            backlash_first_at_negative=5.0,
+            scale_error_first=1500.0,
+            scale_error_second=1500.0,
+        )
     )
     panel = drawn_path(result)
     assert not any(label == "nominal circle" for label in labels(panel))
     assert any(label.startswith("least-squares circle, +150.") for label in labels(panel))
     _, radii = polar_of(line(panel, "ccw: "))
     form = result["parameters"]["G_ccw_lsc"]
-    assert np.ptp(radii) == pytest.approx(_scale(panel) * form, rel=0.2)  # about another centre than that of the run
+    assert np.ptp(radii) == pytest.approx(
+        _scale(panel) * form, rel=0.2
+    )  # about another centre than that of the run
     assert _scale(panel) * form > 0.1 * RADIUS
     own = polar_of(line(panel, "least-squares circle"))[1]
     assert own == pytest.approx(np.full(own.size, RADIUS), abs=1e-9)
@@ -237,7 +297,9 @@ def test_an_arc_has_its_stars_at_either_end() -> None:
     panel = drawn_path(circle(start=250.0, extent=220.0))
     for way, start in (("ccw", 250.0), ("cw", 110.0)):
         where = polar_of(line(panel, f"start of {way}"))[0][0]
-        assert where == pytest.approx(start, abs=0.2)  # deg; the first sample stands half a step, 0.15 deg, inside
+        assert where == pytest.approx(
+            start, abs=0.2
+        )  # deg; the first sample stands half a step, 0.15 deg, inside
 
 
 def test_axes_are_named_at_their_positive_ends() -> None:
@@ -261,7 +323,8 @@ def test_rings_stand_at_the_deviations_that_they_name() -> None:
         assert radius == pytest.approx(RADIUS + scale * float(words.replace("−", "-")), abs=1e-9)
 
 
-# --- the causes ----------------------------------------------------------------------------------------------------------------
+# --- the causes
+# --------------------------------------------------------------------------------------------------
 
 
 def test_causes_are_ranked_and_details_are_parts() -> None:
@@ -281,13 +344,27 @@ def test_causes_are_ranked_and_details_are_parts() -> None:
     assert by_name["squareness"].value_text == "−40.0 ± 5.0"
     assert by_name["squareness"].plain == -41.0
     assert by_name["reversal_spike_second"].words == "Reversal spike Y"
-    assert [cause.name for cause in causes if not cause.shown] == ["servo_mismatch", "cyclic_first"]  # 0.99 %, nothing
+    assert [cause.name for cause in causes if not cause.shown] == [
+        "servo_mismatch",
+        "cyclic_first",
+    ]  # 0.99 %, nothing
     assert [cause.significant for cause in causes] == [True, True, False, False, True, False]
     assert ranked_causes({"diagnosis": None}) == []
 
 
 def cause(**values: Any) -> Cause:
-    return Cause(**{"name": "x", "words": "x", "value": 2.0, "error": 0.5, "unit": "um", "effect": 1.0, "share": 0.5, **values})
+    return Cause(
+        **{
+            "name": "x",
+            "words": "x",
+            "value": 2.0,
+            "error": 0.5,
+            "unit": "um",
+            "effect": 1.0,
+            "share": 0.5,
+            **values,
+        }
+    )
 
 
 def test_whiskers_by_hand() -> None:
@@ -311,8 +388,14 @@ def test_bars_have_the_lengths_of_the_effects_in_their_order() -> None:
     texts = [entry.get_text() for entry in panel.texts]
     assert texts[:2] == ["Lost motion X  5.00 ± 0.50 µm", "47 %"]
     assert panel.get_xlim() == pytest.approx((0.0, 8.75))  # 1.75 * 5
-    whiskers = [entry.get_xdata() for entry in panel.lines if len(entry.get_xdata()) == 2 and len(set(entry.get_ydata())) == 1]
-    assert list(whiskers[1]) == pytest.approx([4.0 - 0.98, 4.0 + 0.98])  # 40 ± 9.8 um/m at 0.1 µm per um/m
+    whiskers = [
+        entry.get_xdata()
+        for entry in panel.lines
+        if len(entry.get_xdata()) == 2 and len(set(entry.get_ydata())) == 1
+    ]
+    assert list(whiskers[1]) == pytest.approx(
+        [4.0 - 0.98, 4.0 + 0.98]
+    )  # 40 ± 9.8 um/m at 0.1 µm per um/m
 
 
 def test_a_whisker_longer_than_the_panel_ends_with_an_arrow() -> None:
@@ -321,10 +404,13 @@ def test_a_whisker_longer_than_the_panel_ends_with_an_arrow() -> None:
     assert [entry.get_marker() for entry in panel.lines if len(entry.get_xdata()) == 1] == [">"]
 
 
-# --- files ---------------------------------------------------------------------------------------------------------------------
+# --- files
+# --------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(("kind", "magic"), [("svg", b"<?xml"), ("png", b"\x89PNG\r\n"), ("pdf", b"%PDF-")])
+@pytest.mark.parametrize(
+    ("kind", "magic"), [("svg", b"<?xml"), ("png", b"\x89PNG\r\n"), ("pdf", b"%PDF-")]
+)
 def test_every_format_is_the_same_every_time(kind: str, magic: bytes) -> None:
     first = polar_figure(diagnosed(), format=kind)
     assert first.startswith(magic)
@@ -349,7 +435,11 @@ def test_both_kinds_of_test_share_a_figure(monkeypatch: pytest.MonkeyPatch) -> N
     }
     evaluation_plot({"results": [diagnosed(), straight, circle()]})
     parts = made[0].subfigs
-    assert [len(part.axes) for part in parts] == [1, 2, 1]  # the positioning tests first; a circle without causes has one panel
+    assert [len(part.axes) for part in parts] == [
+        1,
+        2,
+        1,
+    ]  # the positioning tests first; a circle without causes has one panel
     assert parts[0].axes[0].get_ylabel() == "Deviation in µm"
     assert made[0].get_figheight() == pytest.approx(2.9 + 0.35 + 2 * polar.TEST_HEIGHT)
 

@@ -1,4 +1,6 @@
-"""run, export and verify as a whole: states, several tests, instruments that count the other way, refusals, and what is written."""
+"""run, export and verify as a whole: states, several tests, instruments that count the other way,
+refusals, and what is written.
+"""
 
 from __future__ import annotations
 
@@ -25,20 +27,32 @@ MACHINE = Machine()
 UM = 1e-3
 
 
-def sinumerik(folder: Path, home: Direction = Direction.POSITIVE) -> Callable[[Floats, int], Floats]:
+def sinumerik(
+    folder: Path, home: Direction = Direction.POSITIVE
+) -> Callable[[Floats, int], Floats]:
     """The correction of axis AX1 with the files in ``folder`` loaded."""
     files = [ControlFile(path.name, path.read_bytes()) for path in sorted(folder.iterdir())]
     judge = virtual_control("siemens-840d-sl", files, reference_return={"AX1": home})
-    return lambda x, sign: judge.correction("AX1", x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE)
+    return lambda x, sign: judge.correction(
+        "AX1", x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE
+    )
 
 
-def write_test(path: Path, machine: Machine = MACHINE, seed: int = 1, correction: Any = None, **words: Any) -> Path:
+def write_test(
+    path: Path, machine: Machine = MACHINE, seed: int = 1, correction: Any = None, **words: Any
+) -> Path:
     targets = machine.targets(**words)
     path.write_text(csv_of(targets, machine.measure(targets, seed, correction)))
     return path
 
 
-def job(folder: Path, axis: str = "before: [x.csv]", *, states: str = "{as_found: none}", extra: str = "") -> Path:
+def job(
+    folder: Path,
+    axis: str = "before: [x.csv]",
+    *,
+    states: str = "{as_found: none}",
+    extra: str = "",
+) -> Path:
     path = folder / "job.yaml"
     path.write_text(
         f"compwright: 1\ncontroller: {{format: siemens-840d-sl}}\nstates: {states}\n{extra}"
@@ -60,9 +74,21 @@ def folder(tmp_path: Path) -> Path:
 def test_the_prediction_has_the_keys_of_the_contract(folder: Path) -> None:
     assert compwright(["run", str(job(folder, "before: [x.csv], accept: {A: 8}"))]) == 0
     prediction = document(folder / "job" / "prediction.json")
-    assert (prediction["schema"], prediction["format"]) == ("compwright/prediction/1", "siemens-840d-sl")
+    assert (prediction["schema"], prediction["format"]) == (
+        "compwright/prediction/1",
+        "siemens-840d-sl",
+    )
     axis = prediction["axes"]["X"]
-    assert {"tests", "before", "predicted", "predicted_new_targets", "table", "quantum", "limits", "accept"} <= set(axis)
+    assert {
+        "tests",
+        "before",
+        "predicted",
+        "predicted_new_targets",
+        "table",
+        "quantum",
+        "limits",
+        "accept",
+    } <= set(axis)
     assert axis["before"] == axis["tests"][0]["before"]
     assert axis["accept"] == {"A": {"limit": 8.0, "decision": "accept"}}
     assert set(axis["table"]) == {"positions", "correction_positive", "correction_negative", "unit"}
@@ -79,23 +105,37 @@ def test_the_same_input_gives_the_same_bytes(folder: Path) -> None:
     for name in ("one", "two"):
         assert compwright(["run", path, "--out", str(folder / name)]) == 0
     one, two = (
-        {str(p.relative_to(folder / n)): p.read_bytes() for p in (folder / n).rglob("*") if p.is_file()} for n in ("one", "two")
+        {
+            str(p.relative_to(folder / n)): p.read_bytes()
+            for p in (folder / n).rglob("*")
+            if p.is_file()
+        }
+        for n in ("one", "two")
     )
     assert one == two
 
 
 def test_a_plan_is_read_back_as_it_was_written(folder: Path) -> None:
-    assert compwright(["run", str(job(folder, "screw_pitch: 10, before: [x.csv], accept: {A: 8}"))]) == 0
+    assert (
+        compwright(["run", str(job(folder, "screw_pitch: 10, before: [x.csv], accept: {A: 8}"))])
+        == 0
+    )
     content = (folder / "job" / "plan.json").read_bytes()
     assert to_json(plan_document(read_plan(content, "plan.json"))).encode() == content
 
 
 def test_the_first_test_is_fitted_and_the_others_are_predicted(folder: Path) -> None:
     write_test(folder / "later.csv", seed=7, count=9)
-    text = "before: [x.csv, {files: [later.csv], name: afternoon}], accept: {test: afternoon, A: 0.1}"
-    assert compwright(["run", str(job(folder, text)), "--out", str(folder / "both")]) == 1  # 0.1 µm: rejected
+    text = (
+        "before: [x.csv, {files: [later.csv], name: afternoon}], accept: {test: afternoon, A: 0.1}"
+    )
+    assert (
+        compwright(["run", str(job(folder, text)), "--out", str(folder / "both")]) == 1
+    )  # 0.1 µm: rejected
     assert compwright(["run", str(job(folder)), "--out", str(folder / "first")]) == 0
-    both, first = (document(folder / name / "prediction.json")["axes"]["X"] for name in ("both", "first"))
+    both, first = (
+        document(folder / name / "prediction.json")["axes"]["X"] for name in ("both", "first")
+    )
     assert [test["name"] for test in both["tests"]] == ["x", "afternoon"]
     assert both["table"] == first["table"]
     assert both["accept"]["A"] == {"limit": 0.1, "decision": "reject", "test": "afternoon"}
@@ -103,7 +143,9 @@ def test_the_first_test_is_fitted_and_the_others_are_predicted(folder: Path) -> 
 
 
 def test_an_instrument_that_counts_the_other_way_gives_the_same_table(folder: Path) -> None:
-    """machine = -instrument + 820: the instrument's + approach is the machine's -, and its deviations have the other sign."""
+    """machine = -instrument + 820: the instrument's + approach is the machine's -, and its
+    deviations have the other sign.
+    """
     targets = MACHINE.targets()
     readings = MACHINE.measure(targets, 1)
     turned = {1: -readings[-1][::-1], -1: -readings[1][::-1]}
@@ -111,22 +153,33 @@ def test_an_instrument_that_counts_the_other_way_gives_the_same_table(folder: Pa
     assert compwright(["run", str(job(folder)), "--out", str(folder / "straight")]) == 0
     mapped = "position_map: {sense: -1, offset: 820}, before: [turned.csv]"
     assert compwright(["run", str(job(folder, mapped)), "--out", str(folder / "turned")]) == 0
-    straight, turned_table = (document(folder / name / "prediction.json")["axes"]["X"]["table"] for name in ("straight", "turned"))
+    straight, turned_table = (
+        document(folder / name / "prediction.json")["axes"]["X"]["table"]
+        for name in ("straight", "turned")
+    )
     for key in ("positions", "correction_positive", "correction_negative"):
         # The file holds 10⁻⁶ µm, the fit's certificate 10⁻⁶ µm; the quantum is 10⁻³ µm.
         np.testing.assert_allclose(straight[key], turned_table[key], atol=2.1e-3)
 
 
 def test_a_test_that_was_measured_in_another_state(folder: Path) -> None:
-    """The test was made with an old table active that has since been switched off: as found is none."""
+    """The test was made with an old table active that has since been switched off: as found is
+    none.
+    """
     old = replace(MACHINE, slope=-60e-6, bow=0.0, lost=0.009)
     write_test(folder / "other.csv", old)
-    assert compwright(["run", str(job(folder, "before: [other.csv]")), "--out", str(folder / "old")]) == 0
+    assert (
+        compwright(["run", str(job(folder, "before: [other.csv]")), "--out", str(folder / "old")])
+        == 0
+    )
     tables = folder / "old" / "tables" / "siemens-840d-sl"
     write_test(folder / "with_old.csv", correction=sinumerik(tables))
     states = f"{{as_found: none, last_year: [{tables}]}}"
     text = "before: [{files: [with_old.csv], name: x, measured_in: last_year}]"
-    assert compwright(["run", str(job(folder, text, states=states)), "--out", str(folder / "new")]) == 0
+    assert (
+        compwright(["run", str(job(folder, text, states=states)), "--out", str(folder / "new")])
+        == 0
+    )
     new = sinumerik(folder / "new" / "tables" / "siemens-840d-sl")
     x = np.linspace(20, 780, 97)
     for sign in (1, -1):
@@ -138,15 +191,37 @@ def test_a_test_that_was_measured_in_another_state(folder: Path) -> None:
 
 def test_export_to_another_control_gives_the_same_correction(folder: Path) -> None:
     assert compwright(["run", str(job(folder))]) == 0
-    words = ["export", str(folder / "job" / "plan.json"), "--format", "linuxcnc", "--state", "none", "--out", str(folder / "lcnc")]
+    words = [
+        "export",
+        str(folder / "job" / "plan.json"),
+        "--format",
+        "linuxcnc",
+        "--state",
+        "none",
+        "--out",
+        str(folder / "lcnc"),
+    ]
     assert compwright([*words, "--option", "address.X=4"]) == 0
-    judge = virtual_control("linuxcnc", [ControlFile(path.name, path.read_bytes()) for path in (folder / "lcnc").iterdir()])
+    judge = virtual_control(
+        "linuxcnc",
+        [ControlFile(path.name, path.read_bytes()) for path in (folder / "lcnc").iterdir()],
+    )
     first = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
     x = np.linspace(0, 800, 161)
     for sign, direction in ((1, Direction.POSITIVE), (-1, Direction.NEGATIVE)):
-        # Two grids of their own, each true to the same wish within a tenth of the noise rms: 0.2 µm at the worst place.
-        np.testing.assert_allclose(judge.correction("4", x, direction), first(x, sign), atol=0.2 * UM)
-    again = ["export", str(folder / "job" / "plan.json"), "--format", "siemens-840d-sl", "--out", str(folder / "again")]
+        # Two grids of their own, each true to the same wish within a tenth of the noise rms: 0.2 µm
+        # at the worst place.
+        np.testing.assert_allclose(
+            judge.correction("4", x, direction), first(x, sign), atol=0.2 * UM
+        )
+    again = [
+        "export",
+        str(folder / "job" / "plan.json"),
+        "--format",
+        "siemens-840d-sl",
+        "--out",
+        str(folder / "again"),
+    ]
     assert compwright(again) == 0
     for path in (folder / "job" / "tables" / "siemens-840d-sl").iterdir():
         assert (folder / "again" / path.name).read_bytes() == path.read_bytes()
@@ -160,7 +235,9 @@ def inverted(*arguments: Any, **words: Any) -> Any:
     table = fitted.compensation
     return replace(
         fitted,
-        compensation=replace(table, positive=-table.positive, negative=-table.negative, backlash=-table.backlash),
+        compensation=replace(
+            table, positive=-table.positive, negative=-table.negative, backlash=-table.backlash
+        ),
     )
 
 
@@ -170,12 +247,17 @@ def test_a_table_that_would_make_the_axis_worse_is_not_written(
     monkeypatch.setattr(work_module, "fit_table", inverted)
     path = str(job(folder))
     assert compwright(["run", path]) == 1
-    assert "axis X: no table is written: the measured test re-evaluated with the table gives A" in capsys.readouterr().err
+    assert (
+        "axis X: no table is written: the measured test re-evaluated with the table gives A"
+        in capsys.readouterr().err
+    )
     assert not (folder / "job" / "tables").exists()
     prediction = document(folder / "job" / "prediction.json")["axes"]["X"]
     assert prediction["table"] is None
     # What happens without a table: the fresh test shows what the measured one showed.
-    assert prediction["predicted"]["A"]["median"] == pytest.approx(prediction["before"]["A"], rel=0.1)
+    assert prediction["predicted"]["A"]["median"] == pytest.approx(
+        prediction["before"]["A"], rel=0.1
+    )
     assert compwright(["run", path, "--accept-worse", "--force"]) in {0, 1}
     assert (folder / "job" / "tables" / "siemens-840d-sl" / "AX1_EEC.INI").exists()
 
@@ -195,11 +277,14 @@ def test_two_readers_that_disagree_write_nothing(
         def correction(self, *arguments: Any) -> Any:
             return 0.5 * self._judge.correction(*arguments)
 
-    monkeypatch.setattr(control_module, "virtual_control", lambda *a, **k: Wrong(virtual_control(*a, **k)))
+    monkeypatch.setattr(
+        control_module, "virtual_control", lambda *a, **k: Wrong(virtual_control(*a, **k))
+    )
     assert compwright(["run", str(job(folder))]) == 70
     assert "the two readers of compwright do not agree" in capsys.readouterr().err
     assert not (folder / "job").exists()
-    # Files of the control's own that are understood in two ways are contradictory input, not a fault of ours.
+    # Files of the control's own that are understood in two ways are contradictory input, not a
+    # fault of ours.
     (folder / "own.ini").write_text(
         "$AA_ENC_COMP[0,0,AX1]=0\n$AA_ENC_COMP[0,1,AX1]=0.004\n$AA_ENC_COMP_STEP[0,AX1]=800\n"
         "$AA_ENC_COMP_MIN[0,AX1]=0\n$AA_ENC_COMP_MAX[0,AX1]=800\n$MA_ENC_COMP_ENABLE[0,AX1]=1\nM17\n"
@@ -210,9 +295,12 @@ def test_two_readers_that_disagree_write_nothing(
 
 
 @pytest.mark.parametrize(
-    ("factor", "verdict", "code"), [(1.0, "loaded", 0), (0.0, "not_active", 1), (0.5, "undecided", 1), (-1.0, "undecided", 1)]
+    ("factor", "verdict", "code"),
+    [(1.0, "loaded", 0), (0.0, "not_active", 1), (0.5, "undecided", 1), (-1.0, "undecided", 1)],
 )
-def test_verify_says_whether_the_table_acts(folder: Path, factor: float, verdict: str, code: int) -> None:
+def test_verify_says_whether_the_table_acts(
+    folder: Path, factor: float, verdict: str, code: int
+) -> None:
     path = job(folder, "before: [x.csv], accept: {A: 8}")
     assert compwright(["run", str(path)]) == 0
     table = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
@@ -221,7 +309,14 @@ def test_verify_says_whether_the_table_acts(folder: Path, factor: float, verdict
     found = document(folder / "job" / "verification.json")
     axis = found["axes"]["X"]
     assert axis["loading"]["verdict"] == verdict
-    assert set(axis["loading"]) == {"verdict", "equivalent", "factor", "shift_nodes", "margin", "message"}
+    assert set(axis["loading"]) == {
+        "verdict",
+        "equivalent",
+        "factor",
+        "shift_nodes",
+        "margin",
+        "message",
+    }
     assert set(axis["accept"]["A"]) == {"limit", "value", "U", "decision"}
     assert axis["accept"]["A"]["decision"] == ("accept" if factor == 1.0 else "reject")
     assert found["verdict"] == ("good" if factor == 1.0 else "bad")
@@ -252,9 +347,14 @@ def test_what_was_read_back_from_the_control_is_compared(folder: Path) -> None:
     wrong.mkdir()
     for file in tables.iterdir():
         text = file.read_text()
-        (wrong / file.name).write_text(text.replace("$MA_BACKLASH[0,AX1]=0.00", "$MA_BACKLASH[0,AX1]=0.01"))
+        (wrong / file.name).write_text(
+            text.replace("$MA_BACKLASH[0,AX1]=0.00", "$MA_BACKLASH[0,AX1]=0.01")
+        )
     assert compwright([*words, "--loaded", str(wrong), "--out", str(folder / "v2")]) == 1
-    codes = [finding["code"] for finding in document(folder / "v2" / "verification.json")["axes"]["X"]["findings"]]
+    codes = [
+        finding["code"]
+        for finding in document(folder / "v2" / "verification.json")["axes"]["X"]["findings"]
+    ]
     assert codes == ["CW-V011"]
 
 
@@ -269,7 +369,9 @@ def test_a_test_of_one_direction_is_fitted(folder: Path, signs: tuple[int, ...])
     assert compwright(["run", str(job(folder))]) == 0
     table = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
     x = np.linspace(20, 780, 97)
-    assert np.ptp(MACHINE.error(x, signs[0]) + table(x, signs[0])) < 2 * 3 * MACHINE.noise / np.sqrt(5)
+    assert np.ptp(
+        MACHINE.error(x, signs[0]) + table(x, signs[0])
+    ) < 2 * 3 * MACHINE.noise / np.sqrt(5)
     assert set(document(folder / "job" / "prediction.json")["axes"]["X"]["predicted"]) == {
         f"{name}_{'positive' if signs == (1,) else 'negative'}" for name in "AER"
     }
@@ -288,10 +390,14 @@ def test_a_long_axis_measured_once_is_fitted(folder: Path) -> None:
         assert np.ptp(MACHINE.error(x, sign) + table(x, sign)) < 2 * 3 * MACHINE.noise / np.sqrt(2)
 
 
-def lcnc_error(folder: Path, names: tuple[str, ...], **words: Any) -> Callable[[Floats, int], Floats]:
+def lcnc_error(
+    folder: Path, names: tuple[str, ...], **words: Any
+) -> Callable[[Floats, int], Floats]:
     files = [ControlFile(name, (folder / name).read_bytes()) for name in names]
     judge = virtual_control("linuxcnc", files, **words)
-    return lambda x, sign: judge.correction("0", x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE)
+    return lambda x, sign: judge.correction(
+        "0", x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE
+    )
 
 
 def lcnc_job(folder: Path, states: str) -> Path:
@@ -303,31 +409,50 @@ def lcnc_job(folder: Path, states: str) -> Path:
     return path
 
 
-def test_an_old_table_whose_two_columns_differ_along_the_axis_is_replaced_in_one_round(tmp_path: Path) -> None:
-    """The machine's reversal varies and the old table takes just that away: the test sees a constant one, the total must not."""
-    rows = "".join(f"{x} {x + 0.004 * np.sin(x / 130):.7f} {x - 0.009 * np.cos(x / 170):.7f}\n" for x in range(0, 801, 40))
+def test_an_old_table_whose_two_columns_differ_along_the_axis_is_replaced_in_one_round(
+    tmp_path: Path,
+) -> None:
+    """The machine's reversal varies and the old table takes just that away: the test sees a
+    constant one, the total must not.
+    """
+    rows = "".join(
+        f"{x} {x + 0.004 * np.sin(x / 130):.7f} {x - 0.009 * np.cos(x / 170):.7f}\n"
+        for x in range(0, 801, 40)
+    )
     (tmp_path / "joint_0.comp").write_text(rows)
-    (tmp_path / "joint_0.ini").write_text("[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 0\n")
+    (tmp_path / "joint_0.ini").write_text(
+        "[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 0\n"
+    )
     old = lcnc_error(tmp_path, ("joint_0.comp", "joint_0.ini"))
-    write_test(tmp_path / "x.csv")  # with the old table active the machine shows slope, bow and a constant reversal
+    write_test(
+        tmp_path / "x.csv"
+    )  # with the old table active the machine shows slope, bow and a constant reversal
     assert compwright(["run", str(lcnc_job(tmp_path, "[joint_0.comp, joint_0.ini]"))]) == 0
     new = lcnc_error(tmp_path / "job" / "tables" / "linuxcnc", ("joint_0.comp", "joint_0.ini"))
     x = np.linspace(20, 780, 97)
-    left = np.concatenate([MACHINE.error(x, sign) - old(x, sign) + new(x, sign) for sign in (1, -1)])
-    # The estimate: three standard deviations of a mean at either end; the rows of the old table are straight lines of 40 mm, which
-    # a curve of 9 µm misses by up to 9 (40/170)² / 8 = 0.06 µm.
+    left = np.concatenate(
+        [MACHINE.error(x, sign) - old(x, sign) + new(x, sign) for sign in (1, -1)]
+    )
+    # The estimate: three standard deviations of a mean at either end; the rows of the old table are
+    # straight lines of 40 mm, which a curve of 9 µm misses by up to 9 (40/170)² / 8 = 0.06 µm.
     assert np.ptp(left) < 2 * 3 * MACHINE.noise / np.sqrt(5) + 2 * 0.06 * UM
 
 
 def test_an_inch_machine_gets_an_inch_table(tmp_path: Path) -> None:
-    (tmp_path / "machine.ini").write_text("[TRAJ]\nLINEAR_UNITS = inch\n[JOINT_0]\nTYPE = LINEAR\nBACKLASH = 0.0001\n")
+    (tmp_path / "machine.ini").write_text(
+        "[TRAJ]\nLINEAR_UNITS = inch\n[JOINT_0]\nTYPE = LINEAR\nBACKLASH = 0.0001\n"
+    )
     before = lcnc_error(tmp_path, ("machine.ini",))
     np.testing.assert_allclose(before(np.array([5.0]), 1), 0.00127)  # half of 0.0001 inch, in mm
     write_test(tmp_path / "x.csv", correction=before)
     assert compwright(["run", str(lcnc_job(tmp_path, "[machine.ini]"))]) == 0
     tables = tmp_path / "job" / "tables" / "linuxcnc"
-    positions = [float(line.split()[0]) for line in (tables / "joint_0.comp").read_text().splitlines()]
-    np.testing.assert_allclose([min(positions), max(positions)], [0, 800 / 25.4], atol=1)  # inches; the ends may be rounder
+    positions = [
+        float(line.split()[0]) for line in (tables / "joint_0.comp").read_text().splitlines()
+    ]
+    np.testing.assert_allclose(
+        [min(positions), max(positions)], [0, 800 / 25.4], atol=1
+    )  # inches; the ends may be rounder
     new = lcnc_error(tables, ("joint_0.comp", "joint_0.ini"), options={"units": "inch"})
     x = np.linspace(20, 780, 97)
     for sign in (1, -1):
@@ -346,26 +471,61 @@ def test_an_inch_machine_gets_an_inch_table(tmp_path: Path) -> None:
     ]
     assert compwright(words) == 0
     decoded = document(tmp_path / "d.json")["axes"]["0"]
-    assert decoded["correction_positive"] == pytest.approx([new(np.array([400.0]), 1)[0] / UM], abs=1e-3)
+    assert decoded["correction_positive"] == pytest.approx(
+        [new(np.array([400.0]), 1)[0] / UM], abs=1e-3
+    )
 
 
-def test_an_archive_that_holds_other_axes_too_is_a_state(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Only the axes under work are read and written; the others are neither judged nor touched: the archive itself is patched."""
+def test_an_archive_that_holds_other_axes_too_is_a_state(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Only the axes under work are read and written; the others are neither judged nor touched: the
+    archive itself is patched.
+    """
     lines = ["CHANDATA(1)"]
     for axis, values in (("AX1", (0.0, 0.004, 0.009)), ("AX2", (0.0, -0.002, 0.001))):
         lines += [f"$AA_ENC_COMP[0,{i},{axis}]={value}" for i, value in enumerate(values)]
-        lines += [f"$AA_ENC_COMP_{key}[0,{axis}]={value}" for key, value in (("STEP", 400), ("MIN", 0), ("MAX", 800))]
+        lines += [
+            f"$AA_ENC_COMP_{key}[0,{axis}]={value}"
+            for key, value in (("STEP", 400), ("MIN", 0), ("MAX", 800))
+        ]
         lines += [f"$AA_ENC_COMP_IS_MODULO[0,{axis}]=0", f"N32450 $MA_BACKLASH[0,{axis}]=0.001"]
     (folder / "ARCHIVE.INI").write_text("\n".join([*lines, "M17"]) + "\n")
-    assert compwright(["run", str(job(folder, states="{as_found: {files: [ARCHIVE.INI], active: yes}}"))]) == 0
+    assert (
+        compwright(
+            ["run", str(job(folder, states="{as_found: {files: [ARCHIVE.INI], active: yes}}"))]
+        )
+        == 0
+    )
     names = sorted(path.name for path in (folder / "job" / "tables" / "siemens-840d-sl").iterdir())
     assert names == ["ARCHIVE.INI"]
-    old, new = ((place / "ARCHIVE.INI").read_text() for place in (folder, folder / "job" / "tables" / "siemens-840d-sl"))
+    old, new = (
+        (place / "ARCHIVE.INI").read_text()
+        for place in (folder, folder / "job" / "tables" / "siemens-840d-sl")
+    )
     assert old != new
-    assert [line for line in new.splitlines() if "AX1" not in line] == [line for line in old.splitlines() if "AX1" not in line]
-    assert (folder / "job" / "rollback" / "siemens-840d-sl" / "ARCHIVE.INI").read_bytes() == (folder / "ARCHIVE.INI").read_bytes()
+    assert [line for line in new.splitlines() if "AX1" not in line] == [
+        line for line in old.splitlines() if "AX1" not in line
+    ]
+    assert (folder / "job" / "rollback" / "siemens-840d-sl" / "ARCHIVE.INI").read_bytes() == (
+        folder / "ARCHIVE.INI"
+    ).read_bytes()
     capsys.readouterr()
-    assert compwright(["decode", str(folder / "ARCHIVE.INI"), "--format", "siemens-840d-sl", "--axis", "AX2", "--json", "-"]) == 0
+    assert (
+        compwright(
+            [
+                "decode",
+                str(folder / "ARCHIVE.INI"),
+                "--format",
+                "siemens-840d-sl",
+                "--axis",
+                "AX2",
+                "--json",
+                "-",
+            ]
+        )
+        == 0
+    )
     assert list(json.loads(capsys.readouterr().out)["axes"]) == ["AX2"]
 
 
@@ -373,40 +533,76 @@ def test_a_table_without_a_name_of_its_own_belongs_to_the_axis_that_is_asked_for
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "x.comp").write_text("0 0.001 0.002\n100 100.003 100.001\n")
-    assert compwright(["decode", str(tmp_path / "x.comp"), "--format", "linuxcnc", "--axis", "2", "--json", "-"]) == 0
-    assert json.loads(capsys.readouterr().out)["axes"]["2"]["correction_positive"] == pytest.approx([-1.0, -3.0], abs=1e-4)
+    assert (
+        compwright(
+            [
+                "decode",
+                str(tmp_path / "x.comp"),
+                "--format",
+                "linuxcnc",
+                "--axis",
+                "2",
+                "--json",
+                "-",
+            ]
+        )
+        == 0
+    )
+    assert json.loads(capsys.readouterr().out)["axes"]["2"]["correction_positive"] == pytest.approx(
+        [-1.0, -3.0], abs=1e-4
+    )
 
 
 def test_a_control_that_lists_its_positions_takes_any_spacing(tmp_path: Path) -> None:
-    """800 mm in 24 sections of 33.333... mm: LinuxCNC says each position, so that only a step has nothing to be exact about."""
+    """800 mm in 24 sections of 33.333... mm: LinuxCNC says each position, so that only a step has
+    nothing to be exact about.
+    """
     write_test(tmp_path / "x.csv")
     path = lcnc_job(tmp_path, "none")
-    path.write_text(path.read_text().replace("before: [x.csv]", "before: [x.csv], table: {spacing: 33.333333333333336}"))
+    path.write_text(
+        path.read_text().replace(
+            "before: [x.csv]", "before: [x.csv], table: {spacing: 33.333333333333336}"
+        )
+    )
     assert compwright(["run", str(path)]) == 0
     rows = (tmp_path / "job" / "tables" / "linuxcnc" / "joint_0.comp").read_text().splitlines()
-    np.testing.assert_allclose([float(row.split()[0]) for row in rows], np.linspace(0, 800, 25), atol=0.51e-7)  # half a quantum
+    np.testing.assert_allclose(
+        [float(row.split()[0]) for row in rows], np.linspace(0, 800, 25), atol=0.51e-7
+    )  # half a quantum
 
 
 def test_a_tolerance_bounds_the_size_of_the_mean_reversal_value(folder: Path) -> None:
     """Lost motion gives a negative mean reversal value: -5 µm does not keep a limit of 3 µm."""
-    text = job(folder, "before: [x.csv], accept: {B_mean: 3}").read_text().replace("states: {as_found: none}\n", "")
+    text = (
+        job(folder, "before: [x.csv], accept: {B_mean: 3}")
+        .read_text()
+        .replace("states: {as_found: none}\n", "")
+    )
     (folder / "job.yaml").write_text(text)
-    assert compwright(["run", str(folder / "job.yaml")]) == 2  # no state, no table: the next test shows what this one showed
+    assert (
+        compwright(["run", str(folder / "job.yaml")]) == 2
+    )  # no state, no table: the next test shows what this one showed
     axis = document(folder / "job" / "prediction.json")["axes"]["X"]
     assert axis["predicted"]["B_mean"]["p95"] < -4
     assert axis["accept"]["B_mean"]["decision"] == "reject"
 
 
 def test_a_rough_old_table_does_not_blur_the_error(tmp_path: Path) -> None:
-    """What the control added is known exactly: with the same noise, the new table is the one that an empty control would get."""
+    """What the control added is known exactly: with the same noise, the new table is the one that
+    an empty control would get.
+    """
     machine = Machine()
     targets = machine.targets(21)
     nodes = np.arange(0.0, 801.0, 25.0)
     zigzag = np.where(np.arange(nodes.size) % 2 == 0, 0.003, -0.003)
     zigzag[0] = 0.0  # zero at the reference
     old = tmp_path / "joint_0.comp"
-    old.write_text("".join(f"{x:.6f} {x - c:.6f} {x - c:.6f}\n" for x, c in zip(nodes, zigzag, strict=True)))
-    (tmp_path / "joint_0.ini").write_text("[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 0\n")
+    old.write_text(
+        "".join(f"{x:.6f} {x - c:.6f} {x - c:.6f}\n" for x, c in zip(nodes, zigzag, strict=True))
+    )
+    (tmp_path / "joint_0.ini").write_text(
+        "[JOINT_0]\nCOMP_FILE = joint_0.comp\nCOMP_FILE_TYPE = 0\n"
+    )
 
     def rough(x: Floats, _: int) -> Floats:
         return np.asarray(np.interp(x, nodes, zigzag))
@@ -417,19 +613,35 @@ def test_a_rough_old_table_does_not_blur_the_error(tmp_path: Path) -> None:
         ("rough", [str(old), str(tmp_path / "joint_0.ini")], rough),
     ):
         (tmp_path / f"{name}.csv").write_text(csv_of(targets, machine.measure(targets, 7, active)))
-        words = ["run", str(tmp_path / f"{name}.csv"), "--format", "linuxcnc", "--axis", "X", "--travel", "0:800"]
+        words = [
+            "run",
+            str(tmp_path / f"{name}.csv"),
+            "--format",
+            "linuxcnc",
+            "--axis",
+            "X",
+            "--travel",
+            "0:800",
+        ]
         words += [word for state in states for word in ("--state", state)]
         words += ["--option", "address=0", "--option", "spacing=50", "--out", str(tmp_path / name)]
         assert compwright(words) == 0
-        files = [ControlFile(path.name, path.read_bytes()) for path in sorted((tmp_path / name / "tables" / "linuxcnc").iterdir())]
+        files = [
+            ControlFile(path.name, path.read_bytes())
+            for path in sorted((tmp_path / name / "tables" / "linuxcnc").iterdir())
+        ]
         control = virtual_control("linuxcnc", files)
-        corrections[name] = [control.correction("0", np.linspace(0, 800, 801), side) for side in Direction]
+        corrections[name] = [
+            control.correction("0", np.linspace(0, 800, 801), side) for side in Direction
+        ]
     # Readings are written to 1e-6 µm; 1e-6 mm is the last digit of the table.
     np.testing.assert_allclose(corrections["rough"], corrections["empty"], atol=2e-6)
 
 
 def test_the_first_visit_switches_the_table_on_and_reserves_its_points(folder: Path) -> None:
-    """A SINUMERIK that never had a table says so in its machine data: nothing reserved, switched off."""
+    """A SINUMERIK that never had a table says so in its machine data: nothing reserved, switched
+    off.
+    """
     (folder / "MD.TXT").write_text(
         "CHANDATA(1)\nN32450 $MA_BACKLASH[0,AX1]=0\nN32700 $MA_ENC_COMP_ENABLE[0,AX1]=0\n"
         "N38000 $MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=0\nN32700 $MA_ENC_COMP_ENABLE[0,AX2]=0\nM17\n"
@@ -443,19 +655,38 @@ def test_the_first_visit_switches_the_table_on_and_reserves_its_points(folder: P
     assert f"N38000 $MA_MM_ENC_COMP_MAX_POINTS[0,AX1]={count}\n" in text
     x = np.linspace(10, 790, 97)
     control = sinumerik(tables)
-    for sign in (1, -1):  # within the error of the estimate, six standard deviations of a mean of ten readings
-        assert np.ptp(MACHINE.error(x, sign) + control(x, sign)) < 2 * 3 * MACHINE.noise / np.sqrt(10)
+    for sign in (
+        1,
+        -1,
+    ):  # within the error of the estimate, six standard deviations of a mean of ten readings
+        assert np.ptp(MACHINE.error(x, sign) + control(x, sign)) < 2 * 3 * MACHINE.noise / np.sqrt(
+            10
+        )
 
 
-def test_decode_reads_the_measuring_system_that_is_asked_for(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    table = "".join(f"$AA_ENC_COMP[{e},{k},AX1]={(1 + e) * k / 1000}\n" for e in (0, 1) for k in range(3)) + "".join(
-        f"$AA_ENC_COMP_STEP[{e},AX1]=100\n$AA_ENC_COMP_MIN[{e},AX1]=0\n$AA_ENC_COMP_MAX[{e},AX1]=200\n" for e in (0, 1)
+def test_decode_reads_the_measuring_system_that_is_asked_for(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    table = "".join(
+        f"$AA_ENC_COMP[{e},{k},AX1]={(1 + e) * k / 1000}\n" for e in (0, 1) for k in range(3)
+    ) + "".join(
+        f"$AA_ENC_COMP_STEP[{e},AX1]=100\n$AA_ENC_COMP_MIN[{e},AX1]=0\n$AA_ENC_COMP_MAX[{e},AX1]=200\n"
+        for e in (0, 1)
     )
     (tmp_path / "a.ini").write_text(f"CHANDATA(1)\n{table}M17\n")
     for system, expected in ((1, [0, -1, -2]), (2, [0, -2, -4])):
-        words = ["decode", str(tmp_path / "a.ini"), "--format", "siemens-840d-sl", "--option", f"encoder_system={system}"]
+        words = [
+            "decode",
+            str(tmp_path / "a.ini"),
+            "--format",
+            "siemens-840d-sl",
+            "--option",
+            f"encoder_system={system}",
+        ]
         assert compwright([*words, "--json", "-"]) == 0
-        assert json.loads(capsys.readouterr().out)["axes"]["AX1"]["correction_positive"] == pytest.approx(expected, abs=1e-9)
+        assert json.loads(capsys.readouterr().out)["axes"]["AX1"][
+            "correction_positive"
+        ] == pytest.approx(expected, abs=1e-9)
 
 
 @pytest.mark.parametrize(
@@ -467,17 +698,22 @@ def test_decode_reads_the_measuring_system_that_is_asked_for(tmp_path: Path, cap
         ("linuxcnc", ("0", "3"), ""),
     ],
 )
-def test_both_axes_of_a_gantry_get_the_table(format_id: str, addresses: tuple[str, str], options: str, tmp_path: Path) -> None:
+def test_both_axes_of_a_gantry_get_the_table(
+    format_id: str, addresses: tuple[str, str], options: str, tmp_path: Path
+) -> None:
     """A table on the leading axis alone racks the bridge."""
     write_test(tmp_path / "x.csv")
     (tmp_path / "job.yaml").write_text(
-        f"compwright: 1\ncontroller: {{format: {format_id}{options}}}\nstates: {{as_found: none}}\n"
-        f"axes:\n  X: {{travel: [0, 800], address: '{addresses[0]}', gantry: '{addresses[1]}', before: [x.csv]}}\n"
+        f"compwright: 1\ncontroller: {{format: {format_id}{options}}}\nstates: {{as_found:"
+        f" none}}\naxes:\n  X: {{travel: [0, 800], address: '{addresses[0]}', gantry:"
+        f" '{addresses[1]}', before: [x.csv]}}\n"
     )
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
     folder = tmp_path / "job" / "tables" / format_id
     files = [ControlFile(path.name, path.read_bytes()) for path in sorted(folder.iterdir())]
-    judge = virtual_control(format_id, files, options={"detection_unit": 0.001} if "fanuc" in format_id else None)
+    judge = virtual_control(
+        format_id, files, options={"detection_unit": 0.001} if "fanuc" in format_id else None
+    )
     x = np.linspace(-20.0, 820.0, 301)
     for side in Direction:
         leading, other = (judge.correction(address, x, side) for address in addresses)
@@ -485,31 +721,63 @@ def test_both_axes_of_a_gantry_get_the_table(format_id: str, addresses: tuple[st
         np.testing.assert_array_equal(leading, other)
 
 
-@pytest.mark.parametrize(("limit", "decision"), [(20, "undecided"), (30, "accept"), (1, "undecided"), (3, "undecided")])
-def test_a_guarded_prediction_uses_the_uncertainty(folder: Path, limit: float, decision: str) -> None:
-    """U of 19 µm: accepted needs p95 + 19 within the limit, rejected p05 - 19 beyond it (ISO 14253-1)."""
+@pytest.mark.parametrize(
+    ("limit", "decision"), [(20, "undecided"), (30, "accept"), (1, "undecided"), (3, "undecided")]
+)
+def test_a_guarded_prediction_uses_the_uncertainty(
+    folder: Path, limit: float, decision: str
+) -> None:
+    """U of 19 µm: accepted needs p95 + 19 within the limit, rejected p05 - 19 beyond it (ISO
+    14253-1).
+    """
     extra = "decision_rule: guarded\nuncertainty: {device: {U: 19}}\n"
     path = job(folder, f"before: [x.csv], accept: {{A: {limit}}}", extra=extra)
     assert compwright(["run", str(path)]) == (0 if decision == "accept" else 1)
     axis = document(folder / "job" / "prediction.json")["axes"]["X"]
-    assert axis["accept"]["A"] == {"limit": limit, "decision": decision, "U": pytest.approx(19.0), "rule": "guarded"}
+    assert axis["accept"]["A"] == {
+        "limit": limit,
+        "decision": decision,
+        "U": pytest.approx(19.0),
+        "rule": "guarded",
+    }
     assert axis["predicted"]["A"]["p95"] < 4.0  # by itself within the limit of 20
     for name in ("card/card.md", "card/card.html", "report.html"):
-        assert "Guarded decision (ISO 14253-1)" in (folder / "job" / name).read_text(encoding="utf-8")
+        assert "Guarded decision (ISO 14253-1)" in (folder / "job" / name).read_text(
+            encoding="utf-8"
+        )
 
 
 def test_a_guarded_prediction_is_rejected_beyond_its_guard_band(folder: Path) -> None:
     extra = "decision_rule: guarded\nuncertainty: {device: {U: 0.1}}\n"
-    assert compwright(["run", str(job(folder, "before: [x.csv], accept: {A: 1}", extra=extra))]) == 1
-    assert document(folder / "job" / "prediction.json")["axes"]["X"]["accept"]["A"]["decision"] == "reject"
+    assert (
+        compwright(["run", str(job(folder, "before: [x.csv], accept: {A: 1}", extra=extra))]) == 1
+    )
+    assert (
+        document(folder / "job" / "prediction.json")["axes"]["X"]["accept"]["A"]["decision"]
+        == "reject"
+    )
 
 
-def test_a_guarded_decision_without_an_uncertainty_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert compwright(["run", str(job(folder, "before: [x.csv], accept: {A: 9}", extra="decision_rule: guarded\n"))]) == 2
+def test_a_guarded_decision_without_an_uncertainty_is_refused(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert (
+        compwright(
+            [
+                "run",
+                str(
+                    job(folder, "before: [x.csv], accept: {A: 9}", extra="decision_rule: guarded\n")
+                ),
+            ]
+        )
+        == 2
+    )
     assert "needs the measurement uncertainty" in capsys.readouterr().err
 
 
-def test_a_longer_test_that_is_not_fitted_stands_first(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_longer_test_that_is_not_fitted_stands_first(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """A 3.5 m axis: five runs over 2 m are fitted, the single run over the whole length is not."""
     machine = replace(MACHINE, high=3500.0)
     short = np.linspace(30.0, 2000.0, 21)
@@ -527,15 +795,17 @@ def test_a_longer_test_that_is_not_fitted_stands_first(folder: Path, capsys: pyt
 
 
 @pytest.mark.parametrize(("rotary", "U"), [("", None), (", rotary: {U: 0.7}", 0.7)])
-def test_contributors_in_um_say_nothing_of_a_rotary_axis(tmp_path: Path, rotary: str, U: float | None) -> None:
+def test_contributors_in_um_say_nothing_of_a_rotary_axis(
+    tmp_path: Path, rotary: str, U: float | None
+) -> None:
     machine = Machine(high=360.0, slope=0.0, bow=0.003, lost=0.001, noise=0.0002)
     targets = np.linspace(0.0, 350.0, 15)
     (tmp_path / "c.csv").write_text(csv_of(targets, machine.measure(targets, 1), "C", "deg"))
     path = tmp_path / "job.yaml"
     path.write_text(
-        "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: none}\ndecision_rule: guarded\n"
-        f"uncertainty: {{device: {{U: 5}}{rotary}}}\n"
-        "axes:\n  C: {kind: rotary, travel: [0, 360], address: AX4, before: [c.csv], accept: {A: 100}}\n"
+        "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found:"
+        f" none}}\ndecision_rule: guarded\nuncertainty: {{device: {{U: 5}}{rotary}}}\naxes:\n  C:"
+        " {kind: rotary, travel: [0, 360], address: AX4, before: [c.csv], accept: {A: 100}}\n"
     )
     assert compwright(["run", str(path)]) == (1 if U is None else 0)
     accept = document(tmp_path / "job" / "prediction.json")["axes"]["C"]["accept"]["A"]
@@ -543,26 +813,43 @@ def test_contributors_in_um_say_nothing_of_a_rotary_axis(tmp_path: Path, rotary:
     assert accept["decision"] == ("undecided" if U is None else "accept")
 
 
-def test_a_longer_test_beside_it_does_not_cover_for_the_test_of_the_table(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """The table is made from the first test: 150 of 800 mm are a guess for the rest, whatever a second test measured."""
+def test_a_longer_test_beside_it_does_not_cover_for_the_test_of_the_table(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The table is made from the first test: 150 of 800 mm are a guess for the rest, whatever a
+    second test measured.
+    """
     write_test(folder / "short.csv", Machine(high=150.0))
     assert compwright(["run", str(job(folder, "before: [short.csv, x.csv]"))]) == 3
     assert "less than half" in capsys.readouterr().err
-    assert compwright(["run", str(job(folder, "before: [x.csv, short.csv]")), "--out", str(folder / "out")]) == 0
+    assert (
+        compwright(
+            ["run", str(job(folder, "before: [x.csv, short.csv]")), "--out", str(folder / "out")]
+        )
+        == 0
+    )
 
 
 @pytest.mark.parametrize(
-    ("pitch", "limit", "decision", "code"), [("5", 9, "undecided", 1), ("5", 0.5, "reject", 1), ("", 9, "accept", 0)]
+    ("pitch", "limit", "decision", "code"),
+    [("5", 9, "undecided", 1), ("5", 0.5, "reject", 1), ("", 9, "accept", 0)],
 )
 def test_a_known_wave_that_the_targets_show_as_a_longer_one_leaves_a_limit_undecided(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], pitch: str, limit: float, decision: str, code: int
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    pitch: str,
+    limit: float,
+    decision: str,
+    code: int,
 ) -> None:
     """Every 25.4 mm a wave of 5 mm looks like one of 317.5 mm (1/5 - 5/25.4 per mm).
 
     No test at these targets tells whether the table fits it."""
     targets = np.asarray(25.4 * np.arange(32), dtype=np.float64)
     (tmp_path / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
-    words = f"before: [x.csv], accept: {{A: {limit}}}" + (f", screw_pitch: {pitch}" if pitch else "")
+    words = f"before: [x.csv], accept: {{A: {limit}}}" + (
+        f", screw_pitch: {pitch}" if pitch else ""
+    )
     assert compwright(["run", str(job(tmp_path, words))]) == code
     said = capsys.readouterr().out
     prediction = document(tmp_path / "job" / "prediction.json")
@@ -571,14 +858,26 @@ def test_a_known_wave_that_the_targets_show_as_a_longer_one_leaves_a_limit_undec
     if pitch:
         assert said.index("CW-E010") < said.index("axis X")
         card = (tmp_path / "job" / "card" / "card.md").read_text(encoding="utf-8")
-        assert card.index("Settle first") < card.index("looks like a wave of 31") < card.index("## Steps")
+        assert (
+            card.index("Settle first")
+            < card.index("looks like a wave of 31")
+            < card.index("## Steps")
+        )
 
 
 @pytest.mark.parametrize(
     ("axis", "extra", "told"),
     [
-        ("kind: rotary, travel: [0, 360]", "uncertainty: {device: {U: 5}}\n", "give uncertainty.rotary"),
-        ("kind: linear, travel: [0, 360]", "uncertainty: {device: {U: 5}}\nstandard: vdi3441\n", "decision_rule: simple"),
+        (
+            "kind: rotary, travel: [0, 360]",
+            "uncertainty: {device: {U: 5}}\n",
+            "give uncertainty.rotary",
+        ),
+        (
+            "kind: linear, travel: [0, 360]",
+            "uncertainty: {device: {U: 5}}\nstandard: vdi3441\n",
+            "decision_rule: simple",
+        ),
     ],
 )
 def test_a_guarded_decision_that_lacks_its_uncertainty_says_what_to_give(
@@ -587,10 +886,13 @@ def test_a_guarded_decision_that_lacks_its_uncertainty_says_what_to_give(
     machine = Machine(high=360.0, slope=0.0, bow=0.003, lost=0.001, noise=0.0002)
     targets = np.linspace(0.0, 350.0, 15)
     rotary = "rotary" in axis
-    (tmp_path / "c.csv").write_text(csv_of(targets, machine.measure(targets, 1), "C", "deg" if rotary else "mm"))
+    (tmp_path / "c.csv").write_text(
+        csv_of(targets, machine.measure(targets, 1), "C", "deg" if rotary else "mm")
+    )
     (tmp_path / "job.yaml").write_text(
-        "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found: none}\ndecision_rule: guarded\n"
-        f"{extra}axes:\n  C: {{{axis}, address: AX4, before: [c.csv], accept: {{{'A' if rotary else 'P'}: 100}}}}\n"
+        "compwright: 1\ncontroller: {format: siemens-840d-sl}\nstates: {as_found:"
+        f" none}}\ndecision_rule: guarded\n{extra}axes:\n  C: {{{axis}, address: AX4, before:"
+        f" [c.csv], accept: {{{'A' if rotary else 'P'}: 100}}}}\n"
     )
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 1
     said = " ".join(capsys.readouterr().out.split())
@@ -606,17 +908,36 @@ def test_a_guarded_decision_that_lacks_its_uncertainty_says_what_to_give(
 def test_export_to_another_control_reads_its_state_by_the_new_addresses(
     folder: Path, capsys: pytest.CaptureFixture[str], moved: bool
 ) -> None:
-    """The plan is of a FANUC, axis 1; the SINUMERIK calls the axis AX1 and has an EEC table of +2 µm errors in it."""
+    """The plan is of a FANUC, axis 1; the SINUMERIK calls the axis AX1 and has an EEC table of +2
+    µm errors in it.
+    """
     (folder / "fanuc.yaml").write_text(
-        "compwright: 1\ncontroller: {format: fanuc-30i, options: {detection_unit: 0.001, first_point: 100}}\n"
-        "states: {as_found: none}\naxes:\n  X: {travel: [0, 800], address: 1, before: [x.csv]}\n"
+        "compwright: 1\ncontroller: {format: fanuc-30i, options: {detection_unit: 0.001,"
+        " first_point: 100}}\nstates: {as_found: none}\naxes:\n  X: {travel: [0, 800], address: 1,"
+        " before: [x.csv]}\n"
     )
     assert compwright(["run", str(folder / "fanuc.yaml")]) == 0
     lines = [f"$AA_ENC_COMP[0,{n},AX1]={value}" for n, value in enumerate((0.0, 0.002, 0.0))]
-    lines += ["$AA_ENC_COMP_STEP[0,AX1]=400", "$AA_ENC_COMP_MIN[0,AX1]=0", "$AA_ENC_COMP_MAX[0,AX1]=800"]
-    lines += ["$AA_ENC_COMP_IS_MODULO[0,AX1]=0", "$MA_ENC_COMP_ENABLE[0,AX1]=1", "$MA_BACKLASH[0,AX1]=0.001", "M17"]
+    lines += [
+        "$AA_ENC_COMP_STEP[0,AX1]=400",
+        "$AA_ENC_COMP_MIN[0,AX1]=0",
+        "$AA_ENC_COMP_MAX[0,AX1]=800",
+    ]
+    lines += [
+        "$AA_ENC_COMP_IS_MODULO[0,AX1]=0",
+        "$MA_ENC_COMP_ENABLE[0,AX1]=1",
+        "$MA_BACKLASH[0,AX1]=0.001",
+        "M17",
+    ]
     (folder / "E.INI").write_text("\n".join(lines) + "\n")
-    words = ["export", str(folder / "fanuc" / "plan.json"), "--format", "siemens-840d-sl", "--state", str(folder / "E.INI")]
+    words = [
+        "export",
+        str(folder / "fanuc" / "plan.json"),
+        "--format",
+        "siemens-840d-sl",
+        "--state",
+        str(folder / "E.INI"),
+    ]
     address = ["--option", "address.X=AX1"] if moved else ["--option", "address.X=AX2"]
     code = compwright([*words, *address, "--out", str(folder / "other")])
     said = capsys.readouterr()
@@ -630,8 +951,12 @@ def test_export_to_another_control_reads_its_state_by_the_new_addresses(
         assert "no file says anything about axis AX2" in said.err
 
 
-def test_a_wave_that_the_targets_show_as_a_longer_one_is_not_verified_at_the_same_targets(tmp_path: Path) -> None:
-    """The table follows the wave of 317.5 mm that 5 mm looks like every 25.4 mm; a test at the same targets shows nothing of it."""
+def test_a_wave_that_the_targets_show_as_a_longer_one_is_not_verified_at_the_same_targets(
+    tmp_path: Path,
+) -> None:
+    """The table follows the wave of 317.5 mm that 5 mm looks like every 25.4 mm; a test at the same
+    targets shows nothing of it.
+    """
     targets = np.asarray(25.4 * np.arange(32), dtype=np.float64)
     (tmp_path / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
     path = job(tmp_path, "before: [x.csv], accept: {A: 12}, screw_pitch: 5")

@@ -1,6 +1,8 @@
-"""What a job asks to be corrected between axes or from circles: done, not needed, or an error that leaves exit 1; never silence.
+"""What a job asks to be corrected between axes or from circles: done, not needed, or an error that
+leaves exit 1; never silence.
 
-Squareness is 40 µm/m, more than 90° (`test_run_circles.Bent`): Y is bent by + 40 µm/m times the distance of X from its reference.
+Squareness is 40 µm/m, more than 90° (`test_run_circles.Bent`): Y is bent by + 40 µm/m times the
+distance of X from its reference.
 """
 
 from __future__ import annotations
@@ -50,8 +52,10 @@ def run(
 ) -> int:
     first, second = ADDRESSES.get(control, ("X", "Y"))
     (folder / "job.yaml").write_text(
-        f"compwright: 1\ncontroller: {{format: {control}, options: {options}}}\nstates: {{as_found: {states}}}\naxes:\n"
-        f'  X: {{travel: [0, 800], address: "{first}", {x}}}\n  Y: {{travel: [-500, 0], address: "{second}", {y}}}\n'
+        f"compwright: 1\ncontroller: {{format: {control}, options: {options}}}\nstates: {{as_found:"
+        f" {states}}}\naxes:\n"
+        f'  X: {{travel: [0, 800], address: "{first}", {x}}}\n  Y: {{travel: [-500, 0], address:'
+        f' "{second}", {y}}}\n'
         f"circles: {circles}\napply: {apply}\n"
     )
     return compwright(["run", str(folder / "job.yaml"), "--force"])
@@ -74,35 +78,59 @@ def prediction(folder: Path) -> Any:
 # --- squareness alone
 
 
-def test_squareness_alone_goes_into_a_table_between_the_axes_and_can_be_the_state_of_the_next_job(folder: Path) -> None:
+def test_squareness_alone_goes_into_a_table_between_the_axes_and_can_be_the_state_of_the_next_job(
+    folder: Path,
+) -> None:
     options = CEC
     assert run(folder, SIEMENS, options=options) == 0
     judge = judge_of(folder / "job" / "tables" / SIEMENS)
-    assert judge.addresses() == () or not np.any(judge.correction("AX2", np.array([-500.0, 0.0]), Direction.POSITIVE))
+    assert judge.addresses() == () or not np.any(
+        judge.correction("AX2", np.array([-500.0, 0.0]), Direction.POSITIVE)
+    )
     # 40 µm/m over 0.8 m, known to 1 µm/m
-    assert judge.cross_correction("AX1", "AX2", np.array([0.0, 800.0]), Direction.POSITIVE) == pytest.approx([0, 0.032], abs=8e-4)
+    assert judge.cross_correction(
+        "AX1", "AX2", np.array([0.0, 800.0]), Direction.POSITIVE
+    ) == pytest.approx([0, 0.032], abs=8e-4)
     assert "X" in card(folder).splitlines()[0]
-    assert prediction(folder)["circles"]["xy-150"]["predicted"]["squareness"]["median"] == pytest.approx(0, abs=1)  # µm/m
+    assert prediction(folder)["circles"]["xy-150"]["predicted"]["squareness"][
+        "median"
+    ] == pytest.approx(0, abs=1)  # µm/m
     shutil.copytree(folder / "job" / "tables", folder / "loaded")
     loaded = f"[loaded/{SIEMENS}]"
-    assert run(folder, SIEMENS, options=options, states=loaded) == 2  # the circle was measured before: twice the squareness
-    words = ["export", str(folder / "job" / "plan.json"), "--format", SIEMENS, "--out", str(folder / "again")]
+    assert (
+        run(folder, SIEMENS, options=options, states=loaded) == 2
+    )  # the circle was measured before: twice the squareness
+    words = [
+        "export",
+        str(folder / "job" / "plan.json"),
+        "--format",
+        SIEMENS,
+        "--out",
+        str(folder / "again"),
+    ]
     assert compwright([*words, "--state", str(folder / "loaded" / SIEMENS)]) == 2
     write_circle(folder / "xy.csv", Bent().circle(8, judge_of(folder / "loaded" / SIEMENS)))
     assert run(folder, SIEMENS, options=options, states=loaded) == 0  # CW-P107: nothing is left
 
 
-def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_axis_that_is_to_be_scaled_has_to_stand_in_the_files(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     options = CEC
     assert run(folder, SIEMENS, options=options) == 0
     shutil.copytree(folder / "job" / "tables", folder / "loaded")
     capsys.readouterr()
-    assert run(folder, SIEMENS, options=options, states=f"[loaded/{SIEMENS}]", apply="{scale: [Y]}") == 3
+    assert (
+        run(folder, SIEMENS, options=options, states=f"[loaded/{SIEMENS}]", apply="{scale: [Y]}")
+        == 3
+    )
     assert "say nothing of axis Y" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("control", ["heidenhain-nck", "heidenhain-itnc530"])
-def test_squareness_alone_comes_with_a_card_where_it_is_typed_in(folder: Path, control: str) -> None:
+def test_squareness_alone_comes_with_a_card_where_it_is_typed_in(
+    folder: Path, control: str
+) -> None:
     assert run(folder, control) == 0
     assert "type in" in card(folder)
     assert typed(folder) == ("error", [0.0, pytest.approx(-0.032, abs=8e-4)])
@@ -132,7 +160,9 @@ def test_the_column_of_another_axis_has_the_sign_of_the_table_in_which_it_stands
     assert f"values are {expected}s" in card(folder)
 
 
-def test_an_option_of_the_whole_control_is_none_of_one_axis(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_option_of_the_whole_control_is_none_of_one_axis(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     for control, option in (
         ("linuxcnc", "units: inch"),
         (SIEMENS, "cec_sign: error"),
@@ -142,7 +172,8 @@ def test_an_option_of_the_whole_control_is_none_of_one_axis(folder: Path, capsys
         assert "holds for the whole control" in capsys.readouterr().err
 
 
-# --- HEIDENHAIN: a column acts where tables are selected, and the linear error only where they are not
+# --- HEIDENHAIN: a column acts where tables are selected, and the linear error only where they are
+# not
 
 
 @pytest.mark.parametrize(
@@ -155,7 +186,9 @@ def test_an_option_of_the_whole_control_is_none_of_one_axis(folder: Path, capsys
 def test_a_column_beside_the_linear_error_of_its_axis_is_refused(
     folder: Path, y: str, state: str, why: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    (folder / "MP.TXT").write_text("MP710.0 : 0.0000\nMP710.1 : 0.0000\nMP720.1 : 0.0200\nMP730 : %00000\n")
+    (folder / "MP.TXT").write_text(
+        "MP710.0 : 0.0000\nMP710.1 : 0.0000\nMP720.1 : 0.0200\nMP730 : %00000\n"
+    )
     assert run(folder, "heidenhain-itnc530", y=y, states=state) == 1
     said = codes(capsys)
     assert "error CW-P113" in said
@@ -179,23 +212,40 @@ def test_a_column_beside_the_linear_error_of_its_axis_is_refused(
     ],
 )
 def test_a_correction_that_cannot_be_made_is_an_error(
-    folder: Path, control: str, options: str, apply: str, code: str, capsys: pytest.CaptureFixture[str]
+    folder: Path,
+    control: str,
+    options: str,
+    apply: str,
+    code: str,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
-    """Neither axis has a positioning test here: one fast circle tells no scale, and there is no table for a lost motion."""
+    """Neither axis has a positioning test here: one fast circle tells no scale, and there is no
+    table for a lost motion.
+    """
     assert run(folder, control, options=options, apply=apply) == 1
     assert f"error {code}" in codes(capsys)
 
 
 def test_the_rest_of_the_job_is_done_all_the_same(folder: Path) -> None:
-    (folder / "zx.csv").write_text((folder / "xy.csv").read_text().replace("plane: XY", "plane: ZX"))
+    (folder / "zx.csv").write_text(
+        (folder / "xy.csv").read_text().replace("plane: XY", "plane: ZX")
+    )
     circles = "[{file: zx.csv, name: zx-150, centre: [0, 400]}]"
-    assert run(folder, "linuxcnc", x="before: [x.csv]", circles=circles, apply="{squareness: {XY: Y}}") == 1
+    assert (
+        run(folder, "linuxcnc", x="before: [x.csv]", circles=circles, apply="{squareness: {XY: Y}}")
+        == 1
+    )
     assert prediction(folder)["axes"]["X"]["table"] is not None
 
 
-def test_what_is_not_needed_is_no_failure(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_is_not_needed_is_no_failure(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     measure(tmp_path, Bent(squareness=0.0))
-    assert run(tmp_path, "linuxcnc", x="before: [x.csv]", apply="{squareness: {XY: Y}, scale: [X]}") == 0
+    assert (
+        run(tmp_path, "linuxcnc", x="before: [x.csv]", apply="{squareness: {XY: Y}, scale: [X]}")
+        == 0
+    )
     said = codes(capsys)
     assert "info CW-P107" in said
     assert "info CW-P118" in said
@@ -204,8 +254,12 @@ def test_what_is_not_needed_is_no_failure(tmp_path: Path, capsys: pytest.Capture
 # --- a circle that the tables make worse
 
 
-def test_a_circle_that_gets_worse_leaves_the_result_undecided(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Both axes travel 25 µm/m too far: a round circle. With X corrected alone the scales differ by 25 µm/m, 7.5 µm over 300 mm."""
+def test_a_circle_that_gets_worse_leaves_the_result_undecided(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Both axes travel 25 µm/m too far: a round circle. With X corrected alone the scales differ by
+    25 µm/m, 7.5 µm over 300 mm.
+    """
     machine = Bent(y=replace(AXIS_X, low=-500.0, high=0.0), squareness=0.0)
     measure(tmp_path, machine)
     for x, y, code in (
@@ -216,25 +270,43 @@ def test_a_circle_that_gets_worse_leaves_the_result_undecided(tmp_path: Path, ca
         said = codes(capsys)
         doubts = [doubt["code"] for doubt in prediction(tmp_path)["doubts"]]
         page = (tmp_path / "job" / "report.html").read_text(encoding="utf-8")
-        assert ("CW-P131" in said) == ("CW-P131" in doubts) == ("is predicted to get worse" in page) == (code == 1)
+        assert (
+            ("CW-P131" in said)
+            == ("CW-P131" in doubts)
+            == ("is predicted to get worse" in page)
+            == (code == 1)
+        )
         assert ("All limits are predicted to be met" in page) == (code == 0)
         assert ("predicted to grow from" in card(tmp_path)) == (code == 1)
 
 
 @pytest.mark.parametrize(
-    ("mask", "option", "word"), [("%00000", "", "would wake"), ("%00001", ", options: {method: line}", "would switch off")]
+    ("mask", "option", "word"),
+    [("%00000", "", "would wake"), ("%00001", ", options: {method: line}", "would switch off")],
 )
 def test_the_bit_of_an_axis_is_not_changed_where_the_table_of_another_axis_hangs_on_it(
     folder: Path, mask: str, option: str, word: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Y.COM holds X = F(Y), 50 µm. The bit of X in MP730 selects it together with the table of X."""
-    rows = "BEGIN {0} .COM MM DATUM:{1} DIST:400\nNR   1=F()     2=F()\n0    {2}\n1    {3}\n2    {3}\nEND {0} .COM\n"
+    """Y.COM holds X = F(Y), 50 µm. The bit of X in MP730 selects it together with the table of
+    X.
+    """
+    rows = (
+        "BEGIN {0} .COM MM DATUM:{1} DIST:400\nNR   1=F()     2=F()\n0    {2}\n1    {3}\n2   "
+        " {3}\nEND {0} .COM\n"
+    )
     (folder / "Y.COM").write_text(rows.format("Y", "-600", "0     ", "0.0500"))
     (folder / "X.COM").write_text(rows.format("X", "0", "0     ", "0.0000"))
-    (folder / "C.CMA").write_text("BEGIN C .CMA MM\nNR   1         2\n0    X         Y\nEND C .CMA\n")
+    (folder / "C.CMA").write_text(
+        "BEGIN C .CMA MM\nNR   1         2\n0    X         Y\nEND C .CMA\n"
+    )
     (folder / "MP.TXT").write_text(f"MP710.0 : 0.0000\nMP720.0 : 0.0000\nMP730 : {mask}\n")
-    x = f"before: [x.csv]{option}" + ("" if option else ", table: {start: 0, end: 800, spacing: 400}")
-    assert run(folder, "heidenhain-itnc530", x=x, states="[X.COM, Y.COM, C.CMA, MP.TXT]", apply="{}") == 4
+    x = f"before: [x.csv]{option}" + (
+        "" if option else ", table: {start: 0, end: 800, spacing: 400}"
+    )
+    assert (
+        run(folder, "heidenhain-itnc530", x=x, states="[X.COM, Y.COM, C.CMA, MP.TXT]", apply="{}")
+        == 4
+    )
     said = capsys.readouterr().err
     assert word in said
     assert "MP730" in said
@@ -244,12 +316,15 @@ def test_the_bit_of_an_axis_is_not_changed_where_the_table_of_another_axis_hangs
 # --- tables between axes that differ between the states
 
 
-@pytest.mark.parametrize(("step", "stated", "code"), [(250, False, 3), (250, True, 1), (300, True, 3), (300, False, 3)])
+@pytest.mark.parametrize(
+    ("step", "stated", "code"), [(250, False, 3), (250, True, 1), (300, True, 3), (300, False, 3)]
+)
 def test_a_circle_taken_with_other_tables_between_the_axes_is_no_word_on_what_is_there_now(
     folder: Path, step: int, stated: bool, code: int, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The control's table bends Y over X by 100 µm; the circle was taken with another one: without the sign of CEC values, and with
-    a table that is no curve (its range no multiple of STEP), nobody can take the one out and put the other in.
+    """The control's table bends Y over X by 100 µm; the circle was taken with another one: without
+    the sign of CEC values, and with a table that is no curve (its range no multiple of STEP),
+    nobody can take the one out and put the other in.
     """
 
     def written(value: str) -> str:
@@ -264,7 +339,14 @@ def test_a_circle_taken_with_other_tables_between_the_axes_is_no_word_on_what_is
 
     def tried(then: str) -> int:
         circles = f"[{{file: xy.csv, name: xy-150, centre: [400, -250], measured_in: {then}}}]"
-        return run(folder, SIEMENS, options=sign, apply="{}", states="[NOW.INI], then: [THEN.INI]", circles=circles)
+        return run(
+            folder,
+            SIEMENS,
+            options=sign,
+            apply="{}",
+            states="[NOW.INI], then: [THEN.INI]",
+            circles=circles,
+        )
 
     assert tried("then") == code
     assert ("cannot be counted with" in capsys.readouterr().err) is (code == 3)

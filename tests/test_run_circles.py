@@ -1,6 +1,8 @@
-"""Circles through run and verify: a bent machine is measured, corrected, read back by the judge, and measured again.
+"""Circles through run and verify: a bent machine is measured, corrected, read back by the judge,
+and measured again.
 
-The machine stands here a second time, in exact geometry and apart from the package's own simulator; a test holds the two together.
+The machine stands here a second time, in exact geometry and apart from the package's own simulator;
+a test holds the two together.
 """
 
 from __future__ import annotations
@@ -42,7 +44,9 @@ AXIS_Y = Machine(low=-500.0, high=0.0, slope=-20e-6, bow=0.0, lost=0.003, noise=
 
 @dataclass(frozen=True)
 class Bent:
-    """Two axes with scale and lost motion of their own, squareness (rad, > 0: more than 90°), a late first axis (s), noise (mm)."""
+    """Two axes with scale and lost motion of their own, squareness (rad, > 0: more than 90°), a
+    late first axis (s), noise (mm).
+    """
 
     x: Machine = AXIS_X
     y: Machine = AXIS_Y
@@ -50,8 +54,16 @@ class Bent:
     lag: float = 1e-4
     noise: float = 0.0003
 
-    def circle(self, seed: int, judge: VirtualControl | None = None, feed: float = FEED, shrink: float = 0.0) -> CircularTest:
-        """Measure a circle, with a control's tables acting; ``shrink``: by what lag makes it smaller at `FEED`, mm."""
+    def circle(
+        self,
+        seed: int,
+        judge: VirtualControl | None = None,
+        feed: float = FEED,
+        shrink: float = 0.0,
+    ) -> CircularTest:
+        """Measure a circle, with a control's tables acting; ``shrink``: by what lag makes it
+        smaller at `FEED`, mm.
+        """
         centre = CENTRE
         rng = np.random.default_rng(seed)
         runs = []
@@ -60,7 +72,10 @@ class Bent:
             theta = along if d > 0 else 2.0 * np.pi - along
             late = theta - d * feed / 60.0 / RADIUS * self.lag
             x, y = centre[0] + RADIUS * np.cos(late), centre[1] + RADIUS * np.sin(theta)
-            moves_x, moves_y = np.where(d * np.sin(late) >= 0, -1, 1), np.where(d * np.cos(theta) >= 0, 1, -1)
+            moves_x, moves_y = (
+                np.where(d * np.sin(late) >= 0, -1, 1),
+                np.where(d * np.cos(theta) >= 0, 1, -1),
+            )
             u = x - centre[0] + moved(self.x.error, x, moves_x)
             v = y - centre[1] + moved(self.y.error, y, moves_y)
             if judge is not None:
@@ -72,7 +87,10 @@ class Bent:
                     u, v = (u + shift, v) if corrected == "AX1" else (u, v + shift)
             u = u - self.squareness * v
             deviations = (
-                np.hypot(u + 0.02, v - 0.01) - RADIUS - shrink * (feed / FEED) ** 2 + self.noise * rng.standard_normal(theta.size)
+                np.hypot(u + 0.02, v - 0.01)
+                - RADIUS
+                - shrink * (feed / FEED) ** 2
+                + self.noise * rng.standard_normal(theta.size)
             )
             runs.append(CircularRun(sense=sense, angles=np.degrees(theta), deviations=deviations))  # type: ignore[arg-type]
         return CircularTest(
@@ -97,24 +115,34 @@ def acts(judge: VirtualControl, address: str, output: str = "") -> Callable[[Flo
         way = Direction.POSITIVE if sign > 0 else Direction.NEGATIVE
         if not output and address not in judge.addresses():
             return np.zeros(np.shape(where))  # the files hold nothing but tables between axes
-        return judge.cross_correction(address, output, where, way) if output else judge.correction(address, where, way)
+        return (
+            judge.cross_correction(address, output, where, way)
+            if output
+            else judge.correction(address, where, way)
+        )
 
     return correction
 
 
 def judge_of(folder: Path) -> VirtualControl:
     files = [ControlFile(path.name, path.read_bytes()) for path in sorted(folder.iterdir())]
-    return virtual_control(SIEMENS, files, reference_return={"AX1": Direction.POSITIVE, "AX2": Direction.POSITIVE})
+    return virtual_control(
+        SIEMENS, files, reference_return={"AX1": Direction.POSITIVE, "AX2": Direction.POSITIVE}
+    )
 
 
 def write_circle(path: Path, test: CircularTest) -> None:
     path.write_bytes(to_circular_csv(test, {}))
 
 
-def write_axis(path: Path, machine: Machine, seed: int, judge: VirtualControl | None, address: str) -> None:
+def write_axis(
+    path: Path, machine: Machine, seed: int, judge: VirtualControl | None, address: str
+) -> None:
     targets = machine.targets()
     correction = None if judge is None else acts(judge, address)
-    path.write_text(csv_of(targets, machine.measure(targets, seed, correction), axis=path.stem[0].upper()))
+    path.write_text(
+        csv_of(targets, machine.measure(targets, seed, correction), axis=path.stem[0].upper())
+    )
 
 
 def job(
@@ -133,7 +161,8 @@ def job(
     first, second = {SIEMENS: ("AX1", "AX2"), "linuxcnc": ("0", "1")}.get(control, ("X", "Y"))
     path = folder / "job.yaml"
     path.write_text(
-        f"compwright: 1\ncontroller: {{format: {control}, options: {options}}}\nstates: {{as_found: {states}}}\naxes:\n"
+        f"compwright: 1\ncontroller: {{format: {control}, options: {options}}}\nstates: {{as_found:"
+        f" {states}}}\naxes:\n"
         f'  X: {{travel: [0, 800], address: "{first}", before: [x.csv]{x}}}\n'
         f'  Y: {{travel: [-500, 0], address: "{second}", before: {y_before}{y}}}\n'
         f"circles: [{{file: xy.csv, name: xy-150, {circle}}}]\napply: {apply}\n{extra}"
@@ -190,15 +219,22 @@ def test_the_machine_here_is_that_of_the_simulator() -> None:
     def along(axis: str, where: Floats, moves: Floats) -> Floats:
         return moved((machine.x if axis == "X" else machine.y).error, where, moves)
 
-    errors = CircleErrors(first=CircleAxis(lag=machine.lag), squareness=machine.squareness, offset=(0.02, -0.01))
-    theirs = simulate_circle(errors, CirclePlan(radius=RADIUS, feed=FEED, centre=CENTRE), corrections=along)
+    errors = CircleErrors(
+        first=CircleAxis(lag=machine.lag), squareness=machine.squareness, offset=(0.02, -0.01)
+    )
+    theirs = simulate_circle(
+        errors, CirclePlan(radius=RADIUS, feed=FEED, centre=CENTRE), corrections=along
+    )
     for mine, other in zip(machine.circle(0).runs, theirs.runs, strict=True):
         assert mine.sense == other.sense
         cos, sin = np.cos(np.radians(mine.angles)), np.sin(np.radians(mine.angles))
-        basis = np.column_stack([cos, sin])  # their set-up point lies where the corrections are zero: another centre
+        basis = np.column_stack(
+            [cos, sin]
+        )  # their set-up point lies where the corrections are zero: another centre
         rest = mine.deviations - other.deviations
         rest = rest - basis @ np.linalg.lstsq(basis, rest, rcond=None)[0]
-        # 1e-5 mm: second order of the other centre, 12 µm: (12e-3)² / (2 · 150) = 5e-7 mm, and the squareness of it
+        # 1e-5 mm: second order of the other centre, 12 µm: (12e-3)² / (2 · 150) = 5e-7 mm, and the
+        # squareness of it
         assert np.max(np.abs(rest)) < 1e-5
 
 
@@ -224,20 +260,25 @@ def test_a_bent_machine_is_straight_after_one_round(done: Path) -> None:
     write_circle(done / "floor.csv", floor.circle(12))
     ideal = diagnosed(done / "floor.csv", done / "floor.json")["parameters"]
     for name in ("G_ccw", "G_cw", "G_bidirectional"):
-        assert result["parameters"][name] < ideal[name] + 0.8  # µm: the errors of scale and reversal left, each 0.1 to 0.3
+        assert (
+            result["parameters"][name] < ideal[name] + 0.8
+        )  # µm: the errors of scale and reversal left, each 0.1 to 0.3
         band = circle["predicted"][name]
         assert band["p05"] - 0.5 < result["parameters"][name] < band["p95"] + 0.5  # µm
 
 
 @pytest.mark.parametrize("bent", ["X", "Y"])
 @pytest.mark.parametrize("squareness", [40e-6, -25e-6])
-def test_the_ramp_has_the_sign_and_the_axes_of_the_methods(tmp_path: Path, bent: str, squareness: float) -> None:
+def test_the_ramp_has_the_sign_and_the_axes_of_the_methods(
+    tmp_path: Path, bent: str, squareness: float
+) -> None:
     measure(tmp_path, replace(Bent(), squareness=squareness))
     assert compwright(["run", str(job(tmp_path, apply=f"{{squareness: {{XY: {bent}}}}}"))]) == 0
     (cross,) = document(tmp_path / "job" / "prediction.json")["cross"]
     given = "Y" if bent == "X" else "X"
     assert (cross["input"], cross["output"], cross["unit"]) == (given, bent, "um")
-    # + beta times the distance of the other axis from its reference, 0 (methods, section 2): mm times µm/m is 1e-3 µm
+    # + beta times the distance of the other axis from its reference, 0 (methods, section 2): mm
+    # times µm/m is 1e-3 µm
     expected = [squareness * 1e6 * position * 1e-3 for position in cross["positions"]]
     assert cross["correction"] == pytest.approx(expected, abs=0.3 * 0.8)  # 0.3 µm/m over 0.8 m
     assert cross["positions"] == ([0.0, 800.0] if given == "X" else [-500.0, 0.0])
@@ -254,31 +295,57 @@ def test_the_reference_of_the_input_axis_is_where_the_ramp_is_zero(folder: Path)
     assert cross["correction"][0] == pytest.approx(-32.0, abs=0.3)  # µm: 40 µm/m · (0 - 0.8 m)
 
 
-def test_nothing_is_corrected_from_a_circle_unless_asked(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_nothing_is_corrected_from_a_circle_unless_asked(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert compwright(["run", str(job(folder, apply="{}"))]) == 0
     prediction = document(folder / "job" / "prediction.json")
     assert prediction["cross"] == []
     assert "CW-P108" in codes(capsys)
     circle = prediction["circles"]["xy-150"]
-    assert circle["predicted"]["squareness"]["median"] == pytest.approx(circle["before"]["squareness"], abs=0.2)  # µm/m
-    # ... while the tables of the axes change what they change: lost motion and the mismatch of scale
+    assert circle["predicted"]["squareness"]["median"] == pytest.approx(
+        circle["before"]["squareness"], abs=0.2
+    )  # µm/m
+    # ... while the tables of the axes change what they change: lost motion and the mismatch of
+    # scale
     assert circle["before"]["backlash_first"] == pytest.approx(5.0, abs=0.3)  # µm
     assert abs(circle["predicted"]["backlash_first"]["median"]) < 0.3
-    assert circle["before"]["scale_mismatch"] == pytest.approx(45e-6 * 2 * RADIUS * 1e3, abs=0.3)  # µm over the diameter
+    assert circle["before"]["scale_mismatch"] == pytest.approx(
+        45e-6 * 2 * RADIUS * 1e3, abs=0.3
+    )  # µm over the diameter
     assert abs(circle["predicted"]["scale_mismatch"]["median"]) < 0.3
 
 
-def test_a_control_that_cannot_hold_squareness_says_so(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_control_that_cannot_hold_squareness_says_so(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert compwright(["run", str(job(folder, options="{}"))]) == 1
     said = codes(capsys)
     assert "error CW-P113" in said
     assert "cec: available" in said
     assert document(folder / "job" / "prediction.json")["cross"] == []
-    assert "Not corrected: squareness of Y over X" in (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
+    assert "Not corrected: squareness of Y over X" in (
+        folder / "job" / "card" / "card.md"
+    ).read_text(encoding="utf-8")
 
 
-def test_too_few_free_tables_leave_the_axes_as_they_are(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert compwright(["run", str(job(folder, options="{cec: available, cec_sign: correction, cec_tables: [0, 1, 2, 3]}"))]) == 1
+def test_too_few_free_tables_leave_the_axes_as_they_are(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert (
+        compwright(
+            [
+                "run",
+                str(
+                    job(
+                        folder,
+                        options="{cec: available, cec_sign: correction, cec_tables: [0, 1, 2, 3]}",
+                    )
+                ),
+            ]
+        )
+        == 1
+    )
     assert "error CW-P113" in codes(capsys)
     assert document(folder / "job" / "prediction.json")["axes"]["X"]["table"] is not None
 
@@ -286,39 +353,59 @@ def test_too_few_free_tables_leave_the_axes_as_they_are(folder: Path, capsys: py
 @pytest.mark.parametrize(("bent", "pin"), [("Y", "C_yx"), ("X", "C_xy")])
 def test_linuxcnc_gets_the_values_of_matrixkins(folder: Path, bent: str, pin: str) -> None:
     path = job(folder, options="{}", control="linuxcnc", apply=f"{{squareness: {{XY: {bent}}}}}")
-    assert compwright(["run", str(path)]) == 1  # the rest is done; no file of this control holds a squareness
+    assert (
+        compwright(["run", str(path)]) == 1
+    )  # the rest is done; no file of this control holds a squareness
     card = (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
     # facts 3.4: actual X = X + theta Y has C_xy = -theta; here theta = -beta, so C is + beta
-    found = re.search(r"add ([+-]0\.\d+) to the value of matrixkins\.(C_..)", card.replace("\\", ""))
+    found = re.search(
+        r"add ([+-]0\.\d+) to the value of matrixkins\.(C_..)", card.replace("\\", "")
+    )
     assert found is not None
     assert float(found[1]) == pytest.approx(40e-6, abs=1e-6)
     assert found[2] == pin
 
 
 @pytest.mark.parametrize(("values", "sign"), [("error", -1.0), ("correction", 1.0)])
-def test_heidenhain_gets_a_column_to_type_in(folder: Path, values: str, sign: float, capsys: pytest.CaptureFixture[str]) -> None:
+def test_heidenhain_gets_a_column_to_type_in(
+    folder: Path, values: str, sign: float, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = job(folder, options=f"{{table_values: {values}}}", control="heidenhain-nck")
     assert compwright(["run", str(path)]) == 0
     assert "CW-P113" in codes(capsys)
     lines = (folder / "job" / "card" / "cross_X_Y.csv").read_text(encoding="utf-8").splitlines()
     assert lines[1] == f"# value: {values}"
     ends = [[float(cell) for cell in line.split(",")[:2]] for line in lines[3:]]
-    # Bend Y: + beta (x - reference), beta = 40 µm/m over 800 mm, as correction; within 1 µm/m of squareness and half of 0.0001 mm.
+    # Bend Y: + beta (x - reference), beta = 40 µm/m over 800 mm, as correction; within 1 µm/m of
+    # squareness and half of 0.0001 mm.
     assert ends[0] == [0.0, 0.0]
     assert ends[-1] == [800.0, pytest.approx(sign * 0.032, abs=0.0009)]
     assert "unconfirmed" in (folder / "job" / "card" / "card.md").read_text(encoding="utf-8")
 
 
-def test_fanuc_gets_a_sheet_of_straightness_compensation_only_when_the_job_names_the_option(folder: Path) -> None:
+def test_fanuc_gets_a_sheet_of_straightness_compensation_only_when_the_job_names_the_option(
+    folder: Path,
+) -> None:
     card = folder / "job" / "card"
     for options, there in (("", False), (", straightness: available", True)):
-        path = job(folder, options=f"{{detection_unit: 0.001, first_point: 0{options}}}", control="fanuc-30i")
-        path.write_text(path.read_text().replace('address: "X"', 'address: "1"').replace('address: "Y"', 'address: "2"'))
+        path = job(
+            folder,
+            options=f"{{detection_unit: 0.001, first_point: 0{options}}}",
+            control="fanuc-30i",
+        )
+        path.write_text(
+            path.read_text()
+            .replace('address: "X"', 'address: "1"')
+            .replace('address: "Y"', 'address: "2"')
+        )
         assert compwright(["run", str(path), "--force"]) == (0 if there else 1)
         assert (card / "straightness_X_Y.csv").exists() is there
-    rows = dict(line.split(",")[:2] for line in (card / "straightness_X_Y.csv").read_text().splitlines()[2:])
+    rows = dict(
+        line.split(",")[:2] for line in (card / "straightness_X_Y.csv").read_text().splitlines()[2:]
+    )
     assert (rows["5711"], rows["5721"]) == ("1", "2")
-    # facts A5: the amount rises by -gamma L / u = + beta L / u; 40 µm/m over 800 mm are 32 pulses of 1 µm, within 1 µm/m.
+    # facts A5: the amount rises by -gamma L / u = + beta L / u; 40 µm/m over 800 mm are 32 pulses
+    # of 1 µm, within 1 µm/m.
     assert int(rows["5763"]) - int(rows["5761"]) == pytest.approx(32, abs=1)
     assert int(rows["5761"]) == 0  # zero at the reference
     assert "unconfirmed" in (card / "card.md").read_text(encoding="utf-8")
@@ -329,30 +416,69 @@ def test_plan_and_evaluation_carry_the_circle(done: Path) -> None:
     content = (out / "plan.json").read_bytes()
     plan = read_plan(content, "plan.json")
     (cross,) = plan.cross
-    assert (cross.input, cross.output, cross.source, cross.tests) == ("X", "Y", "circle", ("xy-150",))
+    assert (cross.input, cross.output, cross.source, cross.tests) == (
+        "X",
+        "Y",
+        "circle",
+        ("xy-150",),
+    )
     assert cross.squareness == pytest.approx(40e-6, abs=1e-6)
     assert plan.circles["xy-150"].centre == CENTRE
     assert plan.circles["xy-150"].test.runs[1].deviations.size == 1500
     assert to_json(plan_document(plan)).encode() == content
-    kinds = [(result["kind"], result["name"]) for result in document(out / "evaluation.json")["results"]]
+    kinds = [
+        (result["kind"], result["name"]) for result in document(out / "evaluation.json")["results"]
+    ]
     assert kinds == [("positioning", "x"), ("positioning", "y"), ("circular", "xy-150")]
 
 
-def test_export_carries_the_correction_between_axes(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """A control that could not hold it when the plan was made may have learnt to; another one says that it cannot."""
+def test_export_carries_the_correction_between_axes(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A control that could not hold it when the plan was made may have learnt to; another one says
+    that it cannot.
+    """
     assert compwright(["run", str(job(folder, options="{}"))]) == 1
     (cross,) = read_plan((folder / "job" / "plan.json").read_bytes(), "").cross
     assert not cross.written
-    words = ["export", str(folder / "job" / "plan.json"), "--out", str(folder / "again"), "--format", SIEMENS]
+    words = [
+        "export",
+        str(folder / "job" / "plan.json"),
+        "--out",
+        str(folder / "again"),
+        "--format",
+        SIEMENS,
+    ]
     assert (
-        compwright([*words, "--option", "cec=available", "--option", "cec_sign=correction", "--option", "cec_tables=0,1,2,3,4,5"])
+        compwright(
+            [
+                *words,
+                "--option",
+                "cec=available",
+                "--option",
+                "cec_sign=correction",
+                "--option",
+                "cec_tables=0,1,2,3,4,5",
+            ]
+        )
         == 0
     )
     judge = judge_of(folder / "again")
     assert judge.cross() == (("AX1", "AX2"),)
-    assert judge.cross_correction("AX1", "AX2", np.array([800.0]), Direction.POSITIVE) == pytest.approx([0.032], abs=3e-4)  # mm
+    assert judge.cross_correction(
+        "AX1", "AX2", np.array([800.0]), Direction.POSITIVE
+    ) == pytest.approx([0.032], abs=3e-4)  # mm
     capsys.readouterr()
-    words = ["export", str(folder / "job" / "plan.json"), "--out", str(folder / "other"), "--format", "linuxcnc", "--state", "none"]
+    words = [
+        "export",
+        str(folder / "job" / "plan.json"),
+        "--out",
+        str(folder / "other"),
+        "--format",
+        "linuxcnc",
+        "--state",
+        "none",
+    ]
     assert compwright(words) == 1
     assert "matrixkins.C_yx" in capsys.readouterr().err
 
@@ -360,11 +486,20 @@ def test_export_carries_the_correction_between_axes(folder: Path, capsys: pytest
 def test_decode_shows_what_one_axis_does_to_the_other(done: Path) -> None:
     tables = sorted((done / "job" / "tables" / SIEMENS).iterdir())
     for at, positions in (([], [0.0, 800.0]), (["--at", "800,200"], [800.0, 200.0])):
-        options = [*(str(path) for path in tables), "--format", SIEMENS, *at, "--json", str(done / f"decode{len(at)}.json")]
+        options = [
+            *(str(path) for path in tables),
+            "--format",
+            SIEMENS,
+            *at,
+            "--json",
+            str(done / f"decode{len(at)}.json"),
+        ]
         assert compwright(["decode", *options]) == 0
         (cross,) = document(done / f"decode{len(at)}.json")["cross"]
         assert (cross["input"], cross["output"], cross["positions"]) == ("AX1", "AX2", positions)
-        assert cross["correction"] == pytest.approx([0.04 * position for position in positions], abs=0.3)  # µm: 40 µm/m
+        assert cross["correction"] == pytest.approx(
+            [0.04 * position for position in positions], abs=0.3
+        )  # µm: 40 µm/m
 
 
 def test_the_same_job_gives_the_same_bytes(folder: Path) -> None:
@@ -385,7 +520,9 @@ def after_files(folder: Path, machine: Bent, tables: Path | None) -> list[str]:
 
 
 def verify(path: Path, *after: str) -> int:
-    return compwright(["verify", str(path), *(word for file in after for word in ("--after", file)), "--force"])
+    return compwright(
+        ["verify", str(path), *(word for file in after for word in ("--after", file)), "--force"]
+    )
 
 
 def test_verify_finds_the_circle_by_its_plane_and_squareness_gone(folder: Path) -> None:
@@ -402,7 +539,10 @@ def test_verify_finds_the_circle_by_its_plane_and_squareness_gone(folder: Path) 
     assert 0.1 < circle["squareness"]["U"] < 1.0  # µm/m: 2 · √2 · 0.15
     band = circle["predicted"]["squareness"]
     assert band["p05"] < 0.0 < band["p95"]
-    within = [circle["within_prediction"][name] for name in ("squareness", "scale_mismatch", "backlash_first", "backlash_second")]
+    within = [
+        circle["within_prediction"][name]
+        for name in ("squareness", "scale_mismatch", "backlash_first", "backlash_second")
+    ]
     assert within.count(True) >= 2  # of four 90 % intervals
 
 
@@ -411,20 +551,32 @@ def test_verify_of_the_circle_alone_sees_that_the_cross_table_does_not_act(folde
     assert compwright(["run", str(path)]) == 0
     tables = folder / "job" / "tables" / SIEMENS
     files = after_files(folder, Bent(), tables)
-    assert verify(path, f"xy-150={files[2]}") == 1  # the squareness is gone, but X and Y were planned too and not measured
+    assert (
+        verify(path, f"xy-150={files[2]}") == 1
+    )  # the squareness is gone, but X and Y were planned too and not measured
     answer = document(folder / "job" / "verification.json")
-    assert (answer["verdict"], answer["circles"]["xy-150"]["squareness"]["decision"]) == ("undecided", "accept")
+    assert (answer["verdict"], answer["circles"]["xy-150"]["squareness"]["decision"]) == (
+        "undecided",
+        "accept",
+    )
     assert [doubt["code"] for doubt in answer["doubts"]] == ["CW-V023", "CW-V023"]
     assert verify(path, *files[:2]) == 1
-    assert "squareness of XY" in document(folder / "job" / "verification.json")["doubts"][0]["message"]
+    assert (
+        "squareness of XY" in document(folder / "job" / "verification.json")["doubts"][0]["message"]
+    )
     (tables / "AX2_CROSS.INI").unlink()
     files = after_files(folder, Bent(), tables)
     assert verify(path, files[2]) == 1
     answer = document(folder / "job" / "verification.json")
-    assert (answer["verdict"], answer["circles"]["xy-150"]["squareness"]["decision"]) == ("bad", "reject")
+    assert (answer["verdict"], answer["circles"]["xy-150"]["squareness"]["decision"]) == (
+        "bad",
+        "reject",
+    )
 
 
-def test_a_circle_does_not_count_in_the_verdict_when_nothing_of_it_was_applied(folder: Path) -> None:
+def test_a_circle_does_not_count_in_the_verdict_when_nothing_of_it_was_applied(
+    folder: Path,
+) -> None:
     path = job(folder, apply="{}")
     assert compwright(["run", str(path)]) == 0
     files = after_files(folder, Bent(), folder / "job" / "tables" / SIEMENS)
@@ -432,7 +584,9 @@ def test_a_circle_does_not_count_in_the_verdict_when_nothing_of_it_was_applied(f
     assert document(folder / "job" / "verification.json")["circles"]["xy-150"]["squareness"] is None
 
 
-def test_verify_refuses_a_circle_of_another_plane(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_verify_refuses_a_circle_of_another_plane(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = job(folder)
     assert compwright(["run", str(path)]) == 0
     write_circle(folder / "zx.csv", replace(Bent().circle(1), plane="ZX", axes=("Z", "X")))
@@ -441,24 +595,34 @@ def test_verify_refuses_a_circle_of_another_plane(folder: Path, capsys: pytest.C
 
 
 def test_a_circle_measured_in_another_state_uses_that_state(done: Path) -> None:
-    """With the tables loaded the circle is straight; the machine without them is not: the ramp is the same."""
+    """With the tables loaded the circle is straight; the machine without them is not: the ramp is
+    the same.
+    """
     tables = done / "job" / "tables" / SIEMENS
     (cross,) = document(done / "job" / "prediction.json")["cross"]
     write_circle(done / "xy.csv", Bent().circle(9, judge_of(tables)))
     loaded = done / "loaded"
     tables.rename(loaded)
     path = job(done, circle="centre: [400, -250], measured_in: with_tables")
-    path.write_text(path.read_text().replace("{as_found: none}", "{as_found: none, with_tables: [loaded]}"))
+    path.write_text(
+        path.read_text().replace("{as_found: none}", "{as_found: none, with_tables: [loaded]}")
+    )
     assert compwright(["run", str(path), "--out", str(done / "again")]) == 0
     prediction = document(done / "again" / "prediction.json")
     assert abs(prediction["circles"]["xy-150"]["before"]["squareness"]) < 2.0  # µm/m
     (again,) = prediction["cross"]
-    assert again["correction"] == pytest.approx(cross["correction"], abs=0.5)  # µm: 2 · 0.3 µm/m over 0.8 m
-    assert abs(prediction["circles"]["xy-150"]["predicted"]["backlash_first"]["median"]) < 0.3  # µm: no change, not - 5
+    assert again["correction"] == pytest.approx(
+        cross["correction"], abs=0.5
+    )  # µm: 2 · 0.3 µm/m over 0.8 m
+    assert (
+        abs(prediction["circles"]["xy-150"]["predicted"]["backlash_first"]["median"]) < 0.3
+    )  # µm: no change, not - 5
 
 
 def test_a_second_round_adds_to_what_acts(done: Path) -> None:
-    """The machine has bent further by 10 µm/m since: the old ramp stays and a new one takes the rest."""
+    """The machine has bent further by 10 µm/m since: the old ramp stays and a new one takes the
+    rest.
+    """
     (done / "job" / "tables" / SIEMENS).rename(done / "control")
     judge = judge_of(done / "control")
     machine = replace(Bent(), squareness=50e-6)
@@ -470,27 +634,39 @@ def test_a_second_round_adds_to_what_acts(done: Path) -> None:
     prediction = document(done / "again" / "prediction.json")
     assert prediction["circles"]["xy-150"]["before"]["squareness"] == pytest.approx(10.0, abs=1.0)
     (cross,) = prediction["cross"]
-    assert cross["correction"] == pytest.approx([0.05 * position for position in cross["positions"]], abs=0.6)  # µm, the total
+    assert cross["correction"] == pytest.approx(
+        [0.05 * position for position in cross["positions"]], abs=0.6
+    )  # µm, the total
     assert abs(prediction["circles"]["xy-150"]["predicted"]["squareness"]["median"]) < 1.0
 
 
-def test_a_missing_centre_is_said_and_the_middle_taken(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_missing_centre_is_said_and_the_middle_taken(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert compwright(["run", str(job(folder, circle="measured_in: as_found"))]) == 0
     assert "CW-P101" in codes(capsys)
-    assert read_plan((folder / "job" / "plan.json").read_bytes(), "").circles["xy-150"].centre == (400.0, -250.0)
+    assert read_plan((folder / "job" / "plan.json").read_bytes(), "").circles["xy-150"].centre == (
+        400.0,
+        -250.0,
+    )
 
 
 def test_three_numbers_of_a_centre_are_x_y_and_z() -> None:
     request = CircleRequest(files=("a",), name="zx", centre=(400.0, -250.0, -300.0))
     test = replace(Bent().circle(1), plane="ZX", axes=("z", "x"))
-    axes = {name: Axis(name=name, kind=AxisKind.LINEAR, travel=(-500.0, 800.0), address=name) for name in ("X", "Z")}
+    axes = {
+        name: Axis(name=name, kind=AxisKind.LINEAR, travel=(-500.0, 800.0), address=name)
+        for name in ("X", "Z")
+    }
     work = start_circle(request, test, axes)
     assert (work.planned.test.axes, work.planned.centre) == (("Z", "X"), (-300.0, 400.0))
     with pytest.raises(InputError, match="two numbers, of X1 and Y1"):
         start_circle(request, replace(test, axes=("X1", "Y1")), axes)
 
 
-def test_lost_motion_of_the_circle_when_asked_and_the_disagreement(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_lost_motion_of_the_circle_when_asked_and_the_disagreement(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """The moving axis loses 2 µm more than the standing one."""
     machine = replace(Bent(), x=replace(Bent().x, lost=0.007))
     write_circle(folder / "xy.csv", machine.circle(3))
@@ -513,7 +689,9 @@ def test_agreement_of_laser_and_circle_is_not_reported(done: Path) -> None:
     assert not {code for code in ("CW-P114", "CW-P115", "CW-P116") if code in said}
 
 
-def test_disagreement_about_the_mismatch_of_scale(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_disagreement_about_the_mismatch_of_scale(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     machine = replace(Bent(), x=replace(Bent().x, slope=45e-6))  # the laser saw 25 µm/m
     write_circle(folder / "xy.csv", machine.circle(3))
     assert compwright(["run", str(job(folder))]) == 0
@@ -529,15 +707,24 @@ def cross_of(folder: Path, **words: str) -> Any:
 
 
 def test_a_square_gives_a_ramp_and_a_straightedge_a_curve(folder: Path) -> None:
-    """Deviation of Y over X: the correction is its opposite, zero at the reference of X; equal steps hold every measured point."""
-    measured = "cross: [{input: X, output: Y, positions: [100, 700], deviations: [-4, -28], unit: um}]\n"
+    """Deviation of Y over X: the correction is its opposite, zero at the reference of X; equal
+    steps hold every measured point.
+    """
+    measured = (
+        "cross: [{input: X, output: Y, positions: [100, 700], deviations: [-4, -28], unit: um}]\n"
+    )
     (ramp,) = cross_of(folder, extra=measured, apply="{}")
     assert (ramp["input"], ramp["output"], ramp["positions"]) == ("X", "Y", [0.0, 800.0])
-    assert ramp["correction"] == pytest.approx([0.0, 32.0], abs=1e-3)  # µm: 40 µm/m over 0.8 m, beyond the ends too
+    assert ramp["correction"] == pytest.approx(
+        [0.0, 32.0], abs=1e-3
+    )  # µm: 40 µm/m over 0.8 m, beyond the ends too
 
 
 def test_a_straightedge_gives_its_curve_and_the_mean_slope_beyond_it(folder: Path) -> None:
-    measured = "cross: [{input: X, output: Y, positions: [600, 200, 400], deviations: [0, 0, 0.003], unit: mm}]\n"
+    measured = (
+        "cross: [{input: X, output: Y, positions: [600, 200, 400], deviations: [0, 0, 0.003], unit:"
+        " mm}]\n"
+    )
     (curve,) = cross_of(folder, extra=measured, apply="{}")
     assert curve["positions"] == [0.0, 200.0, 400.0, 600.0, 800.0]
     assert curve["correction"] == pytest.approx([0.0, 0.0, -3.0, 0.0, 0.0], abs=1e-3)  # µm
@@ -550,19 +737,31 @@ def cross_of_again(folder: Path, **words: str) -> Any:
     return document(folder / "job" / "prediction.json")["cross"]
 
 
-def test_the_direct_measurement_wins_and_the_circle_checks_it(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_direct_measurement_wins_and_the_circle_checks_it(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """More than 90°: trued on Y, X runs off towards - Y by 40 µm/m (32 µm over 0.8 m)."""
     for deviation, code in ((-32, "CW-P105"), (-16, "CW-P104")):
-        measured = f"cross: [{{input: X, output: Y, positions: [0, 800], deviations: [0, {deviation}], unit: um}}]\n"
+        measured = (
+            f"cross: [{{input: X, output: Y, positions: [0, 800], deviations: [0, {deviation}],"
+            " unit: um}]\n"
+        )
         for bent in ("Y", "X"):  # never both: the plane would be corrected twice
-            (cross,) = cross_of_again(folder, extra=measured, apply=f"{{squareness: {{XY: {bent}}}}}")
+            (cross,) = cross_of_again(
+                folder, extra=measured, apply=f"{{squareness: {{XY: {bent}}}}}"
+            )
             assert (cross["input"], cross["output"]) == ("X", "Y")
             assert cross["correction"] == pytest.approx([0.0, -deviation], abs=1e-3)
             assert code in codes(capsys)
 
 
-def test_uneven_points_and_an_extrapolation_are_said(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    measured = "cross: [{input: X, output: Y, positions: [0, 70, 190, 310], deviations: [0, 2, 0, 0], unit: um}]\n"
+def test_uneven_points_and_an_extrapolation_are_said(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    measured = (
+        "cross: [{input: X, output: Y, positions: [0, 70, 190, 310], deviations: [0, 2, 0, 0],"
+        " unit: um}]\n"
+    )
     (cross,) = cross_of(folder, extra=measured, apply="{}")
     assert len(set(np.round(np.diff(cross["positions"]), 6))) == 1
     said = codes(capsys)
@@ -570,7 +769,9 @@ def test_uneven_points_and_an_extrapolation_are_said(folder: Path, capsys: pytes
     assert "CW-P111" in said  # 310 mm measured, 800 mm corrected
 
 
-def test_bending_a_gantry_axis_is_warned_of(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_bending_a_gantry_axis_is_warned_of(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert (
         compwright(
             [
@@ -579,7 +780,10 @@ def test_bending_a_gantry_axis_is_warned_of(folder: Path, capsys: pytest.Capture
                     job(
                         folder,
                         y=", gantry: AX5",
-                        options="{cec: available, cec_sign: correction, cec_tables: [0, 1, 2, 3, 4, 5, 6, 7, 8]}",
+                        options=(
+                            "{cec: available, cec_sign: correction, cec_tables: [0, 1, 2, 3, 4, 5,"
+                            " 6, 7, 8]}"
+                        ),
                     )
                 ),
             ]
@@ -589,28 +793,38 @@ def test_bending_a_gantry_axis_is_warned_of(folder: Path, capsys: pytest.Capture
     assert "CW-P112" in codes(capsys)
 
 
-def test_a_squareness_within_its_uncertainty_is_left_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_squareness_within_its_uncertainty_is_left_alone(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     measure(tmp_path, replace(Bent(), squareness=0.0))
     assert cross_of(tmp_path) == []
     assert "CW-P107" in codes(capsys)
 
 
-def test_circles_of_one_plane_that_disagree(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_circles_of_one_plane_that_disagree(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     write_circle(folder / "other.csv", replace(Bent(), squareness=60e-6).circle(8))
     path = job(folder)
-    path.write_text(path.read_text().replace("circles: [", "circles: [{file: other.csv, centre: [400, -250]}, "))
+    path.write_text(
+        path.read_text().replace("circles: [", "circles: [{file: other.csv, centre: [400, -250]}, ")
+    )
     assert compwright(["run", str(path)]) == 0
     assert "CW-P110" in codes(capsys)
     (cross,) = read_plan((folder / "job" / "plan.json").read_bytes(), "").cross
     assert cross.squareness == pytest.approx(50e-6, abs=3e-6)  # rad: the weighted mean of two alike
-    assert cross.std_error == pytest.approx(10e-6, rel=0.2)  # rad: half the difference, for 1/sqrt(2) of sqrt(2) of it
+    assert cross.std_error == pytest.approx(
+        10e-6, rel=0.2
+    )  # rad: half the difference, for 1/sqrt(2) of sqrt(2) of it
 
 
 # --- scale from circles ---
 
 
 def scale_of(folder: Path, circles: str = "", **words: str) -> Any:
-    """The table that Y gets without a positioning test, as a function of position, µm; None without one."""
+    """The table that Y gets without a positioning test, as a function of position, µm; None without
+    one.
+    """
     path = job(folder, y_before="[]", apply="{scale: [Y]}", **words)
     path.write_text(path.read_text().replace("circles: [", f"circles: [{circles}"))
     assert compwright(["run", str(path), "--force"]) == 0
@@ -622,27 +836,38 @@ def scale_of(folder: Path, circles: str = "", **words: str) -> Any:
     judge = judge_of(folder / "job" / "tables" / SIEMENS)
     where = np.array([-500.0, 0.0])
     np.testing.assert_allclose(
-        judge.correction("AX2", where, Direction.POSITIVE), fitted.compensation.at(where, Direction.POSITIVE)
+        judge.correction("AX2", where, Direction.POSITIVE),
+        fitted.compensation.at(where, Direction.POSITIVE),
     )
     return judge.correction("AX2", where, Direction.POSITIVE) * 1e3
 
 
-def test_the_scale_of_an_axis_comes_from_the_mismatch_and_the_laser_on_the_other(folder: Path, capsys: Any) -> None:
-    """Y travels 20 µm/m too short: at - 500 mm it stands 10 µm too far to +, so the correction is - 10 µm."""
+def test_the_scale_of_an_axis_comes_from_the_mismatch_and_the_laser_on_the_other(
+    folder: Path, capsys: Any
+) -> None:
+    """Y travels 20 µm/m too short: at - 500 mm it stands 10 µm too far to +, so the correction is -
+    10 µm.
+    """
     table = scale_of(folder)
     assert "CW-P120" in codes(capsys)
     assert table == pytest.approx([-10.0, 0.0], abs=0.5)  # µm: 1 µm/m over 0.5 m
 
 
-def test_a_scale_needs_more_than_one_fast_circle(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_scale_needs_more_than_one_fast_circle(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = job(folder, y_before="[]", apply="{scale: [Y]}")
-    path.write_text(path.read_text().replace("[x.csv]", "[]").replace("{scale: [Y]}", "{scale: [X, Y]}"))
+    path.write_text(
+        path.read_text().replace("[x.csv]", "[]").replace("{scale: [Y]}", "{scale: [X, Y]}")
+    )
     assert compwright(["run", str(path)]) == 1
     assert codes(capsys).count("error CW-P119") == 2
     assert read_plan((folder / "job" / "plan.json").read_bytes(), "").axes == {}
 
 
-def test_a_low_feed_and_two_feeds_tell_the_scale_apart_from_the_lag(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_low_feed_and_two_feeds_tell_the_scale_apart_from_the_lag(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """Lag shrinks the circle by 3 µm at 1000 mm/min: 20 µm/m of scale that are none."""
     machine = Bent()
     measure(tmp_path, machine)
@@ -652,10 +877,14 @@ def test_a_low_feed_and_two_feeds_tell_the_scale_apart_from_the_lag(tmp_path: Pa
     for other, source in (("slow", "at a low feed"), ("half", "extrapolated to no feed")):
         table = scale_of(tmp_path, f"{{file: {other}.csv, centre: [400, -250]}}, ")
         assert source in codes(capsys)
-        assert table == pytest.approx([-10.0, 0.0], abs=1.0)  # µm: 2 µm/m, of which the slow circle's lag is 1.3
+        assert table == pytest.approx(
+            [-10.0, 0.0], abs=1.0
+        )  # µm: 2 µm/m, of which the slow circle's lag is 1.3
 
 
-def test_an_axis_with_a_laser_keeps_its_scale(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_an_axis_with_a_laser_keeps_its_scale(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     assert compwright(["run", str(job(folder, apply="{scale: [X, Y]}"))]) == 0
     assert codes(capsys).count("CW-P118") == 2
 
@@ -681,7 +910,19 @@ def test_simulate_bends_the_axis_that_the_loaded_tables_bend(tmp_path: Path) -> 
     assert compwright(["run", str(path)]) == 0
     tables = tmp_path / "job" / "tables" / SIEMENS
     assert (
-        compwright(["simulate", str(machine), "--out", str(tmp_path / "after"), "--seed", "2", "--with-tables", str(tables)]) == 0
+        compwright(
+            [
+                "simulate",
+                str(machine),
+                "--out",
+                str(tmp_path / "after"),
+                "--seed",
+                "2",
+                "--with-tables",
+                str(tables),
+            ]
+        )
+        == 0
     )
     found = diagnosed(tmp_path / "after" / "xy.b5r", tmp_path / "after.json")["diagnosis"]
     assert abs(found["squareness"]["value"]) < 2.0  # µm/m

@@ -1,7 +1,8 @@
-"""SINUMERIK: what acts or decides in the control's own files is honoured, or the axis is refused with the parameter by name.
+"""SINUMERIK: what acts or decides in the control's own files is honoured, or the axis is refused
+with the parameter by name.
 
-The shapes of the files are those of a real archive (names in MD10000 beside AX1, two measuring systems, foreign CEC tables whose
-range is no multiple of their step).
+The shapes of the files are those of a real archive (names in MD10000 beside AX1, two measuring
+systems, foreign CEC tables whose range is no multiple of their step).
 """
 
 from __future__ import annotations
@@ -23,23 +24,52 @@ from format_samples import SIEMENS, axis_of, codes, files, table
 NAMES = '$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"\n$MN_AXCONF_MACHAX_NAME_TAB[1]="Y1"\n'
 
 
-def eec(axis: str = "AX1", system: int = 0, values: tuple[float, ...] = (0.0, 0.004, 0.0), on: str = "1") -> str:
+def eec(
+    axis: str = "AX1", system: int = 0, values: tuple[float, ...] = (0.0, 0.004, 0.0), on: str = "1"
+) -> str:
     lines = [f"$AA_ENC_COMP[{system},{i},{axis}]={value}" for i, value in enumerate(values)]
-    lines += [f"$AA_ENC_COMP_{key}[{system},{axis}]={value}" for key, value in (("STEP", 400), ("MIN", 0), ("MAX", 800))]
+    lines += [
+        f"$AA_ENC_COMP_{key}[{system},{axis}]={value}"
+        for key, value in (("STEP", 400), ("MIN", 0), ("MAX", 800))
+    ]
     lines += [f"$AA_ENC_COMP_IS_MODULO[{system},{axis}]=0"]
     return "\n".join(lines) + "\n" + (f"$MA_ENC_COMP_ENABLE[{system},{axis}]={on}\n" if on else "")
 
 
 def cec(index: int, pair: tuple[str, str], value: str = "0.1", step: int = 100, **more: str) -> str:
-    """A table of ``value`` from -850 to 0: 15 points every 100 as a real archive has it, 11 every 85 on a whole grid."""
+    """A table of ``value`` from -850 to 0: 15 points every 100 as a real archive has it, 11 every
+    85 on a whole grid.
+    """
     lines = [f"$AN_CEC[{index},{n}]={value}" for n in range(11 if step == 85 else 15)]
-    lines += [f"$AN_CEC_INPUT_AXIS[{index}]=({pair[0]})", f"$AN_CEC_OUTPUT_AXIS[{index}]=({pair[1]})"]
-    said = {"STEP": str(step), "MIN": "-850", "MAX": "0", "DIRECTION": "0", "MULT_BY_TABLE": "0", "IS_MODULO": "0", **more}
-    return "\n".join([*lines, *(f"$AN_CEC_{key}[{index}]={text}" for key, text in said.items())]) + "\n"
+    lines += [
+        f"$AN_CEC_INPUT_AXIS[{index}]=({pair[0]})",
+        f"$AN_CEC_OUTPUT_AXIS[{index}]=({pair[1]})",
+    ]
+    said = {
+        "STEP": str(step),
+        "MIN": "-850",
+        "MAX": "0",
+        "DIRECTION": "0",
+        "MULT_BY_TABLE": "0",
+        "IS_MODULO": "0",
+        **more,
+    }
+    return (
+        "\n".join([*lines, *(f"$AN_CEC_{key}[{index}]={text}" for key, text in said.items())])
+        + "\n"
+    )
 
 
-def both_readers(text: str, *axes: Axis, active: bool | None = None, asking: bool = False, **options: object) -> ControlState:
-    return decode(open_control("siemens-840d-sl", options), files(A__INI=text + "M17\n"), axes, active=active, asking=asking).state
+def both_readers(
+    text: str, *axes: Axis, active: bool | None = None, asking: bool = False, **options: object
+) -> ControlState:
+    return decode(
+        open_control("siemens-840d-sl", options),
+        files(A__INI=text + "M17\n"),
+        axes,
+        active=active,
+        asking=asking,
+    ).state
 
 
 def unsaid(address: str = "AX1") -> Axis:
@@ -47,7 +77,8 @@ def unsaid(address: str = "AX1") -> Axis:
     return replace(axis_of(address), encoder=Encoder(stated=False))
 
 
-# One axis by all its names ----------------------------------------------------------------------------------------------------
+# One axis by all its names
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("address", ["AX1", "X1"])
@@ -58,7 +89,14 @@ def test_an_axis_is_one_by_its_place_and_by_its_name(address: str) -> None:
     assert axis.positive.tolist() == [0, -0.004, 0]
     assert axis.backlash == 0.003
     given = files(A__INI=text + "M17\n")
-    (new,) = write_tables(SIEMENS, [table(address, [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])], [axis_of(address)], {}, state, given)
+    (new,) = write_tables(
+        SIEMENS,
+        [table(address, [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])],
+        [axis_of(address)],
+        {},
+        state,
+        given,
+    )
     assert b"[0,1,X1]=-0.001\n" in new.content  # the form that is there
     assert b"$MA_BACKLASH[0,AX1]=0.000\n" in new.content
 
@@ -74,13 +112,23 @@ def test_without_the_list_two_names_are_two_axes() -> None:
 
 @pytest.mark.parametrize(
     ("address", "other", "names"),
-    [("AX1", "X1", ""), ("X1", "AX1", ""), ("AX1", "X1", NAMES.splitlines()[1]), ("X1", "AX1", NAMES.splitlines()[1])],
+    [
+        ("AX1", "X1", ""),
+        ("X1", "AX1", ""),
+        ("AX1", "X1", NAMES.splitlines()[1]),
+        ("X1", "AX1", NAMES.splitlines()[1]),
+    ],
 )
 def test_names_that_no_list_tells_apart_are_refused(address: str, other: str, names: str) -> None:
-    """MD10000 is not among the files, or not for these: the old table of AX1 may stand under X1 and go on acting."""
+    """MD10000 is not among the files, or not for these: the old table of AX1 may stand under X1 and
+    go on acting.
+    """
     with pytest.raises(InputError, match=rf"speak of {other} too.*MD10000"):
         both_readers(f"{names}\n{eec(address)}$MA_BACKLASH[0,{other}]=0.003\n", axis_of(address))
-    assert both_readers(f"{names}\n{eec(address)}$MA_BACKLASH[0,Y1]=0\n" if names else eec(address), axis_of(address)).axes
+    assert both_readers(
+        f"{names}\n{eec(address)}$MA_BACKLASH[0,Y1]=0\n" if names else eec(address),
+        axis_of(address),
+    ).axes
 
 
 @pytest.mark.parametrize(
@@ -93,21 +141,29 @@ def test_names_that_no_list_tells_apart_are_refused(address: str, other: str, na
     ],
 )
 def test_another_name_that_holds_nothing_stops_nothing(quiet: str) -> None:
-    """Files of single axes without MD10000: whatever SP1 is, nothing acts under that name that could act on AX1 too."""
+    """Files of single axes without MD10000: whatever SP1 is, nothing acts under that name that
+    could act on AX1 too.
+    """
     state = both_readers(f"{eec()}$MA_BACKLASH[0,AX1]=0.003\n{quiet}\n", axis_of("AX1"))
     assert state.axes["AX1"].positive.tolist() == [0, -0.004, 0]
 
 
 @pytest.mark.parametrize(
     "acting",
-    ["$MA_BACKLASH[1,SP1]=-0.002", "$MA_ENC_COMP_ENABLE[0,SP1]=1", "$MA_CEC_ENABLE[SP1]=TRUE", "$AA_ENC_COMP[0,3,SP1]=0.001"],
+    [
+        "$MA_BACKLASH[1,SP1]=-0.002",
+        "$MA_ENC_COMP_ENABLE[0,SP1]=1",
+        "$MA_CEC_ENABLE[SP1]=TRUE",
+        "$AA_ENC_COMP[0,3,SP1]=0.001",
+    ],
 )
 def test_another_name_that_acts_says_the_way_out(acting: str) -> None:
     with pytest.raises(InputError, match=r"SP1.*MD10000.*among the files, or address: SP1"):
         both_readers(f"{eec()}{acting}\n", axis_of("AX1"))
 
 
-# Units ------------------------------------------------------------------------------------------------------------------------
+# Units
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("line", ["$MN_SCALING_SYSTEM_IS_METRIC=0", "INCH"])
@@ -120,7 +176,8 @@ def test_an_inch_control_is_refused_for_lengths_alone(line: str) -> None:
         both_readers(f"METRIC\n{line}\n{eec()}", axis_of("AX1"))
 
 
-# Two measuring systems --------------------------------------------------------------------------------------------------------
+# Two measuring systems
+# --------------------------------------------------------------------------------------------------
 
 
 def test_the_system_that_is_switched_on_is_taken_where_the_job_names_none() -> None:
@@ -142,10 +199,14 @@ def test_a_measuring_system_that_the_axis_has_not_is_refused() -> None:
     text = eec(system=0) + eec(system=1) + "$MA_NUM_ENCS[AX1]=1\n"
     with pytest.raises(InputError, match="MD30200"):
         both_readers(text, replace(axis_of("AX1"), encoder=Encoder(system=2)))
-    assert both_readers(text.replace("ENCS[AX1]=1", "ENCS[AX1]=2"), replace(axis_of("AX1"), encoder=Encoder(system=2))).axes
+    assert both_readers(
+        text.replace("ENCS[AX1]=1", "ENCS[AX1]=2"),
+        replace(axis_of("AX1"), encoder=Encoder(system=2)),
+    ).axes
 
 
-# Whether the table acted ------------------------------------------------------------------------------------------------------
+# Whether the table acted
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("on", ["0", "FALSE", ""])
@@ -156,7 +217,9 @@ def test_a_table_that_may_not_have_acted_is_asked_about(on: str) -> None:
     assert acted.axes["AX1"].positive.tolist() == [0, -0.004, 0]
     slept = both_readers(eec(on=on), axis_of("AX1"), active=False, asking=True)
     assert slept.axes["AX1"].positions.size == 0
-    assert both_readers(eec(values=(0.0, 0.0, 0.0), on=on), axis_of("AX1"), asking=True).axes  # a table of zeros: no question
+    assert both_readers(
+        eec(values=(0.0, 0.0, 0.0), on=on), axis_of("AX1"), asking=True
+    ).axes  # a table of zeros: no question
 
 
 def test_an_answer_that_the_files_contradict_is_refused() -> None:
@@ -166,17 +229,24 @@ def test_an_answer_that_the_files_contradict_is_refused() -> None:
 
 
 SLEEPING = cec(0, ("AX1", "AX1"), step=85)
-OFF = ["$SN_CEC_TABLE_ENABLE[0]=0\n$MA_CEC_ENABLE[AX1]=1\n", "$SN_CEC_TABLE_ENABLE[0]=1\n$MA_CEC_ENABLE[AX1]=0\n"]
+OFF = [
+    "$SN_CEC_TABLE_ENABLE[0]=0\n$MA_CEC_ENABLE[AX1]=1\n",
+    "$SN_CEC_TABLE_ENABLE[0]=1\n$MA_CEC_ENABLE[AX1]=0\n",
+]
 
 
 @pytest.mark.parametrize("off", OFF)
 def test_an_answer_never_wakes_a_table_beside_the_one_that_acted(off: str) -> None:
-    """The leadscrew table was on, a table of 0.1 mm over the axis itself off: no question, and no answer wakes it."""
+    """The leadscrew table was on, a table of 0.1 mm over the axis itself off: no question, and no
+    answer wakes it.
+    """
     state = both_readers(eec() + SLEEPING + off, axis_of("AX1"), asking=True)
     assert state.axes["AX1"].positive.tolist() == [0, -0.004, 0]
     assert "CW-S034" in codes(state)
     with pytest.raises(UsageError, match="which of two tables acted"):
-        both_readers(eec() + SLEEPING + off, axis_of("AX1"), active=True, asking=True, cec_sign="error")
+        both_readers(
+            eec() + SLEEPING + off, axis_of("AX1"), active=True, asking=True, cec_sign="error"
+        )
     with pytest.raises(UsageError, match="active: no"):
         both_readers(eec() + SLEEPING + off, axis_of("AX1"), active=False, asking=True)
 
@@ -202,11 +272,16 @@ def test_one_answer_does_not_mean_two_tables(on: str, off: str) -> None:
     text = eec(on=on) + SLEEPING + off
     with pytest.raises(UsageError, match="which of two tables acted"):
         both_readers(text, axis_of("AX1"), active=True, asking=True, cec_sign="error")
-    assert both_readers(text, axis_of("AX1"), active=False, asking=True).axes["AX1"].positions.size == 0
+    assert (
+        both_readers(text, axis_of("AX1"), active=False, asking=True).axes["AX1"].positions.size
+        == 0
+    )
 
 
 def test_an_answer_speaks_of_what_the_files_leave_open() -> None:
-    """AX1 is on and AX2 off over a table with values, which slept: ``no`` is true of AX2 and leaves AX1 as its files say."""
+    """AX1 is on and AX2 off over a table with values, which slept: ``no`` is true of AX2 and leaves
+    AX1 as its files say.
+    """
     text = eec("AX1") + eec("AX2", on="0")
     axes = axis_of("AX1"), axis_of("AX2")
     with pytest.raises(UsageError, match=r"axis AX2.*did it act"):
@@ -217,7 +292,8 @@ def test_an_answer_speaks_of_what_the_files_leave_open() -> None:
     assert any(note.value == "on" and "AX1" in note.fact for note in state.assumed)
 
 
-# Foreign CEC tables -----------------------------------------------------------------------------------------------------------
+# Foreign CEC tables
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -234,12 +310,21 @@ def test_a_foreign_table_is_kept_and_stops_nothing(foreign: str) -> None:
     axis = axis_of("AX1")
     state = both_readers(text, axis)
     assert codes(state) & {"CW-S050", "CW-S054"}
-    (new,) = write_tables(SIEMENS, [table("AX1", [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])], [axis], {}, state, files(A__INI=text))
+    (new,) = write_tables(
+        SIEMENS,
+        [table("AX1", [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])],
+        [axis],
+        {},
+        state,
+        files(A__INI=text),
+    )
     assert foreign.encode() in new.content
 
 
 def test_a_turn_of_another_axis_that_does_not_close_stops_nothing() -> None:
-    other = eec("AX4", values=(0.0, 0.001, 0.002)).replace("IS_MODULO[0,AX4]=0", "IS_MODULO[0,AX4]=1")
+    other = eec("AX4", values=(0.0, 0.001, 0.002)).replace(
+        "IS_MODULO[0,AX4]=0", "IS_MODULO[0,AX4]=1"
+    )
     assert set(both_readers(eec() + other, axis_of("AX1")).axes) == {"AX1"}
     with pytest.raises(InputError, match="two ends differ"):
         both_readers(eec() + other, axis_of("AX4"))
@@ -259,20 +344,31 @@ TWO = table("AX1", [0.0, 400.0, 800.0], [0.0, 0.002, -0.0015], [-0.004, -0.001, 
 def pair_into(text: str) -> str:
     given = files(A__INI=text + "M17\n")
     state = read_state(SIEMENS, given, OPTIONS, [axis_of("AX1")])
-    return "".join(file.content.decode() for file in write_tables(SIEMENS, [TWO], [axis_of("AX1")], OPTIONS, state, given))
+    return "".join(
+        file.content.decode()
+        for file in write_tables(SIEMENS, [TWO], [axis_of("AX1")], OPTIONS, state, given)
+    )
 
 
 def test_a_sleeping_table_is_never_woken_by_any_name_of_the_axis() -> None:
     text = NAMES + eec() + "$MA_CEC_ENABLE[AX1]=0\n" + cec(0, ("AX2", "X1"), step=85)
     with pytest.raises(CapacityError, match="would wake others too: 0"):
         pair_into(text)
-    assert "$MA_CEC_ENABLE[AX1]=1\n" in pair_into(text + "$SN_CEC_TABLE_ENABLE[0]=0\n")  # it sleeps on
-    assert "$MA_CEC_ENABLE[AX1]=1\n" in pair_into(NAMES + eec() + "$MA_CEC_ENABLE[AX1]=0\n" + cec(0, ("AX2", "X1"), "0", 85))
+    assert "$MA_CEC_ENABLE[AX1]=1\n" in pair_into(
+        text + "$SN_CEC_TABLE_ENABLE[0]=0\n"
+    )  # it sleeps on
+    assert "$MA_CEC_ENABLE[AX1]=1\n" in pair_into(
+        NAMES + eec() + "$MA_CEC_ENABLE[AX1]=0\n" + cec(0, ("AX2", "X1"), "0", 85)
+    )
 
 
 def test_a_table_that_another_is_multiplied_by_is_not_written() -> None:
     with pytest.raises(CapacityError, match="MULT_BY_TABLE"):
-        pair_into(eec() + cec(0, ("AX2", "AX3"), step=85, MULT_BY_TABLE="21") + "$SN_CEC_TABLE_ENABLE[0]=0\n")
+        pair_into(
+            eec()
+            + cec(0, ("AX2", "AX3"), step=85, MULT_BY_TABLE="21")
+            + "$SN_CEC_TABLE_ENABLE[0]=0\n"
+        )
 
 
 def test_values_in_inch_are_not_written_to() -> None:
@@ -284,14 +380,19 @@ def test_the_sign_is_asked_for_where_a_pair_is_written_or_an_own_table_is_read()
     unknown = {**OPTIONS, "cec_sign": None}
     with pytest.raises(UsageError, match="dial gauge"):
         write_tables(SIEMENS, [TWO], [axis_of("AX1")], unknown)
-    own = cec(0, ("AX1", "AX1"), step=85) + "$SN_CEC_TABLE_ENABLE[0]=1\n$MA_CEC_ENABLE[AX1]=1\n" + eec()
+    own = (
+        cec(0, ("AX1", "AX1"), step=85)
+        + "$SN_CEC_TABLE_ENABLE[0]=1\n$MA_CEC_ENABLE[AX1]=1\n"
+        + eec()
+    )
     with pytest.raises(UsageError, match="cec_sign"):
         both_readers(own, axis_of("AX1"))
     others = both_readers(cec(0, ("AX3", "AX2"), step=85) + eec(), axis_of("AX1"))
     assert (others.cross, "CW-S051" in codes(others)) == ((), True)
 
 
-# What else acts ---------------------------------------------------------------------------------------------------------------
+# What else acts
+# --------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -310,7 +411,9 @@ def test_what_stays_beside_the_table_is_named() -> None:
 
 
 def test_a_travel_outside_the_software_limits_is_refused() -> None:
-    """MD36100 and MD36110: with limits of -800 and 0 a travel of 0 to 800 is told from the other end."""
+    """MD36100 and MD36110: with limits of -800 and 0 a travel of 0 to 800 is told from the other
+    end.
+    """
 
     def limited(low: int, high: int) -> ControlState:
         text = f"{eec()}$MA_POS_LIMIT_MINUS[AX1]={low}\n$MA_POS_LIMIT_PLUS[AX1]={high}\n"
@@ -323,7 +426,9 @@ def test_a_travel_outside_the_software_limits_is_refused() -> None:
 
 
 def test_an_endless_axis_is_endless_for_job_and_control() -> None:
-    text = eec("AX4", values=(0.0, 0.0, 0.0)) + "$MA_ROT_IS_MODULO[AX4]=1\n$MA_MODULO_RANGE[AX4]=360\n"
+    text = (
+        eec("AX4", values=(0.0, 0.0, 0.0)) + "$MA_ROT_IS_MODULO[AX4]=1\n$MA_MODULO_RANGE[AX4]=360\n"
+    )
     with pytest.raises(InputError, match="MD30310"):
         both_readers(text, axis_of("AX4", kind=AxisKind.ROTARY))
     with pytest.raises(InputError, match="MD30330"):
@@ -331,17 +436,27 @@ def test_an_endless_axis_is_endless_for_job_and_control() -> None:
 
 
 @pytest.mark.parametrize(
-    ("head", "tail", "active"), [("1", "", None), ("0", "", True), ("1", "1", None), ("0\n$MA_ENC_COMP_ENABLE[0,AX1]=1", "0", True)]
+    ("head", "tail", "active"),
+    [
+        ("1", "", None),
+        ("0", "", True),
+        ("1", "1", None),
+        ("0\n$MA_ENC_COMP_ENABLE[0,AX1]=1", "0", True),
+    ],
 )
 def test_a_file_with_switch_and_values_is_off_before_the_values_and_on_behind_them(
     head: str, tail: str, active: bool | None
 ) -> None:
-    """MD32700 = 1 protects a table (function manual K3): of a file that says so first the control takes none of the values."""
+    """MD32700 = 1 protects a table (function manual K3): of a file that says so first the control
+    takes none of the values.
+    """
     switch = "$MA_ENC_COMP_ENABLE[0,AX1]="
     text = f"$MA_BACKLASH[0,AX1]=0\n{switch}{head}\n{eec(on=tail)}"
     state = both_readers(text, axis_of("AX1"), active=active)
     wanted = table("AX1", [0.0, 400.0, 800.0, 1200.0], [0.0, 0.001, 0.0, 0.002])
-    (new,) = write_tables(SIEMENS, [wanted], [axis_of("AX1")], {}, state, files(A__INI=text + "M17\n"))
+    (new,) = write_tables(
+        SIEMENS, [wanted], [axis_of("AX1")], {}, state, files(A__INI=text + "M17\n")
+    )
     on = {"ENABLE": 0, "values": 0}
     for line in new.content.decode().splitlines():
         if line.startswith(switch):
@@ -354,8 +469,12 @@ def test_a_file_with_switch_and_values_is_off_before_the_values_and_on_behind_th
 
 @pytest.mark.parametrize("before", ["$SN_CEC_TABLE_ENABLE[20]=1\n", "$MA_CEC_ENABLE[AX1]=1\n"])
 def test_a_file_that_has_a_cec_table_on_before_its_values_is_not_written(before: str) -> None:
-    """SD41300 and MD32710 protect a table like MD32700 (function manual K3); values first, then the switches, is written."""
-    values = cec(20, ("AX1", "AX1"), value="0", step=85) + cec(21, ("AX1", "AX1"), value="0", step=85)
+    """SD41300 and MD32710 protect a table like MD32700 (function manual K3); values first, then the
+    switches, is written.
+    """
+    values = cec(20, ("AX1", "AX1"), value="0", step=85) + cec(
+        21, ("AX1", "AX1"), value="0", step=85
+    )
     on = "$SN_CEC_TABLE_ENABLE[20]=1\n$SN_CEC_TABLE_ENABLE[21]=1\n$MA_CEC_ENABLE[AX1]=1\n"
     with pytest.raises(CapacityError, match="before its values"):
         pair_into(before + eec() + values + on.replace(before, ""))
@@ -363,11 +482,16 @@ def test_a_file_that_has_a_cec_table_on_before_its_values_is_not_written(before:
 
 
 def test_an_entry_is_named_in_full() -> None:
-    """What stands between the brackets of an input axis is its value; the entry is the name before."""
+    """What stands between the brackets of an input axis is its value; the entry is the name
+    before.
+    """
     old, new = cec(3, ("AX1", "AX1")) + NAMES, cec(3, ("AX3", "AX1")) + NAMES.replace("Y1", "Y2")
     changes = compare_files(SIEMENS, files(A__INI=old), files(A__INI=new)).changes
     told = {(change.entry, change.old, change.new) for change in changes}
-    assert told == {("$AN_CEC_INPUT_AXIS[3]", "AX1", "AX3"), ("$MN_AXCONF_MACHAX_NAME_TAB[1]", "Y1", "Y2")}
+    assert told == {
+        ("$AN_CEC_INPUT_AXIS[3]", "AX1", "AX3"),
+        ("$MN_AXCONF_MACHAX_NAME_TAB[1]", "Y1", "Y2"),
+    }
 
 
 @pytest.mark.parametrize("word", ["HX", "ON", "B12"])
@@ -380,13 +504,18 @@ def test_a_basic_system_that_no_file_says_is_listed() -> None:
     noted = {note.fact: note for note in both_readers(eec(), axis_of("AX1")).assumed}
     assert "AX1" in noted["basic system (MD10240)"].evidence
     for line in ("METRIC\n", "$MN_SCALING_SYSTEM_IS_METRIC=1\n"):
-        assert "basic system (MD10240)" not in {note.fact for note in both_readers(line + eec(), axis_of("AX1")).assumed}
+        assert "basic system (MD10240)" not in {
+            note.fact for note in both_readers(line + eec(), axis_of("AX1")).assumed
+        }
 
 
 def test_the_limit_of_the_sum_is_listed_where_no_file_says_it() -> None:
     def said(text: str) -> bool:
         state = read_state(SIEMENS, files(A__INI=text + "M17\n"), OPTIONS, [axis_of("AX1")])
-        return any("MD32720" in note.fact for note in capacity_for(SIEMENS, axis_of("AX1"), OPTIONS, state).assumed)
+        return any(
+            "MD32720" in note.fact
+            for note in capacity_for(SIEMENS, axis_of("AX1"), OPTIONS, state).assumed
+        )
 
     assert said(eec())
     assert not said(eec() + "$MA_CEC_MAX_SUM[AX1]=1\n")
@@ -394,7 +523,13 @@ def test_the_limit_of_the_sum_is_listed_where_no_file_says_it() -> None:
 
 ROUND = replace(axis_of("AX4", kind=AxisKind.ROTARY, modulo=360.0), reference=90.0)
 TURN_TABLE = replace(
-    table("AX4", [90.0, 180.0, 270.0, 360.0, 450.0], [0.0, 0.001, 0.0, 0.002, 0.0], kind=AxisKind.ROTARY), period=360.0
+    table(
+        "AX4",
+        [90.0, 180.0, 270.0, 360.0, 450.0],
+        [0.0, 0.001, 0.0, 0.002, 0.0],
+        kind=AxisKind.ROTARY,
+    ),
+    period=360.0,
 )
 
 
@@ -403,8 +538,19 @@ def test_a_turn_that_no_file_says_needs_its_reference_at_the_start() -> None:
         write_tables(SIEMENS, [TURN_TABLE], [ROUND], {})
     at_zero = replace(ROUND, reference=0.0)
     facts = [note.fact for note in capacity_for(SIEMENS, at_zero, {}, None).assumed]
-    assert [number for fact in facts for number in ("MD30310", "MD30340") if number in fact] == ["MD30310", "MD30340"]
-    given = eec("AX4", values=(0.0, 0.0, 0.0)) + "$MA_ROT_IS_MODULO[AX4]=1\n$MA_MODULO_RANGE_START[AX4]=0\n"
+    assert [number for fact in facts for number in ("MD30310", "MD30340") if number in fact] == [
+        "MD30310",
+        "MD30340",
+    ]
+    given = (
+        eec("AX4", values=(0.0, 0.0, 0.0))
+        + "$MA_ROT_IS_MODULO[AX4]=1\n$MA_MODULO_RANGE_START[AX4]=0\n"
+    )
     state = both_readers(given, ROUND)
-    assert not [note for note in capacity_for(SIEMENS, ROUND, {}, state).assumed if "MD303" in note.fact]
-    assert b"$AA_ENC_COMP[0,0,AX4]=-0.002" in write_tables(SIEMENS, [TURN_TABLE], [ROUND], {}, state)[0].content
+    assert not [
+        note for note in capacity_for(SIEMENS, ROUND, {}, state).assumed if "MD303" in note.fact
+    ]
+    assert (
+        b"$AA_ENC_COMP[0,0,AX4]=-0.002"
+        in write_tables(SIEMENS, [TURN_TABLE], [ROUND], {}, state)[0].content
+    )

@@ -1,4 +1,6 @@
-"""The virtual machine: what it measures is what its description says, in the units and the order of the standard."""
+"""The virtual machine: what it measures is what its description says, in the units and the order of
+the standard.
+"""
 
 from __future__ import annotations
 
@@ -57,8 +59,13 @@ def machine(text: str) -> VirtualMachine:
     return read_machine(text.encode(), "machine.yaml")
 
 
-def one_axis(error: str, test: str = "{targets: [0, 100, 200], runs: 2}", more: str = "") -> VirtualMachine:
-    return machine(f"virtual_machine: 1\naxes:\n  X: {{travel: [0, 1000], error: {error}, test: {test}{more}}}\n")
+def one_axis(
+    error: str, test: str = "{targets: [0, 100, 200], runs: 2}", more: str = ""
+) -> VirtualMachine:
+    return machine(
+        f"virtual_machine: 1\naxes:\n  X: {{travel: [0, 1000], error: {error}, test:"
+        f" {test}{more}}}\n"
+    )
 
 
 def rng(seed: int = 0) -> np.random.Generator:
@@ -71,18 +78,27 @@ def rng(seed: int = 0) -> np.random.Generator:
 def test_slope_acts_from_the_reference_position() -> None:
     axis = one_axis("{slope_um_per_m: 10}", more=", reference: 100")
     # 10 µm/m over -100, 0, 500 mm
-    np.testing.assert_allclose(axis.error("X", np.array([0.0, 100.0, 600.0]), PLUS), [-1 * UM, 0.0, 5 * UM], atol=1e-15)
+    np.testing.assert_allclose(
+        axis.error("X", np.array([0.0, 100.0, 600.0]), PLUS), [-1 * UM, 0.0, 5 * UM], atol=1e-15
+    )
 
 
 def test_screw_error_is_a_sine_from_machine_zero() -> None:
-    axis = one_axis("{screw: [{period_mm: 10, amplitude_um: 2, phase_deg: 90}, {period_mm: 4, amplitude_um: 1}]}")
+    axis = one_axis(
+        "{screw: [{period_mm: 10, amplitude_um: 2, phase_deg: 90}, {period_mm: 4, amplitude_um:"
+        " 1}]}"
+    )
     # at 0: 2 sin 90° + sin 0°; at 1: 2 sin(36° + 90°) + sin 90°; at 5: 2 sin(270°) + sin(450°)
     expected = np.array([2.0, 2.0 * np.cos(np.radians(36.0)) + 1.0, -2.0 + 1.0]) * UM
-    np.testing.assert_allclose(axis.error("X", np.array([0.0, 1.0, 5.0]), PLUS), expected, atol=1e-15)
+    np.testing.assert_allclose(
+        axis.error("X", np.array([0.0, 1.0, 5.0]), PLUS), expected, atol=1e-15
+    )
 
 
 @pytest.mark.parametrize(("home", "plus", "minus"), [("+", 0.0, 4.0), ("-", -4.0, 0.0)])
-def test_lost_motion_is_seen_from_the_side_away_from_the_reference_return(home: str, plus: float, minus: float) -> None:
+def test_lost_motion_is_seen_from_the_side_away_from_the_reference_return(
+    home: str, plus: float, minus: float
+) -> None:
     axis = one_axis("{reversal: {mean_um: -4}}", more=f", reference_return: '{home}'")
     where = np.array([0.0, 500.0])
     np.testing.assert_allclose(axis.error("X", where, PLUS), plus * UM, atol=1e-15)
@@ -102,12 +118,18 @@ def test_rotary_axis_in_arcseconds_and_degrees() -> None:
     # 0.01"/deg slope; triangle to 5" at 180 deg; screw 1" with period 2 deg: sin(90.5 pi) = 1
     expected = np.array([0.0, 0.905 + 2.5 * 90.5 / 90.0 + 1.0, 1.8 + 5.0]) * ARCSEC
     np.testing.assert_allclose(machine(FULL).error("C", where, MINUS), expected, atol=1e-12)
-    np.testing.assert_allclose(machine(FULL).error("C", where, PLUS), expected - 3 * ARCSEC, atol=1e-12)
+    np.testing.assert_allclose(
+        machine(FULL).error("C", where, PLUS), expected - 3 * ARCSEC, atol=1e-12
+    )
 
 
 def test_points_hold_their_end_values_beyond() -> None:
     axis = one_axis("{smooth: {positions_mm: [100, 200], deviations_um: [1, 3]}}")
-    np.testing.assert_allclose(axis.error("X", np.array([0.0, 150.0, 900.0]), PLUS), np.array([1.0, 2.0, 3.0]) * UM, atol=1e-15)
+    np.testing.assert_allclose(
+        axis.error("X", np.array([0.0, 150.0, 900.0]), PLUS),
+        np.array([1.0, 2.0, 3.0]) * UM,
+        atol=1e-15,
+    )
 
 
 # ---------------------------------------------------------------- random curves
@@ -117,18 +139,25 @@ def test_random_curve_reaches_its_amplitude_and_is_smooth_over_its_length() -> N
     curve = RandomCurve(amplitude=6.0, length=200.0, seed=(3,), travel=(0.0, 1000.0))
     values = curve.at(np.linspace(0.0, 1000.0, 2001))
     assert (values.min(), values.max()) == (pytest.approx(-6.0), pytest.approx(6.0))
-    # Over a twentieth of its length a Gaussian process of standard deviation s changes by 0.05 s (rms), never by 5 times that.
+    # Over a twentieth of its length a Gaussian process of standard deviation s changes by 0.05 s
+    # (rms), never by 5 times that.
     assert np.abs(np.diff(values[::20])).max() < 5 * 0.05 * 6.0
 
 
 def test_random_curves_have_the_correlation_of_their_length() -> None:
-    # Over many seeds neighbours one length apart correlate by exp(-1/2) = 0.61, three lengths apart by exp(-4.5) = 0.01.
-    # The scaling to a fixed range is left out (a private step), for it makes the correlation depend on the travel.
+    # Over many seeds neighbours one length apart correlate by exp(-1/2) = 0.61, three lengths apart
+    # by exp(-4.5) = 0.01. The scaling to a fixed range is left out (a private step), for it makes
+    # the correlation depend on the travel.
     where = np.array([0.0, 100.0, 300.0])
-    curves = (RandomCurve(amplitude=1.0, length=100.0, seed=(k,), travel=(0.0, 1000.0)) for k in range(2000))
+    curves = (
+        RandomCurve(amplitude=1.0, length=100.0, seed=(k,), travel=(0.0, 1000.0))
+        for k in range(2000)
+    )
     pairs = np.array([curve._waves(where) for curve in curves])
     correlation = np.corrcoef(pairs.T)
-    assert correlation[0, 1] == pytest.approx(0.607, abs=0.06)  # 4 standard errors of a correlation from 2000 pairs
+    assert correlation[0, 1] == pytest.approx(
+        0.607, abs=0.06
+    )  # 4 standard errors of a correlation from 2000 pairs
     assert correlation[0, 2] == pytest.approx(0.011, abs=0.09)  # likewise: 1 / sqrt(2000) = 0.022
 
 
@@ -136,7 +165,10 @@ def test_curves_belong_to_seed_and_axis() -> None:
     where = np.linspace(0.0, 500.0, 50)
     text = "virtual_machine: 1\naxes:\n"
     for name, seed in (("X", 1), ("Y", 1), ("Z", 2)):
-        text += f"  {name}: {{travel: [0, 500], error: {{smooth: {{amplitude_um: 5, length_mm: 100, seed: {seed}}}}}}}\n"
+        text += (
+            f"  {name}: {{travel: [0, 500], error: {{smooth: {{amplitude_um: 5, length_mm: 100,"
+            f" seed: {seed}}}}}}}\n"
+        )
     first, again = machine(text), machine(text)
     np.testing.assert_array_equal(first.error("X", where, PLUS), again.error("X", where, PLUS))
     assert np.abs(first.error("X", where, PLUS) - first.error("Y", where, PLUS)).max() > UM
@@ -160,11 +192,15 @@ def test_the_mean_of_many_tests_is_the_error(axis: str) -> None:
         # five standard errors of the mean
         assert np.abs(readings.mean(axis=1) - error).max() < 5 * noise / np.sqrt(readings.shape[1])
         # relative standard error of s: 1 / sqrt(2 N) per target
-        np.testing.assert_allclose(readings.std(axis=1, ddof=1), noise, rtol=5 / np.sqrt(2 * readings.shape[1]))
+        np.testing.assert_allclose(
+            readings.std(axis=1, ddof=1), noise, rtol=5 / np.sqrt(2 * readings.shape[1])
+        )
 
 
 def test_correction_adds_to_the_error() -> None:
-    virtual = machine(re.sub("noise_um: 0.4", "noise_um: 0", FULL.replace("drift_um: 3", "drift_um: 0")))
+    virtual = machine(
+        re.sub("noise_um: 0.4", "noise_um: 0", FULL.replace("drift_um: 3", "drift_um: 0"))
+    )
 
     def perfect(positions: FloatArray, direction: Direction) -> FloatArray:
         return -virtual.error("X", positions, direction)
@@ -174,7 +210,9 @@ def test_correction_adds_to_the_error() -> None:
     np.testing.assert_allclose(test.negative, 0.0, atol=1e-15)
 
     half = virtual.measure("X", rng=rng(), correction=lambda x, d: np.full(x.shape, 0.5 * d.sign))
-    np.testing.assert_allclose(half.negative[:, 0], virtual.error("X", test.targets, MINUS) - 0.5, atol=1e-15)
+    np.testing.assert_allclose(
+        half.negative[:, 0], virtual.error("X", test.targets, MINUS) - 0.5, atol=1e-15
+    )
 
 
 def test_drift_follows_the_standard_cycle() -> None:
@@ -202,22 +240,29 @@ def test_drift_follows_the_step_cycle() -> None:
         ("-", "step", [[0, 1], [2, 3], [4, 5]]),
     ],
 )
-def test_drift_of_a_test_in_one_direction(directions: str, cycle: str, expected: list[list[float]]) -> None:
+def test_drift_of_a_test_in_one_direction(
+    directions: str, cycle: str, expected: list[list[float]]
+) -> None:
     plan = f"{{targets: [0, 100, 200], runs: 2, cycle: {cycle}, directions: '{directions}'}}"
     test = one_axis("{drift_um: 5}", plan).measure("X", rng=rng())
-    measured, other = (test.positive, test.negative) if directions == "+" else (test.negative, test.positive)
+    measured, other = (
+        (test.positive, test.negative) if directions == "+" else (test.negative, test.positive)
+    )
     np.testing.assert_allclose(measured / UM, expected, atol=1e-9)
     assert other.shape == (3, 0)
     assert not test.bidirectional
 
 
 def test_step_cycle_puts_most_of_a_drift_into_the_mean_deviation() -> None:
-    # ISO 230-2 forbids the step cycle for acceptance: with 11 targets and 5 runs a drift D puts 100/109 = 0.92 D into M,
-    # the standard cycle nothing (each target's readings lie symmetric about the middle of the test).
+    # ISO 230-2 forbids the step cycle for acceptance: with 11 targets and 5 runs a drift D puts
+    # 100/109 = 0.92 D into M, the standard cycle nothing (each target's readings lie symmetric
+    # about the middle of the test).
     M = {}
     for cycle in ("standard", "step"):
         targets = [100 * i for i in range(11)]
-        test = one_axis("{drift_um: 10}", f"{{targets: {targets}, runs: 5, cycle: {cycle}}}").measure("X", rng=rng())
+        test = one_axis(
+            "{drift_um: 10}", f"{{targets: {targets}, runs: 5, cycle: {cycle}}}"
+        ).measure("X", rng=rng())
         mean = 0.5 * (test.positive.mean(axis=1) + test.negative.mean(axis=1))
         M[cycle] = np.ptp(mean)
     assert M["step"] == pytest.approx(10 * UM * 100 / 109)
@@ -281,7 +326,8 @@ def test_default_number_of_targets_is_the_least_of_the_standard(axis: str, least
 
 def test_targets_follow_clause_4_2() -> None:
     targets = one_axis("{}", "{targets: 21}").axes["X"].test.targets
-    # 1 % of 1000 mm kept free at either end: p = 980 / 20 = 49 mm, r within 0.3 p (and 0.5 µm for the rounding to 1 µm)
+    # 1 % of 1000 mm kept free at either end: p = 980 / 20 = 49 mm, r within 0.3 p (and 0.5 µm for
+    # the rounding to 1 µm)
     r = targets - (10.0 + 49.0 * np.arange(21))
     assert targets.min() >= 10.0
     assert targets.max() <= 990.0
@@ -312,7 +358,9 @@ def test_file_is_read_back_as_measured(axis: str) -> None:
 
 def test_file_by_hand() -> None:
     virtual = one_axis(
-        "{slope_um_per_m: 10, reversal: {mean_um: -0.5}}", "{targets: [0.0625, 100], runs: 1}", ", reference: 0.0625"
+        "{slope_um_per_m: 10, reversal: {mean_um: -0.5}}",
+        "{targets: [0.0625, 100], runs: 1}",
+        ", reference: 0.0625",
     )
     assert to_csv(virtual.measure("X", rng=rng())).decode() == (
         "# axis: X\n# cycle: standard\n# deviation: measured minus target\n"
@@ -332,7 +380,9 @@ def test_missing_readings_and_single_directions_are_left_out() -> None:
 
 
 def test_example_of_the_documentation() -> None:
-    page = (Path(__file__).resolve().parents[1] / "docs" / "simulation.md").read_text(encoding="utf-8")
+    page = (Path(__file__).resolve().parents[1] / "docs" / "simulation.md").read_text(
+        encoding="utf-8"
+    )
     example = page.split("```yaml\n", 1)[1].split("```", 1)[0]
     virtual = machine(example)
     assert list(virtual.axes) == ["X", "C"]
@@ -349,8 +399,7 @@ def faults_of(text: str) -> list[str]:
 
 
 def test_every_fault_at_once_with_its_line() -> None:
-    faults = faults_of(
-        """\
+    faults = faults_of("""\
 virtual_machine: 2
 machine: {nme: VMC}
 axes:
@@ -366,8 +415,7 @@ axes:
   1st: {travel: [0, 10]}
   Y: {travle: [0, 10]}
   C: {kind: rotary, travel: [0, 10], error: {noise_um: 1, screw: [{period_deg: 0}]}}
-"""
-    )
+""")
     expected = [
         r"line 1, virtual_machine: .*expected 1, found 2",
         r"line 2, machine\.nme: unknown key; expected name",
@@ -388,7 +436,9 @@ axes:
         r"line 15, axes\.C\.error\.screw\[0\]\.amplitude_arcsec: missing",
     ]
     for pattern in expected:
-        assert sum(bool(re.search(f"^machine.yaml: {pattern}", fault)) for fault in faults) == 1, pattern
+        assert sum(bool(re.search(f"^machine.yaml: {pattern}", fault)) for fault in faults) == 1, (
+            pattern
+        )
     assert len(faults) == len(expected)
 
 
@@ -400,18 +450,39 @@ axes:
         ("axes: {X: {travel: [0, 10]}}", "virtual_machine: is not a schema version"),
         ("virtual_machine: 1\naxes: {X: {travel: [0, 0]}}", "travel: does not ascend"),
         ("virtual_machine: 1\naxes: {X: {travel: [0, 1e999]}}", "travel: is not such a list"),
-        ("virtual_machine: 1\naxes: {X: {travel: [0, 10], test: {targets: [1, 11]}}}", "leave the travel; expected 0 to 10 mm"),
-        ("virtual_machine: 1\naxes: {X: {travel: [0, 10], error: {smooth: {amplitude_um: 1, length_mm: 0.01}}}}", "fit the travel"),
         (
-            "virtual_machine: 1\naxes: {X: {travel: [0, 10], error: {smooth: {positions_mm: [1], deviations_um: [1, 2]}}}}",
+            "virtual_machine: 1\naxes: {X: {travel: [0, 10], test: {targets: [1, 11]}}}",
+            "leave the travel; expected 0 to 10 mm",
+        ),
+        (
+            (
+                "virtual_machine: 1\naxes: {X: {travel: [0, 10], error: {smooth: {amplitude_um: 1,"
+                " length_mm: 0.01}}}}"
+            ),
+            "fit the travel",
+        ),
+        (
+            (
+                "virtual_machine: 1\naxes: {X: {travel: [0, 10], error: {smooth: {positions_mm:"
+                " [1], deviations_um: [1, 2]}}}}"
+            ),
             "one value",
         ),
         (
-            "virtual_machine: 1\naxes: {X: {travel: [0, 10], error: {smooth: {positions_mm: [2, 1], deviations_um: [1, 2]}}}}",
+            (
+                "virtual_machine: 1\naxes: {X: {travel: [0, 10], error: {smooth: {positions_mm: [2,"
+                " 1], deviations_um: [1, 2]}}}}"
+            ),
             "ascend",
         ),
-        ("virtual_machine: 1\naxes: {X: {travel: [0, 10], address: [1]}}", "address: is not a text"),
-        ("virtual_machine: 1\naxes: {X: {travel: [0, 10]}, x: {travel: [0, 10]}}", "upper and lower case only"),
+        (
+            "virtual_machine: 1\naxes: {X: {travel: [0, 10], address: [1]}}",
+            "address: is not a text",
+        ),
+        (
+            "virtual_machine: 1\naxes: {X: {travel: [0, 10]}, x: {travel: [0, 10]}}",
+            "upper and lower case only",
+        ),
         ("virtual_machine: 1\naxes: {X: 3}", "axes.X: is not a mapping"),
     ],
 )
@@ -434,7 +505,8 @@ def test_a_damaged_description_is_read_or_refused(data: st.DataObject) -> None:
         start = data.draw(st.integers(0, len(text) - 1))
         stop = data.draw(st.integers(start, min(start + 8, len(text))))
         piece = st.one_of(
-            st.binary(max_size=4), st.sampled_from([b"-", b"[", b"{}", b"0", b"1e9", b"~", b": ", b"\n", b'"\\ud800"'])
+            st.binary(max_size=4),
+            st.sampled_from([b"-", b"[", b"{}", b"0", b"1e9", b"~", b": ", b"\n", b'"\\ud800"']),
         )
         text[start:stop] = data.draw(piece)
     try:

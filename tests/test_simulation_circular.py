@@ -1,8 +1,10 @@
-"""The virtual circular test against closed forms of the first-order model, stated here on their own, and through its files.
+"""The virtual circular test against closed forms of the first-order model, stated here on their
+own, and through its files.
 
-Tolerances: the first-order forms leave out terms of second order in error/R, error² and products of two errors. With errors of
-5 µm on R = 100 mm these are below 5e-3² / 100 mm = 2.5e-7 mm = 0.00025 µm for a single geometric effect; a lag of 1 ms at
-0.167 rad/s turns the trace by 1.7e-4 rad and leaves R (1.7e-4)² / 2 = 1.4e-6 mm.
+Tolerances: the first-order forms leave out terms of second order in error/R, error² and products of
+two errors. With errors of 5 µm on R = 100 mm these are below 5e-3² / 100 mm = 2.5e-7 mm = 0.00025
+µm for a single geometric effect; a lag of 1 ms at 0.167 rad/s turns the trace by 1.7e-4 rad and
+leaves R (1.7e-4)² / 2 = 1.4e-6 mm.
 """
 
 from __future__ import annotations
@@ -21,7 +23,13 @@ from compwright.foundations.errors import UsageError
 from compwright.instruments.circular_reading import read_circular
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.circular import CircularTest
-from compwright.simulation.circular import CircleAxis, CircleErrors, CirclePlan, record_circle, simulate_circle
+from compwright.simulation.circular import (
+    CircleAxis,
+    CircleErrors,
+    CirclePlan,
+    record_circle,
+    simulate_circle,
+)
 from compwright.simulation.circular_files import to_b5r, to_circular_csv
 from compwright.simulation.reading import read_machine
 from compwright.workflow.simulate import load_machine, simulate_files
@@ -40,7 +48,8 @@ def trace(test: CircularTest, sense: str) -> tuple[FloatArray, FloatArray]:
 
 Form = Callable[[FloatArray, float], FloatArray]
 
-#: Errors, their radial deviation to first order (methods, section 2: d = +1 ccw, -1 cw), tolerance in mm.
+#: Errors, their radial deviation to first order (methods, section 2: d = +1 ccw, -1 cw), tolerance
+#: in mm.
 FORMS: dict[str, tuple[CircleErrors, Form, float]] = {
     "nothing": (CircleErrors(), lambda t, _: 0.0 * t, 1e-12),
     "scale of the first": (
@@ -53,7 +62,11 @@ FORMS: dict[str, tuple[CircleErrors, Form, float]] = {
         lambda t, _: -R * 50e-6 * np.sin(t) ** 2,
         SECOND_ORDER,
     ),
-    "squareness": (CircleErrors(squareness=50e-6), lambda t, _: -0.5 * 50e-6 * R * np.sin(2 * t), SECOND_ORDER),
+    "squareness": (
+        CircleErrors(squareness=50e-6),
+        lambda t, _: -0.5 * 50e-6 * R * np.sin(2 * t),
+        SECOND_ORDER,
+    ),
     "lost motion of the first": (
         CircleErrors(first=CircleAxis(lost_motion=(0.005, 0.005))),
         lambda t, d: d * 0.0025 * np.sign(np.sin(t)) * np.cos(t),
@@ -79,7 +92,11 @@ FORMS: dict[str, tuple[CircleErrors, Form, float]] = {
         lambda t, d: -d * 0.5 * V * 0.001 * np.sin(2 * t),
         2e-6,
     ),
-    "equal lag": (CircleErrors(first=CircleAxis(lag=0.04), second=CircleAxis(lag=0.04)), lambda t, _: 0.0 * t, 1e-12),
+    "equal lag": (
+        CircleErrors(first=CircleAxis(lag=0.04), second=CircleAxis(lag=0.04)),
+        lambda t, _: 0.0 * t,
+        1e-12,
+    ),
     "servo shrink": (
         CircleErrors(first=CircleAxis(gain=20.0), second=CircleAxis(gain=20.0)),
         lambda t, _: 0.0 * t - V * V / (2 * 20.0**2 * R),
@@ -132,11 +149,15 @@ def test_each_effect_is_its_first_order_form(name: str, sense: str, d: float) ->
     angles, deviations = trace(simulate_circle(errors, PLAN), sense)
     assert np.abs(deviations - form(angles, d)).max() <= tolerance
     if tolerance > 1e-9:
-        assert np.abs(deviations).max() > 100 * tolerance  # the effect itself is far larger than what the form leaves out
+        assert (
+            np.abs(deviations).max() > 100 * tolerance
+        )  # the effect itself is far larger than what the form leaves out
 
 
 def test_unequal_gains_mix_into_both_harmonics() -> None:
-    """Kx 20/s, Ky 25/s: lag atan(w/K) and shrink 1/sqrt(1 + (w/K)²) of each axis, from the textbook frequency response."""
+    """Kx 20/s, Ky 25/s: lag atan(w/K) and shrink 1/sqrt(1 + (w/K)²) of each axis, from the textbook
+    frequency response.
+    """
     w = V / R
     errors = CircleErrors(first=CircleAxis(gain=20.0), second=CircleAxis(gain=25.0))
     for sense, d in (("ccw", 1.0), ("cw", -1.0)):
@@ -145,7 +166,9 @@ def test_unequal_gains_mix_into_both_harmonics() -> None:
         y = (np.exp(1j * (d * angles - np.pi / 2)) / (1 + 1j * w / 25.0)).real * d
         assert np.abs(deviations - R * (np.sqrt(x * x + y * y) - 1)).max() < 1e-11
         odd = 2 * np.mean(deviations * np.sin(2 * angles))
-        assert odd == pytest.approx(d * 0.5 * V * (1 / 20.0 - 1 / 25.0), rel=0.02)  # first axis lags by 10 ms more
+        assert odd == pytest.approx(
+            d * 0.5 * V * (1 / 20.0 - 1 / 25.0), rel=0.02
+        )  # first axis lags by 10 ms more
 
 
 @pytest.mark.parametrize("sense", ["ccw", "cw"])
@@ -159,7 +182,9 @@ def test_unequal_gains_mix_into_both_harmonics() -> None:
 def test_lost_motion_steps_outward_at_the_reversals_in_both_senses(
     errors: CircleErrors, at: dict[float, float], sense: str
 ) -> None:
-    """In the order of time, radius after minus radius before: +b at each reversal of the axis, and no step anywhere else."""
+    """In the order of time, radius after minus radius before: +b at each reversal of the axis, and
+    no step anywhere else.
+    """
     plan = CirclePlan(radius=R, arc=(30.0, 360.0))
     (run,) = simulate_circle(errors, plan).of("ccw" if sense == "ccw" else "cw")
     steps = np.diff(run.deviations)
@@ -180,7 +205,8 @@ def test_the_spike_points_outward_after_each_reversal_and_decays() -> None:
             along = R * np.mod(d * (angles - reversal), 2 * np.pi)
             near = along < 9.0  # mm of path after the reversal
             wanted = 0.004 * np.exp(-along[near] / 3.0)
-            # the displacement is along the axis: its radial part is cos(9/100) = 0.996 of it where it is 5 % of the height
+            # the displacement is along the axis: its radial part is cos(9/100) = 0.996 of it where
+            # it is 5 % of the height
             assert np.abs(deviations[near] - wanted).max() < 5e-6
             before = R * np.mod(-d * (angles - reversal), 2 * np.pi) < 9.0
             assert np.abs(deviations[before]).max() < 1e-9
@@ -193,7 +219,9 @@ def test_no_spike_of_a_reversal_before_the_motion_began() -> None:
     assert np.abs(deviations).max() < 1e-12
     through = CirclePlan(radius=R, arc=(10.0, 100.0), overshoot=15.0)
     angles, deviations = trace(simulate_circle(errors, through), "ccw")
-    assert deviations[0] == pytest.approx(0.004 * math.exp(-R * angles[0] / 50.0) * math.cos(angles[0]), abs=1e-6)
+    assert deviations[0] == pytest.approx(
+        0.004 * math.exp(-R * angles[0] / 50.0) * math.cos(angles[0]), abs=1e-6
+    )
 
 
 def test_exact_geometry_where_first_order_is_wrong() -> None:
@@ -212,7 +240,10 @@ def test_corrections_cancel_lost_motion_and_scale_with_any_lag() -> None:
             return -50e-6 * (positions - 300.0) + 0.5 * 0.005 * direction
         return 0.25 + 0.0 * positions  # a constant moves machine and set-up point alike
 
-    errors = CircleErrors(first=CircleAxis(scale=50e-6, lost_motion=(0.005, 0.005), lag=0.02), second=CircleAxis(lag=0.02))
+    errors = CircleErrors(
+        first=CircleAxis(scale=50e-6, lost_motion=(0.005, 0.005), lag=0.02),
+        second=CircleAxis(lag=0.02),
+    )
     plan = CirclePlan(radius=R, centre=(400.0, 250.0))
     bare = simulate_circle(errors, plan)
     corrected = simulate_circle(errors, plan, corrections=corrections)
@@ -232,7 +263,9 @@ def test_corrections_see_machine_positions_and_directions_of_motion() -> None:
             assert np.array_equal(moving[settled], direction[1:][settled])
         return np.zeros(positions.shape)
 
-    simulate_circle(CircleErrors(), CirclePlan(radius=R, centre=(400.0, -250.0)), corrections=corrections)
+    simulate_circle(
+        CircleErrors(), CirclePlan(radius=R, centre=(400.0, -250.0)), corrections=corrections
+    )
     for axis, centre in (("X", 400.0), ("Y", -250.0)):
         for low, high in seen[axis]:
             assert (low, high) == pytest.approx((centre - R, centre + R), abs=1e-3)
@@ -247,12 +280,19 @@ def test_noise_has_its_size_and_correlation_and_depends_on_the_seed_alone() -> N
     n = values.size
     effective = n * (1 - 0.9) / (1 + 0.9)
     variance = 0.0003**2 + 0.0005**2
-    assert values.var() == pytest.approx(variance, rel=5 * math.sqrt(2 / effective))  # five standard errors
+    assert values.var() == pytest.approx(
+        variance, rel=5 * math.sqrt(2 / effective)
+    )  # five standard errors
     lag_one = float(np.mean(values[:, 1:] * values[:, :-1]))
     assert lag_one == pytest.approx(0.9 * 0.0005**2, rel=5 * math.sqrt(4 / effective))
-    assert abs(np.corrcoef(values[0], values[1])[0, 1]) < 0.4  # runs are independent; 1500 correlated samples
+    assert (
+        abs(np.corrcoef(values[0], values[1])[0, 1]) < 0.4
+    )  # runs are independent; 1500 correlated samples
     again = simulate_circle(errors, plan, seed=4)
-    assert all(np.array_equal(a.deviations, b.deviations) for a, b in zip(one.runs, again.runs, strict=True))
+    assert all(
+        np.array_equal(a.deviations, b.deviations)
+        for a, b in zip(one.runs, again.runs, strict=True)
+    )
     other = simulate_circle(errors, plan, seed=5)
     assert not np.array_equal(one.runs[0].deviations, other.runs[0].deviations)
     scaled = simulate_circle(replace(errors, bar=0.01), plan, seed=4)
@@ -261,12 +301,30 @@ def test_noise_has_its_size_and_correlation_and_depends_on_the_seed_alone() -> N
 
 def test_the_plan_is_kept_and_samples_lie_at_half_steps() -> None:
     plan = CirclePlan(
-        name="zx", axes=("Z", "X"), radius=150.0, feed=2000.0, arc=(250.0, 220.0), sample_rate=53.0, runs=2, first="cw"
+        name="zx",
+        axes=("Z", "X"),
+        radius=150.0,
+        feed=2000.0,
+        arc=(250.0, 220.0),
+        sample_rate=53.0,
+        runs=2,
+        first="cw",
     )
     recording = record_circle(CircleErrors(), plan)
     test = recording.test
-    assert (test.plane, test.axes, test.arc, test.nominal_radius, test.feed) == ("ZX", ("Z", "X"), (250.0, 220.0), 150.0, 2000.0)
-    assert [(run.sense, run.number) for run in test.runs] == [("ccw", 1), ("ccw", 2), ("cw", 1), ("cw", 2)]
+    assert (test.plane, test.axes, test.arc, test.nominal_radius, test.feed) == (
+        "ZX",
+        ("Z", "X"),
+        (250.0, 220.0),
+        150.0,
+        2000.0,
+    )
+    assert [(run.sense, run.number) for run in test.runs] == [
+        ("ccw", 1),
+        ("ccw", 2),
+        ("cw", 1),
+        ("cw", 2),
+    ]
     assert [traverse.run.sense for traverse in recording.traverses] == ["cw", "ccw", "cw", "ccw"]
     n = test.runs[0].angles.size
     assert n == round(53.0 * 2 * math.pi * 150.0 / (2000.0 / 60.0) * 220 / 360)
@@ -276,7 +334,13 @@ def test_the_plan_is_kept_and_samples_lie_at_half_steps() -> None:
 
 
 @pytest.mark.parametrize(
-    "plan", [CirclePlan(radius=0.0), CirclePlan(feed=-1.0), CirclePlan(arc=(0.0, 400.0)), CirclePlan(sample_rate=1e9)]
+    "plan",
+    [
+        CirclePlan(radius=0.0),
+        CirclePlan(feed=-1.0),
+        CirclePlan(arc=(0.0, 400.0)),
+        CirclePlan(sample_rate=1e9),
+    ],
 )
 def test_impossible_plans_are_refused(plan: CirclePlan) -> None:
     with pytest.raises(UsageError, match="no circle that can be measured"):
@@ -296,12 +360,25 @@ ROUGH = CircleErrors(
 @pytest.mark.parametrize("calibrated", [True, False])
 def test_a_ballbar_file_is_read_back(arc: tuple[float, float], calibrated: bool) -> None:
     plan = CirclePlan(
-        name="a & b", axes=("Z", "X"), feed=1800.0, arc=arc, centre=(-400.5, 20.0), calibrated=calibrated, runs=2, first="cw"
+        name="a & b",
+        axes=("Z", "X"),
+        feed=1800.0,
+        arc=arc,
+        centre=(-400.5, 20.0),
+        calibrated=calibrated,
+        runs=2,
+        first="cw",
     )
     recording = record_circle(ROUGH, plan, seed=3)
     content = to_b5r(recording, {"machine": "VMC <850>"})
     test = read_circular(content, "x.b5r")
-    assert (test.plane, test.axes, test.arc, test.calibrated, test.centre) == ("ZX", ("Z", "X"), arc, calibrated, (-400.5, 20.0))
+    assert (test.plane, test.axes, test.arc, test.calibrated, test.centre) == (
+        "ZX",
+        ("Z", "X"),
+        arc,
+        calibrated,
+        (-400.5, 20.0),
+    )
     assert test.feed == pytest.approx(1800.0, rel=1e-7)  # rate printed with ten digits
     assert test.header["test"] == "a & b"
     assert test.header["machine"] == "VMC <850>"
@@ -309,7 +386,9 @@ def test_a_ballbar_file_is_read_back(arc: tuple[float, float], calibrated: bool)
     for ours, theirs in zip(recording.test.runs, test.runs, strict=True):
         assert (ours.sense, ours.number) == (theirs.sense, theirs.number)
         assert np.abs(ours.angles - theirs.angles).max() < 1e-9
-        assert np.abs(ours.deviations - theirs.deviations).max() <= 5.001e-6  # half of the last printed digit
+        assert (
+            np.abs(ours.deviations - theirs.deviations).max() <= 5.001e-6
+        )  # half of the last printed digit
 
 
 @pytest.mark.parametrize("arc", [(0.0, 360.0), (250.0, 220.0)])
@@ -318,8 +397,15 @@ def test_a_csv_file_is_read_back(arc: tuple[float, float]) -> None:
     test = simulate_circle(ROUGH, plan, seed=3)
     back = read_circular(to_circular_csv(test, {"machine": "VMC"}), "xy.csv")
     assert back.header["machine"] == "VMC"
-    assert (back.feed, back.nominal_radius, back.centre, back.calibrated) == (1000.0, 150.0, (-400.5, 20.0), True)
-    assert back.arc == pytest.approx(arc, abs=0.25)  # the file holds samples, not the arc: a sample is 0.24 deg
+    assert (back.feed, back.nominal_radius, back.centre, back.calibrated) == (
+        1000.0,
+        150.0,
+        (-400.5, 20.0),
+        True,
+    )
+    assert back.arc == pytest.approx(
+        arc, abs=0.25
+    )  # the file holds samples, not the arc: a sample is 0.24 deg
     assert back.full_circle == test.full_circle
     for ours, theirs in zip(test.runs, back.runs, strict=True):
         assert (ours.sense, ours.number) == (theirs.sense, theirs.number)
@@ -335,8 +421,12 @@ def test_a_csv_file_is_read_back(arc: tuple[float, float]) -> None:
     runs=st.integers(1, 3),
     overshoot=st.floats(0, 180),
 )
-def test_every_plan_survives_its_ballbar_file(start: float, extent: float, rate: float, runs: int, overshoot: float) -> None:
-    plan = CirclePlan(radius=50.0, arc=(start, extent), sample_rate=rate, runs=runs, overshoot=overshoot)
+def test_every_plan_survives_its_ballbar_file(
+    start: float, extent: float, rate: float, runs: int, overshoot: float
+) -> None:
+    plan = CirclePlan(
+        radius=50.0, arc=(start, extent), sample_rate=rate, runs=runs, overshoot=overshoot
+    )
     recording = record_circle(ROUGH, plan, seed=1)
     test = read_circular(to_b5r(recording), "x.b5r")
     assert len(test.runs) == 2 * runs
@@ -375,11 +465,18 @@ def test_a_machine_file_with_circles(tmp_path: Path) -> None:
     file.write_text(MACHINE, encoding="utf-8")
     machine = load_machine(file)
     written = simulate_files(machine, tmp_path / "out", seed=2)
-    assert sorted(path.name for path in written) == ["n1.csv", "n2.csv", "plain.csv", "x.csv", "xy-150.b5r"]
+    assert sorted(path.name for path in written) == [
+        "n1.csv",
+        "n2.csv",
+        "plain.csv",
+        "x.csv",
+        "xy-150.b5r",
+    ]
     plain = read_circular((tmp_path / "out" / "plain.csv").read_bytes(), "plain.csv")
     angles, deviations = trace(plain, "ccw")
-    # slope and reversal of X act on the circle: e_x R cos² + lost motion 5 um, to second order and 0.0001 um of the file;
-    # this axis moves right when it comes back from its reference direction, so the reversal is half on either side
+    # slope and reversal of X act on the circle: e_x R cos² + lost motion 5 um, to second order and
+    # 0.0001 um of the file; this axis moves right when it comes back from its reference direction,
+    # so the reversal is half on either side
     exact = 150.0 * 50e-6 * np.cos(angles) ** 2 + 0.0025 * np.sign(np.sin(angles)) * np.cos(angles)
     assert np.abs(deviations - exact).max() < 1e-6
     ballbar = read_circular((tmp_path / "out" / "xy-150.b5r").read_bytes(), "xy-150.b5r")
@@ -388,7 +485,9 @@ def test_a_machine_file_with_circles(tmp_path: Path) -> None:
     one, other = ((tmp_path / "out" / name).read_bytes() for name in ("n1.csv", "n2.csv"))
     assert one != other  # two circles do not share their noise
     again = simulate_files(machine, tmp_path / "again", seed=2)
-    assert {path.name: path.read_bytes() for path in again} == {path.name: path.read_bytes() for path in written}
+    assert {path.name: path.read_bytes() for path in again} == {
+        path.name: path.read_bytes() for path in written
+    }
 
 
 def test_numbers_of_a_machine_file_arrive_in_their_units() -> None:
@@ -403,7 +502,9 @@ def test_another_seed_is_another_measurement(tmp_path: Path) -> None:
     for seed in (1, 2):
         simulate_files(machine, tmp_path / str(seed), seed=seed)
     assert (tmp_path / "1" / "n1.csv").read_bytes() != (tmp_path / "2" / "n1.csv").read_bytes()
-    assert (tmp_path / "1" / "plain.csv").read_bytes() == (tmp_path / "2" / "plain.csv").read_bytes()
+    assert (tmp_path / "1" / "plain.csv").read_bytes() == (
+        tmp_path / "2" / "plain.csv"
+    ).read_bytes()
 
 
 def test_tables_act_on_the_circle() -> None:
@@ -438,13 +539,24 @@ circles:
 """
     circle = read_machine(text.encode(), "m.yaml").circles["c"]
     z, x = circle.errors.first, circle.errors.second
-    assert (z.scale, z.gain, z.spike, z.spike_length, z.lateral_play, z.straightness) == pytest.approx(
-        (20e-6, 40, 3e-3, 4, 1e-3, 2e-3)
+    assert (
+        z.scale,
+        z.gain,
+        z.spike,
+        z.spike_length,
+        z.lateral_play,
+        z.straightness,
+    ) == pytest.approx((20e-6, 40, 3e-3, 4, 1e-3, 2e-3))
+    assert (*x.lost_motion, x.lag, x.cyclic, x.pitch, x.phase) == pytest.approx(
+        (4e-3, 4e-3, 5e-4, 1e-3, 12, math.pi / 2)
     )
-    assert (*x.lost_motion, x.lag, x.cyclic, x.pitch, x.phase) == pytest.approx((4e-3, 4e-3, 5e-4, 1e-3, 12, math.pi / 2))
     errors = circle.errors
-    assert (*errors.offset, errors.bar, errors.radius_change) == pytest.approx((3e-3, -2e-3, 1.5e-3, 5e-4))
-    assert (errors.noise, errors.correlated_noise, errors.correlation) == pytest.approx((1e-4, 2e-4, 0.9))
+    assert (*errors.offset, errors.bar, errors.radius_change) == pytest.approx(
+        (3e-3, -2e-3, 1.5e-3, 5e-4)
+    )
+    assert (errors.noise, errors.correlated_noise, errors.correlation) == pytest.approx(
+        (1e-4, 2e-4, 0.9)
+    )
     assert circle.plan.arc == (-110.0, 220.0)
     assert circle.plan.axes == ("Z", "X")
     assert not circle.plan.calibrated
@@ -454,7 +566,11 @@ circles:
     ("old", "new", "words"),
     [
         ("plane: XY", "plane: XX", "line 12, circles.xy-150.plane: names no plane"),
-        ("centre: [400, 250]\n    feed", "centre: [100, 250]\n    feed", "puts the circle outside the travel"),
+        (
+            "centre: [400, 250]\n    feed",
+            "centre: [100, 250]\n    feed",
+            "puts the circle outside the travel",
+        ),
         ("lag_ms: 0.5", "lag_um: 0.5", "unknown key; expected lag_ms"),
         ("format: b5r", "format: rtl", "expected csv, b5r"),
         ("  plain:", "  x:", "is the name of an axis too"),

@@ -1,4 +1,6 @@
-"""Files appear whole or not at all; what cannot be written is said with file and reason (exit 5)."""
+"""Files appear whole or not at all; what cannot be written is said with file and reason (exit
+5).
+"""
 
 from __future__ import annotations
 
@@ -15,9 +17,12 @@ from compwright.foundations.errors import InputError, StorageError
 
 
 def tree(folder: Path) -> dict[str, bytes | None]:
-    """Return everything below ``folder``, hidden files included: name -> bytes, None for a folder."""
+    """Return everything below ``folder``, hidden files included: name -> bytes, None for a
+    folder.
+    """
     return {
-        path.relative_to(folder).as_posix(): path.read_bytes() if path.is_file() else None for path in sorted(folder.rglob("*"))
+        path.relative_to(folder).as_posix(): path.read_bytes() if path.is_file() else None
+        for path in sorted(folder.rglob("*"))
     }
 
 
@@ -31,7 +36,13 @@ def faults_of(action: Callable[[], object]) -> list[str]:
 def test_files_are_written_below_the_folder_in_the_order_given(tmp_path: Path) -> None:
     paths = storage.write_files(tmp_path / "a" / "b", {"t/two.txt": b"2", "one.txt": b"1\r\n\0"})
     assert paths == [tmp_path / "a" / "b" / "t" / "two.txt", tmp_path / "a" / "b" / "one.txt"]
-    assert tree(tmp_path) == {"a": None, "a/b": None, "a/b/one.txt": b"1\r\n\0", "a/b/t": None, "a/b/t/two.txt": b"2"}
+    assert tree(tmp_path) == {
+        "a": None,
+        "a/b": None,
+        "a/b/one.txt": b"1\r\n\0",
+        "a/b/t": None,
+        "a/b/t/two.txt": b"2",
+    }
 
 
 def test_no_files_make_no_folder(tmp_path: Path) -> None:
@@ -43,7 +54,9 @@ def test_every_existing_file_is_named_and_nothing_is_touched(tmp_path: Path) -> 
     storage.write_files(tmp_path, {"x": b"old x", "y": b"old y"})
     before = tree(tmp_path)
     (fault,) = faults_of(lambda: storage.write_files(tmp_path, {"x": b"n", "new": b"n", "y": b"n"}))
-    assert fault.startswith(f"{tmp_path}: 2 files exist already; expected new files, another folder, or --force")
+    assert fault.startswith(
+        f"{tmp_path}: 2 files exist already; expected new files, another folder, or --force"
+    )
     assert fault.endswith("found x, y")
     assert tree(tmp_path) == before
 
@@ -57,7 +70,9 @@ def test_force_replaces_and_keeps_the_rights_of_the_file(tmp_path: Path) -> None
 
 
 def test_new_files_have_the_rights_that_the_user_asked_for(tmp_path: Path) -> None:
-    """As any program's file under that mask: 0666 without the bits of the mask, not the 0600 of a temporary file."""
+    """As any program's file under that mask: 0666 without the bits of the mask, not the 0600 of a
+    temporary file.
+    """
     previous = os.umask(0o027)
     try:
         assert storage.write_file(tmp_path / "x", b"").stat().st_mode & 0o777 == 0o640
@@ -111,7 +126,9 @@ def test_names_that_no_file_can_have(tmp_path: Path) -> None:
 
 
 def test_longest_name_of_the_file_system_can_be_written(tmp_path: Path) -> None:
-    longest = "n" * 255  # NAME_MAX of ext4, NTFS and APFS; the staged file beside it must not be longer
+    longest = (
+        "n" * 255
+    )  # NAME_MAX of ext4, NTFS and APFS; the staged file beside it must not be longer
     storage.write_file(tmp_path / longest, b"x")
     assert tree(tmp_path) == {longest: b"x"}
 
@@ -131,7 +148,9 @@ def failing(after: int, number: int, real: Callable[..., object]) -> Callable[..
 
 
 @pytest.mark.parametrize("after", [0, 1, 2])
-def test_full_disk_leaves_nothing_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, after: int) -> None:
+def test_full_disk_leaves_nothing_behind(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, after: int
+) -> None:
     monkeypatch.setattr(os, "fsync", failing(after, errno.ENOSPC, os.fsync))
     files = {"a/b/one": b"1", "a/c/two": b"2", "three": b"3"}
     (fault,) = faults_of(lambda: storage.write_files(tmp_path / "new" / "out", files))
@@ -141,7 +160,9 @@ def test_full_disk_leaves_nothing_behind(tmp_path: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.parametrize("after", [0, 1, 2])
-def test_full_disk_for_folders_leaves_nothing_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, after: int) -> None:
+def test_full_disk_for_folders_leaves_nothing_behind(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, after: int
+) -> None:
     monkeypatch.setattr(Path, "mkdir", failing(after, errno.ENOSPC, Path.mkdir))
     faults_of(lambda: storage.write_files(tmp_path, {"a/b/c/one": b"1"}))
     assert tree(tmp_path) == {}
@@ -165,20 +186,28 @@ def test_failure_while_putting_in_place_restores_what_was_there(
         return real(self, target)
 
     monkeypatch.setattr(Path, "replace", replace)
-    (fault,) = faults_of(lambda: storage.write_files(tmp_path, {"x": b"new", "sub/y": b"new", "z": b"new"}, force=True))
+    (fault,) = faults_of(
+        lambda: storage.write_files(
+            tmp_path, {"x": b"new", "sub/y": b"new", "z": b"new"}, force=True
+        )
+    )
     assert os.strerror(errno.EACCES) in fault
     assert calls > after
     assert tree(tmp_path) == before
 
 
-def test_full_disk_while_keeping_the_old_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_full_disk_while_keeping_the_old_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     storage.write_files(tmp_path, {"x": b"old"})
     monkeypatch.setattr(shutil, "copy2", failing(0, errno.ENOSPC, shutil.copy2))
     faults_of(lambda: storage.write_files(tmp_path, {"new": b"1", "x": b"2"}, force=True))
     assert tree(tmp_path) == {"x": b"old"}
 
 
-def test_interruption_leaves_nothing_behind(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_interruption_leaves_nothing_behind(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def interrupted(_handle: int) -> None:
         raise KeyboardInterrupt
 
@@ -188,7 +217,9 @@ def test_interruption_leaves_nothing_behind(tmp_path: Path, monkeypatch: pytest.
     assert tree(tmp_path) == {}
 
 
-def test_target_never_holds_a_part_of_the_content(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_target_never_holds_a_part_of_the_content(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Until the new content is safe on disk, the name holds the whole old content."""
     target = storage.write_file(tmp_path / "x", b"old")
     seen: list[bytes] = []
@@ -204,7 +235,10 @@ def test_target_never_holds_a_part_of_the_content(tmp_path: Path, monkeypatch: p
     assert target.read_bytes() == b"new"
 
 
-@pytest.mark.skipif(not Path("/proc/self").is_dir(), reason="needs a file system that refuses new files, such as /proc")
+@pytest.mark.skipif(
+    not Path("/proc/self").is_dir(),
+    reason="needs a file system that refuses new files, such as /proc",
+)
 def test_no_permission() -> None:
     """/proc refuses new files even to root."""
     (fault,) = faults_of(lambda: storage.write_file(Path("/proc/compwright.txt"), b"x"))
@@ -234,8 +268,12 @@ def test_endless_file_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_folder_lists_its_files_by_name_without_hidden_ones(tmp_path: Path) -> None:
-    storage.write_files(tmp_path, {"b.csv": b"", "a.csv": b"", ".hidden": b"", "sub/c.csv": b"", "[x]*.csv": b""})
-    assert storage.list_files(tmp_path) == [tmp_path / name for name in ("[x]*.csv", "a.csv", "b.csv")]
+    storage.write_files(
+        tmp_path, {"b.csv": b"", "a.csv": b"", ".hidden": b"", "sub/c.csv": b"", "[x]*.csv": b""}
+    )
+    assert storage.list_files(tmp_path) == [
+        tmp_path / name for name in ("[x]*.csv", "a.csv", "b.csv")
+    ]
     assert storage.list_files(tmp_path / "a.csv") == [tmp_path / "a.csv"]
     assert storage.list_files(tmp_path / "missing") == [tmp_path / "missing"]
 
@@ -249,23 +287,43 @@ def test_definitions_come_in_the_order_of_their_names() -> None:
 def test_looking_never_fails(tmp_path: Path) -> None:
     storage.write_file(tmp_path / "x", b"")
     (tmp_path / "link").symlink_to(tmp_path / "nowhere")
-    there = {name: storage.is_there(tmp_path / name) for name in (".", "x", "link", "y", "n" * 300, "a\0b", "x/y")}
-    assert there == {".": True, "x": True, "link": True, "y": False, "n" * 300: False, "a\0b": False, "x/y": False}
+    there = {
+        name: storage.is_there(tmp_path / name)
+        for name in (".", "x", "link", "y", "n" * 300, "a\0b", "x/y")
+    }
+    assert there == {
+        ".": True,
+        "x": True,
+        "link": True,
+        "y": False,
+        "n" * 300: False,
+        "a\0b": False,
+        "x/y": False,
+    }
     assert [name for name in there if storage.is_folder(tmp_path / name)] == ["."]
 
 
 def test_a_whole_folder_holds_what_was_written_and_nothing_else(tmp_path: Path) -> None:
-    storage.write_files(tmp_path, {"set/a": b"old", "set/b": b"of an earlier run", "set/deep/c": b"kept", "other/d": b"kept"})
+    storage.write_files(
+        tmp_path,
+        {"set/a": b"old", "set/b": b"of an earlier run", "set/deep/c": b"kept", "other/d": b"kept"},
+    )
     before = tree(tmp_path)
-    (fault,) = faults_of(lambda: storage.write_files(tmp_path, {"set/e": b"new"}, whole=["set"]) and None)[:1]
+    (fault,) = faults_of(
+        lambda: storage.write_files(tmp_path, {"set/e": b"new"}, whole=["set"]) and None
+    )[:1]
     assert "is no part of what is written" in fault
     assert tree(tmp_path) == before
     storage.write_files(tmp_path, {"set/a": b"new"}, force=True, whole=["set", "none"])
     after = tree(tmp_path)
-    assert after == {name: content for name, content in {**before, "set/a": b"new"}.items() if name != "set/b"}
+    assert after == {
+        name: content for name, content in {**before, "set/a": b"new"}.items() if name != "set/b"
+    }
 
 
-def test_what_was_removed_comes_back_when_the_rest_cannot_be_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_was_removed_comes_back_when_the_rest_cannot_be_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     storage.write_files(tmp_path, {"set/a": b"old", "set/b": b"earlier", "set/c": b"earlier too"})
     before = tree(tmp_path)
     replace, calls = Path.replace, []
@@ -277,6 +335,8 @@ def test_what_was_removed_comes_back_when_the_rest_cannot_be_written(tmp_path: P
         return replace(self, target)
 
     monkeypatch.setattr(Path, "replace", fails_late)
-    assert faults_of(lambda: storage.write_files(tmp_path, {"set/a": b"new"}, force=True, whole=["set"]))
+    assert faults_of(
+        lambda: storage.write_files(tmp_path, {"set/a": b"new"}, force=True, whole=["set"])
+    )
     monkeypatch.undo()
     assert tree(tmp_path) == before

@@ -22,7 +22,9 @@ POSITIONS = np.linspace(20.0, 780.0, M)
 
 @dataclass(frozen=True)
 class Axis:
-    """A simulated axis, mm: the true deviation (2, m) and the planned correction (2, m), + then -."""
+    """A simulated axis, mm: the true deviation (2, m) and the planned correction (2, m), + then
+    -.
+    """
 
     truth: FloatArray
     table: FloatArray
@@ -30,30 +32,66 @@ class Axis:
 
 
 def an_axis(seed: int, *, size: float = 5.0, noise: float = 0.5) -> Axis:
-    """An error of ``size`` µm rms with 4 µm lost motion at size 5; the table is the perfect one rounded to 0.1 µm."""
+    """An error of ``size`` µm rms with 4 µm lost motion at size 5; the table is the perfect one
+    rounded to 0.1 µm.
+    """
     generator = np.random.default_rng([seed, 77])
     phase = generator.uniform(0.0, 2.0 * np.pi, 3)
-    waves = sum(np.sin(2.0 * np.pi * POSITIONS / length + p) for length, p in zip((900.0, 500.0, 300.0), phase, strict=True))
+    waves = sum(
+        np.sin(2.0 * np.pi * POSITIONS / length + p)
+        for length, p in zip((900.0, 500.0, 300.0), phase, strict=True)
+    )
     curve = waves / np.std(waves)
     both = size * UM * np.stack([curve, curve + 0.8])
     return Axis(truth=both, table=-np.round(both, 4), noise=noise * UM)
 
 
-def compare(after: FloatArray, loaded: FloatArray, inactive: FloatArray, covariance: FloatArray, noise: float) -> LoadingVerdict:
-    """`judge_loading` on arrays with + and - along the first axis: after (2, m, n), expected means (2, m)."""
-    return judge_loading(after[0], after[1], loaded[0], loaded[1], inactive[0], inactive[1], covariance, noise, positions=POSITIONS)
+def compare(
+    after: FloatArray,
+    loaded: FloatArray,
+    inactive: FloatArray,
+    covariance: FloatArray,
+    noise: float,
+) -> LoadingVerdict:
+    """`judge_loading` on arrays with + and - along the first axis: after (2, m, n), expected means
+    (2, m).
+    """
+    return judge_loading(
+        after[0],
+        after[1],
+        loaded[0],
+        loaded[1],
+        inactive[0],
+        inactive[1],
+        covariance,
+        noise,
+        positions=POSITIONS,
+    )
 
 
 def judge(
-    axis: Axis, acting: FloatArray, seed: int, *, runs: int = 5, runs_before: int = 5, datum: float = 0.0, directions: str = "+-"
+    axis: Axis,
+    acting: FloatArray,
+    seed: int,
+    *,
+    runs: int = 5,
+    runs_before: int = 5,
+    datum: float = 0.0,
+    directions: str = "+-",
 ) -> LoadingVerdict:
     """Measure before and after (with ``acting`` (2, m) instead of the planned table) and judge.
 
     The error is estimated by the means of the before test alone, whose uncertainty is noise² / n.
     """
     generator = np.random.default_rng([seed, 5])
-    before = axis.truth + 7 * UM + axis.noise * generator.standard_normal((2, M)) / math.sqrt(runs_before)
-    after = (axis.truth + acting + datum)[:, :, None] + axis.noise * generator.standard_normal((2, M, runs))
+    before = (
+        axis.truth
+        + 7 * UM
+        + axis.noise * generator.standard_normal((2, M)) / math.sqrt(runs_before)
+    )
+    after = (axis.truth + acting + datum)[:, :, None] + axis.noise * generator.standard_normal(
+        (2, M, runs)
+    )
     none = np.empty((M, 0))
     return judge_loading(
         after[0] if "+" in directions else none,
@@ -68,14 +106,27 @@ def judge(
     )
 
 
-def rates(act: str, count: int = 400, *, size: float = 5.0, runs: int = 5, directions: str = "+-") -> dict[str, float]:
-    """Shares of the verdicts over ``count`` axes whose table acts by the factor that ``act`` names."""
-    factor = {"loaded": 1.0, "not loaded": 0.0, "inverted": -1.0, "half": 0.5, "double": 2.0, "most": 0.85}[act]
+def rates(
+    act: str, count: int = 400, *, size: float = 5.0, runs: int = 5, directions: str = "+-"
+) -> dict[str, float]:
+    """Shares of the verdicts over ``count`` axes whose table acts by the factor that ``act``
+    names.
+    """
+    factor = {
+        "loaded": 1.0,
+        "not loaded": 0.0,
+        "inverted": -1.0,
+        "half": 0.5,
+        "double": 2.0,
+        "most": 0.85,
+    }[act]
     found: dict[str, float] = {}
     for seed in range(count):
         axis = an_axis(seed, size=size)
         datum = (seed % 7 - 3) * 5 * UM  # the instrument was set up anew
-        verdict = judge(axis, factor * axis.table, seed, runs=runs, datum=datum, directions=directions).verdict
+        verdict = judge(
+            axis, factor * axis.table, seed, runs=runs, datum=datum, directions=directions
+        ).verdict
         found[verdict] = found.get(verdict, 0.0) + 1.0 / count
     return found
 
@@ -108,7 +159,8 @@ def test_nothing_else_is_called_loaded(act: str, size: float) -> None:
 
 
 def test_most_of_a_table_is_not_a_loaded_table() -> None:
-    # 15 % of 5 µm rms missing: 0.75 µm with a standard error of 0.45 µm per mean, over 42 means ten standard errors
+    # 15 % of 5 µm rms missing: 0.75 µm with a standard error of 0.45 µm per mean, over 42 means ten
+    # standard errors
     assert rates("most", count=100).get("undecided", 0.0) > 0.99
 
 
@@ -118,7 +170,8 @@ def test_loaded_is_not_called_inactive(size: float) -> None:
 
 
 def test_small_corrections_cannot_be_told() -> None:
-    # 0.1 µm rms against a standard error of 0.5 sqrt(2/5) = 0.3 µm per mean: not even 42 of them are enough
+    # 0.1 µm rms against a standard error of 0.5 sqrt(2/5) = 0.3 µm per mean: not even 42 of them
+    # are enough
     assert rates("loaded", size=0.1).get("undecided", 0.0) > 0.99
     verdict = judge(an_axis(1, size=0.1), an_axis(1, size=0.1).table, 1)
     assert "Cannot tell" in verdict.message
@@ -128,14 +181,17 @@ def test_small_corrections_cannot_be_told() -> None:
 
 def test_a_table_without_effect_cannot_be_told() -> None:
     axis = an_axis(1)
-    constant = Axis(truth=axis.truth, table=np.full((2, M), 3 * UM), noise=axis.noise)  # the datum takes a constant up
+    constant = Axis(
+        truth=axis.truth, table=np.full((2, M), 3 * UM), noise=axis.noise
+    )  # the datum takes a constant up
     verdict = judge(constant, constant.table, 1)
     assert verdict.verdict == "undecided"
     assert verdict.margin == pytest.approx(0.0, abs=1e-6)
     assert "Cannot tell" in verdict.message
 
 
-# ---------------------------------------------------------------- datum, direction offsets, other faults
+# ---------------------------------------------------------------- datum, direction offsets, other
+# faults
 
 
 def test_the_datum_of_the_test_does_not_matter() -> None:
@@ -177,8 +233,12 @@ def test_a_shifted_table_is_not_loaded() -> None:
 
 
 def test_a_machine_that_warmed_up_a_little_is_still_loaded() -> None:
-    # 3 % of a correction of 30 µm rms: no loading fault is so small, and 0.9 µm is three standard errors of a single mean
-    found = [judge(an_axis(s, size=30.0), 1.03 * an_axis(s, size=30.0).table, s).verdict for s in range(50)]
+    # 3 % of a correction of 30 µm rms: no loading fault is so small, and 0.9 µm is three standard
+    # errors of a single mean
+    found = [
+        judge(an_axis(s, size=30.0), 1.03 * an_axis(s, size=30.0).table, s).verdict
+        for s in range(50)
+    ]
     assert found.count("loaded") >= 48
 
 
@@ -186,19 +246,25 @@ def test_a_machine_that_warmed_up_a_little_is_still_loaded() -> None:
 
 
 def test_noise_of_the_after_test_is_its_own() -> None:
-    # The after test is four times as noisy as the before test had let expect; its own scatter says so.
+    # The after test is four times as noisy as the before test had let expect; its own scatter says
+    # so.
     found = []
     for seed in range(200):
         axis = an_axis(seed)
         generator = np.random.default_rng([seed, 6])
-        after = (axis.truth + axis.table)[:, :, None] + 4 * axis.noise * generator.standard_normal((2, M, 5))
-        verdict = compare(after, axis.truth + axis.table, axis.truth, np.zeros((2 * M, 2 * M)), axis.noise)
+        after = (axis.truth + axis.table)[:, :, None] + 4 * axis.noise * generator.standard_normal(
+            (2, M, 5)
+        )
+        verdict = compare(
+            after, axis.truth + axis.table, axis.truth, np.zeros((2 * M, 2 * M)), axis.noise
+        )
         found.append(verdict.verdict)
     assert found.count("loaded") > 0.95 * len(found)
 
 
 def test_uncertainty_common_to_neighbours_is_not_a_contradiction() -> None:
-    # A slope error of the estimate of 5 µm over the travel, known as such in the covariance: loaded; not known: a contradiction.
+    # A slope error of the estimate of 5 µm over the travel, known as such in the covariance:
+    # loaded; not known: a contradiction.
     slope = np.tile((POSITIONS - POSITIONS.mean()) / np.ptp(POSITIONS), 2)
     known = np.outer(slope, slope) * (5 * UM) ** 2
     verdicts = {}
@@ -206,21 +272,25 @@ def test_uncertainty_common_to_neighbours_is_not_a_contradiction() -> None:
         axis = an_axis(8)
         wrong = axis.truth + 5 * UM * slope.reshape(2, M)
         generator = np.random.default_rng(8)
-        after = (axis.truth + axis.table)[:, :, None] + axis.noise * generator.standard_normal((2, M, 5))
+        after = (axis.truth + axis.table)[:, :, None] + axis.noise * generator.standard_normal(
+            (2, M, 5)
+        )
         verdict = compare(after, wrong + axis.table, wrong, covariance, axis.noise)
         verdicts[name] = verdict.verdict
     assert verdicts == {"known": "loaded", "unknown": "undecided"}
 
 
 def test_margin_is_the_log_likelihood_ratio() -> None:
-    # Three readings of one direction, n = 1, noise 1 mm known exactly, no covariance, by hand. Datum removed: subtract means.
-    # loaded - inactive = (0, 0, 30) -> (-10, -10, 20), length² 600. Measured - inactive = (0, 0, 30): factor 1, nothing left.
-    # Next candidate is half the table: chi² = 600 / 4, log-likelihood ratio 75.
+    # Three readings of one direction, n = 1, noise 1 mm known exactly, no covariance, by hand.
+    # Datum removed: subtract means. loaded - inactive = (0, 0, 30) -> (-10, -10, 20), length² 600.
+    # Measured - inactive = (0, 0, 30): factor 1, nothing left. Next candidate is half the table:
+    # chi² = 600 / 4, log-likelihood ratio 75.
     zero, step, none = np.zeros(3), np.array([0.0, 0.0, 30.0]), np.empty((3, 0))
     verdict = judge_loading(step[:, None], none, step, zero, zero, zero, np.zeros((6, 6)), 1.0)
     assert verdict.verdict == "loaded"
     assert verdict.margin == pytest.approx(75.0)
-    # Measured (0, 0, 12): factor 0.4. loaded 600 * 0.36, half 600 * 0.01, not active 600 * 0.16: half before not active by 45.
+    # Measured (0, 0, 12): factor 0.4. loaded 600 * 0.36, half 600 * 0.01, not active 600 * 0.16:
+    # half before not active by 45.
     part = judge_loading(0.4 * step[:, None], none, step, zero, zero, zero, np.zeros((6, 6)), 1.0)
     assert part.verdict == "undecided"
     assert part.margin == pytest.approx(0.5 * 600 * (0.16 - 0.01))
@@ -230,19 +300,26 @@ def test_margin_is_the_log_likelihood_ratio() -> None:
 def test_missing_readings_and_targets() -> None:
     axis = an_axis(5)
     generator = np.random.default_rng(5)
-    after = (axis.truth + axis.table)[:, :, None] + axis.noise * generator.standard_normal((2, M, 5))
+    after = (axis.truth + axis.table)[:, :, None] + axis.noise * generator.standard_normal(
+        (2, M, 5)
+    )
     after[0, 3] = np.nan  # a target not measured in +
     after[1, 7, :3] = np.nan
-    verdict = compare(after, axis.truth + axis.table, axis.truth, np.zeros((2 * M, 2 * M)), axis.noise)
+    verdict = compare(
+        after, axis.truth + axis.table, axis.truth, np.zeros((2 * M, 2 * M)), axis.noise
+    )
     assert verdict.verdict == "loaded"
     nothing = np.full((2, M, 1), np.nan)
-    verdict = compare(nothing, axis.truth + axis.table, axis.truth, np.zeros((2 * M, 2 * M)), axis.noise)
+    verdict = compare(
+        nothing, axis.truth + axis.table, axis.truth, np.zeros((2 * M, 2 * M)), axis.noise
+    )
     assert verdict.verdict == "undecided"
     assert "fewer than 3" in verdict.message
 
 
 def test_readings_without_any_scatter() -> None:
-    # Repeats that are all equal to the instrument's resolution do not make the test infinitely certain.
+    # Repeats that are all equal to the instrument's resolution do not make the test infinitely
+    # certain.
     axis = an_axis(6, noise=0.0)
     after = np.repeat((axis.truth + axis.table)[:, :, None], 5, axis=2)
     verdict = compare(after, axis.truth + axis.table, axis.truth, np.zeros((2 * M, 2 * M)), 0.0)
@@ -269,19 +346,30 @@ def test_rotary_axes_speak_of_arcseconds() -> None:
     assert "arcsec" in verdict.message
     # less the loaded table 0, 4, -10, 0, datum -1.5; less nothing 0, 4, 0, 10, datum 3.5
     assert (
-        "Against the prediction it is off by 5.2 arcsec rms and at worst by 8.5 arcsec (180 deg approached in +)" in verdict.message
+        "Against the prediction it is off by 5.2 arcsec rms and at worst by 8.5 arcsec (180 deg"
+        " approached in +)" in verdict.message
     )
-    assert "Against no change it is off by 4.1 arcsec rms and at worst by 6.5 arcsec (270 deg approached in +)" in verdict.message
+    assert (
+        "Against no change it is off by 4.1 arcsec rms and at worst by 6.5 arcsec (270 deg"
+        " approached in +)" in verdict.message
+    )
 
 
 @pytest.mark.parametrize(
-    ("dof", "noise_dof"), [(1.0, 168.0), (1.0, math.inf), (20.0, 20.0), (40.0, 168.0), (41.0, math.inf), (5.0, 8.0)]
+    ("dof", "noise_dof"),
+    [(1.0, 168.0), (1.0, math.inf), (20.0, 20.0), (40.0, 168.0), (41.0, math.inf), (5.0, 8.0)],
 )
 @pytest.mark.parametrize("probability", [0.9, 0.99, 0.999])
 def test_normal_score_of_a_variance_ratio(dof: float, noise_dof: float, probability: float) -> None:
-    exact = stats.chi2.ppf(probability, dof) / dof if math.isinf(noise_dof) else stats.f.ppf(probability, dof, noise_dof)
+    exact = (
+        stats.chi2.ppf(probability, dof) / dof
+        if math.isinf(noise_dof)
+        else stats.f.ppf(probability, dof, noise_dof)
+    )
     # 0.12 in the score is a factor of 1.5 in a probability near 1 in 1000
-    assert normal_score(float(exact), dof, noise_dof) == pytest.approx(stats.norm.ppf(probability), abs=0.12)
+    assert normal_score(float(exact), dof, noise_dof) == pytest.approx(
+        stats.norm.ppf(probability), abs=0.12
+    )
 
 
 # ---------------------------------------------------------------- the verdict of a verification
@@ -302,5 +390,7 @@ def test_normal_score_of_a_variance_ratio(dof: float, noise_dof: float, probabil
         (["accept"], [], "undecided"),
     ],
 )
-def test_overall_verdict(decisions: list[Decision], loadings: list[LoadingName], verdict: str) -> None:
+def test_overall_verdict(
+    decisions: list[Decision], loadings: list[LoadingName], verdict: str
+) -> None:
     assert overall_verdict(decisions, loadings) == verdict

@@ -1,4 +1,6 @@
-"""verify says good only where the tests after loading prove it: faulty, thin, copied and missing tests, and edited jobs."""
+"""verify says good only where the tests after loading prove it: faulty, thin, copied and missing
+tests, and edited jobs.
+"""
 
 from __future__ import annotations
 
@@ -30,8 +32,12 @@ Readings = dict[int, Floats]
 def sinumerik(folder: Path, address: str = "AX1") -> Callable[[Floats, int], Floats]:
     """The correction of an axis with the files in ``folder`` loaded."""
     files = [ControlFile(path.name, path.read_bytes()) for path in sorted(folder.iterdir())]
-    judge = virtual_control("siemens-840d-sl", files, reference_return={address: Direction.POSITIVE})
-    return lambda x, sign: judge.correction(address, x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE)
+    judge = virtual_control(
+        "siemens-840d-sl", files, reference_return={address: Direction.POSITIVE}
+    )
+    return lambda x, sign: judge.correction(
+        address, x, Direction.POSITIVE if sign > 0 else Direction.NEGATIVE
+    )
 
 
 JOB = """compwright: 1
@@ -45,7 +51,9 @@ SECOND = "  Y: {travel: [0, 800], address: AX2, before: [y.csv], accept: {A: 8}}
 
 @pytest.fixture(scope="module")
 def done(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder in which the job of one axis has been run, and beside it (``two``) that of two axes."""
+    """A folder in which the job of one axis has been run, and beside it (``two``) that of two
+    axes.
+    """
     folder = tmp_path_factory.mktemp("done")
     for name, text in (("one", JOB), ("two", JOB + SECOND)):
         place = folder / name
@@ -69,8 +77,16 @@ def two(done: Path, tmp_path: Path) -> Path:
     return tmp_path / "two"
 
 
-def honest(folder: Path, seed: int = 3, targets: Floats = TARGETS, machine: Machine = MACHINE, address: str = "AX1") -> Readings:
-    return machine.measure(targets, seed, sinumerik(folder / "job" / "tables" / "siemens-840d-sl", address))
+def honest(
+    folder: Path,
+    seed: int = 3,
+    targets: Floats = TARGETS,
+    machine: Machine = MACHINE,
+    address: str = "AX1",
+) -> Readings:
+    return machine.measure(
+        targets, seed, sinumerik(folder / "job" / "tables" / "siemens-840d-sl", address)
+    )
 
 
 def verify(folder: Path, *files: str | Path) -> tuple[int, Any]:
@@ -110,17 +126,29 @@ def test_an_honest_test_at_newly_dithered_targets_is_good(folder: Path) -> None:
         (lambda _now, before: before, "copied"),
         (lambda _now, before: {s: block + 0.002 for s, block in before.items()}, "copied"),
         (lambda _now, before: {s: -block for s, block in before.items()}, "copied"),
-        (lambda now, _before: {s: np.repeat(block[:, :1], 5, axis=1) for s, block in now.items()}, "copied"),
+        (
+            lambda now, _before: {
+                s: np.repeat(block[:, :1], 5, axis=1) for s, block in now.items()
+            },
+            "copied",
+        ),
         # The means of a test of its own and the scatter of the first one: made at a desk.
         (
             lambda now, before: {
-                s: now[s].mean(axis=1, keepdims=True) + before[s] - before[s].mean(axis=1, keepdims=True) for s in now
+                s: (
+                    now[s].mean(axis=1, keepdims=True)
+                    + before[s]
+                    - before[s].mean(axis=1, keepdims=True)
+                )
+                for s in now
             },
             "copied",
         ),
     ],
 )
-def test_a_fault_of_measurement_is_named(folder: Path, fault: Callable[[Readings, Readings], Readings], of: str) -> None:
+def test_a_fault_of_measurement_is_named(
+    folder: Path, fault: Callable[[Readings, Readings], Readings], of: str
+) -> None:
     before = MACHINE.measure(TARGETS, 1)
     code, document = after(folder, fault(honest(folder), before))
     axis = document["axes"]["X"]
@@ -137,8 +165,12 @@ def test_targets_in_inches_are_a_fault_of_unit(folder: Path) -> None:
 
 
 @pytest.mark.parametrize(("turn", "of"), [("sign", "sign"), ("direction", "direction")])
-def test_turned_tests_are_named_where_the_table_leaves_something(tmp_path: Path, turn: str, of: str) -> None:
-    """FANUC with 1 µm and one curve leaves up to 0.5 µm and, of a varying reversal, more: enough to tell."""
+def test_turned_tests_are_named_where_the_table_leaves_something(
+    tmp_path: Path, turn: str, of: str
+) -> None:
+    """FANUC with 1 µm and one curve leaves up to 0.5 µm and, of a varying reversal, more: enough to
+    tell.
+    """
     targets = TARGETS
     folder = tmp_path
     machine = replace(MACHINE, noise=0.0002)
@@ -147,7 +179,9 @@ def test_turned_tests_are_named_where_the_table_leaves_something(tmp_path: Path,
         return sign * 0.002 * np.sin(4 * np.pi * np.asarray(x) / 800.0)
 
     (folder / "x.csv").write_text(csv_of(targets, machine.measure(targets, 1, varying)))
-    (folder / "job.yaml").write_text(JOB.replace("before:", "table: {mode: single, spacing: 100}, before:"))
+    (folder / "job.yaml").write_text(
+        JOB.replace("before:", "table: {mode: single, spacing: 100}, before:")
+    )
     assert compwright(["run", str(folder / "job.yaml")]) == 0
     table = sinumerik(folder / "job" / "tables" / "siemens-840d-sl")
     now = machine.measure(targets, 3, lambda x, sign: varying(x, sign) + table(x, sign))
@@ -167,7 +201,9 @@ def test_targets_must_cover_those_of_the_first_test(folder: Path, rows: list[int
         return
     assert (code, document["verdict"]) == (1, "undecided")
     assert "CW-V020" in codes(document)
-    message = next(finding["message"] for finding in document["doubts"] if finding["code"] == "CW-V020")
+    message = next(
+        finding["message"] for finding in document["doubts"] if finding["code"] == "CW-V020"
+    )
     assert "Measure 25 targets from " in message
 
 
@@ -179,14 +215,18 @@ def test_fewer_approaches_prove_less(folder: Path) -> None:
 
 @pytest.mark.parametrize("factor", [0.1, 8.0])
 def test_the_noise_must_be_believable(folder: Path, factor: float) -> None:
-    code, document = after(folder, honest(folder, machine=replace(MACHINE, noise=factor * MACHINE.noise)))
+    code, document = after(
+        folder, honest(folder, machine=replace(MACHINE, noise=factor * MACHINE.noise))
+    )
     assert (code, "CW-V021" in codes(document)) == (1, True)
 
 
 def test_a_warning_about_the_readings_counts(folder: Path) -> None:
     now = honest(folder)
     now[1][3, 2] = np.nan
-    (folder / "after.csv").write_text("\n".join(row for row in csv_of(TARGETS, now).splitlines() if "nan" not in row) + "\n")
+    (folder / "after.csv").write_text(
+        "\n".join(row for row in csv_of(TARGETS, now).splitlines() if "nan" not in row) + "\n"
+    )
     code, document = verify(folder, "after.csv")
     assert (code, document["verdict"]) == (1, "undecided")
     assert "CW-V024" in codes(document)
@@ -206,7 +246,14 @@ def test_one_measurement_for_two_axes(two: Path) -> None:
     (two / "one.csv").write_text(csv_of(TARGETS, honest(two), ""))
     shutil.copy(two / "one.csv", two / "other.csv")
     words = [f"x={two / 'one.csv'}", f"y={two / 'other.csv'}"]
-    code = compwright(["verify", str(two / "job.yaml"), *(word for file in words for word in ("--after", file)), "--force"])
+    code = compwright(
+        [
+            "verify",
+            str(two / "job.yaml"),
+            *(word for file in words for word in ("--after", file)),
+            "--force",
+        ]
+    )
     document = json.loads((two / "job" / "verification.json").read_text(encoding="utf-8"))
     assert (code, document["verdict"]) == (1, "undecided")
     assert {axis["loading"]["of"] for axis in document["axes"].values()} == {"copied"}
@@ -216,7 +263,11 @@ def test_one_file_twice_in_one_test(folder: Path) -> None:
     (folder / "a.csv").write_text(csv_of(TARGETS, honest(folder)))
     shutil.copy(folder / "a.csv", folder / "b.csv")
     code, document = verify(folder, "a.csv", "b.csv")
-    assert (code, document["verdict"], document["axes"]["X"]["loading"]["of"]) == (1, "undecided", "copied")
+    assert (code, document["verdict"], document["axes"]["X"]["loading"]["of"]) == (
+        1,
+        "undecided",
+        "copied",
+    )
 
 
 # ---------------------------------------------------------------- the plan of this job
@@ -235,16 +286,23 @@ def test_one_file_twice_in_one_test(folder: Path) -> None:
         ("accept: {A: 8}}\n", "accept: {A: 8}}\n" + SECOND),
     ],
 )
-def test_a_plan_of_another_job_is_refused(folder: Path, capsys: pytest.CaptureFixture[str], old: str, new: str) -> None:
+def test_a_plan_of_another_job_is_refused(
+    folder: Path, capsys: pytest.CaptureFixture[str], old: str, new: str
+) -> None:
     (folder / "after.csv").write_text(csv_of(TARGETS, honest(folder)))
     path = folder / "job.yaml"
     path.write_text(path.read_text().replace(old, new))
-    assert compwright(["verify", str(path), "--after", f"x={folder / 'after.csv'}", "--force"]) in {2, 3}
+    assert compwright(["verify", str(path), "--after", f"x={folder / 'after.csv'}", "--force"]) in {
+        2,
+        3,
+    }
     said = capsys.readouterr().err
     assert "run the job again" in said or "is no test of the job" in said
 
 
-def test_measurements_that_were_edited_after_the_run_are_noticed(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_measurements_that_were_edited_after_the_run_are_noticed(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (folder / "x.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 5)))
     (folder / "after.csv").write_text(csv_of(TARGETS, honest(folder)))
     assert verify(folder, "after.csv")[0] == 3
@@ -261,7 +319,11 @@ def test_limits_that_were_edited_after_the_run_leave_it_undecided(folder: Path) 
 def test_limits_of_another_test_than_the_one_measured_are_not_kept_by_it(folder: Path) -> None:
     (folder / "long.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 8)))
     path = folder / "job.yaml"
-    path.write_text(path.read_text().replace("[x.csv], accept: {A: 8}", "[x.csv, long.csv], accept: {test: long, A: 8}"))
+    path.write_text(
+        path.read_text().replace(
+            "[x.csv], accept: {A: 8}", "[x.csv, long.csv], accept: {test: long, A: 8}"
+        )
+    )
     assert compwright(["run", str(path), "--force"]) == 0
     code, document = after(folder, honest(folder))
     assert (code, document["verdict"], codes(document)) == (1, "undecided", ["CW-V023"])
@@ -272,7 +334,9 @@ def test_limits_of_another_test_than_the_one_measured_are_not_kept_by_it(folder:
 
 
 def test_false_alarms_of_the_noise_rule() -> None:
-    """Two honest tests whose noise differs by up to a factor of two: 2 targets and 2 runs up to 25 targets and 5 runs."""
+    """Two honest tests whose noise differs by up to a factor of two: 2 targets and 2 runs up to 25
+    targets and 5 runs.
+    """
     rng = np.random.default_rng(230)
     for dof in (1, 4, 8, 40, 200):
         alarms = 0
@@ -289,18 +353,25 @@ def test_the_noise_rule_sees_a_factor_of_ten(s: float, word: str) -> None:
 
 @pytest.mark.parametrize("noise", [0.0, 0.00003])
 def test_a_neighbours_test_with_another_zero_is_a_copy(two: Path, noise: float) -> None:
-    """Y was not measured: its sheet is that of X with another constant, and perhaps with 0.03 µm of noise on top (X: 0.4 µm)."""
+    """Y was not measured: its sheet is that of X with another constant, and perhaps with 0.03 µm of
+    noise on top (X: 0.4 µm).
+    """
     rng = np.random.default_rng(5)
     now = honest(two)
     (two / "x2.csv").write_text(csv_of(TARGETS, now))
-    made = {sign: block + 0.0003 + rng.normal(0.0, 1.0, block.shape) * noise for sign, block in now.items()}
+    made = {
+        sign: block + 0.0003 + rng.normal(0.0, 1.0, block.shape) * noise
+        for sign, block in now.items()
+    }
     (two / "y2.csv").write_text(csv_of(TARGETS, made, "Y"))
     code, document = verify(two, "x2.csv", "y2.csv")
     assert (code, document["verdict"]) == (1, "undecided")
     assert document["axes"]["Y"]["loading"]["of"] == "copied"
 
 
-def test_a_job_whose_state_was_edited_is_refused(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_job_whose_state_was_edited_is_refused(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """The plan was made for an empty control; the job now says that a table was in it."""
     (folder / "after.csv").write_text(csv_of(TARGETS, honest(folder)))
     shutil.copytree(folder / "job" / "tables" / "siemens-840d-sl", folder / "control")
@@ -326,14 +397,20 @@ WARM = "uncertainty: {U_theta: 0.5}\nthermal: {alpha_m: 11.5, T_m: 20.0}\n"
 
 
 @pytest.mark.parametrize("slope", [-3e-6, 3e-6])
-def test_a_hall_as_warm_as_the_job_says_leaves_the_table_loaded(tmp_path: Path, slope: float) -> None:
-    """0.26 K of difference is 3 µm/m of steel; the job declares 0.5 K (k = 2) for each of the two tests."""
+def test_a_hall_as_warm_as_the_job_says_leaves_the_table_loaded(
+    tmp_path: Path, slope: float
+) -> None:
+    """0.26 K of difference is 3 µm/m of steel; the job declares 0.5 K (k = 2) for each of the two
+    tests.
+    """
     machine = replace(MACHINE, slope=45e-6)
     (tmp_path / "x.csv").write_text(csv_of(TARGETS, machine.measure(TARGETS, 1)))
     (tmp_path / "job.yaml").write_text(JOB + WARM)
     assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
     now = honest(tmp_path, machine=machine)
-    code, document = after(tmp_path, {sign: block + slope * TARGETS[:, np.newaxis] for sign, block in now.items()})
+    code, document = after(
+        tmp_path, {sign: block + slope * TARGETS[:, np.newaxis] for sign, block in now.items()}
+    )
     assert (code, document["verdict"]) == (0, "good")
     never = machine.measure(TARGETS, 8)
     assert after(tmp_path, never)[1]["axes"]["X"]["loading"]["verdict"] == "not_active"
@@ -345,7 +422,9 @@ def test_a_decision_rule_that_was_edited_after_the_run_leaves_it_undecided(tmp_p
     path = tmp_path / "job.yaml"
     path.write_text(JOB + "decision_rule: guarded\nuncertainty: {device: {U: 7.5}}\n")
     assert compwright(["run", str(path)]) == 1
-    assert after(tmp_path, honest(tmp_path))[1]["axes"]["X"]["accept"]["A"]["decision"] == "undecided"
+    assert (
+        after(tmp_path, honest(tmp_path))[1]["axes"]["X"]["accept"]["A"]["decision"] == "undecided"
+    )
     path.write_text(path.read_text().replace("guarded", "simple"))
     code, document = after(tmp_path, honest(tmp_path))
     assert (code, document["verdict"], codes(document)) == (1, "undecided", ["CW-V022"])
@@ -356,20 +435,52 @@ def test_an_answer_whether_the_state_acted_that_was_edited_is_refused(folder: Pa
     job = read_job_file(folder / "job.yaml")
     plan = read_plan((folder / "job" / "plan.json").read_bytes(), "plan.json")
     assert not stale_plan(job, plan, "plan.json")
-    told = stale_plan(replace(job, active={"as_found": False}), replace(plan, active={"as_found": True}), "plan.json")
+    told = stale_plan(
+        replace(job, active={"as_found": False}),
+        replace(plan, active={"as_found": True}),
+        "plan.json",
+    )
     assert [fault.place for fault in told] == ["states.as_found.active"]
 
 
 @pytest.mark.parametrize(
     ("before", "edited", "told"),
     [
-        ("travel: [0, 800]", "travel: [0, 801.5]", "axis X: travel: {}; expected [0, 801.5], found [0, 800]"),
-        ("before:", "encoder: {type: absolute, system: 2}, before:", "axis X: encoder.system: {}; expected 2, found 1"),
-        ("before:", "encoder: {type: absolute}, before:", "axis X: encoder.type: {}; expected absolute, found incremental"),
-        ("before:", "table: {spacing: 25}, before:", "axis X: table.spacing: {}; expected 25, found not given"),
-        ("before:", "screw_pitch: [10, 5], before:", "axis X: screw_pitch: {}; expected [10, 5], found []"),
-        ("before:", 'reference_return: "-", before:', "axis X: reference_return: {}; expected -, found +"),
-        ("before:", "options: {points: 40}, before:", "axis X: options.points: {}; expected 40, found not given"),
+        (
+            "travel: [0, 800]",
+            "travel: [0, 801.5]",
+            "axis X: travel: {}; expected [0, 801.5], found [0, 800]",
+        ),
+        (
+            "before:",
+            "encoder: {type: absolute, system: 2}, before:",
+            "axis X: encoder.system: {}; expected 2, found 1",
+        ),
+        (
+            "before:",
+            "encoder: {type: absolute}, before:",
+            "axis X: encoder.type: {}; expected absolute, found incremental",
+        ),
+        (
+            "before:",
+            "table: {spacing: 25}, before:",
+            "axis X: table.spacing: {}; expected 25, found not given",
+        ),
+        (
+            "before:",
+            "screw_pitch: [10, 5], before:",
+            "axis X: screw_pitch: {}; expected [10, 5], found []",
+        ),
+        (
+            "before:",
+            'reference_return: "-", before:',
+            "axis X: reference_return: {}; expected -, found +",
+        ),
+        (
+            "before:",
+            "options: {points: 40}, before:",
+            "axis X: options.points: {}; expected 40, found not given",
+        ),
     ],
 )
 def test_what_was_edited_is_said_in_the_words_of_the_job(
@@ -382,6 +493,9 @@ def test_what_was_edited_is_said_in_the_words_of_the_job(
     path.write_text(text.replace(before, edited, 1))
     assert verify(folder, "after.csv")[0] == 3
     said = capsys.readouterr().err
-    message = "the plan was made for another job, or before the job was edited; run the job again, or name its own plan with --plan"
+    message = (
+        "the plan was made for another job, or before the job was edited; run the job again, or"
+        " name its own plan with --plan"
+    )
     assert told.format(message) in said
     assert not any(mark in said for mark in ("Encoder", "(", "Direction", "None", "{"))

@@ -1,4 +1,6 @@
-"""The virtual SINUMERIK of the tests against the manuals' own statements: a judge that is wrong judges nothing."""
+"""The virtual SINUMERIK of the tests against the manuals' own statements: a judge that is wrong
+judges nothing.
+"""
 
 from __future__ import annotations
 
@@ -33,7 +35,9 @@ def control(*texts: str, **words: object) -> VirtualSinumerik:
 
 def test_a_positive_table_value_moves_the_axis_in_the_negative_direction() -> None:
     virtual = control(TABLE, "N32700 $MA_ENC_COMP_ENABLE[0,AX1]=TRUE")
-    np.testing.assert_allclose(virtual.correction("AX1", PLACES, 1), [-0.003, -0.003, -0.002, 0.0045, 0.0045], atol=1e-12)
+    np.testing.assert_allclose(
+        virtual.correction("AX1", PLACES, 1), [-0.003, -0.003, -0.002, 0.0045, 0.0045], atol=1e-12
+    )
 
 
 def test_a_table_that_is_switched_off_does_nothing() -> None:
@@ -42,7 +46,9 @@ def test_a_table_that_is_switched_off_does_nothing() -> None:
 
 def test_a_table_is_write_protected_while_it_acts() -> None:
     virtual = control(TABLE, "$MA_ENC_COMP_ENABLE[0,AX1]=1", TABLE.replace("0.003", "0.5"))
-    assert [(refused.new, refused.mattered) for refused in virtual.refused if refused.mattered] == [("0.5", True)]
+    assert [(refused.new, refused.mattered) for refused in virtual.refused if refused.mattered] == [
+        ("0.5", True)
+    ]
     assert virtual.correction("AX1", PLACES, 1)[0] == pytest.approx(-0.003, abs=1e-12)
 
 
@@ -54,36 +60,58 @@ def test_points_beyond_the_reserved_ones_are_not_taken() -> None:
 @pytest.mark.parametrize("text", [TABLE.replace("CHANDATA", "INCH\nCHANDATA"), TABLE])
 def test_an_inch_control_counts_in_inches(text: str) -> None:
     virtual = control("$MN_SCALING_SYSTEM_IS_METRIC=0", text, "$MA_ENC_COMP_ENABLE[0,AX1]=1")
-    assert virtual.correction("AX1", np.array([-100 * 25.4]), 1)[0] == pytest.approx(-0.003 * 25.4, abs=1e-12)
+    assert virtual.correction("AX1", np.array([-100 * 25.4]), 1)[0] == pytest.approx(
+        -0.003 * 25.4, abs=1e-12
+    )
 
 
 def test_degrees_stay_degrees_on_an_inch_control() -> None:
-    virtual = control("$MN_SCALING_SYSTEM_IS_METRIC=0\n$MA_IS_ROT_AX[AX1]=1", TABLE, "$MA_ENC_COMP_ENABLE[0,AX1]=1")
+    virtual = control(
+        "$MN_SCALING_SYSTEM_IS_METRIC=0\n$MA_IS_ROT_AX[AX1]=1",
+        TABLE,
+        "$MA_ENC_COMP_ENABLE[0,AX1]=1",
+    )
     assert virtual.correction("AX1", np.array([-100.0]), 1)[0] == pytest.approx(-0.003, abs=1e-12)
 
 
 def test_a_modulo_table_repeats() -> None:
     text = TABLE.replace("-0.0045", "0.003").replace("MODULO[0,AX1]=0", "MODULO[0,AX1]=1")
     virtual = control(text, "$MA_ENC_COMP_ENABLE[0,AX1]=1")
-    np.testing.assert_allclose(virtual.correction("AX1", np.array([-75.0, 125.0, 325.0]), 1), -0.002, atol=1e-12)
+    np.testing.assert_allclose(
+        virtual.correction("AX1", np.array([-75.0, 125.0, 325.0]), 1), -0.002, atol=1e-12
+    )
 
 
 def test_the_measuring_system_in_use_is_the_only_one_that_acts() -> None:
-    second = TABLE.replace("[0,", "[1,").replace("M17", "$MA_BACKLASH[1,AX1]=0.01\n$MA_BACKLASH[0,AX1]=0.5\nM17")
+    second = TABLE.replace("[0,", "[1,").replace(
+        "M17", "$MA_BACKLASH[1,AX1]=0.01\n$MA_BACKLASH[0,AX1]=0.5\nM17"
+    )
     virtual = control(second, "$MA_NUM_ENCS[AX1]=2\n$MA_ENC_COMP_ENABLE[1,AX1]=1")
-    assert virtual.correction("AX1", np.array([-100.0]), -1)[0] == pytest.approx(-0.003 - 0.01, abs=1e-12)
-    assert not control(second, "$MA_NUM_ENCS[AX1]=1\n$MA_ENC_COMP_ENABLE[1,AX1]=1").correction("AX1", PLACES, 1).any()
+    assert virtual.correction("AX1", np.array([-100.0]), -1)[0] == pytest.approx(
+        -0.003 - 0.01, abs=1e-12
+    )
+    assert (
+        not control(second, "$MA_NUM_ENCS[AX1]=1\n$MA_ENC_COMP_ENABLE[1,AX1]=1")
+        .correction("AX1", PLACES, 1)
+        .any()
+    )
 
 
 @pytest.mark.parametrize("home", [1, -1])
 def test_backlash_acts_against_the_direction_of_referencing(home: int) -> None:
-    virtual = control("$MA_BACKLASH[0,AX1]=0.004\n$MA_BACKLASH_FACTOR[0,AX1]=2", reference_return={"AX1": home})
+    virtual = control(
+        "$MA_BACKLASH[0,AX1]=0.004\n$MA_BACKLASH_FACTOR[0,AX1]=2", reference_return={"AX1": home}
+    )
     found = [virtual.correction("AX1", np.zeros(1), direction)[0] for direction in (home, -home)]
     np.testing.assert_allclose(found, [0, -home * 0.008], atol=1e-12)
 
 
 def test_x1_and_ax1_are_one_axis() -> None:
-    virtual = control('$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"', TABLE.replace("AX1", "X1"), "$MA_ENC_COMP_ENABLE[0,AX1]=1")
+    virtual = control(
+        '$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"',
+        TABLE.replace("AX1", "X1"),
+        "$MA_ENC_COMP_ENABLE[0,AX1]=1",
+    )
     assert virtual.correction("AX1", PLACES, 1)[0] == pytest.approx(-0.003, abs=1e-12)
 
 
@@ -108,15 +136,24 @@ def test_a_pair_acts_by_direction_with_weight_and_limit() -> None:
     own = CROSS.replace("(AX2)", "(AX1)").replace("DIRECTION[3]=0", "DIRECTION[3]=-1")
     virtual = control(own, "$SN_CEC_TABLE_WEIGHT[3]=0.5\n$MA_CEC_MAX_SUM[AX1]=0.004", ON)
     assert not virtual.correction("AX1", PLACES, 1).any()
-    np.testing.assert_allclose(virtual.correction("AX1", np.array([0.0, 50.0, 100.0]), -1), [0, 0.0025, 0.004], atol=1e-12)
+    np.testing.assert_allclose(
+        virtual.correction("AX1", np.array([0.0, 50.0, 100.0]), -1), [0, 0.0025, 0.004], atol=1e-12
+    )
 
 
 def test_a_product_of_two_tables_goes_to_the_first_ones_output() -> None:
     other = CROSS.replace("[3", "[4").replace("(AX2)", "(AX1)").replace("0.01", "2")
     virtual = control(CROSS.replace("TABLE[3]=0", "TABLE[3]=5"), other, ON, positions={"AX2": 50.0})
-    np.testing.assert_allclose(virtual.correction("AX1", np.array([25.0, 100.0]), 1), [0.005 * 0.5, 0.005 * 2], atol=1e-12)
+    np.testing.assert_allclose(
+        virtual.correction("AX1", np.array([25.0, 100.0]), 1), [0.005 * 0.5, 0.005 * 2], atol=1e-12
+    )
 
 
 def test_conditions_are_no_assignments() -> None:
-    text = 'IF $MA_NUM_ENCS[AX1]==1 GOTOF ENDE\nN10 IF ($A_X[1]=="B") $MA_BACKLASH[0,AX1]=1\n$MA_BACKLASH [0, AX1] = +0.5'
-    assert [(register, value.text) for register, value in assignments(text)] == [(("MA_BACKLASH", ("0", "AX1")), "+0.5")]
+    text = (
+        'IF $MA_NUM_ENCS[AX1]==1 GOTOF ENDE\nN10 IF ($A_X[1]=="B")'
+        " $MA_BACKLASH[0,AX1]=1\n$MA_BACKLASH [0, AX1] = +0.5"
+    )
+    assert [(register, value.text) for register, value in assignments(text)] == [
+        (("MA_BACKLASH", ("0", "AX1")), "+0.5")
+    ]

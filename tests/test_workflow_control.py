@@ -1,4 +1,6 @@
-"""Opening a control: its definition is found by its own file, and an unknown one is told with those that exist."""
+"""Opening a control: its definition is found by its own file, and an unknown one is told with those
+that exist.
+"""
 
 import pytest
 
@@ -9,9 +11,15 @@ from format_samples import DEFINITIONS
 
 
 @pytest.mark.parametrize("format_id", DEFINITIONS)
-def test_a_control_is_opened_from_the_file_of_its_name(format_id: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    # The other files may be damaged: they are not read, which is also what keeps the start of a run short.
-    files = {name: content if name == f"{format_id}.yaml" else b"id: [" for name, content in storage.definition_files()}
+def test_a_control_is_opened_from_the_file_of_its_name(
+    format_id: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # The other files may be damaged: they are not read, which is also what keeps the start of a run
+    # short.
+    files = {
+        name: content if name == f"{format_id}.yaml" else b"id: ["
+        for name, content in storage.definition_files()
+    }
     monkeypatch.setattr(storage, "definition_files", lambda: iter(files.items()))
     control = open_control(format_id, {})
     assert control.definition == DEFINITIONS[format_id]

@@ -23,14 +23,18 @@ GOOD = "# axis: X\n# machine: VMC 850\ntarget_mm,direction,run,deviation_um\n"
 
 
 def csv_file(folder: Path, name: str, scale: float = 1.0, directions: str = "+-") -> Path:
-    """A slope, 2 µm more in − at every target, five readings whose scatter is 1.3 times as large in −."""
+    """A slope, 2 µm more in − at every target, five readings whose scatter is 1.3 times as large in
+    −.
+    """
     scatter = (0.3, -0.8, 0.6, -0.2, 0.1)
     rows = []
     for x in (3.0, 110.5, 190.0, 310.0, 402.0):
         for d in directions:
             lost, factor = (2.0, 1.3) if d == "-" else (0.0, 1.0)
             for run, off in enumerate(scatter, start=1):
-                rows.append(f"{x},{d},{run},{scale * (x / 100 + lost + factor * off * (1 + x / 400)):.3f}\n")
+                rows.append(
+                    f"{x},{d},{run},{scale * (x / 100 + lost + factor * off * (1 + x / 400)):.3f}\n"
+                )
     path = folder / name
     path.write_text(GOOD + "".join(rows), encoding="utf-8")
     return path
@@ -46,13 +50,17 @@ def test_files_and_standards(tmp_path: Path) -> None:
     single = evaluate_files(paths[:1]).document["results"][0]
     assert single["standard"] == "iso230-2:2014"
     # 2 µm more in − at every target
-    assert single["parameters"]["B"] == pytest.approx(2.0, abs=0.001)  # µm; the file holds steps of 0.001
+    assert single["parameters"]["B"] == pytest.approx(
+        2.0, abs=0.001
+    )  # µm; the file holds steps of 0.001
 
 
 def test_a_folder_is_read_whole_and_what_is_unreadable_is_listed(tmp_path: Path) -> None:
     good = csv_file(tmp_path, "b.csv")
     (tmp_path / "a.txt").write_text("shopping list\n", encoding="utf-8")
-    (tmp_path / "c.csv").write_text("target_mm,direction,run,deviation_um\n1,+,1,abc\n", encoding="utf-8")
+    (tmp_path / "c.csv").write_text(
+        "target_mm,direction,run,deviation_um\n1,+,1,abc\n", encoding="utf-8"
+    )
     (tmp_path / ".hidden").write_text("x", encoding="utf-8")
     (tmp_path / "inner").mkdir()
     run = evaluate_files([tmp_path, good, tmp_path / "nowhere.csv"])
@@ -67,7 +75,9 @@ def test_a_folder_is_read_whole_and_what_is_unreadable_is_listed(tmp_path: Path)
 def test_an_empty_folder_is_an_error(tmp_path: Path) -> None:
     run = evaluate_files([tmp_path])
     assert run.exit_code == 3
-    assert run.document["errors"] == [{"file": str(tmp_path), "message": "the folder holds no files"}]
+    assert run.document["errors"] == [
+        {"file": str(tmp_path), "message": "the folder holds no files"}
+    ]
 
 
 def test_wrong_options_are_told_all_at_once(tmp_path: Path) -> None:
@@ -82,7 +92,10 @@ def test_wrong_options_are_told_all_at_once(tmp_path: Path) -> None:
         evaluate_files([path], [], "range")
     with pytest.raises(UsageError, match="nothing to evaluate"):
         evaluate_files([])
-    assert evaluate_files([path], ["iso230-2:1988"], "range").document["results"][0]["spread"] == "range"
+    assert (
+        evaluate_files([path], ["iso230-2:1988"], "range").document["results"][0]["spread"]
+        == "range"
+    )
 
 
 def test_writing(tmp_path: Path) -> None:
@@ -99,8 +112,14 @@ def test_writing(tmp_path: Path) -> None:
 
 def several(folder: Path, standards: list[str]) -> dict[str, Any]:
     """The results to several standards in one document, as ``evaluate`` gives them one by one."""
-    documents = [evaluate_files([folder], [standard] if standard else []).document for standard in standards or [""]]
-    return {**documents[0], "results": [result for document in documents for result in document["results"]]}
+    documents = [
+        evaluate_files([folder], [standard] if standard else []).document
+        for standard in standards or [""]
+    ]
+    return {
+        **documents[0],
+        "results": [result for document in documents for result in document["results"]],
+    }
 
 
 def shown(folder: Path, standards: list[str], width: int, *, targets: bool = False) -> str:
@@ -127,13 +146,25 @@ def test_terminal_shows_the_documents_numbers(tmp_path: Path, width: int) -> Non
             if value is not None:
                 assert f"{abs(value):.2f}" in text
     for name, word in (("A", "Accuracy"), ("E", "Systematic deviation"), ("R", "Repeatability")):
-        row = next(line for line in text.splitlines() if line.startswith(word)).removeprefix(word).split()
-        assert row[:4] == [name, *(f"{results[0]['parameters'][name + suffix]:.2f}" for suffix in ("", "_positive", "_negative"))]
+        row = (
+            next(line for line in text.splitlines() if line.startswith(word))
+            .removeprefix(word)
+            .split()
+        )
+        assert row[:4] == [
+            name,
+            *(
+                f"{results[0]['parameters'][name + suffix]:.2f}"
+                for suffix in ("", "_positive", "_negative")
+            ),
+        ]
     for finding in results[0]["findings"]:
         assert finding["code"] in text
     assert "…" not in text  # nothing cut off
     # what three standards share is told once
-    assert sum(line.lstrip().startswith(("info", "warning")) for line in text.splitlines()) == len(results[0]["findings"])
+    assert sum(line.lstrip().startswith(("info", "warning")) for line in text.splitlines()) == len(
+        results[0]["findings"]
+    )
 
 
 def test_terminal_shows_what_is_missing(tmp_path: Path) -> None:
@@ -147,18 +178,23 @@ def test_terminal_shows_what_is_missing(tmp_path: Path) -> None:
 
 def test_hostile_text_is_shown_as_it_is(tmp_path: Path) -> None:
     path = csv_file(tmp_path, "a.csv")
-    path.write_text(path.read_text("utf-8").replace("# axis: X", "# axis: [red]X[/]"), encoding="utf-8")
+    path.write_text(
+        path.read_text("utf-8").replace("# axis: X", "# axis: [red]X[/]"), encoding="utf-8"
+    )
     assert "axis [red]X[/] (linear)" in shown(tmp_path, [], 80)
 
 
 def test_the_evaluate_path_loads_nothing_heavy(tmp_path: Path) -> None:
     path = csv_file(tmp_path, "a.csv")
     code = (
-        "import sys; from pathlib import Path; from compwright.workflow.answers import document_text;"
-        "from compwright.workflow.evaluate import evaluate_files;"
-        f"document_text(evaluate_files([Path({str(path)!r})]).document);"
-        "print([m for m in ('scipy', 'cvxpy', 'osqp', 'matplotlib', 'pydantic', 'rich') if m in sys.modules])"
+        "import sys; from pathlib import Path; from compwright.workflow.answers import"
+        " document_text;from compwright.workflow.evaluate import"
+        f" evaluate_files;document_text(evaluate_files([Path({str(path)!r})]).document);print([m"
+        " for m in ('scipy', 'cvxpy', 'osqp', 'matplotlib', 'pydantic', 'rich') if m in"
+        " sys.modules])"
     )
     environment = {**os.environ, "PYTHONPATH": str(PROJECT / "src")}
-    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment)
+    answer = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, env=environment
+    )
     assert answer.stdout.strip() == "[]"

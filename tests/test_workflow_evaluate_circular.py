@@ -1,4 +1,6 @@
-"""Circular tests through the command line: reference values, pairs of files, bad input, what the terminal shows."""
+"""Circular tests through the command line: reference values, pairs of files, bad input, what the
+terminal shows.
+"""
 
 from __future__ import annotations
 
@@ -33,18 +35,34 @@ from places import PROJECT, REAL, needs_shared
 pytestmark = pytest.mark.painted
 
 BALLBAR = REAL / "ballbar"
-FILES = ("ballbar_demo_100mm_XY.b5r", "ballbar_qc20w_150mm_XY.b5r", "ballbar_qc20w_150mm_ZX_220deg.b5r")
-#: µm. The reference table holds values rounded to 0.01; what is beyond is the difference between two computations.
+FILES = (
+    "ballbar_demo_100mm_XY.b5r",
+    "ballbar_qc20w_150mm_XY.b5r",
+    "ballbar_qc20w_150mm_ZX_220deg.b5r",
+)
+#: µm. The reference table holds values rounded to 0.01; what is beyond is the difference between
+#: two computations.
 REFERENCE = 0.05
-#: µm. The instrument prints one decimal (half of it: 0.05); 0.005 more for its own readings of five decimals of a mm.
+#: µm. The instrument prints one decimal (half of it: 0.05); 0.005 more for its own readings of five
+#: decimals of a mm.
 PRINTED = 0.055
 POSITIONING = "# axis: X\ntarget_mm,direction,run,deviation_um\n" + "".join(
-    f"{x},{way},{run},{x / 100 + run / 10}\n" for x in (0, 100, 200) for way in "+-" for run in (1, 2)
+    f"{x},{way},{run},{x / 100 + run / 10}\n"
+    for x in (0, 100, 200)
+    for way in "+-"
+    for run in (1, 2)
 )
-MACHINE = Machine(squareness=40.0, backlash_first_at_positive=6.0, backlash_first_at_negative=6.0, scale_error_second=20.0)
+MACHINE = Machine(
+    squareness=40.0,
+    backlash_first_at_positive=6.0,
+    backlash_first_at_negative=6.0,
+    scale_error_second=20.0,
+)
 
 
-def answer(capsys: pytest.CaptureFixture[str], *words: str | Path) -> tuple[int, dict[str, Any], str]:
+def answer(
+    capsys: pytest.CaptureFixture[str], *words: str | Path
+) -> tuple[int, dict[str, Any], str]:
     """Run ``evaluate ... --json -``; return exit code, document and messages."""
     code = compwright(["evaluate", *map(str, words), "--json", "-"])
     captured = capsys.readouterr()
@@ -60,16 +78,31 @@ def csv_of(
     plane: str = "XY",
 ) -> str:
     """Return a test of the independent machine as plain CSV; ``sense`` alone where one is named."""
-    test = measured(machine, setup or Setup(radius=100.0, feed=1000.0, samples=720, noise=0.3), np.random.default_rng(4))
-    own = {"plane": plane, "nominal_radius_mm": f"{test.nominal_radius}", "feed_mm_min": f"{test.feed}", "calibrated": "yes"}
-    lines = [f"# {key}: {value}" for key, value in {**own, **(keys or {})}.items()] + ["direction,angle_deg,deviation_um"]
+    test = measured(
+        machine,
+        setup or Setup(radius=100.0, feed=1000.0, samples=720, noise=0.3),
+        np.random.default_rng(4),
+    )
+    own = {
+        "plane": plane,
+        "nominal_radius_mm": f"{test.nominal_radius}",
+        "feed_mm_min": f"{test.feed}",
+        "calibrated": "yes",
+    }
+    lines = [f"# {key}: {value}" for key, value in {**own, **(keys or {})}.items()] + [
+        "direction,angle_deg,deviation_um"
+    ]
     for run in test.runs:
         if sense in (None, run.sense):
-            lines += [f"{run.sense},{a:.6f},{d * 1000:.5f}" for a, d in zip(run.angles, run.deviations, strict=True)]
+            lines += [
+                f"{run.sense},{a:.6f},{d * 1000:.5f}"
+                for a, d in zip(run.angles, run.deviations, strict=True)
+            ]
     return "\n".join(lines) + "\n"
 
 
-# --- outside references --------------------------------------------------------------------------------------------------------
+# --- outside references
+# --------------------------------------------------------------------------------------------------
 
 
 @needs_shared
@@ -89,9 +122,17 @@ def test_reference_values_end_to_end(name: str, capsys: pytest.CaptureFixture[st
     for way in ("ccw", "cw"):
         found[f"{way}_cx_um"], found[f"{way}_cy_um"] = result["centre"][way]
         found[f"{way}_mean_dev_um"] = result["mean_radius_deviation"][way]
-        found[f"{way}_G_lsc_um"], found[f"{way}_G_mzc_um"] = values[f"G_{way}_lsc"], values[f"G_{way}"]
-        found[f"{way}_Fmax_um"], found[f"{way}_Fmin_um"] = values[f"F_max_{way}_lsc"], values[f"F_min_{way}_lsc"]
-        assert len(next(run for run in result["runs"] if run["direction"] == way)["angles"]) == int(expected[f"{way}_n"])
+        found[f"{way}_G_lsc_um"], found[f"{way}_G_mzc_um"] = (
+            values[f"G_{way}_lsc"],
+            values[f"G_{way}"],
+        )
+        found[f"{way}_Fmax_um"], found[f"{way}_Fmin_um"] = (
+            values[f"F_max_{way}_lsc"],
+            values[f"F_min_{way}_lsc"],
+        )
+        assert len(next(run for run in result["runs"] if run["direction"] == way)["angles"]) == int(
+            expected[f"{way}_n"]
+        )
     for key, value in found.items():
         assert value == pytest.approx(float(expected[key]), abs=REFERENCE), key
 
@@ -104,10 +145,17 @@ def test_printed_results_of_the_instrument(name: str, capsys: pytest.CaptureFixt
     values = document["results"][0]["parameters"]
     told = printed["2005"]
     pairs = {"G_ccw_lsc": "CIRCULAR_DEVIATION_CCW", "G_cw_lsc": "CIRCULAR_DEVIATION_CW"}
-    pairs |= {"G_bidirectional_lsc": "BIDIRECTIONAL_CIRCULAR_DEVIATION", "D": "MEAN_BIDIRECTIONAL_RADIAL_DEVIATION"}
-    if "AF_MAX_RADIAL_DEVIATION_CCW" in told:  # the demo's bar was not calibrated, and none are printed
+    pairs |= {
+        "G_bidirectional_lsc": "BIDIRECTIONAL_CIRCULAR_DEVIATION",
+        "D": "MEAN_BIDIRECTIONAL_RADIAL_DEVIATION",
+    }
+    if (
+        "AF_MAX_RADIAL_DEVIATION_CCW" in told
+    ):  # the demo's bar was not calibrated, and none are printed
         pairs |= {
-            f"F_{end}_{way}_lsc": f"{end.upper()}_RADIAL_DEVIATION_{way.upper()}" for end in ("max", "min") for way in ("ccw", "cw")
+            f"F_{end}_{way}_lsc": f"{end.upper()}_RADIAL_DEVIATION_{way.upper()}"
+            for end in ("max", "min")
+            for way in ("ccw", "cw")
         }
     for ours, theirs in pairs.items():
         assert values[ours] == pytest.approx(told[f"AF_{theirs}"], abs=PRINTED), ours
@@ -126,47 +174,87 @@ def test_radial_deviations_need_a_calibrated_bar(capsys: pytest.CaptureFixture[s
 
 
 @needs_shared
-def test_plain_regression_agrees_with_the_instruments_diagnostics(capsys: pytest.CaptureFixture[str]) -> None:
-    """The bounds are those within which an outside recomputation agreed on this file, and half the last digit printed."""
+def test_plain_regression_agrees_with_the_instruments_diagnostics(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    """The bounds are those within which an outside recomputation agreed on this file, and half the
+    last digit printed.
+    """
     path = BALLBAR / FILES[1]
     root = ET.fromstring(path.read_text("utf-8-sig"))  # noqa: S314  a known file
-    block = next(entry for entry in root.iter("ANALYSIS") if entry.attrib["NAME"] == "RENISHAW_DIAGNOSTICS")
-    printed = {feature.attrib["NAME"].removeprefix("AF_"): float(feature.text or "nan") for feature in block.iter("FEATURE")}
+    block = next(
+        entry for entry in root.iter("ANALYSIS") if entry.attrib["NAME"] == "RENISHAW_DIAGNOSTICS"
+    )
+    printed = {
+        feature.attrib["NAME"].removeprefix("AF_"): float(feature.text or "nan")
+        for feature in block.iter("FEATURE")
+    }
     _, document, _ = answer(capsys, path)
     plain = document["results"][0]["plain"]
-    pairs = {"squareness": "SQUARENESS", "servo_mismatch": "SERVO_MISMATCH", "scale_mismatch": "SCALE_MISMATCH"}
+    pairs = {
+        "squareness": "SQUARENESS",
+        "servo_mismatch": "SERVO_MISMATCH",
+        "scale_mismatch": "SCALE_MISMATCH",
+    }
     pairs["radius_change"] = "RADIUS_CHANGE"
     for axis, letter in (("first", "A"), ("second", "B")):
-        pairs |= {f"backlash_{axis}": f"BACKLASH_{letter}_GLOBAL", f"lateral_play_{axis}": f"LATERAL_PLAY_{letter}_GLOBAL"}
+        pairs |= {
+            f"backlash_{axis}": f"BACKLASH_{letter}_GLOBAL",
+            f"lateral_play_{axis}": f"LATERAL_PLAY_{letter}_GLOBAL",
+        }
         pairs |= {f"straightness_{axis}": f"STRAIGHTNESS_{letter}"}
-        pairs |= {f"backlash_{axis}_at_{end}": f"BACKLASH_{letter}_{end[:3].upper()}" for end in ("positive", "negative")}
+        pairs |= {
+            f"backlash_{axis}_at_{end}": f"BACKLASH_{letter}_{end[:3].upper()}"
+            for end in ("positive", "negative")
+        }
     bounds = {"squareness": 1.5 + 0.05, "servo_mismatch": 0.02 + 0.005}  # um/m, ms
     for ours, theirs in pairs.items():
         assert plain[ours] == pytest.approx(printed[theirs], abs=bounds.get(ours, 0.3 + 0.05)), ours
 
 
-def test_known_causes_come_back_through_csv(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_known_causes_come_back_through_csv(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     path = tmp_path / "xy.csv"
     path.write_text(csv_of(), encoding="utf-8")
     code, document, _ = answer(capsys, path)
     assert code == 0
     found, true = document["results"][0]["diagnosis"], truth(MACHINE, Setup(radius=100.0))
-    for name in ("squareness", "scale_mismatch", "backlash_first", "backlash_second", "servo_mismatch", "lateral_play_first"):
+    for name in (
+        "squareness",
+        "scale_mismatch",
+        "backlash_first",
+        "backlash_second",
+        "servo_mismatch",
+        "lateral_play_first",
+    ):
         effect = found[name]
         assert effect["value"] == pytest.approx(true[name], abs=4.0 * effect["std_error"]), name
-    # 4 standard errors of noise of 0.3 µm over 1440 samples are far below the causes: 40 um/m and 6 µm
+    # 4 standard errors of noise of 0.3 µm over 1440 samples are far below the causes: 40 um/m and 6
+    # µm
     assert found["squareness"]["std_error"] < 2.0
     assert found["backlash_first"]["std_error"] < 0.5
 
 
-# --- the files of one test -----------------------------------------------------------------------------------------------------
+# --- the files of one test
+# --------------------------------------------------------------------------------------------------
 
 
 def names_and_codes(folder: Path) -> list[tuple[str, int, list[str]]]:
     """Return name, number of sources, and findings about pairs, of each result."""
     results = evaluate_files([folder]).document["results"]
-    codes = [[finding["code"] for finding in result["findings"] if finding["code"] in ("CW-R038", "CW-R039")] for result in results]
-    return [(result["name"], len(result["sources"]), told) for result, told in zip(results, codes, strict=True)]
+    codes = [
+        [
+            finding["code"]
+            for finding in result["findings"]
+            if finding["code"] in ("CW-R038", "CW-R039")
+        ]
+        for result in results
+    ]
+    return [
+        (result["name"], len(result["sources"]), told)
+        for result, told in zip(results, codes, strict=True)
+    ]
 
 
 def put(folder: Path, **files: str) -> None:
@@ -183,7 +271,10 @@ def test_two_files_of_one_direction_each_are_one_test(tmp_path: Path) -> None:
     (other,) = evaluate_files([tmp_path / "whole"]).document["results"]
     for key in ("name", "plane", "parameters", "centre", "diagnosis", "plain", "feed", "arc"):
         assert one[key] == other[key], key
-    assert sorted(Path(source["file"]).name for source in one["sources"]) == ["xy_CW.csv", "xy_ccw.csv"]
+    assert sorted(Path(source["file"]).name for source in one["sources"]) == [
+        "xy_CW.csv",
+        "xy_ccw.csv",
+    ]
     (told,) = [finding for finding in one["findings"] if finding["code"] == "CW-R038"]
     assert told["severity"] == "info"
     assert "xy_ccw.csv (ccw)" in told["message"]
@@ -236,7 +327,10 @@ def test_names_decide_where_the_content_does_not(tmp_path: Path, order: tuple[in
     results = evaluate_files([paths[index] for index in order]).document["results"]
     squareness = {result["name"]: result["diagnosis"]["squareness"]["value"] for result in results}
     # um/m; the causes differ by 35, the standard errors are below 2
-    assert squareness == {"before": pytest.approx(40.0, abs=8.0), "after": pytest.approx(5.0, abs=8.0)}
+    assert squareness == {
+        "before": pytest.approx(40.0, abs=8.0),
+        "after": pytest.approx(5.0, abs=8.0),
+    }
 
 
 def test_a_whole_test_and_the_rest_by_elimination(tmp_path: Path) -> None:
@@ -248,7 +342,11 @@ def test_a_whole_test_and_the_rest_by_elimination(tmp_path: Path) -> None:
         u=csv_of("ccw", keys={"date": "1"}),
         v=csv_of("cw", keys={"date": "1"}),
     )
-    assert names_and_codes(tmp_path) == [("a", 1, []), ("b", 2, ["CW-R038"]), ("u + v", 2, ["CW-R038"])]
+    assert names_and_codes(tmp_path) == [
+        ("a", 1, []),
+        ("b", 2, ["CW-R038"]),
+        ("u + v", 2, ["CW-R038"]),
+    ]
 
 
 def test_a_word_that_only_contains_cw_is_no_direction(tmp_path: Path) -> None:
@@ -257,7 +355,8 @@ def test_a_word_that_only_contains_cw_is_no_direction(tmp_path: Path) -> None:
     assert names_and_codes(tmp_path) == [(name, 1, ["CW-R039"]) for name in ("ma", "macw", "zz")]
 
 
-# --- standards, kinds, missing diagnosis ---------------------------------------------------------------------------------------
+# --- standards, kinds, missing diagnosis
+# ---------------------------------------------------------------------------------------
 
 
 def test_one_standard_per_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -267,7 +366,9 @@ def test_one_standard_per_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str
         ("positioning", "iso230-2:2014"),
         ("circular", "iso230-4:2005"),
     ]
-    _, document, _ = answer(capsys, tmp_path, "--standard", "iso230-4:1996", "--standard", "iso230-2:1997")
+    _, document, _ = answer(
+        capsys, tmp_path, "--standard", "iso230-4:1996", "--standard", "iso230-2:1997"
+    )
     assert [r["standard"] for r in document["results"]] == ["iso230-2:1997", "iso230-4:1996"]
     old = document["results"][1]
     assert old["parameters"]["H"] > 0.0
@@ -280,7 +381,9 @@ def test_one_standard_per_kind(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert "expected iso230-4:1996, iso230-4:2005, found iso230-4:2015" in capsys.readouterr().err
 
 
-def test_without_a_diagnosis_the_rest_is_given(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_without_a_diagnosis_the_rest_is_given(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """20 samples per direction: enough for G, too few to tell the causes from the noise."""
     put(tmp_path, xy=csv_of(setup=Setup(radius=100.0, feed=1000.0, samples=20)))
     code, document, _ = answer(capsys, tmp_path)
@@ -292,12 +395,20 @@ def test_without_a_diagnosis_the_rest_is_given(tmp_path: Path, capsys: pytest.Ca
 
 
 @pytest.mark.parametrize("singular", [True, False])
-def test_causes_without_a_standard_error_are_not_given(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, singular: bool) -> None:
+def test_causes_without_a_standard_error_are_not_given(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, *, singular: bool
+) -> None:
     def unsound(test: CircularTest) -> Diagnosis:
         if singular:
             raise np.linalg.LinAlgError
         found = diagnose(test)
-        return replace(found, effects={name: replace(effect, std_error=float("nan")) for name, effect in found.effects.items()})
+        return replace(
+            found,
+            effects={
+                name: replace(effect, std_error=float("nan"))
+                for name, effect in found.effects.items()
+            },
+        )
 
     monkeypatch.setattr(circles, "diagnose", unsound)
     put(tmp_path, xy=csv_of())
@@ -308,9 +419,18 @@ def test_causes_without_a_standard_error_are_not_given(tmp_path: Path, monkeypat
 
 @pytest.mark.parametrize("extent", [90.0, 180.0, 360.0])
 @pytest.mark.parametrize("sense", [None, "ccw"])
-def test_samples_without_noise_are_no_fault_of_compwright(tmp_path: Path, extent: float, sense: str | None) -> None:
-    """Computed samples: a bare number is never given, either the causes have their standard errors or the reason stands there."""
-    put(tmp_path, xy=csv_of(sense, setup=Setup(radius=100.0, feed=1000.0, samples=720, extent=360.0, start=45.0)))
+def test_samples_without_noise_are_no_fault_of_compwright(
+    tmp_path: Path, extent: float, sense: str | None
+) -> None:
+    """Computed samples: a bare number is never given, either the causes have their standard errors
+    or the reason stands there.
+    """
+    put(
+        tmp_path,
+        xy=csv_of(
+            sense, setup=Setup(radius=100.0, feed=1000.0, samples=720, extent=360.0, start=45.0)
+        ),
+    )
     text = csv_of(sense, setup=Setup(radius=100.0, feed=1000.0, samples=720, extent=extent + 0.25))
     put(tmp_path, arc=text)
     run = evaluate_files([tmp_path])
@@ -321,18 +441,27 @@ def test_samples_without_noise_are_no_fault_of_compwright(tmp_path: Path, extent
         assert causes is None or all(cause["std_error"] is not None for cause in causes.values())
 
 
-def test_a_perfect_circle_needs_no_fault(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_perfect_circle_needs_no_fault(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     put(tmp_path, xy=csv_of(machine=Machine(), setup=Setup(radius=100.0, feed=1000.0, samples=360)))
     code, document, _ = answer(capsys, tmp_path)
     assert code == 0
-    assert document["results"][0]["parameters"]["G_bidirectional"] < 0.001  # µm; the file holds steps of 0.00001
+    assert (
+        document["results"][0]["parameters"]["G_bidirectional"] < 0.001
+    )  # µm; the file holds steps of 0.00001
     assert compwright(["evaluate", str(tmp_path), "--plot", str(tmp_path / "p.svg")]) == 0
 
 
-# --- bad input -----------------------------------------------------------------------------------------------------------------
+# --- bad input
+# --------------------------------------------------------------------------------------------------
 
 SOUND = to_b5r(
-    record_circle(CircleErrors(squareness=20e-6, noise=0.0003), CirclePlan(radius=100.0, sample_rate=20.0), seed=2)
+    record_circle(
+        CircleErrors(squareness=20e-6, noise=0.0003),
+        CirclePlan(radius=100.0, sample_rate=20.0),
+        seed=2,
+    )
 ).decode()
 
 
@@ -345,22 +474,43 @@ def changed(pattern: str, by: str) -> str:
 BAD: dict[str, tuple[str, tuple[str, ...]]] = {
     "cut short": (SOUND[: len(SOUND) // 2], ("cut short",)),
     "entity expansion": (
-        '<?xml version="1.0"?>\n<!DOCTYPE t [<!ENTITY a "aa"><!ENTITY b "&a;&a;">]>\n<TEST_DOCUMENT>&b;</TEST_DOCUMENT>',
+        (
+            '<?xml version="1.0"?>\n<!DOCTYPE t [<!ENTITY a "aa"><!ENTITY b'
+            ' "&a;&a;">]>\n<TEST_DOCUMENT>&b;</TEST_DOCUMENT>'
+        ),
         ("DOCTYPE",),
     ),
-    "readings of the wrong length": (changed(r"(<READINGS>(?:\S+ ){50})[^<]*", r"\1"), ("lies outside the readings", "found")),
-    "indices out of range": (changed(r"<END_INDEX>\d+", "<END_INDEX>99999"), ("END_INDEX", "99999")),
+    "readings of the wrong length": (
+        changed(r"(<READINGS>(?:\S+ ){50})[^<]*", r"\1"),
+        ("lies outside the readings", "found"),
+    ),
+    "indices out of range": (
+        changed(r"<END_INDEX>\d+", "<END_INDEX>99999"),
+        ("END_INDEX", "99999"),
+    ),
     "start behind end": (changed(r"<START_INDEX>\d+", "<START_INDEX>99998"), ("INDEX",)),
-    "unequal radii": (changed(r"<TEST_RADIUS>[^<]*", "<TEST_RADIUS>150"), ("radius", "expected 100 mm", "found 150 mm")),
-    "arc below 90 deg": (changed(r"<END_ANGLE>[^<]*", "<END_ANGLE>60"), ("at least 90 deg", "60 deg")),
+    "unequal radii": (
+        changed(r"<TEST_RADIUS>[^<]*", "<TEST_RADIUS>150"),
+        ("radius", "expected 100 mm", "found 150 mm"),
+    ),
+    "arc below 90 deg": (
+        changed(r"<END_ANGLE>[^<]*", "<END_ANGLE>60"),
+        ("at least 90 deg", "60 deg"),
+    ),
     "another instrument": (
         '<?xml version="1.0"?><Laser><Data>1 2 3</Data></Laser>',
         ("not a ballbar file", "TEST_DOCUMENT", "Laser"),
     ),
-    "header only": (changed(r"<RUN_RESULTS>.*</RUN_RESULTS>", "<RUN_RESULTS></RUN_RESULTS>"), ("no readings",)),
+    "header only": (
+        changed(r"<RUN_RESULTS>.*</RUN_RESULTS>", "<RUN_RESULTS></RUN_RESULTS>"),
+        ("no readings",),
+    ),
     "a reading that is no number": (changed(r"<READINGS>\S+", "<READINGS>1e400"), ("READINGS",)),
     "CSV header only": (csv_of().partition("ccw,")[0], ("no samples",)),
-    "CSV arc below 90 deg": (csv_of(setup=Setup(radius=100.0, feed=1000.0, samples=80, extent=80.0)), ("at least 90 deg",)),
+    "CSV arc below 90 deg": (
+        csv_of(setup=Setup(radius=100.0, feed=1000.0, samples=80, extent=80.0)),
+        ("at least 90 deg",),
+    ),
     "CSV without a plane": (csv_of().replace("# plane: XY\n", ""), ("plane",)),
 }
 
@@ -383,13 +533,16 @@ def test_bad_files_are_told_in_lines_and_the_rest_is_evaluated(
     assert all(line.startswith(f"error: {bad}: ") for line in lines)
 
 
-def test_the_sound_file_of_the_bad_ones_is_read(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_sound_file_of_the_bad_ones_is_read(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (tmp_path / "sound.b5r").write_text(SOUND, encoding="utf-8")
     code, document, _ = answer(capsys, tmp_path)
     assert (code, document["results"][0]["kind"]) == (0, "circular")
 
 
-# --- the terminal --------------------------------------------------------------------------------------------------------------
+# --- the terminal
+# --------------------------------------------------------------------------------------------------
 
 
 def shown(document: Mapping[str, Any], width: int) -> str:
@@ -412,7 +565,9 @@ def test_the_terminal_shows_the_documents_numbers_at_80_columns(tmp_path: Path) 
     rows = {line[:33].strip(): line[33:].replace("−", "-").split() for line in text.splitlines()}
     g = [f"{values[name]:.2f}" for name in ("G_ccw", "G_cw", "G_bidirectional")]
     assert rows["Circular deviation, minimum zone"] == ["G", *g]
-    assert rows["Radial deviation, smallest"][2:] == [f"{values[name]:.2f}" for name in ("F_min_ccw", "F_min_cw")]
+    assert rows["Radial deviation, smallest"][2:] == [
+        f"{values[name]:.2f}" for name in ("F_min_ccw", "F_min_cw")
+    ]
     assert rows["Mean radial deviation"] == ["D", f"{values['D']:+.2f}"]
     assert "largest, least-squares centre" not in text  # the same as F on a full circle
     assert "Circular hysteresis" not in text  # not of 2005: why stands below
@@ -438,29 +593,36 @@ def test_the_terminal_shows_what_the_instrument_printed() -> None:
     assert "…" not in text.replace("(…)", "")
     assert "Printed in the file: G 7.2 / 6.7 / 7.2, D −5.7 µm" in text
     assert "— F ccw, F cw: the length of the bar was not calibrated" in text
-    assert re.search(r"Squareness XY +31\.\d .* 31$|Squareness XY +30\.\d .* 31$", text, re.MULTILINE)
+    assert re.search(
+        r"Squareness XY +31\.\d .* 31$|Squareness XY +30\.\d .* 31$", text, re.MULTILINE
+    )
     assert re.search(r"Lateral play X .* 1\.4$", text, re.MULTILINE)
     assert re.search(r"Lateral play Y .* 0\.6$", text, re.MULTILINE)
-    assert re.search(r"Scale mismatch Z − X .*\(−3\.3\)$", text, re.MULTILINE)  # which the instrument calls not valid
+    assert re.search(
+        r"Scale mismatch Z − X .*\(−3\.3\)$", text, re.MULTILINE
+    )  # which the instrument calls not valid
 
 
-# --- what is loaded ------------------------------------------------------------------------------------------------------------
+# --- what is loaded
+# --------------------------------------------------------------------------------------------------
 
 
 def test_positioning_loads_nothing_circular_and_circles_nothing_heavy(tmp_path: Path) -> None:
     put(tmp_path, x=POSITIONING, xy=csv_of())
     code = (
-        "import sys; from pathlib import Path; from compwright.workflow.answers import document_text;"
-        "from compwright.workflow.evaluate import evaluate_files;"
-        "document_text(evaluate_files([Path(sys.argv[1])]).document);"
-        "print(sorted(m for m in sys.modules if m.startswith('compwright.') and 'circ' in m or m in"
-        " ('scipy', 'cvxpy', 'matplotlib', 'pydantic', 'rich', 'xml', 'compwright.instruments.b5r')))"
+        "import sys; from pathlib import Path; from compwright.workflow.answers import"
+        " document_text;from compwright.workflow.evaluate import"
+        " evaluate_files;document_text(evaluate_files([Path(sys.argv[1])]).document);print(sorted(m"
+        " for m in sys.modules if m.startswith('compwright.') and 'circ' in m or m in ('scipy',"
+        " 'cvxpy', 'matplotlib', 'pydantic', 'rich', 'xml', 'compwright.instruments.b5r')))"
     )
     environment = {**os.environ, "PYTHONPATH": str(PROJECT / "src")}
 
     def loaded(name: str) -> str:
         command = [sys.executable, "-c", code, str(tmp_path / name)]
-        return subprocess.run(command, capture_output=True, text=True, check=True, env=environment).stdout.strip()
+        return subprocess.run(
+            command, capture_output=True, text=True, check=True, env=environment
+        ).stdout.strip()
 
     assert loaded("x.csv") == "[]"
     circular = loaded("xy.csv")
@@ -472,9 +634,16 @@ def test_several_runs_of_a_direction_stay_one_test(tmp_path: Path) -> None:
     """A file with two ccw and one cw is whole by itself: nothing is sought for it."""
     test = measured(MACHINE, Setup(radius=100.0, feed=1000.0, samples=360))
     extra = replace(test.runs[0], number=2)
-    lines = [line for line in csv_of(setup=Setup(radius=100.0, feed=1000.0, samples=360)).splitlines() if line.startswith("#")]
+    lines = [
+        line
+        for line in csv_of(setup=Setup(radius=100.0, feed=1000.0, samples=360)).splitlines()
+        if line.startswith("#")
+    ]
     lines.append("direction,run,angle_deg,deviation_um")
     for run in (*test.runs, extra):
-        lines += [f"{run.sense},{run.number},{a:.6f},{d * 1000:.5f}" for a, d in zip(run.angles, run.deviations, strict=True)]
+        lines += [
+            f"{run.sense},{run.number},{a:.6f},{d * 1000:.5f}"
+            for a, d in zip(run.angles, run.deviations, strict=True)
+        ]
     put(tmp_path, whole="\n".join(lines) + "\n", single=csv_of("cw"))
     assert names_and_codes(tmp_path) == [("single", 1, []), ("whole", 1, [])]

@@ -1,4 +1,6 @@
-"""YAML as people mean it: what YAML 1.1 would turn into something else stays text, and every key knows its line."""
+"""YAML as people mean it: what YAML 1.1 would turn into something else stays text, and every key
+knows its line.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +30,23 @@ def faults_of(content: bytes) -> list[str]:
 @pytest.mark.parametrize(
     "text",
     [
-        *("010", "0o10", "0x10", "0b1", "1:30", "1:30:00", "1_000", "yes", "no", "on", "off", "y", "True", "NULL", "Null"),
+        *(
+            "010",
+            "0o10",
+            "0x10",
+            "0b1",
+            "1:30",
+            "1:30:00",
+            "1_000",
+            "yes",
+            "no",
+            "on",
+            "off",
+            "y",
+            "True",
+            "NULL",
+            "Null",
+        ),
         *(
             ".inf",
             "-.inf",
@@ -49,7 +67,9 @@ def faults_of(content: bytes) -> list[str]:
     ],
 )
 def test_these_stay_text(text: str) -> None:
-    """YAML 1.1 (https://yaml.org/type/) reads many of them as octal, base 60, truth values, dates or infinity."""
+    """YAML 1.1 (https://yaml.org/type/) reads many of them as octal, base 60, truth values, dates
+    or infinity.
+    """
     assert value_of(text) == text
 
 
@@ -57,8 +77,24 @@ def test_these_stay_text(text: str) -> None:
     ("text", "value"),
     [
         *(("0", 0), ("-7", -7), ("+7", 7), ("12345678901234567890", 12345678901234567890)),
-        *(("1.5", 1.5), ("-0.5", -0.5), (".5", 0.5), ("5.", 5.0), ("1e3", 1000.0), ("1.5E-3", 0.0015), ("+1e+2", 100.0)),
-        *(("true", True), ("false", False), ("null", None), ("~", None), ("", None), ('"010"', "010"), ("'7'", "7")),
+        *(
+            ("1.5", 1.5),
+            ("-0.5", -0.5),
+            (".5", 0.5),
+            ("5.", 5.0),
+            ("1e3", 1000.0),
+            ("1.5E-3", 0.0015),
+            ("+1e+2", 100.0),
+        ),
+        *(
+            ("true", True),
+            ("false", False),
+            ("null", None),
+            ("~", None),
+            ("", None),
+            ('"010"', "010"),
+            ("'7'", "7"),
+        ),
     ],
 )
 def test_these_are_values(text: str, value: object) -> None:
@@ -68,7 +104,10 @@ def test_these_are_values(text: str, value: object) -> None:
 
 
 def test_keys_are_text_and_know_their_line() -> None:
-    document = read_yaml(b"\xef\xbb\xbf# comment\n1: a\ntrue: b\nlist:\n  - x\n  - {deep: 1,\n     deeper: 2}\n", "f.yaml")
+    document = read_yaml(
+        b"\xef\xbb\xbf# comment\n1: a\ntrue: b\nlist:\n  - x\n  - {deep: 1,\n     deeper: 2}\n",
+        "f.yaml",
+    )
     assert document.data == {"1": "a", "true": "b", "list": ["x", {"deep": 1, "deeper": 2}]}
     assert document.place(("1",)) == "line 2, 1"
     assert document.place(("list", 1, "deeper")) == "line 7, list[1].deeper"
@@ -133,7 +172,10 @@ def is_plain(value: object) -> bool:
     return value is None or type(value) in (str, int, float, bool)
 
 
-@given(st.binary(max_size=80) | st.text(alphabet="ab: -[]{}!&*?|>'\"\\#%@`,\n\t0123u.e", max_size=60).map(str.encode))
+@given(
+    st.binary(max_size=80)
+    | st.text(alphabet="ab: -[]{}!&*?|>'\"\\#%@`,\n\t0123u.e", max_size=60).map(str.encode)
+)
 @example(b"a: !<tag:yaml.org,2002:binary> x")
 @example(b"--- !!omap\n- a: 1")
 @settings(max_examples=400, deadline=None)
@@ -146,10 +188,12 @@ def test_any_bytes_give_plain_data_or_an_input_error(content: bytes) -> None:
 
 
 PLAIN = st.recursive(
-    st.none() | st.booleans() | st.integers(-(10**30), 10**30) | st.floats(allow_nan=False, allow_infinity=False)
+    st.none() | st.booleans() | st.integers(-(10**30), 10**30) | st.floats(allow_nan=False,
+    allow_infinity=False)
     | st.text(st.characters(exclude_categories=["Cs", "Cc"]), max_size=10),
     lambda inner: st.lists(inner, max_size=4)
-    | st.dictionaries(st.text(st.characters(exclude_categories=["Cs", "Cc"]), min_size=1, max_size=8), inner, max_size=4),
+    | st.dictionaries(st.text(st.characters(exclude_categories=["Cs", "Cc"]), min_size=1,
+    max_size=8), inner, max_size=4),
     max_leaves=12,
 )  # fmt: skip
 
@@ -157,12 +201,18 @@ PLAIN = st.recursive(
 def quoted(value: Any) -> str:
     """Return YAML in which every text stands in quotes, so that it can mean nothing else."""
     if isinstance(value, dict):
-        return "{" + ", ".join(f"{quoted(key)}: {quoted(inner)}" for key, inner in value.items()) + "}"
+        return (
+            "{" + ", ".join(f"{quoted(key)}: {quoted(inner)}" for key, inner in value.items()) + "}"
+        )
     if isinstance(value, list):
         return "[" + ", ".join(quoted(inner) for inner in value) + "]"
     if isinstance(value, str):
         return yaml.dump(value, default_style='"', allow_unicode=True, width=math.inf).strip()
-    return {True: "true", False: "false", None: "null"}[value] if value is None or isinstance(value, bool) else repr(value)
+    return (
+        {True: "true", False: "false", None: "null"}[value]
+        if value is None or isinstance(value, bool)
+        else repr(value)
+    )
 
 
 @given(PLAIN)

@@ -1,12 +1,15 @@
-"""A virtual FANUC for the tests, written from the facts pages alone: what a control does with the bytes that are loaded into it.
+"""A virtual FANUC for the tests, written from the facts pages alone: what a control does with the
+bytes that are loaded into it.
 
-It shares no line with the package: no parser, no interpolation, no sign. Where the pages do not tell enough it raises
-``NotKnownError`` instead of guessing. Sources: the facts page on FANUC, sections A1 (parameters), A2 (meaning of one value, turns,
-two sets, inclination, cyclic table), A3 (backlash), A5 (straightness), A6 (text), A8 (virtual control), and the page on real
-backups, section 1, which stands above.
+It shares no line with the package: no parser, no interpolation, no sign. Where the pages do not
+tell enough it raises ``NotKnownError`` instead of guessing. Sources: the facts page on FANUC,
+sections A1 (parameters), A2 (meaning of one value, turns, two sets, inclination, cyclic table), A3
+(backlash), A5 (straightness), A6 (text), A8 (virtual control), and the page on real backups,
+section 1, which stands above.
 
-Positions and corrections are mm, on a rotary axis degrees. A correction is what the control adds to the command; ``direction`` is
-+1 or -1, ``home`` the direction in which the reference is approached: there, and only there, the correction at the reference is 0.
+Positions and corrections are mm, on a rotary axis degrees. A correction is what the control adds to
+the command; ``direction`` is +1 or -1, ``home`` the direction in which the reference is approached:
+there, and only there, the correction at the reference is 0.
 """
 
 from __future__ import annotations
@@ -40,16 +43,22 @@ class Entry(NamedTuple):
 
 @dataclass
 class Registers:
-    """What stands in the control: parameters by number and group (A1, L1, S1, or nothing), pitch data by number."""
+    """What stands in the control: parameters by number and group (A1, L1, S1, or nothing), pitch
+    data by number.
+    """
 
     parameters: dict[tuple[int, str], Entry] = field(default_factory=dict)
     pitch: dict[int, str] = field(default_factory=dict)
 
     def load(self, text: bytes) -> None:
-        """Load a file over what is there. Q0 is pitch data, Q1 parameters; without any Q, a file of nothing else is pitch data."""
+        """Load a file over what is there. Q0 is pitch data, Q1 parameters; without any Q, a file of
+        nothing else is pitch data.
+        """
         records = list(_records(text))
         with_q = any(q for _, q, _ in records)
-        whole = bool(records) and all(number >= 10000 and [g for g, _ in entries] == [""] for number, _, entries in records)
+        whole = bool(records) and all(
+            number >= 10000 and [g for g, _ in entries] == [""] for number, _, entries in records
+        )
         for number, q, entries in records:
             if q == "Q0" or (not with_q and whole):
                 self.pitch[number - 10000] = entries[0][1].text
@@ -80,7 +89,9 @@ def loaded(files: Iterable[bytes]) -> Registers:
 
 @dataclass(frozen=True)
 class Grid:
-    """3620 to 3627 of one axis, interval and turn in mm or degrees; ``turn`` is 0 where the axis does not wrap."""
+    """3620 to 3627 of one axis, interval and turn in mm or degrees; ``turn`` is 0 where the axis
+    does not wrap.
+    """
 
     reference: int
     first: int
@@ -94,7 +105,12 @@ class Grid:
 
     @property
     def acts(self) -> bool:
-        return self.magnification != 0 and self.interval > 0 and self.last >= self.first and self.last > 0
+        return (
+            self.magnification != 0
+            and self.interval > 0
+            and self.last >= self.first
+            and self.last > 0
+        )
 
     def numbers(self) -> set[int]:
         """Every number of the common array that belongs to this grid."""
@@ -108,9 +124,11 @@ class Grid:
 
 @dataclass(frozen=True)
 class VirtualFanuc:
-    """A control with ``registers``. ``output`` is step (the pulses of a section at once in its middle) or ramp (A2, A8).
+    """A control with ``registers``. ``output`` is step (the pulses of a section at once in its
+    middle) or ramp (A2, A8).
 
-    The four signs are +1; the mutation tests turn them. ``half_section`` moves the place of the step by that share of a section.
+    The four signs are +1; the mutation tests turn them. ``half_section`` moves the place of the
+    step by that share of a section.
     """
 
     registers: Registers
@@ -123,7 +141,8 @@ class VirtualFanuc:
     unit_factor: float = 1.0
     half_section: float = 0.0
 
-    # --- what stands where -------------------------------------------------------------------------------------------------------
+    # --- what stands where
+    # ----------------------------------------------------------------------------------------------
 
     def entry(self, number: int, axis: int) -> Entry | None:
         """The value for an axis: its A group, or that of its path (L), or the one for all."""
@@ -147,17 +166,23 @@ class VirtualFanuc:
         return 1 if found is None else int(found.text)
 
     def axes(self) -> list[int]:
-        return sorted({int(group[1:]) for _, group in self.registers.parameters if group.startswith("A")})
+        return sorted(
+            {int(group[1:]) for _, group in self.registers.parameters if group.startswith("A")}
+        )
 
     def rotary(self, axis: int) -> bool:
         return self.bit(1006, axis, 0)
 
     def wraps(self, axis: int) -> bool:
-        """1006#0 = 1 with 1006#1 = 0: the rotary axis whose coordinate begins again after a turn."""
+        """1006#0 = 1 with 1006#1 = 0: the rotary axis whose coordinate begins again after a
+        turn.
+        """
         return self.rotary(axis) and not self.bit(1006, axis, 1)
 
     def length(self, number: int, axis: int) -> float:
-        """A length parameter in mm or degrees: by its letter, with P in the machine's own unit; older series count in 0.001."""
+        """A length parameter in mm or degrees: by its letter, with P in the machine's own unit;
+        older series count in 0.001.
+        """
         found = self.entry(number, axis)
         if found is None:
             return 0.0
@@ -197,24 +222,38 @@ class VirtualFanuc:
             offset=self.value(3627, axis),
         )
 
-    # --- what acts ---------------------------------------------------------------------------------------------------------------
+    # --- what acts
+    # ----------------------------------------------------------------------------------------------
 
-    def correction(self, axis: int, x: Floats, direction: int, *, home: int = 1, rapid: bool = False) -> Floats:
-        """What the control adds at ``x``: pitch data, inclination, cyclic table, backlash; other axes at their references."""
+    def correction(
+        self, axis: int, x: Floats, direction: int, *, home: int = 1, rapid: bool = False
+    ) -> Floats:
+        """What the control adds at ``x``: pitch data, inclination, cyclic table, backlash; other
+        axes at their references.
+        """
         if self.bit(3602, axis, 0):
             raise NotKnownError("3602#0 = 1: totals; what a number then means is not told")
         if self.length(1240, axis):
-            raise NotKnownError("1240: whether the grid hangs on machine zero or on the reference position is not told")
+            raise NotKnownError(
+                "1240: whether the grid hangs on machine zero or on the reference position is not"
+                " told"
+            )
         grid = self.grid(axis)
         total = np.zeros_like(x)
         if grid.acts:
-            total = total + self._pitch(axis, grid, x, direction, home) + self._inclination(axis, grid, x)
+            total = (
+                total
+                + self._pitch(axis, grid, x, direction, home)
+                + self._inclination(axis, grid, x)
+            )
         return total + self._cyclic(axis, x) + self._backlash(axis, direction, home, rapid)
 
     def _points(self, numbers: Iterable[int]) -> Floats:
         missing = [number for number in numbers if number not in self.registers.pitch]
         if missing:
-            raise NotKnownError(f"pitch data {missing[:3]} of a table that acts are nowhere: missing is not zero")
+            raise NotKnownError(
+                f"pitch data {missing[:3]} of a table that acts are nowhere: missing is not zero"
+            )
         return np.array([float(self.registers.pitch[number]) for number in numbers])
 
     def _pitch(self, axis: int, grid: Grid, x: Floats, direction: int, home: int) -> Floats:
@@ -224,19 +263,31 @@ class VirtualFanuc:
         if grid.two_sets:
             shift = grid.negative_first - grid.first if direction < 0 else 0
             if direction != home:
-                offset = self.offset_sign * grid.offset * (grid.magnification if self.offset_magnified else 1)
+                offset = (
+                    self.offset_sign
+                    * grid.offset
+                    * (grid.magnification if self.offset_magnified else 1)
+                )
         first = grid.reference + 1 if grid.turn else grid.first
         numbers = list(range(first, grid.last + 1))
         points = self._points([number + shift for number in numbers])
         if grid.turn:
             if points.sum() != 0:
                 raise NotKnownError(
-                    f"axis {axis}: the numbers of a turn add up to {points.sum():g}, not 0: it creeps with each turn"
+                    f"axis {axis}: the numbers of a turn add up to {points.sum():g}, not 0: it"
+                    " creeps with each turn"
                 )
             if abs(len(numbers) * grid.interval - grid.turn) > 1e-6:
-                raise NotKnownError(f"axis {axis}: {len(numbers)} sections of {grid.interval} are no turn of {grid.turn}")
+                raise NotKnownError(
+                    f"axis {axis}: {len(numbers)} sections of {grid.interval} are no turn of"
+                    f" {grid.turn}"
+                )
             x = np.mod(x, grid.turn)
-        share = self._share(x[:, None], (np.array(numbers) - grid.reference - 1)[None, :] * grid.interval, grid.interval)
+        share = self._share(
+            x[:, None],
+            (np.array(numbers) - grid.reference - 1)[None, :] * grid.interval,
+            grid.interval,
+        )
         signed = np.where(
             np.array(numbers) > grid.reference, share, share - 1.0
         )  # below the reference what is not passed yet counts
@@ -253,16 +304,22 @@ class VirtualFanuc:
         line = self.bent_line(axis, (5861, 5862, 5863, 5864), (5871, 5872, 5873, 5874))
         if line is None:
             return np.zeros_like(x)
-        return np.asarray(self.detection_unit(axis) * _along(line, grid, np.mod(x, grid.turn) if grid.turn else x))
+        return np.asarray(
+            self.detection_unit(axis) * _along(line, grid, np.mod(x, grid.turn) if grid.turn else x)
+        )
 
-    def bent_line(self, axis: int, numbers: tuple[int, ...], amounts: tuple[int, ...]) -> tuple[Floats, Floats] | None:
+    def bent_line(
+        self, axis: int, numbers: tuple[int, ...], amounts: tuple[int, ...]
+    ) -> tuple[Floats, Floats] | None:
         """Four point numbers and their amounts, or None where every amount is zero."""
         at = np.array([self.value(number, axis) for number in numbers])
         amount = np.array([self.value(number, axis) for number in amounts])
         return (at, amount) if amount.any() else None
 
     def straightness(self, moving: int, x: Floats) -> dict[int, Floats]:
-        """What moves on other axes while ``moving`` stands at x, by axis: up to three pairs (A5)."""
+        """What moves on other axes while ``moving`` stands at x, by axis: up to three pairs
+        (A5).
+        """
         shifts: dict[int, Floats] = {}
         grid = self.grid(moving)
         for pair in range(3):
@@ -270,10 +327,14 @@ class VirtualFanuc:
                 continue
             bent = int(self.value(5721 + pair, moving))
             first, amounts = 5731 + 10 * pair, 5761 + 10 * pair
-            line = self.bent_line(moving, tuple(range(first, first + 4)), tuple(range(amounts, amounts + 4)))
+            line = self.bent_line(
+                moving, tuple(range(first, first + 4)), tuple(range(amounts, amounts + 4))
+            )
             if bent and line is not None and grid.interval > 0:
                 place = np.mod(x, grid.turn) if grid.turn else x
-                shifts[bent] = shifts.get(bent, np.zeros_like(x)) + self.detection_unit(bent) * _along(line, grid, place)
+                shifts[bent] = shifts.get(bent, np.zeros_like(x)) + self.detection_unit(
+                    bent
+                ) * _along(line, grid, place)
         return shifts
 
     def cyclic_numbers(self, axis: int) -> range:
@@ -281,31 +342,49 @@ class VirtualFanuc:
         return range(first, last + 1) if last > first else range(0)
 
     def _cyclic(self, axis: int, x: Floats) -> Floats:
-        """Second table (14985 to 14987): first+1 to last own the sections of one period, repeated (A2: 10, 20, 2.0: period 20)."""
+        """Second table (14985 to 14987): first+1 to last own the sections of one period, repeated
+        (A2: 10, 20, 2.0: period 20).
+        """
         numbers = self.cyclic_numbers(axis)
         interval = self.length(14987, axis)
         if not numbers or interval <= 0:
             return np.zeros_like(x)
         points = self._points(list(numbers)[1:])
         period = interval * len(points)
-        share = self._share(np.mod(x, period)[:, None], np.arange(len(points))[None, :] * interval, interval)
-        return np.asarray(self.detection_unit(axis) * (self.value(14988, axis) or 1.0) * (share @ points))
+        share = self._share(
+            np.mod(x, period)[:, None], np.arange(len(points))[None, :] * interval, interval
+        )
+        return np.asarray(
+            self.detection_unit(axis) * (self.value(14988, axis) or 1.0) * (share @ points)
+        )
 
     def _backlash(self, axis: int, direction: int, home: int, rapid: bool) -> float:
-        """1851, in rapid traverse 1852 where 1800#4 of the axis's path asks for it; in the direction of the new motion (A3)."""
+        """1851, in rapid traverse 1852 where 1800#4 of the axis's path asks for it; in the
+        direction of the new motion (A3).
+        """
         if direction == home:
             return 0.0
         number = 1852 if rapid and self.bit(1800, axis, 4) else 1851
         pulses = self.value(number, axis)
-        return self.backlash_sign * direction * pulses * self.detection_unit(axis) if pulses else 0.0
+        return (
+            self.backlash_sign * direction * pulses * self.detection_unit(axis) if pulses else 0.0
+        )
 
 
 def _along(line: tuple[Floats, Floats], grid: Grid, x: Floats) -> Floats:
-    """Three straight lines through four point numbers, at the node next to x, less their value at the reference; held outside."""
-    node = np.clip(np.floor(x / grid.interval + 0.5), grid.first - 1 - grid.reference, grid.last - grid.reference)
+    """Three straight lines through four point numbers, at the node next to x, less their value at
+    the reference; held outside.
+    """
+    node = np.clip(
+        np.floor(x / grid.interval + 0.5),
+        grid.first - 1 - grid.reference,
+        grid.last - grid.reference,
+    )
     at, amount = line
     keep = np.concatenate([[True], np.diff(at) > 0])
-    bent = np.interp(node + grid.reference, at[keep], amount[keep]) - np.interp(grid.reference, at[keep], amount[keep])
+    bent = np.interp(node + grid.reference, at[keep], amount[keep]) - np.interp(
+        grid.reference, at[keep], amount[keep]
+    )
     return np.asarray(bent)
 
 
@@ -315,9 +394,17 @@ def owners(control: VirtualFanuc) -> dict[int, set[int]]:
 
 
 def differing(before: Registers, after: Registers) -> tuple[set[tuple[int, str]], set[int]]:
-    """Parameters (number, group) and pitch numbers whose text differs, or that are only in one of both."""
-    parameters = {key for key in before.parameters | after.parameters if before.parameters.get(key) != after.parameters.get(key)}
-    return parameters, {n for n in before.pitch | after.pitch if before.pitch.get(n) != after.pitch.get(n)}
+    """Parameters (number, group) and pitch numbers whose text differs, or that are only in one of
+    both.
+    """
+    parameters = {
+        key
+        for key in before.parameters | after.parameters
+        if before.parameters.get(key) != after.parameters.get(key)
+    }
+    return parameters, {
+        n for n in before.pitch | after.pitch if before.pitch.get(n) != after.pitch.get(n)
+    }
 
 
 def accuracy(readings: Mapping[int, Floats]) -> float:

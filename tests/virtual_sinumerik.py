@@ -1,15 +1,19 @@
 """A SINUMERIK that loads texts, keeps its registers and says by how much it shifts an axis.
 
-Written from the manuals' facts alone, apart from the package: it knows nothing of how the package reads, writes or judges.
+Written from the manuals' facts alone, apart from the package: it knows nothing of how the package
+reads, writes or judges.
 
-    shift of an axis = - EEC (the value is added to the actual value: a positive one moves the axis in the negative direction;
+    shift of an axis = - EEC (the value is added to the actual value: a positive one moves the axis
+    in the negative direction;
                          840D sl function manual K3)
-                       + ``cec_sign`` · CEC (which way a positive value moves the axis is not proven: both worlds can be made)
-                       + backlash (0 arriving in the direction of referencing, else direction · MD32450 · MD32452)
-                       + dynamic lost motion (direction · MD32456 / 2 where the PLC switches it on)
+                       + ``cec_sign`` · CEC (which way a positive value moves the axis is not
+                       proven: both worlds can be made) + backlash (0 arriving in the direction of
+                       referencing, else direction · MD32450 · MD32452) + dynamic lost motion
+                       (direction · MD32456 / 2 where the PLC switches it on)
                        - temperature compensation (MD32750, SD43900 .. SD43920)
 
-Values are kept as they were written, with the unit that held; a linear axis of an inch control is converted where a value is used.
+Values are kept as they were written, with the unit that held; a linear axis of an inch control is
+converted where a value is used.
 """
 
 from __future__ import annotations
@@ -50,7 +54,8 @@ class Value:
 class Refused:
     """A write that the control did not take: compensation was on, or no room was reserved.
 
-    Values written while only SD41300 is on are taken, but stand here too: the makers' programs switch both off first.
+    Values written while only SD41300 is on are taken, but stand here too: the makers' programs
+    switch both off first.
     """
 
     register: Register
@@ -71,7 +76,9 @@ def _same(one: str, other: str) -> bool:
 
 
 def assignments(text: str) -> list[tuple[Register, Value]]:
-    """Every assignment of a text in its order; index tokens as written, except that blanks are gone."""
+    """Every assignment of a text in its order; index tokens as written, except that blanks are
+    gone.
+    """
     found: list[tuple[Register, Value]] = []
     inch = False
     for line in text.splitlines():
@@ -83,7 +90,11 @@ def assignments(text: str) -> list[tuple[Register, Value]]:
         if _CONDITION.match(rest):
             continue
         for part in _ASSIGNMENT.finditer(rest):
-            index = tuple(token.strip().strip("()") for token in part["index"].split(",")) if part["index"] is not None else ()
+            index = (
+                tuple(token.strip().strip("()") for token in part["index"].split(","))
+                if part["index"] is not None
+                else ()
+            )
             raw = part["value"].strip("\"()'").strip()
             found.append(((part["name"], index), Value(_WORDS.get(raw.upper(), raw), inch)))
         if _END.match(rest):
@@ -103,7 +114,9 @@ def _without_comment(line: str) -> str:
 
 @dataclass
 class VirtualSinumerik:
-    """One control. ``used``: the measuring system (0, 1) that the PLC selects per axis, where the machine data leave it open."""
+    """One control. ``used``: the measuring system (0, 1) that the PLC selects per axis, where the
+    machine data leave it open.
+    """
 
     cec_sign: float = 1.0
     names: dict[str, str] = field(default_factory=dict)
@@ -126,10 +139,13 @@ class VirtualSinumerik:
         other.refused = []
         return other
 
-    # -- loading -------------------------------------------------------------------------------------------------------------
+    # -- loading
+    # ----------------------------------------------------------------------------------------------
 
     def load(self, text: str, *, protected: bool = True) -> None:
-        """Take a text as the control would. ``protected=False``: the text says how the control is, nothing is being loaded."""
+        """Take a text as the control would. ``protected=False``: the text says how the control is,
+        nothing is being loaded.
+        """
         lines = {line.strip().upper() for line in text.splitlines()}
         says_unit = bool(lines & {"METRIC", "INCH"})
         for register, value in assignments(text):
@@ -173,7 +189,8 @@ class VirtualSinumerik:
                 return f"SD41300[{index[0]}] = 1"
         return None
 
-    # -- registers -----------------------------------------------------------------------------------------------------------
+    # -- registers
+    # ----------------------------------------------------------------------------------------------
 
     def _is_inch(self) -> bool:
         basic = self.registers.get(("MN_SCALING_SYSTEM_IS_METRIC", ()))
@@ -195,17 +212,22 @@ class VirtualSinumerik:
         return found.number * (INCH * self.inch_turned if found.inch and not rotary else 1.0)
 
     def system(self, axis: str) -> str:
-        """The measuring system that is in use: MD30200, what is switched on (MD32700), and else the word of the PLC."""
+        """The measuring system that is in use: MD30200, what is switched on (MD32700), and else the
+        word of the PLC.
+        """
         if self.value("MA_NUM_ENCS", axis, default=2) < 2:
             return str(self.system_turned)
         on = [e for e in ("0", "1") if self.flag("MA_ENC_COMP_ENABLE", e, axis)]
         chosen = self.used.get(axis, int(on[0]) if len(on) == 1 else 0)
         return str((chosen + self.system_turned) % 2)
 
-    # -- what acts -----------------------------------------------------------------------------------------------------------
+    # -- what acts
+    # ----------------------------------------------------------------------------------------------
 
     def correction(self, axis: str, x: Floats, direction: int) -> Floats:
-        """By how much the axis stands off its command at ``x``, arriving in ``direction``: mm or deg, everything together."""
+        """By how much the axis stands off its command at ``x``, arriving in ``direction``: mm or
+        deg, everything together.
+        """
         x = np.asarray(x, dtype=float)
         e = self.system(axis)
         shift = np.zeros_like(x)
@@ -214,7 +236,12 @@ class VirtualSinumerik:
         shift += self.cec_sign * self._cec(axis, x, direction)
         if direction != self.reference_return.get(axis, 1):
             factor = self.value("MA_BACKLASH_FACTOR", "0", axis, default=1.0)
-            shift += direction * self.backlash_turned * self.length(axis, "MA_BACKLASH", e, axis) * factor
+            shift += (
+                direction
+                * self.backlash_turned
+                * self.length(axis, "MA_BACKLASH", e, axis)
+                * factor
+            )
         if self.dynamic_on:
             shift += direction * self.length(axis, "MA_BACKLASH_DYN", e, axis) / 2
         return shift - self._temperature(axis, x)
@@ -224,11 +251,15 @@ class VirtualSinumerik:
         bits = int(kind.text.lstrip("Hh") or "0", 16) if kind else 0
         constant = self.length(axis, "SA_TEMP_COMP_ABS_VALUE", axis) if bits & 1 else 0.0
         slope = self.value("SA_TEMP_COMP_SLOPE", axis) if bits & 2 else 0.0
-        shift: Floats = constant + slope * (x - self.length(axis, "SA_TEMP_COMP_REF_POSITION", axis))
+        shift: Floats = constant + slope * (
+            x - self.length(axis, "SA_TEMP_COMP_REF_POSITION", axis)
+        )
         return shift
 
     def _eec(self, e: str, axis: str, x: Floats) -> Floats:
-        step, low, high = (self.length(axis, f"AA_ENC_COMP_{key}", e, axis) for key in ("STEP", "MIN", "MAX"))
+        step, low, high = (
+            self.length(axis, f"AA_ENC_COMP_{key}", e, axis) for key in ("STEP", "MIN", "MAX")
+        )
         if step <= 0 or high <= low:
             return np.zeros_like(x)
         count = int(np.floor((high - low) / step + 1e-6)) + 1
@@ -261,15 +292,21 @@ class VirtualSinumerik:
         return np.clip(total, -limit, limit)
 
     def _tables(self) -> list[str]:
-        return sorted({index[0] for name, index in self.registers if name == "AN_CEC_OUTPUT_AXIS"}, key=int)
+        return sorted(
+            {index[0] for name, index in self.registers if name == "AN_CEC_OUTPUT_AXIS"}, key=int
+        )
 
     def _curve(self, t: str, axis: str, x: Floats) -> Floats:
-        """The values of one table where its input axis stands: along ``x`` if that is ``axis``, else at one place."""
+        """The values of one table where its input axis stands: along ``x`` if that is ``axis``,
+        else at one place.
+        """
         inputs = self.registers.get(("AN_CEC_INPUT_AXIS", (t,)))
         outputs = self.registers.get(("AN_CEC_OUTPUT_AXIS", (t,)))
         if inputs is None or outputs is None:
             return np.zeros_like(x)
-        step, low, high = (self.length(inputs.text, f"AN_CEC_{key}", t) for key in ("STEP", "MIN", "MAX"))
+        step, low, high = (
+            self.length(inputs.text, f"AN_CEC_{key}", t) for key in ("STEP", "MIN", "MAX")
+        )
         if step <= 0 or high <= low:
             return np.zeros_like(x)
         places = x if inputs.text == axis else np.full_like(x, self.positions.get(inputs.text, 0.0))
@@ -277,5 +314,7 @@ class VirtualSinumerik:
             places = low + np.mod(places - low, high - low)
         count = int(np.ceil((high - low) / step - 1e-6)) + 1
         values = np.array([self.length(outputs.text, "AN_CEC", t, str(n)) for n in range(count)])
-        result: Floats = np.interp(np.clip(places, low, high), low + step * np.arange(count), values)
+        result: Floats = np.interp(
+            np.clip(places, low, high), low + step * np.arange(count), values
+        )
         return result

@@ -1,3 +1,5 @@
-"""compwright: evaluate positioning tests, fit, export, predict and verify axis compensation tables."""
+"""compwright: evaluate positioning tests, fit, export, predict and verify axis compensation
+tables.
+"""
 
 __version__ = "0.1.0"

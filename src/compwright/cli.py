@@ -30,29 +30,41 @@ _MOST_ERRORS = 25
 
 
 class _PathType(click.ParamType[Path]):
-    """The name of a file or folder. Whether it can be read or written is found out, and said, where it is done."""
+    """The name of a file or folder. Whether it can be read or written is found out, and said, where
+    it is done.
+    """
 
     name = "path"
 
-    def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> Path:
+    def convert(
+        self, value: object, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Path:
         if value == "":  # an unset variable in a script; it must not mean the working directory
             self.fail("the name is empty", param, ctx)
         return Path(str(value))
 
 
 class _Command(click.Command):
-    """A command whose options take several values at once where their value ends in ``...``; see `command_words`."""
+    """A command whose options take several values at once where their value ends in ``...``; see
+    `command_words`.
+    """
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         forms = {
-            name: Form(flag=param.is_flag or param.count, several=param.multiple, more=_MORE.get(name, _another))
+            name: Form(
+                flag=param.is_flag or param.count,
+                several=param.multiple,
+                more=_MORE.get(name, _another),
+            )
             for param in self.get_params(ctx)
             if isinstance(param, click.Option)
             for name in param.opts
         }
         files = [param for param in self.params if isinstance(param, click.Argument)]
         many = any(param.nargs < 0 for param in files)
-        return super().parse_args(ctx, spread(args, forms, needed=sum(param.required for param in files), many=many))
+        return super().parse_args(
+            ctx, spread(args, forms, needed=sum(param.required for param in files), many=many)
+        )
 
 
 class _Group(click.Group):
@@ -63,7 +75,8 @@ class _Group(click.Group):
 _STANDARD_ID = re.compile(r"(iso[0-9-]+|gost[0-9]+):[0-9]{4}|vdi[0-9]+")
 
 
-def _another(value: str, word: str) -> bool:  # noqa: ARG001 - any word may be one more file, except behind `none`
+# any word may be one more file, except behind `none`
+def _another(value: str, word: str) -> bool:  # noqa: ARG001
     return value != "none"
 
 
@@ -74,14 +87,26 @@ _MORE: Mapping[str, Callable[[str, str], bool]] = {
 }
 _PATH = _PathType()
 _json = click.option(
-    "--json", "json_path", type=_PATH, metavar="PATH|-", help="Write the answer as JSON to a file, or with - to standard output."
+    "--json",
+    "json_path",
+    type=_PATH,
+    metavar="PATH|-",
+    help="Write the answer as JSON to a file, or with - to standard output.",
 )
 _force = click.option("--force", is_flag=True, help="Replace files that exist already.")
 _option = click.option(
-    "--option", "options", multiple=True, metavar="K=V...", help="An option of the control; see compwright formats show ID."
+    "--option",
+    "options",
+    multiple=True,
+    metavar="K=V...",
+    help="An option of the control; see compwright formats show ID.",
 )
 _state = click.option(
-    "--state", "states", multiple=True, metavar="none|FILE...", help="What is active in the control: none, or its files."
+    "--state",
+    "states",
+    multiple=True,
+    metavar="none|FILE...",
+    help="What is active in the control: none, or its files.",
 )
 
 
@@ -89,13 +114,17 @@ def main() -> NoReturn:
     """Run the command line and leave with the exit code of what happened."""
     use_one_thread()
     for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, TextIOWrapper):  # a terminal that knows no µ gets a question mark, not a crash
+        if isinstance(
+            stream, TextIOWrapper
+        ):  # a terminal that knows no µ gets a question mark, not a crash
             stream.reconfigure(errors="replace")
     sys.exit(run(sys.argv[1:]))
 
 
 def run(arguments: list[str]) -> int:
-    """Run a command and return its exit code. Every error becomes lines on standard error, never a traceback."""
+    """Run a command and return its exit code. Every error becomes lines on standard error, never a
+    traceback.
+    """
     start_command()
     try:
         code = compwright.main(args=arguments, prog_name="compwright", standalone_mode=False)
@@ -109,8 +138,11 @@ def run(arguments: list[str]) -> int:
     except CompwrightError as error:
         _errors(str(fault) for fault in error.faults)
         return error.exit_code
-    except Exception as error:  # noqa: BLE001 - the last line of defence: a fault of our own, said as one
-        if isinstance(error, OSError) and error.errno == errno.ENOSPC:  # files are written elsewhere: this is standard output
+    # the last line of defence: a fault of our own, said as one
+    except Exception as error:  # noqa: BLE001
+        if (
+            isinstance(error, OSError) and error.errno == errno.ENOSPC
+        ):  # files are written elsewhere: this is standard output
             sys.stdout = StringIO()
             _errors([f"standard output: cannot be written; found {error.strerror}"])
             return StorageError.exit_code
@@ -120,7 +152,9 @@ def run(arguments: list[str]) -> int:
 
 def _wrong_words(error: click.ClickException) -> int:
     context = error.ctx if isinstance(error, click.UsageError) else None
-    if context is not None and error.format_message() == context.get_help():  # a group without a command shows its help
+    if (
+        context is not None and error.format_message() == context.get_help()
+    ):  # a group without a command shows its help
         _tell(error.format_message())
         return UsageError.exit_code
     _errors([error.format_message()])
@@ -133,9 +167,20 @@ def _own_fault(error: Exception) -> int:
     import traceback
 
     frames = traceback.extract_tb(error.__traceback__)
-    where = next((frame for frame in reversed(frames) if "compwright" in frame.filename), frames[-1])
-    _errors([f"a fault of compwright itself: {type(error).__name__}: {error} ({Path(where.filename).name}, line {where.lineno})"])
-    _tell(f"Please report this line with the command, the input files and the version {__version__}.")
+    where = next(
+        (frame for frame in reversed(frames) if "compwright" in frame.filename), frames[-1]
+    )
+    _errors(
+        [
+            (
+                f"a fault of compwright itself: {type(error).__name__}: {error}"
+                f" ({Path(where.filename).name}, line {where.lineno})"
+            )
+        ]
+    )
+    _tell(
+        f"Please report this line with the command, the input files and the version {__version__}."
+    )
     return 70
 
 
@@ -155,7 +200,9 @@ def _pairs(options: Iterable[str]) -> dict[str, object]:
     for text in options:
         key, mark, value = text.partition("=")
         if not mark or not key.strip():
-            faults.append(Fault(message="cannot be read", place="--option", expected="K=V", found=text))
+            faults.append(
+                Fault(message="cannot be read", place="--option", expected="K=V", found=text)
+            )
         elif key.strip() in given:
             faults.append(Fault(message="option given twice", place="--option", found=key.strip()))
         given[key.strip()] = value.strip()
@@ -165,7 +212,9 @@ def _pairs(options: Iterable[str]) -> dict[str, object]:
 
 
 def _print(say: Callable[[], None]) -> None:
-    """Print on standard output. A reader that hangs up early (``| head``) changes neither the work nor its exit code."""
+    """Print on standard output. A reader that hangs up early (``| head``) changes neither the work
+    nor its exit code.
+    """
     try:
         say()
     except (BrokenPipeError, SystemExit):  # SystemExit: rich leaves the program then
@@ -176,7 +225,9 @@ def _print_lines(lines: Iterable[str]) -> None:
     _print(lambda: click.echo("\n".join(lines)))
 
 
-def _answer(document: Mapping[str, Any], json_path: Path | None, renderables: Callable[[], list[Any]]) -> None:
+def _answer(
+    document: Mapping[str, Any], json_path: Path | None, renderables: Callable[[], list[Any]]
+) -> None:
     """Print the answer of a command: as JSON for ``--json -``, else for people."""
     from compwright.workflow.answers import document_text, show
 
@@ -196,17 +247,30 @@ def _json_file(json_path: Path | None) -> Path | None:
     return None if _on_output(json_path) else json_path
 
 
-@click.group(cls=_Group, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.group(
+    cls=_Group, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110}
+)
 @click.version_option(__version__, prog_name="compwright")
 def compwright() -> None:
-    """Bring a machine axis back to accuracy: evaluate tests, fit and export compensation tables, predict, verify."""
+    """Bring a machine axis back to accuracy: evaluate tests, fit and export compensation tables,
+    predict, verify.
+    """
 
 
 @compwright.command()
 @click.argument("paths", nargs=-1, required=True, metavar="FILE|FOLDER...", type=_PATH)
-@click.option("--standard", "standards", multiple=True, metavar="ID...", help=f"One per kind of test: {_STANDARDS}.")
 @click.option(
-    "--spread", type=click.Choice(["std", "range"]), default="std", help="How s is estimated (range: 1988 and GOST only)."
+    "--standard",
+    "standards",
+    multiple=True,
+    metavar="ID...",
+    help=f"One per kind of test: {_STANDARDS}.",
+)
+@click.option(
+    "--spread",
+    type=click.Choice(["std", "range"]),
+    default="std",
+    help="How s is estimated (range: 1988 and GOST only).",
 )
 @click.option("--plot", type=_PATH, help="Plot to a file: .svg, .png or .pdf.")
 @click.option("--targets", is_flag=True, help="Show the values of every target too.")
@@ -223,12 +287,25 @@ def evaluate(
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Evaluate positioning and circular tests to a standard."""
-    from compwright.workflow.evaluate import evaluate_files, evaluation_renderables, write_evaluation
+    from compwright.workflow.evaluate import (
+        evaluate_files,
+        evaluation_renderables,
+        write_evaluation,
+    )
 
     outcome = evaluate_files(paths, standards, spread)
-    written = write_evaluation(outcome.document, json_path=_json_file(json_path), plot_path=plot, force=force)
-    _answer(outcome.document, json_path, lambda: evaluation_renderables({**outcome.document, "errors": []}, targets=targets))
-    _errors(": ".join(filter(None, (entry["file"], entry["message"]))) for entry in outcome.document["errors"])
+    written = write_evaluation(
+        outcome.document, json_path=_json_file(json_path), plot_path=plot, force=force
+    )
+    _answer(
+        outcome.document,
+        json_path,
+        lambda: evaluation_renderables({**outcome.document, "errors": []}, targets=targets),
+    )
+    _errors(
+        ": ".join(filter(None, (entry["file"], entry["message"])))
+        for entry in outcome.document["errors"]
+    )
     for name in outcome.document.get("skipped", ()):
         _tell(f"note: {name}: skipped, by its ending no measurement")
     for path in written:
@@ -238,17 +315,34 @@ def evaluate(
 
 @compwright.command("run")
 @click.argument("inputs", nargs=-1, required=True, metavar="JOB.yaml|FILE...", type=_PATH)
-@click.option("--format", "format_id", metavar="ID", help="Without a job file: the control, see compwright formats list.")
+@click.option(
+    "--format",
+    "format_id",
+    metavar="ID",
+    help="Without a job file: the control, see compwright formats list.",
+)
 @click.option("--axis", metavar="NAME", help="Without a job file: the axis that was measured.")
-@click.option("--travel", metavar="LO:HI", help="Without a job file: its travel in machine coordinates, mm or deg.")
+@click.option(
+    "--travel",
+    metavar="LO:HI",
+    help="Without a job file: its travel in machine coordinates, mm or deg.",
+)
 @_state
 @_option
-@click.option("--out", type=_PATH, help="Folder for the results; default: the name of the job file, beside it.")
-@click.option("--accept-worse", is_flag=True, help="Write a table even if it would not improve the axis.")
+@click.option(
+    "--out",
+    type=_PATH,
+    help="Folder for the results; default: the name of the job file, beside it.",
+)
+@click.option(
+    "--accept-worse", is_flag=True, help="Write a table even if it would not improve the axis."
+)
 @_json
 @_force
 @_exiting
-def run_command(inputs: tuple[Path, ...], out: Path | None, json_path: Path | None, **words: Any) -> int:
+def run_command(
+    inputs: tuple[Path, ...], out: Path | None, json_path: Path | None, **words: Any
+) -> int:
     """Evaluate, fit, export, predict and report: the whole job."""
     from compwright.workflow.answers import run_summary
     from compwright.workflow.jobs import job_of
@@ -275,13 +369,23 @@ def run_command(inputs: tuple[Path, ...], out: Path | None, json_path: Path | No
     _errors(f"axis {name}: no table is written: {why}" for name, why in outcome.refused.items())
     for note in outcome.notes:
         _tell(f"note: {note}")
-    _errors(entry["message"] for entry in outcome.findings if entry["severity"] == "error" and entry["code"] != "CW-P001")
+    _errors(
+        entry["message"]
+        for entry in outcome.findings
+        if entry["severity"] == "error" and entry["code"] != "CW-P001"
+    )
     return outcome.exit_code
 
 
 @compwright.command()
 @click.argument("plan", metavar="PLAN.json", type=_PATH)
-@click.option("--format", "format_id", required=True, metavar="ID", help="The control, see compwright formats list.")
+@click.option(
+    "--format",
+    "format_id",
+    required=True,
+    metavar="ID",
+    help="The control, see compwright formats list.",
+)
 @_option
 @_state
 @click.option("--out", required=True, type=_PATH, help="Folder for the control's files.")
@@ -311,10 +415,20 @@ def export(
 
 @compwright.command()
 @click.argument("paths", nargs=-1, required=True, metavar="FILE...", type=_PATH)
-@click.option("--format", "format_id", required=True, metavar="ID", help="The control, see compwright formats list.")
+@click.option(
+    "--format",
+    "format_id",
+    required=True,
+    metavar="ID",
+    help="The control, see compwright formats list.",
+)
 @_option
 @click.option("--axis", metavar="ADDRESS", help="Only this axis, by the control's own name.")
-@click.option("--at", metavar="LIST", help="Positions: numbers and LO:HI:STEP, separated by commas; default: the nodes.")
+@click.option(
+    "--at",
+    metavar="LIST",
+    help="Positions: numbers and LO:HI:STEP, separated by commas; default: the nodes.",
+)
 @_json
 @_force
 @_exiting
@@ -381,7 +495,13 @@ def compare(
     metavar="FILE...",
     help="Files of the control, or a folder of them.",
 )
-@click.option("--format", "format_id", required=True, metavar="ID", help="The control, see compwright formats list.")
+@click.option(
+    "--format",
+    "format_id",
+    required=True,
+    metavar="ID",
+    help="The control, see compwright formats list.",
+)
 @_option
 @click.option("--out", required=True, type=_PATH, metavar="JOB.yaml", help="The job file to write.")
 @_force
@@ -407,9 +527,23 @@ def new(
 
 @compwright.command()
 @click.argument("job_file", metavar="JOB.yaml", type=_PATH)
-@click.option("--after", multiple=True, required=True, metavar="[TEST=]FILE...", help="Tests made after loading.")
-@click.option("--plan", type=_PATH, help="Folder of the run, or its plan.json; default: where run puts it.")
-@click.option("--loaded", multiple=True, type=_PATH, metavar="FILE...", help="What was read back from the control.")
+@click.option(
+    "--after",
+    multiple=True,
+    required=True,
+    metavar="[TEST=]FILE...",
+    help="Tests made after loading.",
+)
+@click.option(
+    "--plan", type=_PATH, help="Folder of the run, or its plan.json; default: where run puts it."
+)
+@click.option(
+    "--loaded",
+    multiple=True,
+    type=_PATH,
+    metavar="FILE...",
+    help="What was read back from the control.",
+)
 @click.option("--out", type=_PATH, help="Folder for the results; default: that of the run.")
 @_json
 @_force
@@ -448,8 +582,12 @@ def verify(
 @compwright.command()
 @click.argument("machine", metavar="MACHINE.yaml", type=_PATH)
 @click.option("--out", required=True, type=_PATH, help="Folder for the measurement files.")
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the noise.")
-@click.option("--with-tables", "tables", type=_PATH, help="Folder with the control's files that are loaded.")
+@click.option(
+    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the noise."
+)
+@click.option(
+    "--with-tables", "tables", type=_PATH, help="Folder with the control's files that are loaded."
+)
 @_force
 @_exiting
 def simulate(
@@ -462,13 +600,17 @@ def simulate(
     """Measure a virtual machine; see docs/simulation.md."""
     from compwright.workflow.simulate import load_machine, simulate_files
 
-    written = simulate_files(load_machine(machine), out, seed=seed, tables=tables, force=force, file=str(machine))
+    written = simulate_files(
+        load_machine(machine), out, seed=seed, tables=tables, force=force, file=str(machine)
+    )
     _print_lines(map(str, written))
     return 0
 
 
 @compwright.command()
-@click.option("--out", type=_PATH, default=Path("demo"), show_default=True, help="Folder for the demo.")
+@click.option(
+    "--out", type=_PATH, default=Path("demo"), show_default=True, help="Folder for the demo."
+)
 @_force
 @_exiting
 def demo(out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command line
@@ -521,7 +663,9 @@ def formats_check(paths: tuple[Path, ...]) -> int:
 
 
 def _errors(lines: Iterable[str]) -> None:
-    """Print each error on a line of its own; of very many the first, and how many more there are."""
+    """Print each error on a line of its own; of very many the first, and how many more there
+    are.
+    """
     told = list(lines)
     for line in told[:_MOST_ERRORS]:
         _tell(f"error: {''.join(map(_visible, line))}")
@@ -530,14 +674,18 @@ def _errors(lines: Iterable[str]) -> None:
 
 
 def _visible(character: str) -> str:
-    """Return what may stand in a line of a terminal: a file's name may hold line breaks and control codes."""
+    """Return what may stand in a line of a terminal: a file's name may hold line breaks and control
+    codes.
+    """
     if character.isprintable():
         return character
     return " " if character.isspace() else "?"
 
 
 def _tell(line: str) -> None:
-    """Print a line on standard error; where that is closed or full nobody listens, and the exit code says it."""
+    """Print a line on standard error; where that is closed or full nobody listens, and the exit
+    code says it.
+    """
     try:
         click.echo(line, err=True)
     except OSError:

@@ -1,11 +1,14 @@
 #!/usr/bin/python3
-"""The display program of a LinuxCNC without a screen: drives to stops and writes down what the control applies.
+"""The display program of a LinuxCNC without a screen: drives to stops and writes down what the
+control applies.
 
-Started by LinuxCNC itself as ``display.py -ini INI STOPS RESULT``, with the system's Python (the only one that has the modules
-``linuxcnc`` and ``hal``). STOPS is JSON: ``{"letters": "XA", "stops": [[x, a], ...], "patience": 1.0}``, one position per joint, in
-machine units; every time limit is multiplied by the patience. RESULT is JSON: ``{"came_up": bool, "trouble": text, "messages":
-[text, ...], "stops": [[joint values], ...]}``, each joint value a list of commanded position, motor position less motor offset, and
-applied correction; a stop that was not reached is missing. ``came_up``: homed and ready to be driven.
+Started by LinuxCNC itself as ``display.py -ini INI STOPS RESULT``, with the system's Python (the
+only one that has the modules ``linuxcnc`` and ``hal``). STOPS is JSON: ``{"letters": "XA", "stops":
+[[x, a], ...], "patience": 1.0}``, one position per joint, in machine units; every time limit is
+multiplied by the patience. RESULT is JSON: ``{"came_up": bool, "trouble": text, "messages": [text,
+...], "stops": [[joint values], ...]}``, each joint value a list of commanded position, motor
+position less motor offset, and applied correction; a stop that was not reached is missing.
+``came_up``: homed and ready to be driven.
 """
 
 from __future__ import annotations
@@ -30,7 +33,9 @@ class TroubleError(Exception):
     """What went wrong, in words."""
 
 
-def wait(condition: Callable[[], bool], seconds: float, what: str, pause: float = SERVO_PERIOD) -> None:
+def wait(
+    condition: Callable[[], bool], seconds: float, what: str, pause: float = SERVO_PERIOD
+) -> None:
     """Return when ``condition`` holds; raise TroubleError when it does not within ``seconds``."""
     end = time.monotonic() + seconds
     while not condition():
@@ -50,7 +55,9 @@ class Machine:
         self.status = linuxcnc.stat()
         self.errors = linuxcnc.error_channel()
         self.messages: list[str] = []
-        self.component = hal.component("watcher")  # pins can be read only by a program that is a component
+        self.component = hal.component(
+            "watcher"
+        )  # pins can be read only by a program that is a component
         self.component.ready()
 
     def pin(self, joint: int, name: str) -> float:
@@ -90,13 +97,16 @@ class Machine:
         return all(
             self.pin(joint, "vel-cmd") == 0.0
             and abs(self.pin(joint, "pos-cmd") - targets[joint]) < POSITION_REACHED
-            and abs(self.pin(joint, "backlash-filt") - self.pin(joint, "backlash-corr")) < RAMP_ENDED
+            and abs(self.pin(joint, "backlash-filt") - self.pin(joint, "backlash-corr"))
+            < RAMP_ENDED
             for joint in self.joints
         )
 
     def drive(self, targets: Sequence[float]) -> list[list[float]]:
         """Go to a stop and return what each joint shows there."""
-        words = " ".join(f"{letter}{target:.9f}" for letter, target in zip(self.letters, targets, strict=True))
+        words = " ".join(
+            f"{letter}{target:.9f}" for letter, target in zip(self.letters, targets, strict=True)
+        )
         self.command.mdi("G53 G0 " + words)
         self.command.wait_complete(60 * self.patience)
         quiet = 0
@@ -116,7 +126,9 @@ class Machine:
 
 def main(stops_file: str, result_file: str) -> None:
     wanted = json.loads(Path(stops_file).read_text())
-    machine = Machine(wanted["letters"], wanted["patience"])  # without channels there is no result: started again
+    machine = Machine(
+        wanted["letters"], wanted["patience"]
+    )  # without channels there is no result: started again
     came_up = False
     trouble = ""
     stops = []
@@ -124,12 +136,17 @@ def main(stops_file: str, result_file: str) -> None:
         machine.start()
         came_up = True
         for targets in wanted["stops"]:
-            stops.append(machine.drive(targets))  # noqa: PERF401  # what was reached before trouble stays
+            # # what was reached before trouble stays
+            stops.append(machine.drive(targets))  # noqa: PERF401
     except (TroubleError, linuxcnc.error) as error:
         trouble = str(error)
     with contextlib.suppress(linuxcnc.error):
         machine.collect_messages()
-    Path(result_file).write_text(json.dumps({"came_up": came_up, "trouble": trouble, "messages": machine.messages, "stops": stops}))
+    Path(result_file).write_text(
+        json.dumps(
+            {"came_up": came_up, "trouble": trouble, "messages": machine.messages, "stops": stops}
+        )
+    )
 
 
 main(*sys.argv[3:5])

@@ -1,14 +1,19 @@
-"""What a FANUC's files say of the machine around the pitch data: other functions that act, paths, unit systems, turns.
+"""What a FANUC's files say of the machine around the pitch data: other functions that act, paths,
+unit systems, turns.
 
 Stated from the manuals and from a real backup, apart from the room that writes the files:
 
-- Detection unit = least command increment / CMR, 1820 = 2 x CMR for CMR >= 1 (B-63943EN-1/02 p. 109). Least command increment by
-  1013 (1004 on older series): IS-B 0.001, IS-A 0.01, IS-C 0.0001 mm or deg; a tenth of that in inches where 1001#0 = 1.
-- 1006#0 = 1, 1006#1 = 0: a rotary axis that goes round; both 1: a rotary axis of the linear type (practice; a real backup agrees).
-- Beside the pitch data act: inclination 5861 to 5874 and the second cyclic table 14985 to 14987 (A-78868E), straightness 5711 and
-  so on, three-dimensional compensation 10800 to 10802, smooth backlash 1846 to 1849 (practice). None of them is judged: an axis on
-  which one acts is refused. 3602 may say that the data are totals (practice).
-- Values stand by axis (A), by path (L) or once for the machine; 981 says which path an axis belongs to (a real backup).
+- Detection unit = least command increment / CMR, 1820 = 2 x CMR for CMR >= 1 (B-63943EN-1/02 p.
+  109). Least command increment by 1013 (1004 on older series): IS-B 0.001, IS-A 0.01, IS-C 0.0001
+  mm or deg; a tenth of that in inches where 1001#0 = 1.
+- 1006#0 = 1, 1006#1 = 0: a rotary axis that goes round; both 1: a rotary axis of the linear type
+  (practice; a real backup agrees).
+- Beside the pitch data act: inclination 5861 to 5874 and the second cyclic table 14985 to 14987
+  (A-78868E), straightness 5711 and so on, three-dimensional compensation 10800 to 10802, smooth
+  backlash 1846 to 1849 (practice). None of them is judged: an axis on which one acts is refused.
+  3602 may say that the data are totals (practice).
+- Values stand by axis (A), by path (L) or once for the machine; 981 says which path an axis belongs
+  to (a real backup).
 """
 
 from __future__ import annotations
@@ -22,7 +27,8 @@ from compwright.foundations.errors import Fault
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.correction import ControlFile
 
-#: Functions that would add to the correction -> their parameters by axis; none of them is zero by chance while it acts.
+#: Functions that would add to the correction -> their parameters by axis; none of them is zero by
+#: chance while it acts.
 _BY_AXIS = {
     "inclination compensation": (5871, 5872, 5873, 5874),
     "the second (cyclic) pitch error table": (14985, 14986, 14987),
@@ -36,12 +42,17 @@ _BY_NAME = {
 _TOTALS = 3602
 _FURTHER = tuple(range(13381, 13400))
 _MACHINE = (981, 1001, 1004, 1006, 1013, 1260, 1800, 1820, _TOTALS, *_FURTHER)
-_KEPT = {*_MACHINE, *(number for numbers in (*_BY_AXIS.values(), *_BY_NAME.values()) for number in numbers)}
+_KEPT = {
+    *_MACHINE,
+    *(number for numbers in (*_BY_AXIS.values(), *_BY_NAME.values()) for number in numbers),
+}
 
 #: From here on a number may be that of a point.
 _POINTS_FROM = 10000
 
-_ROW = re.compile(rb"(?<![^\r\n])[ \t]*N[ \t]*([0-9]{3,6})(?![0-9])[ \t]*(?:Q[ \t]*([0-9]+))?([^\r\n]*)")
+_ROW = re.compile(
+    rb"(?<![^\r\n])[ \t]*N[ \t]*([0-9]{3,6})(?![0-9])[ \t]*(?:Q[ \t]*([0-9]+))?([^\r\n]*)"
+)
 _GROUP = re.compile(r"(?:([AL])\s*([0-9]+)\s*)?([PMI])\s*(-?[0-9.]+)")
 
 
@@ -66,22 +77,32 @@ class Entry:
     def fault(self, message: str, expected: str) -> Fault:
         """Return a fault at this value."""
         return Fault(
-            message=message, file=self.file, place=f"line {self.line}", expected=expected, found=f"{self.number}: {self.text}"
+            message=message,
+            file=self.file,
+            place=f"line {self.line}",
+            expected=expected,
+            found=f"{self.number}: {self.text}",
         )
 
 
 @dataclass(slots=True)
 class Machine:
-    """Values by parameter and owner: ``("A", 1)`` an axis, ``("L", 1)`` a path, ``("", 0)`` the machine."""
+    """Values by parameter and owner: ``("A", 1)`` an axis, ``("L", 1)`` a path, ``("", 0)`` the
+    machine.
+    """
 
-    entries: dict[int, dict[tuple[str, int], Entry]] = field(default_factory=lambda: defaultdict(dict))
+    entries: dict[int, dict[tuple[str, int], Entry]] = field(
+        default_factory=lambda: defaultdict(dict)
+    )
 
     def said(self, number: int, axis: int) -> Entry | None:
         """Return what holds for an axis: its own value, its path's, the machine's."""
         found = self.entries.get(number, {})
         home = self.entries.get(981, {}).get(("A", axis))
         path = 1 if home is None or home.zero else int(float(home.text))
-        return next((found[owner] for owner in (("A", axis), ("L", path), ("", 0)) if owner in found), None)
+        return next(
+            (found[owner] for owner in (("A", axis), ("L", path), ("", 0)) if owner in found), None
+        )
 
     def bit(self, number: int, bit: int, axis: int) -> bool | None:
         """Return a bit that holds for an axis, None where no file says it."""
@@ -101,7 +122,9 @@ class Machine:
         return float(entry.text) if entry is not None and "." in entry.text.rstrip(".") else 0.0
 
     def detection_unit(self, axis: int, *, rotary: bool) -> float | None:
-        """Return mm or deg per pulse, None where the files do not say it in a coding that is known."""
+        """Return mm or deg per pulse, None where the files do not say it in a coding that is
+        known.
+        """
         coded = self.said(1820, axis)
         system = self.said(1013, axis) or self.said(1004, axis)
         kind = self.said(1006, axis)
@@ -111,7 +134,11 @@ class Machine:
             return None
         decimals = {0b0000: 3, 0b0001: 2, 0b0010: 4}
         mask = 0b1111 if system.number == 1013 else 0b0011
-        place = decimals.get(int(system.text, 2) & mask) if re.fullmatch("[01]{8}", system.text) else None
+        place = (
+            decimals.get(int(system.text, 2) & mask)
+            if re.fullmatch("[01]{8}", system.text)
+            else None
+        )
         if place is None:
             return None
         inch = not rotary and bool(self.bit(1001, 0, axis))
@@ -121,28 +148,50 @@ class Machine:
         """Yield a fault for each function that acts on an axis beside its table and 1851."""
         totals = self.said(_TOTALS, axis)
         if totals is not None and not totals.zero:
-            yield totals.fault(f"the pitch data of axis {axis} may be totals", "3602 = 0: increments")
+            yield totals.fault(
+                f"the pitch data of axis {axis} may be totals", "3602 = 0: increments"
+            )
         for name, numbers in _BY_AXIS.items():
-            values = [entry for number in numbers if (entry := self.said(number, axis)) is not None and not entry.zero]
+            values = [
+                entry
+                for number in numbers
+                if (entry := self.said(number, axis)) is not None and not entry.zero
+            ]
             if values:
                 yield values[0].fault(f"{name} acts on axis {axis} and is not judged", "0")
         for name, numbers in _BY_NAME.items():
             named = [
-                entry for number in numbers for owner, entry in self.entries.get(number, {}).items() if self._is(axis, owner, entry)
+                entry
+                for number in numbers
+                for owner, entry in self.entries.get(number, {}).items()
+                if self._is(axis, owner, entry)
             ]
             if named:
                 yield named[0].fault(f"{name} names axis {axis} and is not judged", "0")
-        further = [entry for number in _FURTHER for entry in self.entries.get(number, {}).values() if not entry.zero]
+        further = [
+            entry
+            for number in _FURTHER
+            for entry in self.entries.get(number, {}).values()
+            if not entry.zero
+        ]
         if further:
-            yield further[0].fault(f"further straightness pairs may act on axis {axis} and are not judged", "0")
+            yield further[0].fault(
+                f"further straightness pairs may act on axis {axis} and are not judged", "0"
+            )
 
     def _is(self, axis: int, owner: tuple[str, int], entry: Entry) -> bool:
-        """Whether an axis number means this axis: as counted over the machine, or as the n-th of the path it stands for."""
+        """Whether an axis number means this axis: as counted over the machine, or as the n-th of
+        the path it stands for.
+        """
         if entry.zero:
             return False
         number = int(float(entry.text))
         homes = self.entries.get(981, {})
-        mates = sorted(one for (letter, one), home in homes.items() if letter == "A" and home.text.strip() == str(owner[1]))
+        mates = sorted(
+            one
+            for (letter, one), home in homes.items()
+            if letter == "A" and home.text.strip() == str(owner[1])
+        )
         return number == axis or (owner[0] == "L" and mates[number - 1 : number] == [axis])
 
 
@@ -159,5 +208,7 @@ def read_machine(files: Iterable[ControlFile]) -> Machine:
             for letter, index, _, text in _GROUP.findall(rest):
                 if number >= _POINTS_FROM and match[2] is None and not letter:
                     continue  # without Q1 and without an owner this is a point
-                machine.entries[number][(letter, int(index or 0))] = Entry(number, text, file.name, line)
+                machine.entries[number][(letter, int(index or 0))] = Entry(
+                    number, text, file.name, line
+                )
     return machine

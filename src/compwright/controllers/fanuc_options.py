@@ -14,9 +14,10 @@ from compwright.foundations.errors import Fault
 class Options:
     """``detection_unit``: mm or deg per pulse, None when this axis has none.
 
-    ``ramp``: the pulses of a section come evenly over it, not in its middle. ``pitch_sign``, ``offset_sign``: +1 or -1, of the
-    pitch data and of 3627 (signs that no manual page confirms). ``offset_magnified``: 3623 multiplies 3627. ``lowest`` to
-    ``highest``: increments that the control takes.
+    ``ramp``: the pulses of a section come evenly over it, not in its middle. ``pitch_sign``,
+    ``offset_sign``: +1 or -1, of the pitch data and of 3627 (signs that no manual page confirms).
+    ``offset_magnified``: 3623 multiplies 3627. ``lowest`` to ``highest``: increments that the
+    control takes.
     """
 
     detection_unit: float | None
@@ -28,13 +29,23 @@ class Options:
     highest: int
 
 
-def read_options(given: Mapping[str, object], series: Series, address: str, faults: list[Fault]) -> Options:
-    """Return the options of an axis; what is wrong is added to ``faults`` and its default is taken."""
+def read_options(
+    given: Mapping[str, object], series: Series, address: str, faults: list[Fault]
+) -> Options:
+    """Return the options of an axis; what is wrong is added to ``faults`` and its default is
+    taken.
+    """
 
     def choice(name: str, choices: tuple[str, ...]) -> str:
         value = given.get(name, choices[0])
         if value not in choices:
-            faults.append(Fault(message=f"option {name} of axis {address}", expected=" or ".join(choices), found=repr(value)))
+            faults.append(
+                Fault(
+                    message=f"option {name} of axis {address}",
+                    expected=" or ".join(choices),
+                    found=repr(value),
+                )
+            )
             return choices[0]
         return str(value)
 
@@ -45,7 +56,11 @@ def read_options(given: Mapping[str, object], series: Series, address: str, faul
     if limit is None or limit != int(limit) or not 1 <= limit <= BYTE[1]:
         found = repr(given.get("increment_limit"))
         faults.append(
-            Fault(message=f"option increment_limit of axis {address}", expected=f"a whole number 1 to {BYTE[1]}", found=found)
+            Fault(
+                message=f"option increment_limit of axis {address}",
+                expected=f"a whole number 1 to {BYTE[1]}",
+                found=found,
+            )
         )
         limit = float(series.increment_limit)
     return Options(
@@ -67,7 +82,11 @@ def _detection_unit(given: Mapping[str, object], address: str, faults: list[Faul
     if unit is None or unit <= 0.0:
         found = repr(given["detection_unit"])
         faults.append(
-            Fault(message=f"option detection_unit of axis {address}", expected="mm or deg per pulse, above 0", found=found)
+            Fault(
+                message=f"option detection_unit of axis {address}",
+                expected="mm or deg per pulse, above 0",
+                found=found,
+            )
         )
         return None
     return unit

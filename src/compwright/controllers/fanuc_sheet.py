@@ -1,8 +1,10 @@
-"""Typed-entry sheets ``entry_<axis>.csv`` for a FANUC: what an engineer types at the control, row by row.
+"""Typed-entry sheets ``entry_<axis>.csv`` for a FANUC: what an engineer types at the control, row
+by row.
 
-Comments ``# key: value`` (``address`` or ``axis``: controlled axis number; ``value``: what the numbers are), a header
-``point,position,value,unit``, then rows: the point is a number of pitch data (10000 + n, or n) with its increment in pulses,
-or a parameter (``3620``, ``3605#0``) without position. Comma and decimal point.
+Comments ``# key: value`` (``address`` or ``axis``: controlled axis number; ``value``: what the
+numbers are), a header ``point,position,value,unit``, then rows: the point is a number of pitch data
+(10000 + n, or n) with its increment in pulses, or a parameter (``3620``, ``3605#0``) without
+position. Comma and decimal point.
 """
 
 from __future__ import annotations
@@ -17,7 +19,10 @@ from compwright.records.correction import ControlFile
 
 #: Parameter (number, bit) -> units that its value may carry.
 PARAMETERS: dict[tuple[int, int | None], frozenset[str]] = {
-    **{(number, None): frozenset({"", "pulse"}) for number in (1851, 1852, 3620, 3621, 3622, 3623, 3626, 3627)},
+    **{
+        (number, None): frozenset({"", "pulse"})
+        for number in (1851, 1852, 3620, 3621, 3622, 3623, 3626, 3627)
+    },
     **{(number, None): frozenset({"mm", "deg"}) for number in (3624, 3625)},
     (3605, 0): frozenset({""}),
 }
@@ -37,12 +42,18 @@ def is_sheet(file: ControlFile) -> bool:
 
 
 def read_sheet(file: ControlFile, pitch_sign: Callable[[str], str]) -> FileContent:
-    """Return what a sheet says. ``pitch_sign``: axis address -> option; a sheet that calls its values errors needs a ``-``."""
+    """Return what a sheet says. ``pitch_sign``: axis address -> option; a sheet that calls its
+    values errors needs a ``-``.
+    """
     try:
         text = file.content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        return FileContent(faults=[Fault(message="is no UTF-8 text", file=file.name, place=f"byte {error.start}")])
-    lines = [(number, line.strip()) for number, line in enumerate(re.split(r"\r\n|\n|\r", text), start=1)]
+        return FileContent(
+            faults=[Fault(message="is no UTF-8 text", file=file.name, place=f"byte {error.start}")]
+        )
+    lines = [
+        (number, line.strip()) for number, line in enumerate(re.split(r"\r\n|\n|\r", text), start=1)
+    ]
     sheet = _Sheet(file.name, pitch_sign)
     for number, line in lines:
         if line.startswith("#"):
@@ -80,15 +91,24 @@ class _Sheet:
         self.keys.setdefault(key, value)
 
     def find_axis(self) -> None:
-        """Settle the controlled axis number: comment ``address``, else ``axis``, else the file's name."""
+        """Settle the controlled axis number: comment ``address``, else ``axis``, else the file's
+        name.
+        """
         named = re.fullmatch(r"entry_(.*)\.csv", self.file, re.IGNORECASE | re.DOTALL)
         given = self.keys.get("address") or self.keys.get("axis") or (named[1] if named else "")
         if _AXIS.fullmatch(given):
             self.axis = int(given)
             if self.errors_at and self.pitch_sign(str(self.axis)) == "+":
-                self._wrong(self.errors_at, "values are said to be errors while option pitch_sign is +", "correction", "error")
+                self._wrong(
+                    self.errors_at,
+                    "values are said to be errors while option pitch_sign is +",
+                    "correction",
+                    "error",
+                )
         else:
-            self._wrong(0, "which controlled axis the sheet is for", "a comment such as # address: 1", given)
+            self._wrong(
+                0, "which controlled axis the sheet is for", "a comment such as # address: 1", given
+            )
 
     def row(self, cells: tuple[str, ...], number: int) -> None:
         """Read the header or one row."""
@@ -113,20 +133,36 @@ class _Sheet:
         elif key[1] is None and (key[0] < _POINTS_BELOW or key[0] >= POINT_BASE):
             self._point(key[0], position, value, unit, number)
         else:
-            self._wrong(number, "point is neither pitch data nor a parameter of the compensation", "10040, 3620, 3605#0 ..", point)
+            self._wrong(
+                number,
+                "point is neither pitch data nor a parameter of the compensation",
+                "10040, 3620, 3605#0 ..",
+                point,
+            )
 
     def finish(self) -> None:
         """A sheet that says nothing is none."""
         if not self.found.settings and not self.found.points and not self.found.faults:
-            self.found.faults.append(Fault(message="the sheet holds neither points nor parameters", file=self.file))
+            self.found.faults.append(
+                Fault(message="the sheet holds neither points nor parameters", file=self.file)
+            )
 
-    def _parameter(self, key: tuple[int, int | None], position: str, value: str, unit: str, line: int) -> None:
+    def _parameter(
+        self, key: tuple[int, int | None], position: str, value: str, unit: str, line: int
+    ) -> None:
         if position:
             self._wrong(line, f"parameter {key[0]} has a position", "an empty cell", position)
         elif unit not in PARAMETERS[key]:
-            self._wrong(line, f"unit of parameter {key[0]}", " or ".join(sorted(PARAMETERS[key])) or "none", unit)
+            self._wrong(
+                line,
+                f"unit of parameter {key[0]}",
+                " or ".join(sorted(PARAMETERS[key])) or "none",
+                unit,
+            )
         else:
-            self.found.settings.append(Setting(key[0], self.axis, key[1], unit or "P", value, self.file, line))
+            self.found.settings.append(
+                Setting(key[0], self.axis, key[1], unit or "P", value, self.file, line)
+            )
 
     def _point(self, number: int, position: str, value: str, unit: str, line: int) -> None:
         if position and not (_NUMBER.fullmatch(position) and math.isfinite(float(position))):
@@ -139,4 +175,6 @@ class _Sheet:
 
     def _wrong(self, line: int, message: str, expected: str, found: str) -> None:
         place = f"line {line}" if line else ""
-        self.found.faults.append(Fault(message=message, file=self.file, place=place, expected=expected, found=found))
+        self.found.faults.append(
+            Fault(message=message, file=self.file, place=place, expected=expected, found=found)
+        )

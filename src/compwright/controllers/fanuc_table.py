@@ -1,12 +1,15 @@
-"""Totals of a FANUC's stored pitch error compensation over the position: a table of whole detection units.
+"""Totals of a FANUC's stored pitch error compensation over the position: a table of whole detection
+units.
 
 Stated from the manuals, apart from the definition that writes the files:
 
-- An increment acts in its section: with reference number r and interval b, number n owns ((n - r - 1) b, (n - r) b)
-  (0i-PB parameter manual B-63980EN/01 p. 100). Values count from the negative towards the positive side, on both sides of r.
-- Total at the node m b: the increments from the reference to there; 0 at the reference; minus the increments passed on the
-  way for m < 0.
-- The pulses of a section come in its middle (practice), or as a ramp with interpolated compensation. Outside the last total stays.
+- An increment acts in its section: with reference number r and interval b, number n owns ((n - r -
+  1) b, (n - r) b) (0i-PB parameter manual B-63980EN/01 p. 100). Values count from the negative
+  towards the positive side, on both sides of r.
+- Total at the node m b: the increments from the reference to there; 0 at the reference; minus the
+  increments passed on the way for m < 0.
+- The pulses of a section come in its middle (practice), or as a ramp with interpolated
+  compensation. Outside the last total stays.
 """
 
 from __future__ import annotations
@@ -20,7 +23,8 @@ from compwright.records.axis import FloatArray
 
 @dataclass(frozen=True, slots=True)
 class PitchTable:
-    """Nodes at ``(first + i) * interval`` from the reference (mm or deg), i = 0..k-1; totals (k,) in detection units per direction.
+    """Nodes at ``(first + i) * interval`` from the reference (mm or deg), i = 0..k-1; totals (k,)
+    in detection units per direction.
 
     ``turn``: an endless axis repeats with it (deg), None for an axis with ends.
     """
@@ -33,10 +37,14 @@ class PitchTable:
 
     def positions(self) -> FloatArray:
         """Return the nodes (k,) relative to the reference, ascending."""
-        return np.asarray(self.interval * np.arange(self.first, self.first + self.positive.size), dtype=np.float64)
+        return np.asarray(
+            self.interval * np.arange(self.first, self.first + self.positive.size), dtype=np.float64
+        )
 
     def pulses(self, positions: FloatArray, *, positive: bool, ramp: bool) -> FloatArray:
-        """Return the total in detection units at ``positions`` (any shape, mm or deg from the reference)."""
+        """Return the total in detection units at ``positions`` (any shape, mm or deg from the
+        reference).
+        """
         totals = self.positive if positive else self.negative
         x = np.asarray(positions, dtype=np.float64)
         if self.turn is not None:
@@ -45,10 +53,14 @@ class PitchTable:
         if not ramp:
             return np.asarray(totals[np.floor(sections + 0.5).astype(np.intp)], dtype=np.float64)
         left = np.minimum(np.floor(sections).astype(np.intp), totals.size - 2)
-        return np.asarray(totals[left] + (sections - left) * (totals[left + 1] - totals[left]), dtype=np.float64)
+        return np.asarray(
+            totals[left] + (sections - left) * (totals[left + 1] - totals[left]), dtype=np.float64
+        )
 
 
 def totals(increments: list[int], before_reference: int) -> FloatArray:
-    """Return totals (k + 1,) at the section ends of ``increments`` (k,), 0 behind the first ``before_reference`` of them."""
+    """Return totals (k + 1,) at the section ends of ``increments`` (k,), 0 behind the first
+    ``before_reference`` of them.
+    """
     running = np.concatenate([[0], np.cumsum(np.asarray(increments, dtype=np.int64))])
     return np.asarray(running - running[before_reference], dtype=np.float64)

@@ -1,13 +1,17 @@
-"""Blocks in FANUC text files: parameters, pitch error data, or both, as the control would take them.
+"""Blocks in FANUC text files: parameters, pitch error data, or both, as the control would take
+them.
 
-A second, small reader on purpose: it shares nothing with the room that writes these files. Sources of the text form:
+A second, small reader on purpose: it shares nothing with the room that writes these files. Sources
+of the text form:
 
-- 30i/31i/32i: parameter manual B-63950EN/02 p. 8, 11, 12: ``N03620Q1A1P40A2P0`` (A: controlled axis number, S: spindle, L: path;
-  P, or M / I for metric / inch lengths), bits as eight digits of which the rightmost is bit 0.
-- 15i and older: parameter manual B-63330EN/03 p. 21, 25: the same without Q, ``%;`` first. Old machines write blanks
-  between the words (``N01825 A1 P 3000``).
-- Pitch data ``N1nnnnQ0P<increment>`` (10000 + point number) and program entry (``G10L50`` or ``G10L52`` to ``G11``,
-  ``N<parameter>P<axis>R<value>``): known from practice only, no page was found.
+- 30i/31i/32i: parameter manual B-63950EN/02 p. 8, 11, 12: ``N03620Q1A1P40A2P0`` (A: controlled axis
+  number, S: spindle, L: path; P, or M / I for metric / inch lengths), bits as eight digits of which
+  the rightmost is bit 0.
+- 15i and older: parameter manual B-63330EN/03 p. 21, 25: the same without Q, ``%;`` first. Old
+  machines write blanks between the words (``N01825 A1 P 3000``).
+- Pitch data ``N1nnnnQ0P<increment>`` (10000 + point number) and program entry (``G10L50`` or
+  ``G10L52`` to ``G11``, ``N<parameter>P<axis>R<value>``): known from practice only, no page was
+  found.
 
 Values are kept as text here; what they mean is the work of ``fanuc_memory``.
 """
@@ -27,8 +31,9 @@ POINT_BASE = 10000
 #: Parameters that decide the correction of an axis.
 WATCHED = frozenset({1001, 1004, 1006, 1013, 1800, 1851, 1852, 3605, *range(3620, 3628)})
 
-#: How a point was marked: Q0 or a sheet say pitch data. Without Q it is one in a file of nothing else ("alone"), or perhaps in a
-#: file that holds parameters too ("beside"). Q1 is the mark of a parameter, which is no point whatever its number.
+#: How a point was marked: Q0 or a sheet say pitch data. Without Q it is one in a file of nothing
+#: else ("alone"), or perhaps in a file that holds parameters too ("beside"). Q1 is the mark of a
+#: parameter, which is no point whatever its number.
 Mark = Literal["Q0", "alone", "beside", "sheet"]
 
 _BREAK = re.compile(r"\n\r*|\r\n|\r")
@@ -49,8 +54,8 @@ _LONGEST_VALUE = 24
 class Setting:
     """One value of a parameter. ``axis``: controlled axis number, None for a parameter of no axis.
 
-    ``bit``: number of a single bit, None for the whole value. ``keyword``: P, M or I as in a file, or the
-    unit of a typed-entry sheet (pulse, mm, deg or nothing).
+    ``bit``: number of a single bit, None for the whole value. ``keyword``: P, M or I as in a file,
+    or the unit of a typed-entry sheet (pulse, mm, deg or nothing).
     """
 
     number: int
@@ -65,16 +70,26 @@ class Setting:
     def label(self) -> str:
         """Number, bit and axis as people write them."""
         bit = "" if self.bit is None else f"#{self.bit}"
-        return f"parameter {self.number}{bit}" + ("" if self.axis is None else f" of axis {self.axis}")
+        return f"parameter {self.number}{bit}" + (
+            "" if self.axis is None else f" of axis {self.axis}"
+        )
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
         """Return a fault at this line."""
-        return Fault(message=message, file=self.file, place=f"line {self.line}", expected=expected, found=found or self.text)
+        return Fault(
+            message=message,
+            file=self.file,
+            place=f"line {self.line}",
+            expected=expected,
+            found=found or self.text,
+        )
 
 
 @dataclass(frozen=True, slots=True)
 class PointRecord:
-    """One pitch error data record: point number (from 0), increment as written, and how it was marked as such."""
+    """One pitch error data record: point number (from 0), increment as written, and how it was
+    marked as such.
+    """
 
     number: int
     text: str
@@ -84,7 +99,13 @@ class PointRecord:
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
         """Return a fault at this line."""
-        return Fault(message=message, file=self.file, place=f"line {self.line}", expected=expected, found=found or self.text)
+        return Fault(
+            message=message,
+            file=self.file,
+            place=f"line {self.line}",
+            expected=expected,
+            found=found or self.text,
+        )
 
 
 @dataclass(slots=True)
@@ -98,9 +119,15 @@ class FileContent:
 
 
 def read_file(file: ControlFile) -> FileContent:
-    """Return what one file of the control says (bytes, ASCII, lines ended by LF, CR LF, LF CR CR or CR). Nothing is raised."""
+    """Return what one file of the control says (bytes, ASCII, lines ended by LF, CR LF, LF CR CR or
+    CR). Nothing is raised.
+    """
     if b"\x00" in file.content:
-        fault = Fault(message="is a binary file", file=file.name, expected="the text that the control punches out")
+        fault = Fault(
+            message="is a binary file",
+            file=file.name,
+            expected="the text that the control punches out",
+        )
         return FileContent(faults=[fault])
     reader = _Reader(file.name)
     text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf")
@@ -115,7 +142,9 @@ class _Unreadable(Exception):  # noqa: N818  # a signal inside this module
 
 
 class _Reader:
-    """Takes a file line by line. ``marks``: number of ``%`` so far; an odd one opens a tape section, an even one closes it."""
+    """Takes a file line by line. ``marks``: number of ``%`` so far; an odd one opens a tape
+    section, an even one closes it.
+    """
 
     def __init__(self, file: str) -> None:
         self.file = file
@@ -162,31 +191,56 @@ class _Reader:
                 self._wrong(number, raw, "block cannot be read", str(error))
 
     def finish(self, *, ends_with_break: bool) -> None:
-        """Say what the file as a whole lacks, and what its records without Q are: parameters if others stand among them."""
+        """Say what the file as a whole lacks, and what its records without Q are: parameters if
+        others stand among them.
+        """
         mark: Mark = "beside" if self.parameters else "alone"
         kept = [record for record in self.found.points if record.mark == "Q0" or not self.above]
-        self.found.points = [record if record.mark == "Q0" else replace(record, mark=mark) for record in kept]
+        self.found.points = [
+            record if record.mark == "Q0" else replace(record, mark=mark) for record in kept
+        ]
         if self.before and self.marks and (self.marks != 1 or self.last_block > self.before[-1]):
-            self._wrong(self.before[0], "", "data before the first %, which the control does not read", "% as the first line")
+            self._wrong(
+                self.before[0],
+                "",
+                "data before the first %, which the control does not read",
+                "% as the first line",
+            )
         elif self.before and self.marks:
             self.found.notes.append(f"{self.file}: no % at the start")
         elif self.marks % 2:
             if not ends_with_break and self.last_text == self.lines:
-                self._wrong(self.lines, "", "the file ends within a block", "a line break and % at the end")
-            self.found.notes.append(f"{self.file}: no % at the end: the file may have been cut short")
+                self._wrong(
+                    self.lines, "", "the file ends within a block", "a line break and % at the end"
+                )
+            self.found.notes.append(
+                f"{self.file}: no % at the end: the file may have been cut short"
+            )
         if self.strange:
             which = f"{len(self.strange)} (first at line {self.strange[0]})"
-            self.found.notes.append(f"{self.file}: lines that are no parameter blocks were not read: {which}")
+            self.found.notes.append(
+                f"{self.file}: lines that are no parameter blocks were not read: {which}"
+            )
 
     def _wrong(self, number: int, raw: str, message: str, expected: str) -> None:
         found = repr(raw.strip()[:80]) if raw else ""
-        self.found.faults.append(Fault(message=message, file=self.file, place=f"line {number}", expected=expected, found=found))
+        self.found.faults.append(
+            Fault(
+                message=message,
+                file=self.file,
+                place=f"line {number}",
+                expected=expected,
+                found=found,
+            )
+        )
 
     def _matters(self, number: int) -> bool:
         return number in WATCHED or number >= POINT_BASE
 
     def _place(self, number: int) -> None:
-        """A block outside ``%`` .. ``%`` is not read by the control (files without any ``%`` are all inside)."""
+        """A block outside ``%`` .. ``%`` is not read by the control (files without any ``%`` are
+        all inside).
+        """
         if self.marks == 0:
             self.before.append(number)
         elif self.marks % 2 == 0:
@@ -194,7 +248,12 @@ class _Reader:
 
     def _other(self, line: str, raw: str, number: int) -> None:
         if _SUSPECT.search(line):
-            self._wrong(number, raw, "block cannot be read", "a block such as N03620Q1A1P40 in capital letters")
+            self._wrong(
+                number,
+                raw,
+                "block cannot be read",
+                "a block such as N03620Q1A1P40 in capital letters",
+            )
         elif not _PROGRAM_WORDS.fullmatch(line):
             self.strange.append(number)
 
@@ -212,7 +271,9 @@ class _Reader:
             self._parameter(number, words, line)
 
     def _parameter(self, number: int, words: list[tuple[str, str]], line: int) -> None:
-        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``: spindle and second-path groups are passed over."""
+        """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``: spindle and second-path groups
+        are passed over.
+        """
         if words and words[0][0] == "Q":
             if words[0][1] != "1":
                 raise _Unreadable("Q1, parameter data")
@@ -230,13 +291,17 @@ class _Reader:
                 if path != "1" and axis is not None:
                     raise _Unreadable("axis parameters of the first path (L1)")
                 if owner not in ("S", "T") and path == "1":
-                    self.found.settings.append(Setting(number, axis, None, letter, text, self.file, line))
+                    self.found.settings.append(
+                        Setting(number, axis, None, letter, text, self.file, line)
+                    )
                 axis, owner, path = None, "done", "1"
         if owner != "done":
             raise _Unreadable("a value P behind every axis number")
 
     def _point(self, number: int, words: list[tuple[str, str]], line: int) -> None:
-        """Read ``N1nnnn [Q0] P<increment>``; a block with Q1, axes, paths or spindles is a parameter of that number."""
+        """Read ``N1nnnn [Q0] P<increment>``; a block with Q1, axes, paths or spindles is a
+        parameter of that number.
+        """
         if words[:1] == [("Q", "1")]:
             return
         marked = bool(words) and words[0][0] == "Q"
@@ -247,14 +312,20 @@ class _Reader:
             words = words[1:]
         if len(words) == 1 and words[0][0] == "P":
             mark: Mark = "Q0" if marked else "alone"
-            self.found.points.append(PointRecord(number - POINT_BASE, words[0][1], mark, self.file, line))
+            self.found.points.append(
+                PointRecord(number - POINT_BASE, words[0][1], mark, self.file, line)
+            )
         elif marked or not any(letter in "ASTL" for letter, _ in words):
             raise _Unreadable("one value, such as N10040Q0P1")
 
     def _program_block(self, number: int, words: list[tuple[str, str]], line: int) -> None:
         """Read ``N<number> [P<axis>] [Q<bit>] R<value>`` between G10 L50 / L52 and G11."""
         by_letter = dict(words)
-        if len(by_letter) != len(words) or set(by_letter) - {"P", "Q", "R"} or len(by_letter.get("R", "")) not in range(1, 25):
+        if (
+            len(by_letter) != len(words)
+            or set(by_letter) - {"P", "Q", "R"}
+            or len(by_letter.get("R", "")) not in range(1, 25)
+        ):
             raise _Unreadable("N<number>P<axis>R<value> between G10 and G11")
         axis = _axis_number(by_letter["P"]) if "P" in by_letter else None
         bit = by_letter.get("Q")
@@ -262,13 +333,19 @@ class _Reader:
             raise _Unreadable("Q0 to Q7, the number of the bit")
         value = by_letter["R"]
         if number < POINT_BASE:
-            self.found.settings.append(Setting(number, axis, None if bit is None else int(bit), "P", value, self.file, line))
+            self.found.settings.append(
+                Setting(
+                    number, axis, None if bit is None else int(bit), "P", value, self.file, line
+                )
+            )
         elif axis is None and bit is None:
             self.found.points.append(PointRecord(number - POINT_BASE, value, "Q0", self.file, line))
 
 
 def _words(rest: str) -> list[tuple[str, str]] | None:
-    """Return the words (letter, number) of a block behind its N-number; None when it is anything else."""
+    """Return the words (letter, number) of a block behind its N-number; None when it is anything
+    else.
+    """
     words = []
     position = 0
     rest = rest.rstrip()

@@ -1,4 +1,6 @@
-"""The correction of one HEIDENHAIN table column, and the axes that are made of such columns and parameters."""
+"""The correction of one HEIDENHAIN table column, and the axes that are made of such columns and
+parameters.
+"""
 
 from __future__ import annotations
 
@@ -8,7 +10,8 @@ import numpy as np
 
 from compwright.records.axis import Direction, FloatArray
 
-#: A turn of a rotary axis, deg: only entries from 0 to 360 are used (TNC 407 technical manual p. 156).
+#: A turn of a rotary axis, deg: only entries from 0 to 360 are used (TNC 407 technical manual p.
+#: 156).
 TURN = 360.0
 #: Positions meet 0 and 360 deg to this many deg: multiples of a spacing in binary numbers.
 _MEETS = 1e-6
@@ -16,7 +19,8 @@ _MEETS = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Curve:
-    """``values`` (k,) added to the command at ``nodes`` (k,): straight lines between, the ends held outside.
+    """``values`` (k,) added to the command at ``nodes`` (k,): straight lines between, the ends held
+    outside.
 
     ``endless``: positions count modulo 360 deg; ``one_turn``: nothing but 0 to 360 deg is used.
     """
@@ -37,7 +41,9 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class OwnTable:
-    """The table of an axis for itself: what acts arriving in + and in - (the same curve where the control has one)."""
+    """The table of an axis for itself: what acts arriving in + and in - (the same curve where the
+    control has one).
+    """
 
     positive: Curve
     negative: Curve
@@ -53,10 +59,12 @@ class OwnTable:
 
 @dataclass(frozen=True, slots=True)
 class HeidenhainAxis:
-    """One axis. ``nonlinear``: its tables act, else its linear error does; never both (TNC 407 technical manual p. 151).
+    """One axis. ``nonlinear``: its tables act, else its linear error does; never both (TNC 407
+    technical manual p. 151).
 
-    ``linear_error``: the one that acts, mm/m, positive when the axis travels too far; 0 beside tables. ``backlash``: mm or deg,
-    positive when the encoder runs ahead and the travel is too short.
+    ``linear_error``: the one that acts, mm/m, positive when the axis travels too far; 0 beside
+    tables. ``backlash``: mm or deg, positive when the encoder runs ahead and the travel is too
+    short.
     """
 
     table: OwnTable | None
@@ -67,7 +75,9 @@ class HeidenhainAxis:
     reference_return: Direction
 
     def correction(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return what is added to the command at ``positions`` (any shape) arriving in ``direction``, mm or deg."""
+        """Return what is added to the command at ``positions`` (any shape) arriving in
+        ``direction``, mm or deg.
+        """
         total = np.zeros(positions.shape)
         if self.nonlinear and self.table is not None:
             total = total + self.table.at(positions, direction)

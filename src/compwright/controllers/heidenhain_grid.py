@@ -1,7 +1,8 @@
 """HEIDENHAIN tables as blocks of text, and their cells: what stands under which heading.
 
-The shape of the classic tables is known from memory only; what is sure is taken as written, the rest is refused, never guessed: a
-cell belongs to the column whose heading stands above it, a table without its end line has been cut short.
+The shape of the classic tables is known from memory only; what is sure is taken as written, the
+rest is refused, never guessed: a cell belongs to the column whose heading stands above it, a table
+without its end line has been cut short.
 """
 
 from __future__ import annotations
@@ -24,7 +25,9 @@ _MOST_COLUMNS = 64
 
 @dataclass(frozen=True, slots=True)
 class Block:
-    """Lines from BEGIN to the end line, both left out; ``rest`` is what follows the unit in the BEGIN line."""
+    """Lines from BEGIN to the end line, both left out; ``rest`` is what follows the unit in the
+    BEGIN line.
+    """
 
     name: str
     kind: str
@@ -48,8 +51,12 @@ class Grid:
         return [row[index] for row in self.rows]
 
 
-def split_tables(lines: list[tuple[Place, str]], faults: list[Fault]) -> tuple[list[Block], list[tuple[Place, str]]]:
-    """Split the lines into tables and what stands outside of them; faults are added to ``faults``."""
+def split_tables(
+    lines: list[tuple[Place, str]], faults: list[Fault]
+) -> tuple[list[Block], list[tuple[Place, str]]]:
+    """Split the lines into tables and what stands outside of them; faults are added to
+    ``faults``.
+    """
     blocks: list[Block] = []
     outside: list[tuple[Place, str]] = []
     opened: Block | None = None
@@ -61,10 +68,17 @@ def split_tables(lines: list[tuple[Place, str]], faults: list[Fault]) -> tuple[l
             opened = _opened(line, place, faults)
             blocks += [opened] if opened else []
         elif first in {"END", "[END]"} and opened is not None:
-            ends = first == "[END]" or _table_name(line.upper().split()[1:])[:2] == (opened.name.upper(), opened.kind)
+            ends = first == "[END]" or _table_name(line.upper().split()[1:])[:2] == (
+                opened.name.upper(),
+                opened.kind,
+            )
             if not ends:
                 faults.append(
-                    place.fault("end of another table", expected=f"END {opened.name} .{opened.kind}", found=repr(line.strip()[:80]))
+                    place.fault(
+                        "end of another table",
+                        expected=f"END {opened.name} .{opened.kind}",
+                        found=repr(line.strip()[:80]),
+                    )
                 )
             opened = None
         elif opened is not None:
@@ -77,11 +91,18 @@ def split_tables(lines: list[tuple[Place, str]], faults: list[Fault]) -> tuple[l
 
 def _cut_short(opened: Block | None, faults: list[Fault]) -> None:
     if opened is not None:
-        faults.append(opened.place.fault("the table has no end line (cut short?)", expected=f"END {opened.name} .{opened.kind}"))
+        faults.append(
+            opened.place.fault(
+                "the table has no end line (cut short?)",
+                expected=f"END {opened.name} .{opened.kind}",
+            )
+        )
 
 
 def _table_name(words: list[str]) -> tuple[str, str, list[str]]:
-    """Return name, kind (COM, CMA or empty) and the words behind them of ``X .COM ...`` or ``X.COM ...``."""
+    """Return name, kind (COM, CMA or empty) and the words behind them of ``X .COM ...`` or ``X.COM
+    ...``.
+    """
     if words and words[0][-4:].upper() in {".COM", ".CMA"} and len(words[0]) > 4:
         return words[0][:-4], words[0][-3:].upper(), words[1:]
     if len(words) > 1 and words[1].upper() in {".COM", ".CMA"}:
@@ -94,25 +115,41 @@ def _opened(line: str, place: Place, faults: list[Fault]) -> Block | None:
     unit = words[0].upper() if words else ""
     if not kind or (kind == "COM" and unit not in {"MM", "INCH"}):
         faults.append(
-            place.fault("head of the table cannot be read", expected="BEGIN X .COM MM or BEGIN NAME .CMA MM", found=repr(line[:80]))
+            place.fault(
+                "head of the table cannot be read",
+                expected="BEGIN X .COM MM or BEGIN NAME .CMA MM",
+                found=repr(line[:80]),
+            )
         )
         return None
-    return Block(name=name, kind=kind, inch=unit == "INCH", rest=" ".join(words[1:]), lines=[], place=place)
+    return Block(
+        name=name, kind=kind, inch=unit == "INCH", rest=" ".join(words[1:]), lines=[], place=place
+    )
 
 
 def read_grid(block: Block) -> Grid:
     """Return the cells of a table. Raises InputError with every row that cannot be told apart."""
     filled = [(place, line) for place, line in block.lines if line.strip()]
-    heading = [(match.group().upper(), match.span()) for match in _WORD.finditer(filled[0][1])] if filled else []
+    heading = (
+        [(match.group().upper(), match.span()) for match in _WORD.finditer(filled[0][1])]
+        if filled
+        else []
+    )
     if not heading or heading[0][0] != "NR" or len(heading) > _MOST_COLUMNS:
         place = filled[0][0] if filled else block.place
         raise InputError(
             place.fault(
-                "no line of column headings", expected="NR and the columns", found=repr(filled[0][1][:80] if filled else "")
+                "no line of column headings",
+                expected="NR and the columns",
+                found=repr(filled[0][1][:80] if filled else ""),
             )
         )
     names = tuple(match.group() for match in _WORD.finditer(filled[0][1]))[1:]
-    faults = [filled[0][0].fault("two columns of one name", found=name) for name in dict.fromkeys(names) if names.count(name) > 1]
+    faults = [
+        filled[0][0].fault("two columns of one name", found=name)
+        for name in dict.fromkeys(names)
+        if names.count(name) > 1
+    ]
     rows: list[tuple[str | None, ...]] = []
     for wanted, (place, line) in enumerate(filled[1:]):
         row = _row(line, [span for _, span in heading], place, wanted)
@@ -125,32 +162,45 @@ def read_grid(block: Block) -> Grid:
     return Grid(names, tuple(rows), tuple(place for place, _ in filled[1:]))
 
 
-def _row(line: str, spans: Sequence[tuple[int, int]], place: Place, wanted: int) -> tuple[str | None, ...] | Fault:
+def _row(
+    line: str, spans: Sequence[tuple[int, int]], place: Place, wanted: int
+) -> tuple[str | None, ...] | Fault:
     """Return the cells of a row without its number, or what is wrong with it.
 
-    With every cell filled the blanks tell the columns apart; with fewer, a cell must stand under exactly one heading.
+    With every cell filled the blanks tell the columns apart; with fewer, a cell must stand under
+    exactly one heading.
     """
     words = [(match.group(), match.span()) for match in _WORD.finditer(line)]
     if not _WHOLE.fullmatch(words[0][0]) or int(words[0][0]) != wanted:
-        return place.fault("row number (a line lost?)", expected=str(wanted), found=repr(words[0][0][:40]))
+        return place.fault(
+            "row number (a line lost?)", expected=str(wanted), found=repr(words[0][0][:40])
+        )
     if len(words) == len(spans):
         return tuple(word for word, _ in words[1:])
     cells: list[str | None] = [None] * (len(spans) - 1)
     for word, (start, end) in words[1:]:
         under = [index for index, (left, right) in enumerate(spans) if start < right and left < end]
         if len(under) != 1 or under[0] == 0 or cells[under[0] - 1] is not None or "\t" in line:
-            return place.fault("column of a cell is ambiguous", expected="each cell below its own heading", found=repr(word[:40]))
+            return place.fault(
+                "column of a cell is ambiguous",
+                expected="each cell below its own heading",
+                found=repr(word[:40]),
+            )
         cells[under[0] - 1] = word
     return tuple(cells)
 
 
-def numbers(cells: Sequence[str | None], places: Sequence[Place], label: str, faults: list[Fault]) -> FloatArray:
+def numbers(
+    cells: Sequence[str | None], places: Sequence[Place], label: str, faults: list[Fault]
+) -> FloatArray:
     """Return the numbers of a column, NaN where blank; every other content is a fault."""
     values = np.full(len(cells), np.nan)
     for index, (cell, place) in enumerate(zip(cells, places, strict=True)):
         parsed = None if cell is None else number(cell)
         if cell is not None and parsed is None:
-            faults.append(place.fault(label, expected="a number with a decimal point", found=repr(cell[:40])))
+            faults.append(
+                place.fault(label, expected="a number with a decimal point", found=repr(cell[:40]))
+            )
         elif parsed is not None:
             values[index] = parsed
     return values

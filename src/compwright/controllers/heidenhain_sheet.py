@@ -1,7 +1,9 @@
-"""Typed-entry sheets ``entry_<axis>.csv`` for HEIDENHAIN controls, as the person at the control types them in.
+"""Typed-entry sheets ``entry_<axis>.csv`` for HEIDENHAIN controls, as the person at the control
+types them in.
 
-Comment lines ``# key: value``, the header ``point,position,value,unit``, then points and parameters. A second, small reader on
-purpose: it shares nothing with the room that writes these sheets.
+Comment lines ``# key: value``, the header ``point,position,value,unit``, then points and
+parameters. A second, small reader on purpose: it shares nothing with the room that writes these
+sheets.
 """
 
 from __future__ import annotations
@@ -11,7 +13,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.controllers.heidenhain_words import Generation, Parameter, Place, Quantity, binary_fault, lines_of, number
+from compwright.controllers.heidenhain_words import (
+    Generation,
+    Parameter,
+    Place,
+    Quantity,
+    binary_fault,
+    lines_of,
+    number,
+)
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.correction import ControlFile
@@ -28,7 +38,8 @@ _NO_UNIT = ("", "-", "bit")
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """One sheet: ``values`` (k,) in mm or deg at ``nodes`` (k,), errors or corrections as ``errors`` says; k = 0 without points.
+    """One sheet: ``values`` (k,) in mm or deg at ``nodes`` (k,), errors or corrections as
+    ``errors`` says; k = 0 without points.
 
     ``kind``: linear or rotary by the units, None where no unit says it.
     """
@@ -57,7 +68,9 @@ def read_sheet(file: ControlFile, generation: Generation) -> tuple[Sheet | None,
     try:
         text = file.content.decode("utf-8")
     except UnicodeDecodeError as error:
-        return None, [Fault(message="is not ASCII or UTF-8", file=file.name, place=f"byte {error.start + 1}")]
+        return None, [
+            Fault(message="is not ASCII or UTF-8", file=file.name, place=f"byte {error.start + 1}")
+        ]
     reader = _Reader(file.name, generation)
     for line, content in enumerate(lines_of(text), start=1):
         reader.read(content.strip(), Place(file.name, line))
@@ -85,7 +98,9 @@ class _Reader:
             self._comment(line[1:], place)
         elif _squeezed(line) == HEADER:
             if self.header is not None:
-                self.faults.append(place.fault("a second header: are these two sheets in one file?"))
+                self.faults.append(
+                    place.fault("a second header: are these two sheets in one file?")
+                )
             self.header = place
         elif line:
             self._row(line, place)
@@ -96,18 +111,26 @@ class _Reader:
         if not colon or key not in {"axis", "address", "value"}:
             return
         if self.comments.setdefault(key, value) != value:
-            self.faults.append(place.fault(f"a second # {key}:", expected=self.comments[key], found=value))
+            self.faults.append(
+                place.fault(f"a second # {key}:", expected=self.comments[key], found=value)
+            )
 
     def _row(self, line: str, place: Place) -> None:
         fields = [part.strip() for part in line.split(",")]
         if self.header is None or len(fields) != 4:
             expected = f"the header {HEADER}" if self.header is None else f"four fields: {HEADER}"
-            self.faults.append(place.fault("line cannot be read", expected=expected, found=repr(line[:80])))
+            self.faults.append(
+                place.fault("line cannot be read", expected=expected, found=repr(line[:80]))
+            )
             return
         point, position, value, unit = fields
         parsed = number(value)
         if parsed is None:
-            self.faults.append(place.fault("value", expected="a number with a decimal point", found=repr(value[:40])))
+            self.faults.append(
+                place.fault(
+                    "value", expected="a number with a decimal point", found=repr(value[:40])
+                )
+            )
         elif _WHOLE.fullmatch(point):
             self._point(int(point), position, parsed, unit, place)
         else:
@@ -117,15 +140,31 @@ class _Reader:
         where = number(position)
         wanted, self.next_point = self.next_point, point + 1
         if where is None:
-            self.faults.append(place.fault("position", expected="a number with a decimal point", found=repr(position[:40])))
+            self.faults.append(
+                place.fault(
+                    "position", expected="a number with a decimal point", found=repr(position[:40])
+                )
+            )
         elif unit not in _UNITS:
-            self.faults.append(place.fault("unit of a point", expected="mm, um or deg", found=repr(unit[:40])))
+            self.faults.append(
+                place.fault("unit of a point", expected="mm, um or deg", found=repr(unit[:40]))
+            )
         elif point != wanted:
             self.faults.append(
-                place.fault("points are not in order (a line lost?)", expected=f"point {wanted}", found=f"point {point}")
+                place.fault(
+                    "points are not in order (a line lost?)",
+                    expected=f"point {wanted}",
+                    found=f"point {point}",
+                )
             )
         elif self.points and where <= self.points[-1][0]:
-            self.faults.append(place.fault("positions do not ascend", expected=f"above {self.points[-1][0]:g}", found=f"{where:g}"))
+            self.faults.append(
+                place.fault(
+                    "positions do not ascend",
+                    expected=f"above {self.points[-1][0]:g}",
+                    found=f"{where:g}",
+                )
+            )
         else:
             self._unit(unit, place)
             self.points.append((where, value * _UNITS[unit]))
@@ -134,46 +173,90 @@ class _Reader:
         quantity = self.generation.parameters.get(name)
         if quantity is None:
             known = ", ".join(self.generation.parameters)
-            self.faults.append(place.fault("point", expected=f"a whole number from 0, or {known}", found=repr(name[:40])))
+            self.faults.append(
+                place.fault(
+                    "point", expected=f"a whole number from 0, or {known}", found=repr(name[:40])
+                )
+            )
             return
-        units = {Quantity.BACKLASH: tuple(_UNITS), Quantity.LINEAR: ("mm/m",), Quantity.NONLINEAR: _NO_UNIT}[quantity]
+        units = {
+            Quantity.BACKLASH: tuple(_UNITS),
+            Quantity.LINEAR: ("mm/m",),
+            Quantity.NONLINEAR: _NO_UNIT,
+        }[quantity]
         if position:
-            self.faults.append(place.fault(f"{name} has no position", expected="an empty field", found=repr(position[:40])))
+            self.faults.append(
+                place.fault(
+                    f"{name} has no position", expected="an empty field", found=repr(position[:40])
+                )
+            )
         elif unit not in units:
-            self.faults.append(place.fault(f"unit of {name}", expected=" or ".join(filter(None, units)), found=repr(unit[:40])))
+            self.faults.append(
+                place.fault(
+                    f"unit of {name}",
+                    expected=" or ".join(filter(None, units)),
+                    found=repr(unit[:40]),
+                )
+            )
         elif quantity is Quantity.NONLINEAR and value not in {0.0, 1.0}:
-            self.faults.append(place.fault(f"{name} of this axis", expected="0 or 1", found=f"{value:g}"))
+            self.faults.append(
+                place.fault(f"{name} of this axis", expected="0 or 1", found=f"{value:g}")
+            )
         elif quantity is Quantity.BACKLASH:
             self._unit(unit, place)
-            self.parameters.append((quantity, value * _UNITS[unit], "deg" if unit == "deg" else "mm", place))
+            self.parameters.append(
+                (quantity, value * _UNITS[unit], "deg" if unit == "deg" else "mm", place)
+            )
         else:
             self.parameters.append((quantity, value, unit, place))
 
     def _unit(self, unit: str, place: Place) -> None:
         kind = AxisKind.ROTARY if unit == "deg" else AxisKind.LINEAR
         if self.kind not in {None, kind}:
-            self.faults.append(place.fault("lengths and angles in one sheet", expected="one unit for the axis", found=unit))
+            self.faults.append(
+                place.fault(
+                    "lengths and angles in one sheet", expected="one unit for the axis", found=unit
+                )
+            )
         self.kind = kind
 
     def sheet(self) -> Sheet | None:
-        """Return what was read; None with a fault when the sheet as a whole says nothing or contradicts itself."""
+        """Return what was read; None with a fault when the sheet as a whole says nothing or
+        contradicts itself.
+        """
         before = len(self.faults)
         head = Place(self.file, self.header.line if self.header else 1)
         if self.header is None and not self.faults:
-            self.faults.append(Fault(message="is no entry sheet", file=self.file, expected=f"the header {HEADER}"))
+            self.faults.append(
+                Fault(message="is no entry sheet", file=self.file, expected=f"the header {HEADER}")
+            )
         elif not self.points and not self.parameters and not self.faults:
-            self.faults.append(head.fault("the sheet holds no points and no parameters (cut short?)"))
+            self.faults.append(
+                head.fault("the sheet holds no points and no parameters (cut short?)")
+            )
         values = self.comments.get("value", "")
         if values not in {"error", "correction"}:
             self.faults.append(
-                head.fault("nothing says what the values are", expected="# value: error or correction", found=values)
+                head.fault(
+                    "nothing says what the values are",
+                    expected="# value: error or correction",
+                    found=values,
+                )
             )
         address = self.generation.address(self._address())
         if not address or any(character.isspace() for character in address):
-            self.faults.append(head.fault("nothing names the axis", expected="# address: X, or entry_X.csv", found=address))
+            self.faults.append(
+                head.fault(
+                    "nothing names the axis", expected="# address: X, or entry_X.csv", found=address
+                )
+            )
         most = self.generation.most_points
         if most is not None and len(self.points) > most:
-            self.faults.append(head.fault("too many points", expected=f"at most {most}", found=str(len(self.points))))
+            self.faults.append(
+                head.fault(
+                    "too many points", expected=f"at most {most}", found=str(len(self.points))
+                )
+            )
         if len(self.faults) > before:
             return None
         columns = np.array(self.points, dtype=np.float64).reshape(-1, 2)
@@ -183,13 +266,20 @@ class _Reader:
             nodes=columns[:, 0],
             values=columns[:, 1],
             kind=self.kind,
-            parameters=tuple(Parameter(quantity, address, value, unit, at) for quantity, value, unit, at in self.parameters),
+            parameters=tuple(
+                Parameter(quantity, address, value, unit, at)
+                for quantity, value, unit, at in self.parameters
+            ),
             place=head,
         )
 
     def _address(self) -> str:
         by_name = _FILE_NAME.fullmatch(self.file)
-        return self.comments.get("address") or self.comments.get("axis") or (by_name.group(1) if by_name else "")
+        return (
+            self.comments.get("address")
+            or self.comments.get("axis")
+            or (by_name.group(1) if by_name else "")
+        )
 
 
 def _squeezed(line: str) -> str:

@@ -1,7 +1,7 @@
 """HEIDENHAIN tables: ``.COM`` (values) and ``.CMA`` (which .COM acts under which axis).
 
-iTNC 530: one row per point, the point k lies at DATUM + k * spacing (TNC 407 technical manual p. 153, iTNC 530 HSCI p. 655).
-NCK: the column AXISPOS lists the positions (MANUALplus 620 p. 716).
+iTNC 530: one row per point, the point k lies at DATUM + k * spacing (TNC 407 technical manual p.
+153, iTNC 530 HSCI p. 655). NCK: the column AXISPOS lists the positions (MANUALplus 620 p. 716).
 """
 
 from __future__ import annotations
@@ -36,10 +36,12 @@ _KINEMATICS = {f"C{n}" for n in range(1, 7)}
 
 @dataclass(frozen=True, slots=True)
 class Com:
-    """One .COM. ``values`` (k, columns) as written, NaN where a cell is blank; ``columns`` name the corrected axes.
+    """One .COM. ``values`` (k, columns) as written, NaN where a cell is blank; ``columns`` name the
+    corrected axes.
 
-    iTNC 530: ``datum`` and ``distance`` as written, ``listed`` is None. NCK: ``listed`` (k,) = AXISPOS, ``negative`` (k,) =
-    BACKLASH, None without that column. ``names``: what a .CMA may call the table, in capitals without the ending.
+    iTNC 530: ``datum`` and ``distance`` as written, ``listed`` is None. NCK: ``listed`` (k,) =
+    AXISPOS, ``negative`` (k,) = BACKLASH, None without that column. ``names``: what a .CMA may call
+    the table, in capitals without the ending.
     """
 
     name: str
@@ -56,7 +58,9 @@ class Com:
 
 @dataclass(frozen=True, slots=True)
 class Cma:
-    """One .CMA: moving axis -> name of its .COM (capitals, no ending) in the active line; ``axes`` are all its axis columns."""
+    """One .CMA: moving axis -> name of its .COM (capitals, no ending) in the active line; ``axes``
+    are all its axis columns.
+    """
 
     axes: tuple[str, ...]
     active: dict[str, str] | None
@@ -76,14 +80,18 @@ class Content:
 
 
 def read_text(file: ControlFile, generation: Generation) -> Content:
-    """Return the tables and parameters of one file (bytes, ASCII). Faults are collected, nothing is raised."""
+    """Return the tables and parameters of one file (bytes, ASCII). Faults are collected, nothing is
+    raised.
+    """
     found = Content()
     fault = binary_fault(file.name, file.content)
     if fault is not None:
         found.faults.append(fault)
         return found
     text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf")
-    lines = [(Place(file.name, line), content) for line, content in enumerate(lines_of(text), start=1)]
+    lines = [
+        (Place(file.name, line), content) for line, content in enumerate(lines_of(text), start=1)
+    ]
     blocks, outside = split_tables(lines, found.faults)
     stem = file.name[:-4].upper() if file.name.upper().endswith(".COM") else None
     alone = [block.kind for block in blocks].count("COM") == 1
@@ -99,12 +107,21 @@ def read_text(file: ControlFile, generation: Generation) -> Content:
     return found
 
 
-def _read_outside(lines: list[tuple[Place, str]], generation: Generation, found: Content, *, strict: bool) -> None:
-    """Read what stands outside of tables: parameters. Anything else is a fault beside tables, else worth a note."""
+def _read_outside(
+    lines: list[tuple[Place, str]], generation: Generation, found: Content, *, strict: bool
+) -> None:
+    """Read what stands outside of tables: parameters. Anything else is a fault beside tables, else
+    worth a note.
+    """
     read = read_parameters(lines)
     if read.parameters and generation is not ITNC530:
         at = read.parameters[0].place
-        read.faults.append(at.fault("MP710, MP720, MP730 are not of this control", expected=", ".join(generation.parameters)))
+        read.faults.append(
+            at.fault(
+                "MP710, MP720, MP730 are not of this control",
+                expected=", ".join(generation.parameters),
+            )
+        )
     found.parameters += read.parameters
     found.faults += read.faults
     if not read.stray or found.faults:
@@ -112,10 +129,16 @@ def _read_outside(lines: list[tuple[Place, str]], generation: Generation, found:
     place, code = read.stray[0]
     if strict or not read.parameters:
         found.faults.append(
-            place.fault("line cannot be read", expected="BEGIN X .COM MM ... or BEGIN NAME .CMA", found=repr(code[:80]))
+            place.fault(
+                "line cannot be read",
+                expected="BEGIN X .COM MM ... or BEGIN NAME .CMA",
+                found=repr(code[:80]),
+            )
         )
     else:
-        found.notes.append(f"{place}: not a machine parameter, not read (lines of this sort: {len(read.stray)})")
+        found.notes.append(
+            f"{place}: not a machine parameter, not read (lines of this sort: {len(read.stray)})"
+        )
 
 
 def _com(block: Block, generation: Generation, stem: str | None, found: Content) -> Com:
@@ -123,13 +146,23 @@ def _com(block: Block, generation: Generation, stem: str | None, found: Content)
     faults: list[Fault] = []
     most = generation.most_points
     if most is not None and len(grid.rows) > most:
-        faults.append(block.place.fault("too many points in one table", expected=f"at most {most}", found=str(len(grid.rows))))
+        faults.append(
+            block.place.fault(
+                "too many points in one table",
+                expected=f"at most {most}",
+                found=str(len(grid.rows)),
+            )
+        )
     if not grid.rows:
         faults.append(block.place.fault("the table holds no rows"))
     read = _by_spacing if generation is ITNC530 else _by_position
     com = read(block, grid, stem, found, faults)
     if grid.rows and not faults and bool(np.all(np.isnan(com.values))):
-        faults.append(block.place.fault("the table holds no values", expected="a value in at least one axis column"))
+        faults.append(
+            block.place.fault(
+                "the table holds no values", expected="a value in at least one axis column"
+            )
+        )
     if faults:
         raise InputError(*faults)
     return com
@@ -140,18 +173,25 @@ def _names(block: Block, stem: str | None) -> frozenset[str]:
 
 
 def _values(grid: Grid, columns: dict[str, str], faults: list[Fault]) -> FloatArray:
-    """Return (rows, columns) of numbers; a column with any value must have one in its first and its last row."""
+    """Return (rows, columns) of numbers; a column with any value must have one in its first and its
+    last row.
+    """
     table = np.full((len(grid.rows), len(columns)), np.nan)
     for index, name in enumerate(columns):
         cells = grid.column(name)
         table[:, index] = numbers(cells, grid.places, f"column {name}", faults)
         if any(cells):
             blank = [grid.places[end] for end in (0, -1) if cells[end] is None]
-            faults += [place.fault(f"column {name} is blank at an end of the table", expected="a value") for place in blank]
+            faults += [
+                place.fault(f"column {name} is blank at an end of the table", expected="a value")
+                for place in blank
+            ]
     return table
 
 
-def _by_spacing(block: Block, grid: Grid, stem: str | None, found: Content, faults: list[Fault]) -> Com:
+def _by_spacing(
+    block: Block, grid: Grid, stem: str | None, found: Content, faults: list[Fault]
+) -> Com:
     """iTNC 530: DATUM and DIST in the head, columns ``1=F()``."""
     head = _head(block, faults)
     columns: dict[str, str] = {}
@@ -161,9 +201,16 @@ def _by_spacing(block: Block, grid: Grid, stem: str | None, found: Content, faul
             columns[name] = axis_of_number(int(match.group(1)))
         elif name.upper() in _KINEMATICS:
             if any(grid.column(name)):
-                found.notes.append(f"{block.place}: column {name} of {block.name}.COM (KinematicsComp) is not judged")
+                found.notes.append(
+                    f"{block.place}: column {name} of {block.name}.COM (KinematicsComp) is not"
+                    " judged"
+                )
         else:
-            faults.append(block.place.fault("column heading", expected="1=F(), 2=F(), ...", found=repr(name[:40])))
+            faults.append(
+                block.place.fault(
+                    "column heading", expected="1=F(), 2=F(), ...", found=repr(name[:40])
+                )
+            )
     if len(set(columns.values())) < len(columns):
         faults.append(block.place.fault("two columns of one axis", found=" ".join(columns)))
     return Com(
@@ -184,24 +231,49 @@ def _head(block: Block, faults: list[Fault]) -> dict[str, float]:
     for entry in block.rest.replace(": ", ":").split():
         key, colon, text = entry.partition(":")
         value = number(text)
-        if not colon or key.upper() not in {"DATUM", "DIST"} or value is None or key.upper() in head:
-            faults.append(block.place.fault("head of the table", expected="DATUM:number DIST:number", found=repr(entry[:40])))
+        if (
+            not colon
+            or key.upper() not in {"DATUM", "DIST"}
+            or value is None
+            or key.upper() in head
+        ):
+            faults.append(
+                block.place.fault(
+                    "head of the table", expected="DATUM:number DIST:number", found=repr(entry[:40])
+                )
+            )
         else:
             head[key.upper()] = value
     missing = [key for key in ("DATUM", "DIST") if key not in head]
     if missing:
-        faults.append(block.place.fault(f"head of the table without {' and '.join(missing)}", expected="DATUM:number DIST:number"))
+        faults.append(
+            block.place.fault(
+                f"head of the table without {' and '.join(missing)}",
+                expected="DATUM:number DIST:number",
+            )
+        )
     return {"DATUM": 0.0, "DIST": 0.0, **head}
 
 
-def _by_position(block: Block, grid: Grid, stem: str | None, _found: Content, faults: list[Fault]) -> Com:
+def _by_position(
+    block: Block, grid: Grid, stem: str | None, _found: Content, faults: list[Fault]
+) -> Com:
     """NCK: AXISPOS, perhaps BACKLASH, then one column per axis key."""
     if block.rest:
-        faults.append(block.place.fault("head of the table", expected="nothing behind the unit", found=repr(block.rest[:40])))
+        faults.append(
+            block.place.fault(
+                "head of the table", expected="nothing behind the unit", found=repr(block.rest[:40])
+            )
+        )
     special = {name.upper(): name for name in grid.names if name.upper() in {"AXISPOS", "BACKLASH"}}
     if "AXISPOS" not in special:
         raise InputError(
-            *faults, block.place.fault("column headings", expected="NR AXISPOS and the axes", found=" ".join(grid.names)[:80])
+            *faults,
+            block.place.fault(
+                "column headings",
+                expected="NR AXISPOS and the axes",
+                found=" ".join(grid.names)[:80],
+            ),
         )
     positions = grid.column(special["AXISPOS"])
     listed = numbers(positions, grid.places, "column AXISPOS", faults)
@@ -210,7 +282,11 @@ def _by_position(block: Block, grid: Grid, stem: str | None, _found: Content, fa
             faults.append(place.fault("a row without a position", expected="a value in AXISPOS"))
         elif index and listed[index] <= listed[index - 1]:
             faults.append(
-                place.fault("positions do not ascend", expected=f"above {listed[index - 1]:g}", found=f"{listed[index]:g}")
+                place.fault(
+                    "positions do not ascend",
+                    expected=f"above {listed[index - 1]:g}",
+                    found=f"{listed[index]:g}",
+                )
             )
     columns = {name: name for name in grid.names if name not in special.values()}
     negative = None
@@ -229,7 +305,9 @@ def _by_position(block: Block, grid: Grid, stem: str | None, _found: Content, fa
 
 
 def _cma(block: Block, generation: Generation) -> Cma:
-    """Return the active line. NCK: ``*`` in ACTIVE; iTNC 530: the only line, or the one with ``M`` in STATUS or ACTIVE."""
+    """Return the active line. NCK: ``*`` in ACTIVE; iTNC 530: the only line, or the one with ``M``
+    in STATUS or ACTIVE.
+    """
     grid = read_grid(block)
     mark = "M" if generation is ITNC530 else "*"
     states = ("STATUS", "ACTIVE") if generation is ITNC530 else ("ACTIVE",)
@@ -242,18 +320,36 @@ def _cma(block: Block, generation: Generation) -> Cma:
     ]
     axes = tuple(name for name in grid.names if name != state)
     named = tuple(
-        axis_of_number(int(name)) if generation is ITNC530 and _AXIS_NUMBER.fullmatch(name) else generation.address(name)
+        (
+            axis_of_number(int(name))
+            if generation is ITNC530 and _AXIS_NUMBER.fullmatch(name)
+            else generation.address(name)
+        )
         for name in axes
     )
-    beyond = [name for name in axes if _AXIS_NUMBER.fullmatch(name) and not 1 <= int(name) <= MOST_AXES and generation is ITNC530]
+    beyond = [
+        name
+        for name in axes
+        if _AXIS_NUMBER.fullmatch(name)
+        and not 1 <= int(name) <= MOST_AXES
+        and generation is ITNC530
+    ]
     if len(set(named)) < len(named) or not named or beyond:
-        faults.append(block.place.fault("column headings", expected="each axis once, from 1", found=" ".join(axes)[:80]))
-    active = [index for index, cell in enumerate(marks) if cell == mark]
-    single = len(grid.rows) == 1 and (generation is ITNC530 or state is None)
-    if len(active) > 1 or (not active and not single and grid.rows and (state is None or generation is ITNC530)):
         faults.append(
             block.place.fault(
-                "which line is active", expected=f"exactly one line marked {mark}", found=f"{len(active)} of {len(grid.rows)}"
+                "column headings", expected="each axis once, from 1", found=" ".join(axes)[:80]
+            )
+        )
+    active = [index for index, cell in enumerate(marks) if cell == mark]
+    single = len(grid.rows) == 1 and (generation is ITNC530 or state is None)
+    if len(active) > 1 or (
+        not active and not single and grid.rows and (state is None or generation is ITNC530)
+    ):
+        faults.append(
+            block.place.fault(
+                "which line is active",
+                expected=f"exactly one line marked {mark}",
+                found=f"{len(active)} of {len(grid.rows)}",
             )
         )
     if faults:
@@ -264,4 +360,6 @@ def _cma(block: Block, generation: Generation) -> Cma:
         for axis, name in zip(named, axes, strict=True)
         if chosen is not None and (cell := grid.column(name)[chosen]) is not None
     }
-    return Cma(axes=named, active=None if chosen is None else cells, marked=bool(active), place=block.place)
+    return Cma(
+        axes=named, active=None if chosen is None else cells, marked=bool(active), place=block.place
+    )

@@ -1,4 +1,6 @@
-"""What HEIDENHAIN files are made of, for the virtual control: numbers, places, parameters, and how the two generations differ."""
+"""What HEIDENHAIN files are made of, for the virtual control: numbers, places, parameters, and how
+the two generations differ.
+"""
 
 from __future__ import annotations
 
@@ -12,10 +14,12 @@ from compwright.foundations.errors import Fault
 _NUMBER = re.compile(r"[+-]?(?:[0-9]{1,9}(?:\.[0-9]{0,12})?|\.[0-9]{1,12})")
 _LINE_END = re.compile(r"\r\n|\n|\r")
 
-#: Axis numbers in .COM column headers, from 1, as letters. The order is the usual one; higher numbers have no fixed letter.
+#: Axis numbers in .COM column headers, from 1, as letters. The order is the usual one; higher
+#: numbers have no fixed letter.
 LETTERS = ("X", "Y", "Z", "A", "B", "C")
 
-#: Columns of a .COM that belong to axes are numbered 1 to 18 (iTNC 530 HSCI technical manual p. 680).
+#: Columns of a .COM that belong to axes are numbered 1 to 18 (iTNC 530 HSCI technical manual p.
+#: 680).
 MOST_AXES = 18
 
 
@@ -29,7 +33,9 @@ class Quantity(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Generation:
-    """One of the two generations. ``parameters``: name -> quantity; ``largest``: range of backlash and linear error, both signs."""
+    """One of the two generations. ``parameters``: name -> quantity; ``largest``: range of backlash
+    and linear error, both signs.
+    """
 
     name: str
     parameters: dict[str, Quantity]
@@ -42,11 +48,16 @@ class Generation:
         return text.upper() if self.ignores_case else text
 
     def parameter(self, quantity: Quantity) -> str:
-        """Return the control's own name of a quantity; the neutral one where the control has none."""
-        return next((name for name, held in self.parameters.items() if held is quantity), quantity.value)
+        """Return the control's own name of a quantity; the neutral one where the control has
+        none.
+        """
+        return next(
+            (name for name, held in self.parameters.items() if held is quantity), quantity.value
+        )
 
 
-#: 256 points: TNC 407 technical manual p. 622; ranges: TNC 426/430 p. 366 (MP710), TNC 407 p. 151 (MP720).
+#: 256 points: TNC 407 technical manual p. 622; ranges: TNC 426/430 p. 366 (MP710), TNC 407 p. 151
+#: (MP720).
 ITNC530 = Generation(
     name="iTNC 530",
     parameters={"MP710": Quantity.BACKLASH, "MP720": Quantity.LINEAR, "MP730": Quantity.NONLINEAR},
@@ -77,12 +88,20 @@ class Place:
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
         """Return a fault at this line."""
-        return Fault(message=message, file=self.file, place=f"line {self.line}", expected=expected, found=found)
+        return Fault(
+            message=message,
+            file=self.file,
+            place=f"line {self.line}",
+            expected=expected,
+            found=found,
+        )
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter:
-    """A parameter of one axis: mm or deg (backlash; ``unit`` is empty where the file names none), mm/m (linear error), 0 or 1."""
+    """A parameter of one axis: mm or deg (backlash; ``unit`` is empty where the file names none),
+    mm/m (linear error), 0 or 1.
+    """
 
     quantity: Quantity
     address: str
@@ -92,7 +111,9 @@ class Parameter:
 
 
 def axis_of_number(number: int) -> str:
-    """Return the axis of a column number from 1: its letter, or the number itself where no letter is fixed."""
+    """Return the axis of a column number from 1: its letter, or the number itself where no letter
+    is fixed.
+    """
     return LETTERS[number - 1] if number <= len(LETTERS) else str(number)
 
 
@@ -110,4 +131,6 @@ def binary_fault(file: str, content: bytes) -> Fault | None:
     """Return the fault of a file that is no text."""
     if b"\x00" not in content:
         return None
-    return Fault(message="is a binary file", file=file, expected="the text form (ASCII) of the table")
+    return Fault(
+        message="is a binary file", file=file, expected="the text form (ASCII) of the table"
+    )

@@ -1,8 +1,9 @@
 """LinuxCNC's INI files as the control looks things up in them.
 
-Only the first section of a name is searched, the first matching key counts, a value runs to the end of its line (a remark
-behind it belongs to the value), a key without a value counts as absent, a line ending in a backslash goes on in the next.
-``#INCLUDE name`` puts another file in place. Read in LinuxCNC's source (``inifile.cc``, the start script), 2.9.
+Only the first section of a name is searched, the first matching key counts, a value runs to the end
+of its line (a remark behind it belongs to the value), a key without a value counts as absent, a
+line ending in a backslash goes on in the next. ``#INCLUDE name`` puts another file in place. Read
+in LinuxCNC's source (``inifile.cc``, the start script), 2.9.
 """
 
 from __future__ import annotations
@@ -71,7 +72,11 @@ class IniFile:
 
     def joints(self) -> tuple[int, ...]:
         """Return the numbers of the joints that have a section, in order of appearance."""
-        found = [match.group(1) for line in self.lines if (match := _JOINT.match(line.text.lstrip(_BLANKS)))]
+        found = [
+            match.group(1)
+            for line in self.lines
+            if (match := _JOINT.match(line.text.lstrip(_BLANKS)))
+        ]
         return tuple(dict.fromkeys(int(number) for number in found))
 
     def repeated(self) -> tuple[str, ...]:
@@ -82,7 +87,8 @@ class IniFile:
             match = _JOINT.match(line.text.lstrip(_BLANKS))
             if match and match.group(1) in seen:
                 remarks.append(
-                    f"{line.file}: line {line.number}: second section {match.group(0)}: the control reads only the first"
+                    f"{line.file}: line {line.number}: second section {match.group(0)}: the control"
+                    " reads only the first"
                 )
             elif match:
                 seen.add(match.group(1))
@@ -91,11 +97,16 @@ class IniFile:
 
 def _looks_like_ini(file: ControlFile) -> bool:
     """Whether a file is an INI: by its name, or because it has a joint section."""
-    return file.name.lower().endswith(".ini") or re.search(rb"^[ \t]*\[JOINT_[0-9]+\]", file.content, re.MULTILINE) is not None
+    return (
+        file.name.lower().endswith(".ini")
+        or re.search(rb"^[ \t]*\[JOINT_[0-9]+\]", file.content, re.MULTILINE) is not None
+    )
 
 
 def read_inis(files: Sequence[ControlFile]) -> tuple[tuple[IniFile, ...], frozenset[str]]:
-    """Return the INI files that no other one includes, with their includes in place, and the names of all files used for them."""
+    """Return the INI files that no other one includes, with their includes in place, and the names
+    of all files used for them.
+    """
     by_name = {file.name: file for file in files}
     included: set[str] = set()
     read = [_expanded(file, by_name, included) for file in files if _looks_like_ini(file)]

@@ -1,9 +1,11 @@
-"""A LinuxCNC compensation file (``COMP_FILE``) as the control loads it: line by line, stopping without a word.
+"""A LinuxCNC compensation file (``COMP_FILE``) as the control loads it: line by line, stopping
+without a word.
 
-The control reads pieces of up to 254 bytes, takes the first three numbers of each the way C's ``scanf`` does, and stops at the
-first piece without three numbers; the rest of the file is never looked at and nothing is reported. A row that does not
-ascend, and every row after 256, is dropped with an operator error and the control runs on. Observed on LinuxCNC 2.9.0~pre1
-(Debian 12) and read in its source (``usrmotLoadComp``, ``EMCMOT_SET_JOINT_COMP``); unchanged up to 2.9.9.
+The control reads pieces of up to 254 bytes, takes the first three numbers of each the way C's
+``scanf`` does, and stops at the first piece without three numbers; the rest of the file is never
+looked at and nothing is reported. A row that does not ascend, and every row after 256, is dropped
+with an operator error and the control runs on. Observed on LinuxCNC 2.9.0~pre1 (Debian 12) and read
+in its source (``usrmotLoadComp``, ``EMCMOT_SET_JOINT_COMP``); unchanged up to 2.9.9.
 """
 
 from __future__ import annotations
@@ -22,7 +24,8 @@ MAX_ROWS = 256
 #: Longest piece of a line that is taken at once, in bytes (LINELEN less the terminator).
 LONGEST_PIECE = 254
 
-# What scanf's %lf consumes: an exponent mark may stand without digits, "infi" fails where "inf" does not.
+# What scanf's %lf consumes: an exponent mark may stand without digits, "infi" fails where "inf"
+# does not.
 _NUMBER = re.compile(
     rb"""[ \t\n\v\f\r]*
         ([+-]?)
@@ -37,7 +40,8 @@ _NUMBER = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class CompTable:
-    """Rows as stored: ``nominal`` (k,) double; trims (what is added going + and -) and slopes (k,) rounded to single precision.
+    """Rows as stored: ``nominal`` (k,) double; trims (what is added going + and -) and slopes (k,)
+    rounded to single precision.
 
     Unit: the machine's own. ``notes``: what was not loaded, one sentence each with its line.
     """
@@ -59,8 +63,8 @@ class CompTable:
 def load_table(content: bytes, file: str, comp_type: int) -> CompTable:
     """Return the table that the control holds after loading ``content``; it never fails.
 
-    ``comp_type`` (``COMP_FILE_TYPE``) 0: columns are nominal, actual position going +, going -; trim = nominal - actual.
-    Any other: the columns are the trims themselves, added to the command.
+    ``comp_type`` (``COMP_FILE_TYPE``) 0: columns are nominal, actual position going +, going -;
+    trim = nominal - actual. Any other: the columns are the trims themselves, added to the command.
     """
     rows: list[tuple[float, float, float]] = []
     notes: list[str] = []
@@ -69,25 +73,35 @@ def load_table(content: bytes, file: str, comp_type: int) -> CompTable:
         if row is None:
             if piece.strip() or rest.strip():
                 notes.append(
-                    f"{file}: line {line}: no three numbers: the control stops reading here without a message{_lost(rest)}"
+                    f"{file}: line {line}: no three numbers: the control stops reading here without"
+                    f" a message{_lost(rest)}"
                 )
             break
         if len(rows) >= MAX_ROWS:
-            notes.append(f"{file}: line {line}: more than {MAX_ROWS} rows: the control reports an error and drops the rest")
+            notes.append(
+                f"{file}: line {line}: more than {MAX_ROWS} rows: the control reports an error and"
+                " drops the rest"
+            )
             break
         if row[0] <= (rows[-1][0] if rows else -sys.float_info.max):
             notes.append(
-                f"{file}: line {line}: position {row[0]:g} does not ascend: the control reports an error and drops the row"
+                f"{file}: line {line}: position {row[0]:g} does not ascend: the control reports an"
+                " error and drops the row"
             )
         else:
             rows.append(row)
             if not _plain(piece):
-                notes.append(f"{file}: line {line}: only the first three numbers count: {row[0]:g} {row[1]:g} {row[2]:g}")
+                notes.append(
+                    f"{file}: line {line}: only the first three numbers count: {row[0]:g}"
+                    f" {row[1]:g} {row[2]:g}"
+                )
     return _stored(rows, comp_type, notes)
 
 
 def _plain(piece: bytes) -> bool:
-    """Whether a piece is one row of separate numbers; behind blanks anything may follow, but no second row."""
+    """Whether a piece is one row of separate numbers; behind blanks anything may follow, but no
+    second row.
+    """
     words = piece.split(maxsplit=3)
     one_row = not any(mark in piece.strip() for mark in (b"\r", b"\x00"))
     return one_row and all(_NUMBER.fullmatch(word) for word in words[:3])
@@ -110,7 +124,9 @@ def _pieces(content: bytes) -> Iterator[tuple[int, bytes, bytes]]:
 
 
 def three_numbers(piece: bytes) -> tuple[float, float, float] | None:
-    """Return the three numbers that ``sscanf(piece, "%lf %lf %lf")`` finds at the start, None when there are fewer."""
+    """Return the three numbers that ``sscanf(piece, "%lf %lf %lf")`` finds at the start, None when
+    there are fewer.
+    """
     text = piece.split(b"\x00", 1)[0]
     found: list[float] = []
     start = 0
@@ -157,7 +173,9 @@ def _power(mark: str, power: bytes | None) -> str:
 
 
 def _stored(rows: list[tuple[float, float, float]], comp_type: int, notes: list[str]) -> CompTable:
-    """Return the rows in the control's own precision: trims and slopes are single, nominal positions double."""
+    """Return the rows in the control's own precision: trims and slopes are single, nominal
+    positions double.
+    """
     columns = np.array(rows, dtype=np.float64).reshape(-1, 3)
     nominal = columns[:, 0].copy()
     with np.errstate(over="ignore", invalid="ignore", divide="ignore", under="ignore"):
@@ -176,4 +194,10 @@ def _stored(rows: list[tuple[float, float, float]], comp_type: int, notes: list[
     )
     if table.defined:
         return table
-    return replace(table, notes=(*notes, "a number that is not finite is in the table: the control's motion is not defined"))
+    return replace(
+        table,
+        notes=(
+            *notes,
+            "a number that is not finite is in the table: the control's motion is not defined",
+        ),
+    )

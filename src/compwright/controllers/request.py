@@ -16,13 +16,15 @@ Entry = TypeVar("Entry")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Request:
-    """Facts by axis address that no file of the control holds; an address is found whatever its case.
+    """Facts by axis address that no file of the control holds; an address is found whatever its
+    case.
 
-    ``reference_return``: direction in which the reference is approached; ``encoder``: active measuring system, 1 or 2; ``kinds``:
-    linear or rotary; ``modulo``: the turn of an endless axis, deg; ``reference``: machine coordinate of the reference position,
-    mm or deg; ``active``: whether tables acted that the files switch off or say nothing of (None: not said); ``options``: the
-    controller's options by name, as the job gives them; ``axis_options`` go over them. ``asked``: the axes under work, empty for
-    all; what is odd about others stops nothing.
+    ``reference_return``: direction in which the reference is approached; ``encoder``: active
+    measuring system, 1 or 2; ``kinds``: linear or rotary; ``modulo``: the turn of an endless axis,
+    deg; ``reference``: machine coordinate of the reference position, mm or deg; ``active``: whether
+    tables acted that the files switch off or say nothing of (None: not said); ``options``: the
+    controller's options by name, as the job gives them; ``axis_options`` go over them. ``asked``:
+    the axes under work, empty for all; what is odd about others stops nothing.
     """
 
     reference_return: Mapping[str, Direction] = field(default_factory=dict)
@@ -40,7 +42,9 @@ class Request:
         return not self.asked or address.casefold() in {one.casefold() for one in self.asked}
 
     def acts(self, switches: Sequence[float | None]) -> bool:
-        """Return whether a table acts whose switches end as ``switches`` (None: not in the files, counted as on)."""
+        """Return whether a table acts whose switches end as ``switches`` (None: not in the files,
+        counted as on).
+        """
         if self.active is not None and any(switch is None or switch == 0.0 for switch in switches):
             return self.active
         return all(switch is None or switch != 0.0 for switch in switches)
@@ -50,7 +54,8 @@ class Request:
         return {**self.options, **(by_address(self.axis_options, address) or {})}
 
     def returning(self, address: str) -> tuple[Direction, Assumption | None]:
-        """Return the referencing direction of an axis, and the assumption where nobody said it (option, else ``+``).
+        """Return the referencing direction of an axis, and the assumption where nobody said it
+        (option, else ``+``).
 
         Raises UsageError when the option ``reference_return`` is neither ``+`` nor ``-``.
         """
@@ -60,13 +65,16 @@ class Request:
         options = self.options_of(address)
         option = options.get("reference_return", Direction.POSITIVE)
         if option not in ("+", "-"):
-            raise UsageError(Fault(message="option reference_return", expected="+ or -", found=repr(option)))
+            raise UsageError(
+                Fault(message="option reference_return", expected="+ or -", found=repr(option))
+            )
         direction = Direction(str(option))
         evidence = "option" if "reference_return" in options else "default"
         return direction, Assumption(f"reference_return of {address}", direction.value, evidence)
 
     def referenced(self, address: str) -> tuple[float, Assumption | None]:
-        """Return an axis' reference (machine coordinate, mm or deg), and the assumption where nobody said it (option, else 0).
+        """Return an axis' reference (machine coordinate, mm or deg), and the assumption where
+        nobody said it (option, else 0).
 
         Raises UsageError when it is no finite number.
         """
@@ -75,7 +83,13 @@ class Request:
         given = options.get("reference", 0.0) if known is None else known
         position = finite_number(given)
         if position is None:
-            raise UsageError(Fault(message=f"reference of {address}", expected="a position in mm or deg", found=repr(given)))
+            raise UsageError(
+                Fault(
+                    message=f"reference of {address}",
+                    expected="a position in mm or deg",
+                    found=repr(given),
+                )
+            )
         if known is not None:
             return position, None
         evidence = "option" if "reference" in options else "default"
@@ -83,7 +97,9 @@ class Request:
 
 
 def finite_number(value: object) -> float | None:
-    """Return an option's number, given as a number or as text; None for anything else, infinity and NaN included."""
+    """Return an option's number, given as a number or as text; None for anything else, infinity and
+    NaN included.
+    """
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         return None
     try:
@@ -94,16 +110,22 @@ def finite_number(value: object) -> float | None:
 
 
 def by_address(table: Mapping[str, Entry], address: str) -> Entry | None:
-    """Return the entry of an address, exact spelling first, then whatever its case; None without one."""
+    """Return the entry of an address, exact spelling first, then whatever its case; None without
+    one.
+    """
     if address in table:
         return table[address]
-    return next((value for key, value in table.items() if key.casefold() == address.casefold()), None)
+    return next(
+        (value for key, value in table.items() if key.casefold() == address.casefold()), None
+    )
 
 
 def unknown_axis(address: str, known: tuple[str, ...]) -> UsageError:
     """Return the error for an axis that the files do not speak of."""
     return UsageError(
         Fault(
-            message=f"the control's files say nothing about axis {address}", expected=" or ".join(known) or "an axis", found=address
+            message=f"the control's files say nothing about axis {address}",
+            expected=" or ".join(known) or "an axis",
+            found=address,
         )
     )

@@ -1,9 +1,10 @@
 """Assignments in SINUMERIK text files, as the control's program interpreter would take them.
 
-A second, small reader on purpose: it shares nothing with the room that writes these files. It looks only at what moves an
-axis by its position: the leadscrew table (``$AA_ENC_COMP...``), backlash (MD32450), the sag and cross tables (``$AN_CEC...``)
-and the machine and setting data of these. Source of the text form: SINUMERIK 840D sl/828D Function Manual Extended Functions
-03/2013, chapter K3 (pages 237-249), and archives.
+A second, small reader on purpose: it shares nothing with the room that writes these files. It looks
+only at what moves an axis by its position: the leadscrew table (``$AA_ENC_COMP...``), backlash
+(MD32450), the sag and cross tables (``$AN_CEC...``) and the machine and setting data of these.
+Source of the text form: SINUMERIK 840D sl/828D Function Manual Extended Functions 03/2013, chapter
+K3 (pages 237-249), and archives.
 """
 
 from __future__ import annotations
@@ -48,7 +49,8 @@ READ: Mapping[str, tuple[str, ...]] = {
     "MA_CEC_SCALING_SYSTEM_METRIC": _BY_AXIS,
 }
 
-#: The lists of names: machine axes from 1 (MD10000), axes of the channel (MD20080) and the machine axis of each (MD20070).
+#: The lists of names: machine axes from 1 (MD10000), axes of the channel (MD20080) and the machine
+#: axis of each (MD20070).
 _NAME_LISTS = re.compile(
     r"""\s*(?:N\d+\s*)?\$(?P<list>MN_AXCONF_MACHAX_NAME_TAB|MC_AXCONF_CHANAX_NAME_TAB|MC_AXCONF_MACHAX_USED)\s*
         \[\s*(?P<place>[0-9]{1,3})\s*\]\s*=\s*(?:"(?P<name>[^"]*)"|(?P<number>[0-9]{1,3}))""",
@@ -100,10 +102,11 @@ _WHOLE = re.compile(r"[0-9]{1,9}")
 
 @dataclass(frozen=True, slots=True)
 class Assignment:
-    """One assignment: variable without ``$``; ``number``: measuring system e or table t, 0 without either; ``point`` N.
+    """One assignment: variable without ``$``; ``number``: measuring system e or table t, 0 without
+    either; ``point`` N.
 
-    ``axis``: the index as written, empty for a variable of a table. ``value``: the number; ``names``: the axis on the right
-    side of INPUT_AXIS and OUTPUT_AXIS, empty for none.
+    ``axis``: the index as written, empty for a variable of a table. ``value``: the number;
+    ``names``: the axis on the right side of INPUT_AXIS and OUTPUT_AXIS, empty for none.
     """
 
     name: str
@@ -119,7 +122,10 @@ class Assignment:
     def variable(self) -> str:
         """The variable as a control writes it, such as ``$AA_ENC_COMP[0,1,AX1]``."""
         kinds = READ[self.name]
-        indices = ["" if kind == "axis" else str(self.point if kind == "point" else self.number) for kind in kinds]
+        indices = [
+            "" if kind == "axis" else str(self.point if kind == "point" else self.number)
+            for kind in kinds
+        ]
         return f"${self.name}[{','.join(index or self.axis for index in indices)}]"
 
     @property
@@ -129,15 +135,23 @@ class Assignment:
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
         """Return a fault at this line."""
-        return Fault(message=message, file=self.file, place=f"line {self.line}", expected=expected, found=found)
+        return Fault(
+            message=message,
+            file=self.file,
+            place=f"line {self.line}",
+            expected=expected,
+            found=found,
+        )
 
 
 @dataclass(slots=True)
 class FileContent:
-    """What one file says: its assignments in order, remarks, variables that were passed over, and what is wrong with it.
+    """What one file says: its assignments in order, remarks, variables that were passed over, and
+    what is wrong with it.
 
-    ``machine_names``, ``channel_names``: names by place from 0; ``channel_places``: machine axes from 1 by place of the channel;
-    ``inch``: lines that say that the basic system is the inch; ``unknown_keys``: by table a key of it that is not known.
+    ``machine_names``, ``channel_names``: names by place from 0; ``channel_places``: machine axes
+    from 1 by place of the channel; ``inch``: lines that say that the basic system is the inch;
+    ``unknown_keys``: by table a key of it that is not known.
     """
 
     assignments: list[Assignment] = field(default_factory=list)
@@ -153,7 +167,9 @@ class FileContent:
 
 @dataclass(slots=True)
 class _Program:
-    """The program of an archive that is being read: ``header`` its line (0 without one), ``before`` the assignments before it."""
+    """The program of an archive that is being read: ``header`` its line (0 without one), ``before``
+    the assignments before it.
+    """
 
     header: int = 0
     before: int = 0
@@ -161,10 +177,12 @@ class _Program:
 
 
 def read_file(file: ControlFile) -> FileContent:
-    """Return the assignments of one file (bytes, ASCII with any comment). Faults are collected, nothing is raised.
+    """Return the assignments of one file (bytes, ASCII with any comment). Faults are collected,
+    nothing is raised.
 
-    A file may hold several programs, as an archive does: a line ``%_N_...`` opens the next one. What stands behind the end of
-    a program (M17, M30, M02) and before the next header is a fault, because the control does not read it.
+    A file may hold several programs, as an archive does: a line ``%_N_...`` opens the next one.
+    What stands behind the end of a program (M17, M30, M02) and before the next header is a fault,
+    because the control does not read it.
     """
     found = FileContent()
     if b"\x00" in file.content:
@@ -186,7 +204,11 @@ def read_file(file: ControlFile) -> FileContent:
             continue
         _read_names(code, found)
         basic = _BASIC_SYSTEM.fullmatch(code.split(";", 1)[0])
-        if basic is not None and (basic["word"] or basic["metric"]).upper() in {"INCH", "0", "FALSE"}:
+        if basic is not None and (basic["word"] or basic["metric"]).upper() in {
+            "INCH",
+            "0",
+            "FALSE",
+        }:
             found.inch.append(number)
         code = re.sub(r'"[^"]*"', '""', code).split(";", 1)[0].rstrip()
         if _MENTION.search(code) and not _PATH.match(code):
@@ -210,10 +232,13 @@ def _read_names(code: str, found: FileContent) -> None:
 
 
 def _note_end(program: _Program, file: str, found: FileContent, *, last: bool) -> None:
-    """Note a program without an end; in the middle of an archive only one that holds compensation data."""
+    """Note a program without an end; in the middle of an archive only one that holds compensation
+    data.
+    """
     if program.header and not program.ended and (last or len(found.assignments) > program.before):
         found.notes.append(
-            f"{file}: no end (M17, M30 or M02) of the program that begins in line {program.header}: it may have been cut short"
+            f"{file}: no end (M17, M30 or M02) of the program that begins in line {program.header}:"
+            " it may have been cut short"
         )
 
 
@@ -222,36 +247,63 @@ def _read_line(code: str, file: str, number: int, found: FileContent, *, ended: 
 
     def wrong(message: str, expected: str) -> None:
         found.faults.append(
-            Fault(message=message, file=file, place=f"line {number}", expected=expected, found=repr(code.strip()[:80]))
+            Fault(
+                message=message,
+                file=file,
+                place=f"line {number}",
+                expected=expected,
+                found=repr(code.strip()[:80]),
+            )
         )
 
     if ended:
         wrong("compensation data after the end of the program, which the control does not read", "")
         return
-    mentioned = {name for match in _NAME.finditer(code) if not _CYLINDER.fullmatch(name := match.group(1).upper())}
+    mentioned = {
+        name
+        for match in _NAME.finditer(code)
+        if not _CYLINDER.fullmatch(name := match.group(1).upper())
+    }
     if not mentioned and _NAME.search(code):
         return
     if mentioned and mentioned <= PASSED_OVER | _NOT_JUDGED:
         new = (mentioned & _NOT_JUDGED) - found.passed_over
-        found.notes += [f"{file}: ${name} is not judged (first at line {number})" for name in sorted(new)]
+        found.notes += [
+            f"{file}: ${name} is not judged (first at line {number})" for name in sorted(new)
+        ]
         found.passed_over |= new
         return
     match = _ASSIGNMENT.fullmatch(code)
     if match is None:
-        wrong("line cannot be read", "one assignment such as $AA_ENC_COMP[0,1,AX1]=0.001 with a decimal point")
+        wrong(
+            "line cannot be read",
+            "one assignment such as $AA_ENC_COMP[0,1,AX1]=0.001 with a decimal point",
+        )
         return
     _read_assignment(match, file, number, found, wrong)
 
 
-def _read_assignment(match: re.Match[str], file: str, number: int, found: FileContent, wrong: Callable[[str, str], None]) -> None:
+def _read_assignment(
+    match: re.Match[str],
+    file: str,
+    number: int,
+    found: FileContent,
+    wrong: Callable[[str, str], None],
+) -> None:
     name = match["name"].upper()
     if name not in READ:
         if not _foreign_key(name, match["indices"], found):
-            wrong(f"variable ${name} is not known", "one of " + ", ".join("$" + known for known in READ))
+            wrong(
+                f"variable ${name} is not known",
+                "one of " + ", ".join("$" + known for known in READ),
+            )
         return
     word = _TRUTH.get((match["bare_axis"] or "").upper()) if name in _SWITCHES else None
     if word is None and (match["value"] is None) != (name in _NAMING):
-        wrong("line cannot be read", "an axis such as (AX1)" if name in _NAMING else "a number with a decimal point")
+        wrong(
+            "line cannot be read",
+            "an axis such as (AX1)" if name in _NAMING else "a number with a decimal point",
+        )
         return
     indices = _indices(READ[name], match["indices"])
     if indices is None:
@@ -265,7 +317,13 @@ def _read_assignment(match: re.Match[str], file: str, number: int, found: FileCo
             number=int(indices.get("system", indices.get("table", "0"))),
             point=int(indices["point"]) if "point" in indices else None,
             axis=indices.get("axis", ""),
-            value=word if word is not None else _number(match["value"]) if match["value"] is not None else 0.0,
+            value=(
+                word
+                if word is not None
+                else _number(match["value"])
+                if match["value"] is not None
+                else 0.0
+            ),
             names="" if word is not None else match["axis"] or match["bare_axis"] or "",
             file=file,
             line=number,
@@ -287,7 +345,9 @@ def _indices(kinds: tuple[str, ...], text: str) -> dict[str, str] | None:
     if len(given) != len(kinds):
         return None
     indices = dict(zip(kinds, given, strict=True))
-    good = all((_AXIS if kind == "axis" else _WHOLE).fullmatch(index) for kind, index in indices.items())
+    good = all(
+        (_AXIS if kind == "axis" else _WHOLE).fullmatch(index) for kind, index in indices.items()
+    )
     return indices if good else None
 
 

@@ -18,8 +18,9 @@ from compwright.records.correction import Assumption, ControlFile
 class VirtualControl(Protocol):
     """A control with files loaded.
 
-    ``assumed``: facts that the files do not hold. ``notes``: what the control leaves out or does unasked, one sentence each with
-    file and line (a caller that wants exactly what was written refuses when there are any that matter).
+    ``assumed``: facts that the files do not hold. ``notes``: what the control leaves out or does
+    unasked, one sentence each with file and line (a caller that wants exactly what was written
+    refuses when there are any that matter).
     """
 
     @property
@@ -41,18 +42,29 @@ class VirtualControl(Protocol):
         ...
 
     def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return what the control adds to the command at ``positions`` (any shape, mm or deg) arriving in ``direction``, mm or deg.
+        """Return what the control adds to the command at ``positions`` (any shape, mm or deg)
+        arriving in ``direction``, mm or deg.
 
-        Everything together: table and backlash. Raises UsageError for an axis that the files do not speak of.
+        Everything together: table and backlash. Raises UsageError for an axis that the files do not
+        speak of.
         """
         ...
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (input, output) of the tables by which one axis corrects another; empty without any."""
+        """Return (input, output) of the tables by which one axis corrects another; empty without
+        any.
+        """
         ...
 
-    def cross_correction(self, input: str, output: str, positions: FloatArray, direction: Direction) -> FloatArray:  # noqa: A002
-        """Return what is added to ``output`` with ``input`` at ``positions`` (any shape) arriving in ``direction``, mm or deg.
+    def cross_correction(
+        self,
+        input: str,  # noqa: A002
+        output: str,
+        positions: FloatArray,
+        direction: Direction,
+    ) -> FloatArray:
+        """Return what is added to ``output`` with ``input`` at ``positions`` (any shape) arriving
+        in ``direction``, mm or deg.
 
         Raises UsageError for a pair of axes without a table.
         """
@@ -88,20 +100,31 @@ def virtual_control(
 ) -> VirtualControl:
     """Return the virtual control of ``format_id`` with ``files`` (bare names, raw bytes) loaded.
 
-    By axis address: ``reference_return`` is the direction in which the reference is approached, ``encoder`` the active
-    measuring system (1 or 2), ``kinds`` linear or rotary where no file says it, ``modulo`` the turn of an endless axis (deg),
-    ``reference`` the machine coordinate of the reference position (mm or deg). ``active``: whether tables acted that the files
-    switch off or say nothing of (None: off where they are switched off, else on). ``options`` are the controller's options,
-    ``axis_options`` those of single axes, which go over them. ``asked``: the axes that matter, empty for all: what is odd about
-    others refuses nothing where the control lives with it. Whatever had to be taken without being told is in ``assumed``.
+    By axis address: ``reference_return`` is the direction in which the reference is approached,
+    ``encoder`` the active measuring system (1 or 2), ``kinds`` linear or rotary where no file says
+    it, ``modulo`` the turn of an endless axis (deg), ``reference`` the machine coordinate of the
+    reference position (mm or deg). ``active``: whether tables acted that the files switch off or
+    say nothing of (None: off where they are switched off, else on). ``options`` are the
+    controller's options, ``axis_options`` those of single axes, which go over them. ``asked``: the
+    axes that matter, empty for all: what is odd about others refuses nothing where the control
+    lives with it. Whatever had to be taken without being told is in ``assumed``.
 
-    Raises UsageError for an unknown format, InputError for files that the control would refuse or that contradict themselves.
+    Raises UsageError for an unknown format, InputError for files that the control would refuse or
+    that contradict themselves.
     """
     maker = _MAKERS.get(format_id)
     if maker is None:
-        raise UsageError(Fault(message="no virtual control for this format", expected=" or ".join(KNOWN), found=format_id))
+        raise UsageError(
+            Fault(
+                message="no virtual control for this format",
+                expected=" or ".join(KNOWN),
+                found=format_id,
+            )
+        )
     if not files:
-        raise InputError(Fault(message="no control files given", expected="the files that the control loads"))
+        raise InputError(
+            Fault(message="no control files given", expected="the files that the control loads")
+        )
     request = Request(
         reference_return=dict(reference_return or {}),
         encoder=dict(encoder or {}),

@@ -1,4 +1,6 @@
-"""The entry of a circular test in the answer of ``evaluate`` (``compwright/evaluation/1``): deviations in µm."""
+"""The entry of a circular test in the answer of ``evaluate`` (``compwright/evaluation/1``):
+deviations in µm.
+"""
 
 from __future__ import annotations
 
@@ -11,21 +13,24 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.circular import CircularEffect, CircularResult, CircularRun, Diagnosis
 
-#: Digits after the decimal point, as in the positioning documents: takes away the noise of binary numbers, keeps every real digit.
+#: Digits after the decimal point, as in the positioning documents: takes away the noise of binary
+#: numbers, keeps every real digit.
 _DIGITS: Final = 9
 _SENSES: Final = ("ccw", "cw")
 
 
 def circular_document(result: CircularResult) -> dict[str, Any]:
-    """Return one circular result as an entry of ``results``. A parameter that does not exist is null (see ``not_applicable``).
+    """Return one circular result as an entry of ``results``. A parameter that does not exist is
+    null (see ``not_applicable``).
 
-    ``centre`` and ``mean_radius_deviation`` have null for a direction that was not measured; ``diagnosis``, ``plain`` and
-    ``correlation`` are null as long as no diagnosis was made. ``correlation`` holds the rows of the matrix in the order of
-    ``correlation_names``.
+    ``centre`` and ``mean_radius_deviation`` have null for a direction that was not measured;
+    ``diagnosis``, ``plain`` and ``correlation`` are null as long as no diagnosis was made.
+    ``correlation`` holds the rows of the matrix in the order of ``correlation_names``.
 
-    Beyond the contract: ``set_up`` (where the circle lies in the machine, mm), ``minimum_zone`` (centre µm, radii minus nominal
-    µm), ``runs`` (angles deg and deviations µm as measured, in their order), ``header``, ``correlation_names``, ``residual`` (rms
-    µm) and ``correlation_length`` (samples).
+    Beyond the contract: ``set_up`` (where the circle lies in the machine, mm), ``minimum_zone``
+    (centre µm, radii minus nominal µm), ``runs`` (angles deg and deviations µm as measured, in
+    their order), ``header``, ``correlation_names``, ``residual`` (rms µm) and
+    ``correlation_length`` (samples).
     """
     test = result.test
     findings = (*result.findings, *(result.diagnosis.findings if result.diagnosis else ()))
@@ -37,14 +42,18 @@ def circular_document(result: CircularResult) -> dict[str, Any]:
         "axes": list(test.axes),
         "nominal_radius": float(test.nominal_radius),
         "feed": _number(test.feed),
-        "set_up": None if test.centre is None else [float(coordinate) for coordinate in test.centre],
+        "set_up": (
+            None if test.centre is None else [float(coordinate) for coordinate in test.centre]
+        ),
         "standard": result.standard,
         "unit": "um",
         "arc": {"start": float(test.arc[0]), "extent": float(test.arc[1])},
         "calibrated": test.calibrated,
         "parameters": {name: _micrometres(value) for name, value in result.parameters.items()},
         "centre": {name: _point(result.centres.get(name)) for name in (*_SENSES, "common")},
-        "mean_radius_deviation": {name: _micrometres(result.mean_radius_deviation.get(name)) for name in _SENSES},
+        "mean_radius_deviation": {
+            name: _micrometres(result.mean_radius_deviation.get(name)) for name in _SENSES
+        },
         "minimum_zone": _zones(result),
         **_diagnosis(result.diagnosis),
         "vendor": _plain(test.vendor),
@@ -57,7 +66,9 @@ def circular_document(result: CircularResult) -> dict[str, Any]:
 
 def _number(value: float, factor: float = 1.0) -> float | None:
     """Return a number that JSON can hold; None for one that is not finite."""
-    return round(float(value) * factor, _DIGITS) + 0.0 if np.isfinite(value) else None  # no minus zero
+    return (
+        round(float(value) * factor, _DIGITS) + 0.0 if np.isfinite(value) else None
+    )  # no minus zero
 
 
 def _micrometres(value: float | None) -> float | None:
@@ -107,7 +118,9 @@ def _effect(effect: CircularEffect) -> dict[str, Any]:
 
 
 def _plain(value: object) -> Any:
-    """Return what the instrument printed as JSON values: numbers stay as they are, what JSON cannot hold becomes text or null."""
+    """Return what the instrument printed as JSON values: numbers stay as they are, what JSON cannot
+    hold becomes text or null.
+    """
     if isinstance(value, Mapping):
         return {str(key): _plain(entry) for key, entry in value.items()}
     if isinstance(value, list | tuple):
@@ -127,4 +140,7 @@ def _run(run: CircularRun) -> dict[str, Any]:
 
 
 def _findings(findings: Iterable[Finding]) -> list[dict[str, str]]:
-    return [{"code": entry.code, "severity": entry.severity, "message": entry.message} for entry in dict.fromkeys(findings)]
+    return [
+        {"code": entry.code, "severity": entry.severity, "message": entry.message}
+        for entry in dict.fromkeys(findings)
+    ]

@@ -1,4 +1,6 @@
-"""The answer of ``compare``: what is really in the control against the plan, each difference named."""
+"""The answer of ``compare``: what is really in the control against the plan, each difference
+named.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,9 @@ SCHEMA = "compwright/compare/1"
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """One quantity that differs: text as the control writes it, or numbers in ``unit`` (um, arcsec); None: not there."""
+    """One quantity that differs: text as the control writes it, or numbers in ``unit`` (um,
+    arcsec); None: not there.
+    """
 
     axis: str
     quantity: str
@@ -38,7 +42,10 @@ class ComparedAxis:
 
 
 def compare_document(
-    format_id: str, axes: Mapping[str, ComparedAxis], assumed: Sequence[Assumption], findings: Sequence[Finding]
+    format_id: str,
+    axes: Mapping[str, ComparedAxis],
+    assumed: Sequence[Assumption],
+    findings: Sequence[Finding],
 ) -> dict[str, Any]:
     """Return the document: one entry per differing quantity, ``verdict`` same or different."""
     differences = [difference for axis in axes.values() for difference in axis.differences]

@@ -17,7 +17,9 @@ SCHEMA = "compwright/decode/1"
 
 @dataclass(frozen=True, slots=True)
 class DecodedAxis:
-    """What a control does on one axis: corrections (k,) by approach direction at ``positions`` (k,), mm or deg."""
+    """What a control does on one axis: corrections (k,) by approach direction at ``positions``
+    (k,), mm or deg.
+    """
 
     kind: AxisKind
     positions: FloatArray
@@ -31,7 +33,9 @@ def decode_document(
     findings: Iterable[Finding],
     cross: Iterable[CrossCompensation] = (),
 ) -> dict[str, Any]:
-    """Return what the control does, by address; positions keep their order. ``cross``: what one axis' position adds to another."""
+    """Return what the control does, by address; positions keep their order. ``cross``: what one
+    axis' position adds to another.
+    """
     return {
         "schema": SCHEMA,
         "axes": {address: _axis(axis) for address, axis in axes.items()},
@@ -44,7 +48,10 @@ def decode_document(
 def assumed_documents(assumed: Iterable[Assumption]) -> list[dict[str, str]]:
     """Return assumptions, each fact once, in their order."""
     unique = {(entry.fact, entry.value): entry for entry in reversed(list(assumed))}
-    return [{"fact": entry.fact, "value": entry.value, "evidence": entry.evidence} for entry in reversed(unique.values())]
+    return [
+        {"fact": entry.fact, "value": entry.value, "evidence": entry.evidence}
+        for entry in reversed(unique.values())
+    ]
 
 
 def finding_documents(findings: Iterable[Finding]) -> list[dict[str, str]]:

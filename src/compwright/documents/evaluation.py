@@ -1,4 +1,6 @@
-"""The answer of ``evaluate`` (``compwright/evaluation/1``): deviations in µm or arcsec, positions in mm or deg."""
+"""The answer of ``evaluate`` (``compwright/evaluation/1``): deviations in µm or arcsec, positions
+in mm or deg.
+"""
 
 from __future__ import annotations
 
@@ -16,24 +18,33 @@ from compwright.records.positioning import PositioningTest
 from compwright.records.result import ExpandedUncertainty, PositioningResult
 
 SCHEMA = "compwright/evaluation/1"
-#: Digits after the decimal point of deviations in µm or arcsec: takes away the noise of binary numbers, keeps every real digit.
+#: Digits after the decimal point of deviations in µm or arcsec: takes away the noise of binary
+#: numbers, keeps every real digit.
 _DIGITS = 9
 
 
-def evaluation_document(results: Iterable[PositioningResult], errors: Iterable[Fault] = ()) -> dict[str, Any]:
-    """Return evaluations and the faults of what could not be evaluated as the contract's JSON document."""
+def evaluation_document(
+    results: Iterable[PositioningResult], errors: Iterable[Fault] = ()
+) -> dict[str, Any]:
+    """Return evaluations and the faults of what could not be evaluated as the contract's JSON
+    document.
+    """
     return {
         "schema": SCHEMA,
         "results": [result_document(result) for result in results],
-        "errors": [{"file": fault.file, "message": str(replace(fault, file=""))} for fault in errors],
+        "errors": [
+            {"file": fault.file, "message": str(replace(fault, file=""))} for fault in errors
+        ],
     }
 
 
 def result_document(result: PositioningResult) -> dict[str, Any]:
-    """Return one positioning result. A parameter that does not exist is null, with its reason in ``not_applicable``.
+    """Return one positioning result. A parameter that does not exist is null, with its reason in
+    ``not_applicable``.
 
-    Beyond the contract: ``name``, ``coverage`` (k), ``spread`` (std or range), ``header`` (what the file says about the test) and
-    in each target the readings ``deviations_positive`` and ``deviations_negative`` in the order of the runs, null where missing.
+    Beyond the contract: ``name``, ``coverage`` (k), ``spread`` (std or range), ``header`` (what the
+    file says about the test) and in each target the readings ``deviations_positive`` and
+    ``deviations_negative`` in the order of the runs, null where missing.
     """
     test = result.test
     factor = outside_factor(test.kind.unit)
@@ -72,10 +83,15 @@ def _traverses(deviations: FloatArray) -> int:
     return int(np.isfinite(deviations).any(axis=0).sum())
 
 
-def _uncertainty(stated: Mapping[str, ExpandedUncertainty] | None, factor: float) -> dict[str, Any] | None:
+def _uncertainty(
+    stated: Mapping[str, ExpandedUncertainty] | None, factor: float
+) -> dict[str, Any] | None:
     if stated is None:
         return None
-    return {name: {"U": _outside(entry.U, factor), "coverage": entry.coverage} for name, entry in stated.items()}
+    return {
+        name: {"U": _outside(entry.U, factor), "coverage": entry.coverage}
+        for name, entry in stated.items()
+    }
 
 
 def _targets(result: PositioningResult, factor: float) -> list[dict[str, Any]]:
@@ -110,4 +126,7 @@ def _count(test: PositioningTest, i: int) -> tuple[int, int]:
 
 def _findings(findings: Iterable[Finding]) -> list[dict[str, str]]:
     unique = dict.fromkeys(findings)
-    return [{"code": entry.code, "severity": entry.severity, "message": entry.message} for entry in unique]
+    return [
+        {"code": entry.code, "severity": entry.severity, "message": entry.message}
+        for entry in unique
+    ]

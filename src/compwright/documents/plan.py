@@ -1,4 +1,6 @@
-"""``plan.json`` (``compwright/plan/1``): mm or deg, totals before rounding, the control's own files byte by byte."""
+"""``plan.json`` (``compwright/plan/1``): mm or deg, totals before rounding, the control's own files
+byte by byte.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,12 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, FloatArray
 from compwright.records.circular import CircularRun, CircularTest
-from compwright.records.correction import Assumption, AxisCompensation, ControlFile, CrossCompensation
+from compwright.records.correction import (
+    Assumption,
+    AxisCompensation,
+    ControlFile,
+    CrossCompensation,
+)
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, Limit, TableRequest
 from compwright.records.job import Acceptance
@@ -39,7 +46,10 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         "machine": dict(plan.machine),
         "axes": {name: _axis_out(axis) for name, axis in plan.axes.items()},
         "states": {
-            name: [{"name": file.name, "base64": base64.b64encode(file.content).decode("ascii")} for file in files]
+            name: [
+                {"name": file.name, "base64": base64.b64encode(file.content).decode("ascii")}
+                for file in files
+            ]
             for name, files in plan.states.items()
         },
         "active": dict(plan.active),
@@ -52,7 +62,9 @@ def plan_document(plan: Plan) -> dict[str, Any]:
 
 
 def listed_files(content: bytes) -> Mapping[str, str]:
-    """Return the results (relative name -> SHA-256) that an earlier plan lists, empty where there is no such list."""
+    """Return the results (relative name -> SHA-256) that an earlier plan lists, empty where there
+    is no such list.
+    """
     try:
         listed = json.loads(content)["results"]
         return {str(name): str(digest) for name, digest in listed.items()}
@@ -61,22 +73,43 @@ def listed_files(content: bytes) -> Mapping[str, str]:
 
 
 def read_plan(content: bytes, file: str) -> Plan:
-    """Read a plan. Raises InputError when it is not one, is of a newer schema, or lacks a key (file, key, expected, found)."""
+    """Read a plan. Raises InputError when it is not one, is of a newer schema, or lacks a key
+    (file, key, expected, found).
+    """
     try:
         data = json.loads(content.decode("utf-8"))
     except (ValueError, RecursionError) as error:
-        raise InputError(Fault(message="is not JSON", file=file, expected="plan.json of a run", found=str(error))) from error
+        raise InputError(
+            Fault(message="is not JSON", file=file, expected="plan.json of a run", found=str(error))
+        ) from error
     schema = data.get("schema") if isinstance(data, dict) else None
     if schema != SCHEMA:
         raise InputError(
-            Fault(message="is not a plan that this version reads", file=file, place="schema", expected=SCHEMA, found=repr(schema))
+            Fault(
+                message="is not a plan that this version reads",
+                file=file,
+                place="schema",
+                expected=SCHEMA,
+                found=repr(schema),
+            )
         )
     try:
         plan = _plan_in(data)
     except KeyError as error:
-        raise InputError(Fault(message="lacks a key", file=file, expected=str(error.args[0]))) from error
-    except (TypeError, ValueError, AttributeError, IndexError, OverflowError, RecursionError) as error:
-        raise InputError(Fault(message="does not fit the schema", file=file, expected=SCHEMA, found=str(error))) from error
+        raise InputError(
+            Fault(message="lacks a key", file=file, expected=str(error.args[0]))
+        ) from error
+    except (
+        TypeError,
+        ValueError,
+        AttributeError,
+        IndexError,
+        OverflowError,
+        RecursionError,
+    ) as error:
+        raise InputError(
+            Fault(message="does not fit the schema", file=file, expected=SCHEMA, found=str(error))
+        ) from error
     raise_all(InputError, [fault.in_file(file) for fault in plan_faults(plan)])
     return plan
 
@@ -91,7 +124,10 @@ def _plan_in(data: Mapping[str, Any]) -> Plan:
         machine=dict(data["machine"]),
         axes={str(name): _axis_in(axis) for name, axis in data["axes"].items()},
         states={
-            name: tuple(ControlFile(entry["name"], base64.b64decode(entry["base64"], validate=True)) for entry in files)
+            name: tuple(
+                ControlFile(entry["name"], base64.b64decode(entry["base64"], validate=True))
+                for entry in files
+            )
             for name, files in data["states"].items()
         },
         active={name: bool(active) for name, active in data.get("active", {}).items()},
@@ -167,7 +203,9 @@ def _circle_in(data: Mapping[str, Any]) -> PlannedCircle:
             feed=float(test["feed"]),
             arc=(float(start), float(extent)),
             calibrated=bool(test["calibrated"]),
-            centre=_optional(test["centre"], lambda values: tuple(float(value) for value in values)),
+            centre=_optional(
+                test["centre"], lambda values: tuple(float(value) for value in values)
+            ),
             runs=tuple(
                 CircularRun(
                     sense=run["sense"],
@@ -190,7 +228,9 @@ def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
     return {
         "axis": {**asdict(axis.axis), "options": dict(axis.axis.options)},
         "unit": axis.axis.kind.unit,
-        "tests": [{"measured_in": entry.measured_in, **_test_out(entry.test)} for entry in axis.tests],
+        "tests": [
+            {"measured_in": entry.measured_in, **_test_out(entry.test)} for entry in axis.tests
+        ],
         "estimate": _arrays_out(axis.estimate),
         "active": _optional(axis.active, _compensation_out),
         "wanted": _optional(axis.wanted, _arrays_out),
@@ -209,7 +249,10 @@ def _axis_in(data: Mapping[str, Any]) -> PlannedAxis:
     raw["screw_pitch"] = tuple(raw["screw_pitch"])
     return PlannedAxis(
         axis=Axis(**raw),
-        tests=tuple(PlannedTest(test=_test_in(entry), measured_in=str(entry["measured_in"])) for entry in data["tests"]),
+        tests=tuple(
+            PlannedTest(test=_test_in(entry), measured_in=str(entry["measured_in"]))
+            for entry in data["tests"]
+        ),
         estimate=_estimate_in(data["estimate"]),
         active=_optional(data["active"], _compensation_in),
         wanted=_optional(data["wanted"], _wanted_in),
@@ -265,7 +308,10 @@ def _readings_in(rows: list[list[float | None]], count: int) -> FloatArray:
 
 
 def _arrays_out(record: Any) -> dict[str, Any]:
-    return {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in asdict(record).items()}
+    return {
+        key: value.tolist() if isinstance(value, np.ndarray) else value
+        for key, value in asdict(record).items()
+    }
 
 
 def _array(data: Mapping[str, Any], key: str) -> FloatArray:
@@ -318,7 +364,10 @@ def _compensation_in(data: Mapping[str, Any]) -> AxisCompensation:
 
 
 def _compensation_out(compensation: AxisCompensation) -> dict[str, Any]:
-    return {**_arrays_out(compensation), "others": [_compensation_out(other) for other in compensation.others]}
+    return {
+        **_arrays_out(compensation),
+        "others": [_compensation_out(other) for other in compensation.others],
+    }
 
 
 def _fitted_out(fitted: FittedTable) -> dict[str, Any]:

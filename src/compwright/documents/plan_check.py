@@ -1,7 +1,7 @@
 """That a plan which was read holds what its records promise: types, finite numbers, sizes, order.
 
-A plan may have been edited, or cut and pasted, before it comes back; a record that breaks its word would end as a fault of
-compwright's own somewhere later, or, worse, as a table.
+A plan may have been edited, or cut and pasted, before it comes back; a record that breaks its word
+would end as a fault of compwright's own somewhere later, or, worse, as a table.
 """
 
 from __future__ import annotations
@@ -26,18 +26,28 @@ from compwright.records.positioning import PositioningTest
 
 #: No position, correction or feed of a machine tool is larger, mm, deg, mm/min.
 LARGEST = 1e9
-_PLAIN: Mapping[Any, str] = {str: "text", bool: "true or false", int: "a whole number", bytes: "bytes", type(None): "null"}
+_PLAIN: Mapping[Any, str] = {
+    str: "text",
+    bool: "true or false",
+    int: "a whole number",
+    bytes: "bytes",
+    type(None): "null",
+}
 
 
 def plan_faults(plan: Any) -> list[Fault]:
-    """Return what is wrong in a plan, each with its key path; empty when all is as the records say."""
+    """Return what is wrong in a plan, each with its key path; empty when all is as the records
+    say.
+    """
     return list(_record(plan, ""))
 
 
 def _record(record: Any, place: str) -> Iterator[Fault]:
     cls: Any = type(record)
     found = [
-        fault for name, hint in _hints(cls).items() for fault in _value(getattr(record, name), hint, f"{place}.{name}".lstrip("."))
+        fault
+        for name, hint in _hints(cls).items()
+        for fault in _value(getattr(record, name), hint, f"{place}.{name}".lstrip("."))
     ]
     yield from found
     if not found:
@@ -54,10 +64,17 @@ def _hints(cls: Any) -> Mapping[str, Any]:
 def _value(value: Any, hint: Any, place: str) -> Iterator[Fault]:
     origin = get_origin(hint)
     if origin is Literal:
-        if not any(value is option or (isinstance(value, str) and value == option) for option in get_args(hint)):
+        if not any(
+            value is option or (isinstance(value, str) and value == option)
+            for option in get_args(hint)
+        ):
             yield _wrong(place, " or ".join(map(repr, get_args(hint))), value)
     elif origin in {Union, types.UnionType}:
-        options = [list(_value(value, option, place)) for option in get_args(hint) if value is None or option is not type(None)]
+        options = [
+            list(_value(value, option, place))
+            for option in get_args(hint)
+            if value is None or option is not type(None)
+        ]
         if all(options):
             yield from options[0]
     elif origin is np.ndarray:
@@ -68,7 +85,11 @@ def _value(value: Any, hint: Any, place: str) -> Iterator[Fault]:
     elif origin is not None:  # a mapping; what is in options is checked by the control's definition
         yield from _mapping(value, get_args(hint)[1], place)
     elif isinstance(hint, type) and is_dataclass(hint):
-        yield from _record(value, place) if isinstance(value, hint) else [_wrong(place, "keys with values", value)]
+        yield from (
+            _record(value, place)
+            if isinstance(value, hint)
+            else [_wrong(place, "keys with values", value)]
+        )
     else:
         yield from _single(value, hint, place)
 
@@ -78,7 +99,9 @@ def _items(value: Any, hints: tuple[Any, ...], place: str) -> Iterator[Fault]:
         yield _wrong(place, "a list", value)
         return
     for index, item in enumerate(value):
-        yield from _value(item, hints[0] if hints[-1] is Ellipsis else hints[index], f"{place}[{index}]")
+        yield from _value(
+            item, hints[0] if hints[-1] is Ellipsis else hints[index], f"{place}[{index}]"
+        )
 
 
 def _mapping(value: Any, hint: Any, place: str) -> Iterator[Fault]:
@@ -98,12 +121,19 @@ def _single(value: Any, hint: Any, place: str) -> Iterator[Fault]:
     elif isinstance(hint, type) and issubclass(hint, Enum):
         if not isinstance(value, hint):
             yield _wrong(place, " or ".join(repr(member.value) for member in hint), value)
-    elif hint in _PLAIN and (not isinstance(value, hint) or (hint is int and isinstance(value, bool))):
+    elif hint in _PLAIN and (
+        not isinstance(value, hint) or (hint is int and isinstance(value, bool))
+    ):
         yield _wrong(place, _PLAIN[hint], value)
 
 
 def _wrong(place: str, expected: str, value: Any) -> Fault:
-    return Fault(message="does not fit the schema of plans", place=place, expected=expected, found=repr(value))
+    return Fault(
+        message="does not fit the schema of plans",
+        place=place,
+        expected=expected,
+        found=repr(value),
+    )
 
 
 def _broken_rules(record: Any) -> Iterator[str]:
@@ -127,13 +157,23 @@ def _table(table: AxisCompensation | CrossCompensation) -> Iterator[str]:
 
 def _wanted(wanted: WantedCorrection) -> Iterator[str]:
     yield from _curves(wanted.positions, wanted.positive, wanted.negative, least=2)
-    yield from _rules((wanted.noise >= 0, "noise of at least 0"), (all(p > 0 for p in wanted.periods), "periods above 0"))
+    yield from _rules(
+        (wanted.noise >= 0, "noise of at least 0"),
+        (all(p > 0 for p in wanted.periods), "periods above 0"),
+    )
 
 
 def _estimate(estimate: ErrorEstimate) -> Iterator[str]:
-    curves = (estimate.mean_positive, estimate.mean_negative, estimate.std_positive, estimate.std_negative)
+    curves = (
+        estimate.mean_positive,
+        estimate.mean_negative,
+        estimate.std_positive,
+        estimate.std_negative,
+    )
     yield from _curves(estimate.positions, *curves, least=2)
-    yield from _rules((estimate.noise > 0 and estimate.noise_dof > 0, "noise and its degrees of freedom above 0"))
+    yield from _rules(
+        (estimate.noise > 0 and estimate.noise_dof > 0, "noise and its degrees of freedom above 0")
+    )
 
 
 def _file(file: ControlFile) -> Iterator[str]:
@@ -159,8 +199,14 @@ def _rules(*rules: tuple[bool, str]) -> Iterator[str]:
     return (expected for holds, expected in rules if not holds)
 
 
-def _curves(positions: np.ndarray[Any, Any], *curves: np.ndarray[Any, Any], least: int = 0) -> Iterator[str]:
-    same = positions.ndim == 1 and positions.size >= least and all(curve.shape == positions.shape for curve in curves)
+def _curves(
+    positions: np.ndarray[Any, Any], *curves: np.ndarray[Any, Any], least: int = 0
+) -> Iterator[str]:
+    same = (
+        positions.ndim == 1
+        and positions.size >= least
+        and all(curve.shape == positions.shape for curve in curves)
+    )
     numbers = same and all(bool(np.isfinite(values).all()) for values in (positions, *curves))
     if not numbers or not bool(np.all(np.diff(positions) > 0)):
         yield "ascending positions and one number for each in every curve"
@@ -168,12 +214,18 @@ def _curves(positions: np.ndarray[Any, Any], *curves: np.ndarray[Any, Any], leas
 
 def _readings(test: PositioningTest) -> Iterator[str]:
     count = test.targets.size
-    whole = test.targets.ndim == 1 and count > 0 and bool(np.isfinite(test.targets).all() and np.all(np.diff(test.targets) > 0))
+    whole = (
+        test.targets.ndim == 1
+        and count > 0
+        and bool(np.isfinite(test.targets).all() and np.all(np.diff(test.targets) > 0))
+    )
     yield from _rules((whole, "ascending targets"))
     for block, runs in ((test.positive, test.runs_positive), (test.negative, test.runs_negative)):
         fits = block.ndim == 2 and block.shape[0] == count and len(runs) in {0, block.shape[1]}
         yield from _rules((fits, "one row of readings for each target, and a number for each run"))
-    made = test.positive.ndim == test.negative.ndim == 2 and any(np.isfinite(side).any() for side in (test.positive, test.negative))
+    made = test.positive.ndim == test.negative.ndim == 2 and any(
+        np.isfinite(side).any() for side in (test.positive, test.negative)
+    )
     yield from _rules((bool(made), "readings"))
 
 
@@ -193,7 +245,9 @@ _RULES_OF: Mapping[type, Callable[[Any], Iterator[str]]] = {
     WantedCorrection: _wanted,
     ErrorEstimate: _estimate,
     PositioningTest: _readings,
-    TableRequest: lambda request: _rules((request.spacing is None or request.spacing > 0, "a spacing above 0")),
+    TableRequest: lambda request: _rules(
+        (request.spacing is None or request.spacing > 0, "a spacing above 0")
+    ),
     PlannedAxis: _one_kind,
     ControlFile: _file,
     CircularRun: _circle_run,

@@ -1,4 +1,6 @@
-"""``prediction.json`` (``compwright/prediction/1``): deviations in µm or arcsec, positions in mm or deg."""
+"""``prediction.json`` (``compwright/prediction/1``): deviations in µm or arcsec, positions in mm or
+deg.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +12,12 @@ from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, outside_fac
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation, CrossCompensation
-from compwright.records.prediction import AxisPrediction, CirclePrediction, Quantiles, TestPrediction
+from compwright.records.prediction import (
+    AxisPrediction,
+    CirclePrediction,
+    Quantiles,
+    TestPrediction,
+)
 from compwright.records.result import PositioningResult
 
 SCHEMA = "compwright/prediction/1"
@@ -23,7 +30,8 @@ def prediction_document(
     circles: Mapping[str, CirclePrediction] | None = None,
     doubts: Iterable[Finding] = (),
 ) -> dict[str, Any]:
-    """Return the prediction of a run; ``cross`` holds what one axis' position adds to another, by the names of the job.
+    """Return the prediction of a run; ``cross`` holds what one axis' position adds to another, by
+    the names of the job.
 
     ``doubts``: what has to be settled before the tables are loaded.
     """
@@ -39,18 +47,25 @@ def prediction_document(
 
 def findings_outside(findings: Iterable[Finding]) -> list[dict[str, str]]:
     """Return findings as every document holds them."""
-    return [{"code": finding.code, "severity": finding.severity, "message": finding.message} for finding in findings]
+    return [
+        {"code": finding.code, "severity": finding.severity, "message": finding.message}
+        for finding in findings
+    ]
 
 
 def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
     """Return what one axis adds to another: positions mm or deg, corrections µm or arcsec.
 
-    ``correction`` is that of both directions; where they differ, that of + beside ``correction_positive`` and
-    ``correction_negative``.
+    ``correction`` is that of both directions; where they differ, that of + beside
+    ``correction_positive`` and ``correction_negative``.
     """
     factor = outside_factor(entry.output_kind.unit)
     positive, negative = ((curve * factor).tolist() for curve in (entry.positive, entry.negative))
-    both = {} if positive == negative else {"correction_positive": positive, "correction_negative": negative}
+    both = (
+        {}
+        if positive == negative
+        else {"correction_positive": positive, "correction_negative": negative}
+    )
     return {
         "input": entry.input,
         "output": entry.output,
@@ -62,13 +77,20 @@ def cross_outside(entry: CrossCompensation) -> dict[str, Any]:
 
 
 def circle_outside(circle: CirclePrediction) -> dict[str, Any]:
-    """Return one circular test, before and predicted: parameters in µm, causes in their own units, by their contract names."""
+    """Return one circular test, before and predicted: parameters in µm, causes in their own units,
+    by their contract names.
+    """
     return {"before": circle_values(circle.before), "predicted": circle_quantiles(circle)}
 
 
 def circle_values(result: CircularResult) -> dict[str, float | None]:
-    """Return the parameters (µm) and causes (their own units) of a circular test by their contract names."""
-    values = {name: None if value is None else value * MICROMETRES_PER_MILLIMETRE for name, value in result.parameters.items()}
+    """Return the parameters (µm) and causes (their own units) of a circular test by their contract
+    names.
+    """
+    values = {
+        name: None if value is None else value * MICROMETRES_PER_MILLIMETRE
+        for name, value in result.parameters.items()
+    }
     effects = {} if result.diagnosis is None else result.diagnosis.effects
     return {**values, **{name: effect.value for name, effect in effects.items()}}
 
@@ -77,35 +99,55 @@ def circle_quantiles(circle: CirclePrediction) -> dict[str, dict[str, float]]:
     """Return what a fresh circular test will show, in the units of `circle_values`."""
     return {
         **quantiles_outside(circle.predicted, AxisKind.LINEAR),
-        **{name: {"median": value.median, "p05": value.p05, "p95": value.p95} for name, value in circle.causes.items()},
+        **{
+            name: {"median": value.median, "p05": value.p05, "p95": value.p95}
+            for name, value in circle.causes.items()
+        },
     }
 
 
 def parameters_outside(result: PositioningResult) -> dict[str, float | None]:
     """Return the parameters of an evaluation in µm or arcsec."""
     factor = outside_factor(result.test.kind.unit)
-    return {name: None if value is None else value * factor for name, value in result.parameters.items()}
+    return {
+        name: None if value is None else value * factor for name, value in result.parameters.items()
+    }
 
 
-def quantiles_outside(quantiles: Mapping[str, Quantiles], kind: AxisKind) -> dict[str, dict[str, float]]:
+def quantiles_outside(
+    quantiles: Mapping[str, Quantiles], kind: AxisKind
+) -> dict[str, dict[str, float]]:
     """Return predicted parameters in µm or arcsec."""
     factor = outside_factor(kind.unit)
     return {
-        name: {"median": value.median * factor, "p05": value.p05 * factor, "p95": value.p95 * factor}
+        name: {
+            "median": value.median * factor,
+            "p05": value.p05 * factor,
+            "p95": value.p95 * factor,
+        }
         for name, value in quantiles.items()
     }
 
 
 def compensation_outside(table: AxisCompensation) -> dict[str, Any]:
-    """Return a table as decode and prediction give it: totals (table and backlash) per direction, µm or arcsec."""
+    """Return a table as decode and prediction give it: totals (table and backlash) per direction,
+    µm or arcsec.
+    """
     factor = outside_factor(table.kind.unit)
     return table_outside(
-        table.positions, table.total(Direction.POSITIVE) * factor, table.total(Direction.NEGATIVE) * factor, table.kind
+        table.positions,
+        table.total(Direction.POSITIVE) * factor,
+        table.total(Direction.NEGATIVE) * factor,
+        table.kind,
     )
 
 
-def table_outside(positions: FloatArray, positive: FloatArray, negative: FloatArray, kind: AxisKind) -> dict[str, Any]:
-    """Return positions (mm, deg) and corrections (already in µm or arcsec) in the contract's form."""
+def table_outside(
+    positions: FloatArray, positive: FloatArray, negative: FloatArray, kind: AxisKind
+) -> dict[str, Any]:
+    """Return positions (mm, deg) and corrections (already in µm or arcsec) in the contract's
+    form.
+    """
     return {
         "positions": positions.tolist(),
         "correction_positive": positive.tolist(),
@@ -137,7 +179,10 @@ def _axis(axis: AxisPrediction) -> dict[str, Any]:
         "predicted_new_targets": tests[0]["predicted_new_targets"],
         "table": compensation_outside(axis.table) if axis.table is not None else None,
         "quantum": axis.quantum * factor if axis.quantum is not None else None,
-        "limits": [{"cause": limit.cause, "value": limit.value * factor, "unit": unit} for limit in axis.limits],
+        "limits": [
+            {"cause": limit.cause, "value": limit.value * factor, "unit": unit}
+            for limit in axis.limits
+        ],
         "accept": {
             name: {
                 "limit": entry.limit,

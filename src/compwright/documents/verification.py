@@ -1,4 +1,6 @@
-"""``verification.json`` (``compwright/verification/1``): before, predicted and after side by side."""
+"""``verification.json`` (``compwright/verification/1``): before, predicted and after side by
+side.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +9,12 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from compwright.documents.decode import finding_documents
-from compwright.documents.prediction import circle_quantiles, circle_values, parameters_outside, quantiles_outside
+from compwright.documents.prediction import (
+    circle_quantiles,
+    circle_values,
+    parameters_outside,
+    quantiles_outside,
+)
 from compwright.foundations.findings import Finding, doubts_of
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import FloatArray
@@ -20,7 +27,9 @@ SCHEMA = "compwright/verification/1"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ExpectedMeans:
-    """Mean deviations (m,) that the plan expects after loading, mm or deg, and the scatter ``s`` of one reading."""
+    """Mean deviations (m,) that the plan expects after loading, mm or deg, and the scatter ``s`` of
+    one reading.
+    """
 
     positions: FloatArray
     positive: FloatArray
@@ -30,7 +39,9 @@ class ExpectedMeans:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedAxis:
-    """What ``verify`` found on one axis. ``loading`` holds the keys of the contract; ``accept`` in µm or arcsec."""
+    """What ``verify`` found on one axis. ``loading`` holds the keys of the contract; ``accept`` in
+    µm or arcsec.
+    """
 
     before: PositioningResult
     predicted: Mapping[str, Quantiles]
@@ -43,7 +54,9 @@ class VerifiedAxis:
 
 @dataclass(frozen=True, slots=True)
 class SquarenessCheck:
-    """Squareness after loading, µm/m: the value, what the plan expects, and the uncertainty (k = 2) of their difference."""
+    """Squareness after loading, µm/m: the value, what the plan expects, and the uncertainty (k = 2)
+    of their difference.
+    """
 
     value: float
     expected: float
@@ -57,7 +70,9 @@ class SquarenessCheck:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VerifiedCircle:
-    """What ``verify`` found on one circular test; ``squareness`` only where that of its plane was corrected from circles."""
+    """What ``verify`` found on one circular test; ``squareness`` only where that of its plane was
+    corrected from circles.
+    """
 
     prediction: CirclePrediction
     after: CircularResult
@@ -74,7 +89,9 @@ def verification_document(
     """Return the verification of a run; ``findings``: those of no single axis."""
     general = tuple(findings)
     of_axes = [
-        replace(finding, message=f"Axis {name}: {finding.message}") for name, axis in axes.items() for finding in axis.findings
+        replace(finding, message=f"Axis {name}: {finding.message}")
+        for name, axis in axes.items()
+        for finding in axis.findings
     ]
     return {
         "schema": SCHEMA,
@@ -104,10 +121,17 @@ def _axis(axis: VerifiedAxis) -> dict[str, Any]:
             "negative": (axis.expected.negative * factor).tolist(),
             "s": axis.expected.s * factor,
         },
-        "within_prediction": {name: _within(after.get(name), band) for name, band in predicted.items()},
+        "within_prediction": {
+            name: _within(after.get(name), band) for name, band in predicted.items()
+        },
         "loading": dict(axis.loading),
         "accept": {
-            name: {"limit": entry.limit, "value": entry.value, "U": entry.U, "decision": entry.decision}
+            name: {
+                "limit": entry.limit,
+                "value": entry.value,
+                "U": entry.U,
+                "decision": entry.decision,
+            }
             for name, entry in axis.accept.items()
         },
         "findings": finding_documents(axis.findings),
@@ -115,19 +139,34 @@ def _axis(axis: VerifiedAxis) -> dict[str, Any]:
 
 
 def _circle(circle: VerifiedCircle) -> dict[str, Any]:
-    """Return one circular test: parameters in µm and causes in their own units, by their contract names."""
+    """Return one circular test: parameters in µm and causes in their own units, by their contract
+    names.
+    """
     after, predicted = circle_values(circle.after), circle_quantiles(circle.prediction)
     check = circle.squareness
     return {
         "before": circle_values(circle.prediction.before),
         "predicted": predicted,
         "after": after,
-        "within_prediction": {name: _within(after.get(name), band) for name, band in predicted.items()},
-        "squareness": None
-        if check is None
-        else {"value": check.value, "expected": check.expected, "U": check.U, "unit": "um/m", "decision": check.decision},
+        "within_prediction": {
+            name: _within(after.get(name), band) for name, band in predicted.items()
+        },
+        "squareness": (
+            None
+            if check is None
+            else {
+                "value": check.value,
+                "expected": check.expected,
+                "U": check.U,
+                "unit": "um/m",
+                "decision": check.decision,
+            }
+        ),
         "findings": finding_documents(
-            (*circle.after.findings, *(circle.after.diagnosis.findings if circle.after.diagnosis else ()))
+            (
+                *circle.after.findings,
+                *(circle.after.diagnosis.findings if circle.after.diagnosis else ()),
+            )
         ),
     }
 

@@ -5,10 +5,12 @@ Model (units mm or deg, deviation = measured minus target, d = +1 or -1 the appr
     y(x, d) = f(x) + d r(x) / 2 + l(x) + noise
     f = offset + slope x + smooth part (Matérn 5/2) + harmonics 1 and 2 of each known period
     r = constant + slope and smooth part of one common scale (the reversal, mean(+) - mean(-))
-    l = local part: repeats at the same target, independent from target to target (what neither of the others describes)
+    l = local part: repeats at the same target, independent from target to target (what neither of
+    the others describes)
 
-Offset, slope and constant reversal are left to the data. All variances, lengths and the noise have weak priors and are drawn
-from their posterior. "Reversal constant" and "reversal varying" are two models; draws come from both by their evidence.
+Offset, slope and constant reversal are left to the data. All variances, lengths and the noise have
+weak priors and are drawn from their posterior. "Reversal constant" and "reversal varying" are two
+models; draws come from both by their evidence.
 """
 
 from __future__ import annotations
@@ -20,7 +22,13 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.basis import Basis
-from compwright.estimation.cells import Cells, cells_of, findings_of, visible_harmonics, visible_periods
+from compwright.estimation.cells import (
+    Cells,
+    cells_of,
+    findings_of,
+    visible_harmonics,
+    visible_periods,
+)
 from compwright.estimation.evidence import REVERSAL, REVERSAL_LENGTH, Evidence, Prior, Weights
 from compwright.estimation.hyperparameters import draw_hyperparameters
 from compwright.foundations.errors import Fault, UsageError
@@ -36,7 +44,9 @@ _SEED: Final = 230  # the same test gives the same posterior
 
 @dataclass(frozen=True, slots=True)
 class Draws:
-    """Joint draws of the deviation: ``positive``, ``negative`` (count, k) and the noise of one reading (count,), mm or deg."""
+    """Joint draws of the deviation: ``positive``, ``negative`` (count, k) and the noise of one
+    reading (count,), mm or deg.
+    """
 
     positive: FloatArray
     negative: FloatArray
@@ -47,8 +57,9 @@ class Draws:
 class AxisPosterior:
     """What is known of an axis after one test, mm or deg, machine coordinates.
 
-    ``noise``: standard deviation of one reading with ``noise_dof`` degrees of freedom. ``reversal_log_odds``: natural
-    logarithm of the evidence for a reversal that varies with position over a constant one (0: one direction measured).
+    ``noise``: standard deviation of one reading with ``noise_dof`` degrees of freedom.
+    ``reversal_log_odds``: natural logarithm of the evidence for a reversal that varies with
+    position over a constant one (0: one direction measured).
     """
 
     kind: AxisKind
@@ -62,16 +73,23 @@ class AxisPosterior:
     weights: tuple[Weights, ...]
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
-        """Return mean and standard deviation of the deviation at ``positions`` (g,) strictly ascending.
+        """Return mean and standard deviation of the deviation at ``positions`` (g,) strictly
+        ascending.
 
-        The mean leaves out the local part (no table can hold it); the standard deviation contains it.
+        The mean leaves out the local part (no table can hold it); the standard deviation contains
+        it.
         """
         where = np.asarray(positions, dtype=np.float64)
         scale = self.cells.data.scale
         mean, std = [], []
         for rows, line in zip(self.basis.design(where), self.cells.line_at(where), strict=True):
             means = np.array([rows @ weights.mean for weights in self.weights])
-            variances = np.array([np.sum((rows @ weights.root) ** 2, axis=1) + weights.local for weights in self.weights])
+            variances = np.array(
+                [
+                    np.sum((rows @ weights.root) ** 2, axis=1) + weights.local
+                    for weights in self.weights
+                ]
+            )
             mean.append(line + scale * means.mean(axis=0))
             std.append(scale * np.sqrt(variances.mean(axis=0) + means.var(axis=0)))
         return ErrorEstimate(
@@ -90,7 +108,8 @@ class AxisPosterior:
     def draw(self, positions: FloatArray, count: int, rng: np.random.Generator) -> Draws:
         """Return ``count`` draws at ``positions`` (k,), joint over positions and directions.
 
-        At the targets of the test the local part is what the readings say; anywhere else it is drawn afresh.
+        At the targets of the test the local part is what the readings say; anywhere else it is
+        drawn afresh.
         """
         where = np.asarray(positions, dtype=np.float64)
         unique, back = np.unique(where, return_inverse=True)
@@ -103,7 +122,9 @@ class AxisPosterior:
         scale = self.cells.data.scale
         for index, weights in enumerate(self.weights):
             mine = np.flatnonzero(owner == index)
-            values = weights.mean + rng.standard_normal((mine.size, weights.mean.size)) @ weights.root.T
+            values = (
+                weights.mean + rng.standard_normal((mine.size, weights.mean.size)) @ weights.root.T
+            )
             local = rng.standard_normal((mine.size, unique.size)) * np.sqrt(weights.local)
             known = seats >= 0
             local[:, known] = self._local(weights, values, at_targets, rng)[:, seats[known]]
@@ -113,9 +134,15 @@ class AxisPosterior:
         return Draws(positive=positive[:, back], negative=negative[:, back], noise=noise)
 
     def _local(
-        self, weights: Weights, values: FloatArray, design: tuple[FloatArray, FloatArray], rng: np.random.Generator
+        self,
+        weights: Weights,
+        values: FloatArray,
+        design: tuple[FloatArray, FloatArray],
+        rng: np.random.Generator,
     ) -> FloatArray:
-        """Return draws (count, m) of the local part at the targets, given the weights ``values`` (count, j)."""
+        """Return draws (count, m) of the local part at the targets, given the weights ``values``
+        (count, j).
+        """
         data = self.cells.data
         total = np.zeros((values.shape[0], self.cells.targets.size))
         for rows, means, counts in (
@@ -123,21 +150,32 @@ class AxisPosterior:
             (design[1], data.negative, data.count_negative),
         ):
             total += counts / weights.noise * (means - values @ rows.T)
-        precision = 1.0 / max(weights.local, 1e-300) + (data.count_positive + data.count_negative) / weights.noise
-        drawn: FloatArray = total / precision + rng.standard_normal(total.shape) / np.sqrt(precision)
+        precision = (
+            1.0 / max(weights.local, 1e-300)
+            + (data.count_positive + data.count_negative) / weights.noise
+        )
+        drawn: FloatArray = total / precision + rng.standard_normal(total.shape) / np.sqrt(
+            precision
+        )
         return drawn
 
 
 def estimate_axis(
-    test: PositioningTest, *, travel: tuple[float, float], periods: Sequence[float] = (), turn: float | None = None
+    test: PositioningTest,
+    *,
+    travel: tuple[float, float],
+    periods: Sequence[float] = (),
+    turn: float | None = None,
 ) -> AxisPosterior:
     """Return the posterior of the error of an axis from one test in machine coordinates.
 
-    ``turn`` (deg): an endless axis, whose error repeats with it whatever the travel says; it has no slope.
+    ``turn`` (deg): an endless axis, whose error repeats with it whatever the travel says; it has no
+    slope.
 
-    ``travel`` (low, high) and the known ``periods`` of the error (screw pitch, scale period), mm or deg. The same test
-    gives the same posterior. Raises InputError for a test with readings at fewer than two targets; UsageError for a test in
-    the instrument's frame, an empty travel, or a period that is not positive.
+    ``travel`` (low, high) and the known ``periods`` of the error (screw pitch, scale period), mm or
+    deg. The same test gives the same posterior. Raises InputError for a test with readings at fewer
+    than two targets; UsageError for a test in the instrument's frame, an empty travel, or a period
+    that is not positive.
     """
     _refuse_misuse(test, travel, periods)
     cells = cells_of(test, endless=turn is not None)
@@ -170,12 +208,26 @@ def estimate_axis(
     )
 
 
-def _refuse_misuse(test: PositioningTest, travel: tuple[float, float], periods: Sequence[float]) -> None:
+def _refuse_misuse(
+    test: PositioningTest, travel: tuple[float, float], periods: Sequence[float]
+) -> None:
     faults = []
     if test.frame != "machine":
-        faults.append(Fault(message="the test is still in the instrument's frame", file=test.name, expected="machine coordinates"))
+        faults.append(
+            Fault(
+                message="the test is still in the instrument's frame",
+                file=test.name,
+                expected="machine coordinates",
+            )
+        )
     if not (np.all(np.isfinite(travel)) and travel[0] < travel[1]):
-        faults.append(Fault(message="the travel is empty", expected="low < high", found=f"{travel[0]:g} to {travel[1]:g}"))
+        faults.append(
+            Fault(
+                message="the travel is empty",
+                expected="low < high",
+                found=f"{travel[0]:g} to {travel[1]:g}",
+            )
+        )
     faults += [
         Fault(message="a period of the error must be positive", found=f"{period:g}")
         for period in periods
@@ -186,7 +238,9 @@ def _refuse_misuse(test: PositioningTest, travel: tuple[float, float], periods: 
 
 
 def _dof_of(log_noise: FloatArray, readings: int) -> float:
-    """Return the degrees of freedom that a scatter of log s amounts to: var(log s) = 1 / (2 dof)."""
+    """Return the degrees of freedom that a scatter of log s amounts to: var(log s) = 1 / (2
+    dof).
+    """
     return float(np.clip(0.5 / max(float(np.var(log_noise)), 1e-12), 1.0, max(1.0, readings - 1.0)))
 
 
@@ -196,7 +250,8 @@ def _basis_for(cells: Cells, travel: tuple[float, float], periods: tuple[float, 
     return Basis(
         centre=0.5 * (low + high),
         half=0.5 * (high - low),
-        # Twice the targets resolves what they can show; 112 sines resolve a length of 3 % of the half travel.
+        # Twice the targets resolves what they can show; 112 sines resolve a length of 3 % of the
+        # half travel.
         sines=int(np.clip(2 * m, 24, 112)),
         reversal_sines=int(np.clip(m, 12, 32)),
         periods=periods,
@@ -206,7 +261,9 @@ def _basis_for(cells: Cells, travel: tuple[float, float], periods: tuple[float, 
 
 
 def _endless_basis(cells: Cells, turn: float, periods: tuple[float, ...]) -> Basis:
-    """Return functions that repeat with the turn: both sets as large as on an axis with ends, and even (cosine and sine)."""
+    """Return functions that repeat with the turn: both sets as large as on an axis with ends, and
+    even (cosine and sine).
+    """
     m = cells.targets.size
     return Basis(
         centre=float(cells.targets[0]),
@@ -221,9 +278,18 @@ def _endless_basis(cells: Cells, turn: float, periods: tuple[float, ...]) -> Bas
 
 
 def _prior_for(cells: Cells, basis: Basis) -> Prior:
-    """Weak priors around what the spread of the readings suggests; a width of 1.5 is a factor 4.5 either way."""
+    """Weak priors around what the spread of the readings suggests; a width of 1.5 is a factor 4.5
+    either way.
+    """
     spread, roughness = cells.spread, cells.roughness
-    centre = [np.log(spread), np.log(0.3 * spread), np.log(roughness), np.log(0.4), np.log(spread), np.log(0.7)]
+    centre = [
+        np.log(spread),
+        np.log(0.3 * spread),
+        np.log(roughness),
+        np.log(0.4),
+        np.log(spread),
+        np.log(0.7),
+    ]
     width = [3.0 if cells.data.dof else 1.0, 1.5, 1.5, 0.8, 1.5, 0.7]
     centre += [np.log(max(spread, 0.2 * roughness))] * len(basis.periods)
     width += [1.5] * len(basis.periods)

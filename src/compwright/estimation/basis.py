@@ -1,9 +1,10 @@
 """The functions of position in which the error of an axis is expanded.
 
-A Gaussian process with a stationary covariance is written as a sum of sines with independent normal weights, whose variances
-are the spectral density of the covariance (Solin and Särkkä, "Hilbert space methods for reduced-rank Gaussian process
-regression", Statistics and Computing 30, 2020, eq. 5 and 21). The design matrix then does not depend on the hyperparameters,
-and a draw of the whole curve is a draw of the weights.
+A Gaussian process with a stationary covariance is written as a sum of sines with independent normal
+weights, whose variances are the spectral density of the covariance (Solin and Särkkä, "Hilbert
+space methods for reduced-rank Gaussian process regression", Statistics and Computing 30, 2020, eq.
+5 and 21). The design matrix then does not depend on the hyperparameters, and a draw of the whole
+curve is a draw of the weights.
 """
 
 from __future__ import annotations
@@ -14,7 +15,8 @@ import numpy as np
 
 from compwright.records.axis import FloatArray
 
-#: The sines vanish at this multiple of the half range, far enough outside for the travel not to notice.
+#: The sines vanish at this multiple of the half range, far enough outside for the travel not to
+#: notice.
 BOUNDARY = 1.5
 #: Harmonics of a known period: the screw's own turn and its half (misalignment, universal joint).
 HARMONICS = (1, 2)
@@ -22,12 +24,14 @@ HARMONICS = (1, 2)
 
 @dataclass(frozen=True, slots=True)
 class Basis:
-    """Columns: offset, slope, sines, then per period cosine and sine of each harmonic; then the reversal's offset, slope, sines.
+    """Columns: offset, slope, sines, then per period cosine and sine of each harmonic; then the
+    reversal's offset, slope, sines.
 
-    ``centre`` and ``half`` (mm or deg) give the normalised position u = (x - centre) / half. The first block describes the mean of
-    both directions, the second the reversal (positive minus negative), of which each direction carries half. With a ``turn`` (the
-    travel per turn of an endless axis) every column repeats with it: no slope (its column is zero), and instead of the sines
-    cosine and sine of the turn's harmonics, whose variances follow the same spectral density.
+    ``centre`` and ``half`` (mm or deg) give the normalised position u = (x - centre) / half. The
+    first block describes the mean of both directions, the second the reversal (positive minus
+    negative), of which each direction carries half. With a ``turn`` (the travel per turn of an
+    endless axis) every column repeats with it: no slope (its column is zero), and instead of the
+    sines cosine and sine of the turn's harmonics, whose variances follow the same spectral density.
     """
 
     centre: float
@@ -65,7 +69,9 @@ class Basis:
         return self._frequencies(self.reversal_sines)
 
     def design(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return the design matrices (k, size) of the two approach directions at ``positions`` (k,), mm or deg."""
+        """Return the design matrices (k, size) of the two approach directions at ``positions``
+        (k,), mm or deg.
+        """
         u = (positions - self.centre) / self.half
         slope = u if self.turn is None else np.zeros_like(u)
         columns = [np.ones_like(u), slope, *self._waves(u, self.sines)]
@@ -76,7 +82,9 @@ class Basis:
         mean = np.column_stack(columns)
         if not self.bidirectional:
             return mean, mean
-        half_reversal = 0.5 * np.column_stack([np.ones_like(u), slope, *self._waves(u, self.reversal_sines)])
+        half_reversal = 0.5 * np.column_stack(
+            [np.ones_like(u), slope, *self._waves(u, self.reversal_sines)]
+        )
         return np.hstack([mean, half_reversal]), np.hstack([mean, -half_reversal])
 
     def _frequencies(self, count: int) -> FloatArray:
@@ -86,13 +94,18 @@ class Basis:
         return harmonics * (2.0 * np.pi * self.half / self.turn)
 
     def _waves(self, u: FloatArray, count: int) -> FloatArray:
-        """Return the smooth functions (count, k): sines of the range, or with a turn (``count`` even) its harmonics."""
+        """Return the smooth functions (count, k): sines of the range, or with a turn (``count``
+        even) its harmonics.
+        """
         if self.turn is None:
             return _sines(u, count)
         angles = np.outer(self._frequencies(count)[::2], u)
-        # A density S spread over lines 2 pi half / turn apart: each line carries S half / turn, cosine and sine twice that.
+        # A density S spread over lines 2 pi half / turn apart: each line carries S half / turn,
+        # cosine and sine twice that.
         scale = np.sqrt(2.0 * self.half / self.turn)
-        waves: FloatArray = scale * np.stack([np.cos(angles), np.sin(angles)], axis=1).reshape(count, u.size)
+        waves: FloatArray = scale * np.stack([np.cos(angles), np.sin(angles)], axis=1).reshape(
+            count, u.size
+        )
         return waves
 
 
@@ -102,17 +115,20 @@ def _frequencies(count: int) -> FloatArray:
 
 
 def _sines(u: FloatArray, count: int) -> FloatArray:
-    """Return the eigenfunctions (count, k) of the Laplacian on [-BOUNDARY, BOUNDARY]; zero outside, continuously."""
+    """Return the eigenfunctions (count, k) of the Laplacian on [-BOUNDARY, BOUNDARY]; zero outside,
+    continuously.
+    """
     inside = np.clip(u, -BOUNDARY, BOUNDARY)
     waves: FloatArray = np.sin(np.outer(_frequencies(count), inside + BOUNDARY)) / np.sqrt(BOUNDARY)
     return waves
 
 
 def log_density(frequencies: FloatArray, log_length: float) -> tuple[FloatArray, FloatArray]:
-    """Return log spectral density of a Matérn 5/2 process of unit variance, and its derivative by ``log_length``.
+    """Return log spectral density of a Matérn 5/2 process of unit variance, and its derivative by
+    ``log_length``.
 
-    S(w) = (16/3) a^5 / (a^2 + w^2)^3 with a = sqrt(5) / length (Rasmussen and Williams, Gaussian Processes for Machine
-    Learning, eq. 4.15, one dimension, nu = 5/2).
+    S(w) = (16/3) a^5 / (a^2 + w^2)^3 with a = sqrt(5) / length (Rasmussen and Williams, Gaussian
+    Processes for Machine Learning, eq. 4.15, one dimension, nu = 5/2).
     """
     a = np.sqrt(5.0) * np.exp(-log_length)
     together = a**2 + frequencies**2
@@ -120,17 +136,19 @@ def log_density(frequencies: FloatArray, log_length: float) -> tuple[FloatArray,
     return density, -(5.0 - 6.0 * a**2 / together)
 
 
-#: Two waves whose values at the targets agree to this (1: everywhere the same) cannot be told apart: less than 44 % of the
-#: amplitude of one is left beside the other.
+#: Two waves whose values at the targets agree to this (1: everywhere the same) cannot be told
+#: apart: less than 44 % of the amplitude of one is left beside the other.
 ALIASED = 0.9
 
 
 def folded(targets: FloatArray, wavelength: float) -> float | None:
-    """Return the longer wavelength as which these targets show a wave, mm or deg (inf for a constant); None where they show itself.
+    """Return the longer wavelength as which these targets show a wave, mm or deg (inf for a
+    constant); None where they show itself.
 
-    Targets a mean interval d apart show waves longer than 2 d as what they are. A shorter one folds where for some frequency g
-    within 1 / (2 d) the mean of exp(2 pi i (1 / wavelength - g) x) over the targets has a size above `ALIASED`: at equal
-    intervals always, at those of ISO 230-2 with their random part hardly ever.
+    Targets a mean interval d apart show waves longer than 2 d as what they are. A shorter one folds
+    where for some frequency g within 1 / (2 d) the mean of exp(2 pi i (1 / wavelength - g) x) over
+    the targets has a size above `ALIASED`: at equal intervals always, at those of ISO 230-2 with
+    their random part hardly ever.
     """
     length = float(np.ptp(targets))
     widest = (targets.size - 1) / (2.0 * max(length, 1e-300))
@@ -147,10 +165,11 @@ def folded(targets: FloatArray, wavelength: float) -> float | None:
 
 
 def hidden_share(targets: FloatArray, period: float) -> float:
-    """Return how much of the first harmonic of ``period`` the targets cannot show: 0 nothing, 1 all of it.
+    """Return how much of the first harmonic of ``period`` the targets cannot show: 0 nothing, 1 all
+    of it.
 
-    Offset and slope are taken from cosine and sine at the targets; what is left of the worse phase, against what well
-    spread targets would leave, is the share that is seen.
+    Offset and slope are taken from cosine and sine at the targets; what is left of the worse phase,
+    against what well spread targets would leave, is the share that is seen.
     """
     middle = targets - np.mean(targets)
     span = max(float(np.ptp(targets)), 1e-300)

@@ -1,4 +1,6 @@
-"""What a test says before any model: means and counts per target and direction, pooled spread, straight line."""
+"""What a test says before any model: means and counts per target and direction, pooled spread,
+straight line.
+"""
 
 from __future__ import annotations
 
@@ -15,17 +17,21 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.positioning import PositioningTest
 
-#: No noise below this is claimed: 10 nm, 0.0036 arcsec (the resolution of the instruments is coarser or equal).
+#: No noise below this is claimed: 10 nm, 0.0036 arcsec (the resolution of the instruments is
+#: coarser or equal).
 LEAST_NOISE: Final = {AxisKind.LINEAR: 1e-5, AxisKind.ROTARY: 1e-6}
-#: From this share on a period counts as hidden: less than 30 % of its amplitude shows in the worse phase.
+#: From this share on a period counts as hidden: less than 30 % of its amplitude shows in the worse
+#: phase.
 HIDDEN: Final = 0.7
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cells:
-    """Targets with readings (m,), their ``data`` less ``offset + slope x + d reversal/2``, and the guesses of the spread.
+    """Targets with readings (m,), their ``data`` less ``offset + slope x + d reversal/2``, and the
+    guesses of the spread.
 
-    ``spread`` and ``roughness`` are in units of ``data.scale``: noise of one reading as guessed, scatter about the straight line.
+    ``spread`` and ``roughness`` are in units of ``data.scale``: noise of one reading as guessed,
+    scatter about the straight line.
     """
 
     targets: FloatArray
@@ -47,8 +53,14 @@ class Cells:
         """Return for each position (k,) the index of the target that it is, -1 for none."""
         right = np.clip(np.searchsorted(self.targets, positions), 0, self.targets.size - 1)
         left = np.maximum(right - 1, 0)
-        nearest = np.where(np.abs(self.targets[left] - positions) < np.abs(self.targets[right] - positions), left, right)
-        same = np.abs(self.targets[nearest] - positions) <= 1e-9 * max(1.0, float(np.max(np.abs(self.targets))))
+        nearest = np.where(
+            np.abs(self.targets[left] - positions) < np.abs(self.targets[right] - positions),
+            left,
+            right,
+        )
+        same = np.abs(self.targets[nearest] - positions) <= 1e-9 * max(
+            1.0, float(np.max(np.abs(self.targets)))
+        )
         return np.where(same, nearest, -1)
 
 
@@ -78,7 +90,12 @@ def cells_of(test: PositioningTest, *, endless: bool = False) -> Cells:
         )
     targets = test.targets[kept]
     return _without_line(
-        targets, [mean[kept] for mean in means], [count[kept] for count in counts], squares, test.kind, endless=endless
+        targets,
+        [mean[kept] for mean in means],
+        [count[kept] for count in counts],
+        squares,
+        test.kind,
+        endless=endless,
     )
 
 
@@ -95,9 +112,13 @@ def _without_line(
     bidirectional = bool(np.any(counts[0] > 0) and np.any(counts[1] > 0))
     reversal = float(np.mean((means[0] - means[1])[both])) if np.any(both) else 0.0
     weight = counts[0] + counts[1]
-    middle = (counts[0] * (means[0] - 0.5 * reversal) + counts[1] * (means[1] + 0.5 * reversal)) / weight
+    middle = (
+        counts[0] * (means[0] - 0.5 * reversal) + counts[1] * (means[1] + 0.5 * reversal)
+    ) / weight
     along = targets - targets[0]
-    slope = 0.0 if endless else float(np.polyfit(along / along[-1], middle, 1)[0]) / float(along[-1])
+    slope = (
+        0.0 if endless else float(np.polyfit(along / along[-1], middle, 1)[0]) / float(along[-1])
+    )
     offset = float(np.mean(middle - slope * along))
     left = middle - offset - slope * along
     rows = [
@@ -136,7 +157,9 @@ def _without_line(
 
 
 def _neighbour_spread(rows: list[FloatArray], counts: list[FloatArray]) -> float:
-    """Return the scatter that second differences of neighbouring targets show: all that single readings can tell."""
+    """Return the scatter that second differences of neighbouring targets show: all that single
+    readings can tell.
+    """
     parts = [np.diff(row[count > 0], 2) for row, count in zip(rows, counts, strict=True)]
     together = np.concatenate(parts)
     if not together.size:
@@ -146,7 +169,9 @@ def _neighbour_spread(rows: list[FloatArray], counts: list[FloatArray]) -> float
 
 
 def visible_periods(targets: FloatArray, periods: Sequence[float]) -> tuple[float, ...]:
-    """Return the known periods that these targets can show: neither hidden by the spacing nor folded to a longer wave."""
+    """Return the known periods that these targets can show: neither hidden by the spacing nor
+    folded to a longer wave.
+    """
     return tuple(
         float(period)
         for period in periods
@@ -160,44 +185,68 @@ def visible_harmonics(targets: FloatArray, period: float) -> tuple[int, ...]:
 
 
 def findings_of(
-    cells: Cells, travel: tuple[float, float] | None, periods: Sequence[float], shown: Sequence[float], kind: AxisKind
+    cells: Cells,
+    travel: tuple[float, float] | None,
+    periods: Sequence[float],
+    shown: Sequence[float],
+    kind: AxisKind,
 ) -> tuple[Finding, ...]:
-    """Return what the user should know about the estimate; ``travel`` None: an endless axis, whose error repeats."""
+    """Return what the user should know about the estimate; ``travel`` None: an endless axis, whose
+    error repeats.
+    """
     unit = kind.unit
     found: list[Finding] = []
     if not cells.bidirectional:
-        message = "Measured in one direction only: the same error is assumed in both, lost motion is not known."
+        message = (
+            "Measured in one direction only: the same error is assumed in both, lost motion is not"
+            " known."
+        )
         found.append(Finding("CW-E001", "warning", message))
     if cells.data.dof == 0:
-        message = "One approach per target and direction: the noise is inferred from the scatter between neighbouring targets."
+        message = (
+            "One approach per target and direction: the noise is inferred from the scatter between"
+            " neighbouring targets."
+        )
         found.append(Finding("CW-E002", "warning", message))
     found += folded_findings(cells.targets, periods, unit)
     found += [
         Finding(
             "CW-E003",
             "warning",
-            f"The targets cannot show an error of period {period:g} {unit} (their spacing hides it): it is left out, "
-            "and a test at other targets may show more than is predicted",
+            f"The targets cannot show an error of period {period:g} {unit} (their spacing hides"
+            " it): it is left out, and a test at other targets may show more than is predicted",
         )
         for period in periods
         if float(period) not in shown and hidden_share(cells.targets, float(period)) >= HIDDEN
     ]
-    low, high = (0.0, 0.0) if travel is None else (travel[0] - cells.targets[0], cells.targets[-1] - travel[1])
+    low, high = (
+        (0.0, 0.0)
+        if travel is None
+        else (travel[0] - cells.targets[0], cells.targets[-1] - travel[1])
+    )
     beyond = max(-low, -high)
     if beyond > 0.01 * (cells.targets[-1] - cells.targets[0]):
         message = (
-            f"The travel reaches up to {beyond:g} {unit} beyond the measured range "
-            f"({cells.targets[0]:g} to {cells.targets[-1]:g} {unit}): there the error is continued with the measured slope, "
-            "and its uncertainty grows"
+            f"The travel reaches up to {beyond:g} {unit} beyond the measured range"
+            f" ({cells.targets[0]:g} to {cells.targets[-1]:g} {unit}): there the error is continued"
+            " with the measured slope, and its uncertainty grows"
         )
         found.append(Finding("CW-E004", "info", message))
     if not periods:
-        found.append(Finding("CW-E005", "info", "No screw pitch or other period is given: periodic error is not estimated."))
+        found.append(
+            Finding(
+                "CW-E005",
+                "info",
+                "No screw pitch or other period is given: periodic error is not estimated.",
+            )
+        )
     return tuple(found)
 
 
 def folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) -> list[Finding]:
-    """Return the periods that these targets show as longer waves (CW-E010); those that they do not show at all are CW-E003's."""
+    """Return the periods that these targets show as longer waves (CW-E010); those that they do not
+    show at all are CW-E003's.
+    """
     found = []
     for period in map(float, periods):
         wave = folded(targets, period)
@@ -206,9 +255,9 @@ def folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) ->
         interval = float(np.ptp(targets)) / (targets.size - 1)
         longer = "a constant" if np.isinf(wave) else f"a wave of {wave:.4g} {unit}"
         message = (
-            f"At these targets, {interval:.4g} {unit} apart, an error of period {period:g} {unit} looks like {longer}: the two "
-            "cannot be told apart, the period is not fitted, and no limit is accepted. Measure at targets with random "
-            "offsets to see it"
+            f"At these targets, {interval:.4g} {unit} apart, an error of period {period:g} {unit}"
+            f" looks like {longer}: the two cannot be told apart, the period is not fitted, and no"
+            " limit is accepted. Measure at targets with random offsets to see it"
         )
         found.append(Finding("CW-E010", "warning", message))
     return found

@@ -1,8 +1,10 @@
-"""Why a circular test is not round: every cause from one fit over both directions, each with its standard error.
+"""Why a circular test is not round: every cause from one fit over both directions, each with its
+standard error.
 
-Squareness and scale do not depend on the direction, lost motion and lag change sign with it, and the harmonics of lost motion are
-those of squareness: causes are told apart by fitting all of them at once, at the exact distance, with the
-correlation of the residuals in the standard errors (``circle_noise``). Signs and units are those of ``circle_model``.
+Squareness and scale do not depend on the direction, lost motion and lag change sign with it, and
+the harmonics of lost motion are those of squareness: causes are told apart by fitting all of them
+at once, at the exact distance, with the correlation of the residuals in the standard errors
+(``circle_noise``). Signs and units are those of ``circle_model``.
 """
 
 from __future__ import annotations
@@ -14,7 +16,16 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.circle_cyclic import Search, longest_pitch, search, shortest_pitch
-from compwright.estimation.circle_fit import Fit, Problem, Shapes, default_shapes, first_fit, fit, problem_of, spectra_of
+from compwright.estimation.circle_fit import (
+    Fit,
+    Problem,
+    Shapes,
+    default_shapes,
+    first_fit,
+    fit,
+    problem_of,
+    spectra_of,
+)
 from compwright.estimation.circle_lag import Lag, common_lag, corrected
 from compwright.estimation.circle_model import AXES, Samples, samples_of
 from compwright.estimation.circle_noise import grid_of
@@ -28,16 +39,19 @@ from compwright.records.circular import CircularTest, Diagnosis
 LEAST_ARC: Final = 90.0
 #: Samples of one run below which the causes cannot be told from the noise.
 LEAST_SAMPLES: Final = 24
-#: The noise is estimated again, so often at most, while its density at order zero still changes by this share.
+#: The noise is estimated again, so often at most, while its density at order zero still changes by
+#: this share.
 _NOISE_ROUNDS: Final = 3
 _NOISE_SETTLED: Final = 0.25
 
 
 def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) -> Diagnosis:
-    """Return the causes of a circular test, with standard errors, correlation, and findings on what is not separable.
+    """Return the causes of a circular test, with standard errors, correlation, and findings on what
+    is not separable.
 
-    ``periods``: pitch of a cyclic error, mm, by axis name; axes without one are searched. The same test gives the same
-    answer. Raises InputError for a test too short or with too few samples; UsageError for a wrong period.
+    ``periods``: pitch of a cyclic error, mm, by axis name; axes without one are searched. The same
+    test gives the same answer. Raises InputError for a test too short or with too few samples;
+    UsageError for a wrong period.
     """
     _refuse(test, periods or {})
     samples = samples_of(test)
@@ -68,21 +82,36 @@ def _refuse(test: CircularTest, periods: Mapping[str, float]) -> None:
         if not (np.isfinite(period) and period > 0.0)
     ]
     faults += [
-        Fault(message="a period is given for an axis that the test does not have", found=axis, expected=" or ".join(test.axes))
+        Fault(
+            message="a period is given for an axis that the test does not have",
+            found=axis,
+            expected=" or ".join(test.axes),
+        )
         for axis in periods
         if axis not in test.axes
     ]
     raise_all(UsageError, faults)
     wrong = []
     if not test.arc[1] >= LEAST_ARC:
-        wrong.append(Fault(message="the arc is too short", file=test.name, expected="90 deg or more", found=f"{test.arc[1]:g} deg"))
+        wrong.append(
+            Fault(
+                message="the arc is too short",
+                file=test.name,
+                expected="90 deg or more",
+                found=f"{test.arc[1]:g} deg",
+            )
+        )
     for name, value in (("nominal radius", test.nominal_radius), ("feed", test.feed)):
         if not (np.isfinite(value) and value > 0.0):
-            wrong.append(Fault(message=f"the {name} must be positive", file=test.name, found=f"{value:g}"))
+            wrong.append(
+                Fault(message=f"the {name} must be positive", file=test.name, found=f"{value:g}")
+            )
     if not test.runs:
         wrong.append(Fault(message="the test has no run", file=test.name))
     raise_all(InputError, wrong)
-    if not all(np.all(np.isfinite(run.angles)) and np.all(np.isfinite(run.deviations)) for run in test.runs):
+    if not all(
+        np.all(np.isfinite(run.angles)) and np.all(np.isfinite(run.deviations)) for run in test.runs
+    ):
         raise InputError(Fault(message="a run has readings that are not numbers", file=test.name))
 
 
@@ -104,8 +133,12 @@ def _refuse_few(test: CircularTest, samples: Samples) -> None:
     )
 
 
-def _given(test: CircularTest, samples: Samples, periods: Mapping[str, float]) -> tuple[dict[str, float], list[Finding]]:
-    """Return the frequencies, 1/mm, by ``first`` and ``second``, of those given periods that the test can show."""
+def _given(
+    test: CircularTest, samples: Samples, periods: Mapping[str, float]
+) -> tuple[dict[str, float], list[Finding]]:
+    """Return the frequencies, 1/mm, by ``first`` and ``second``, of those given periods that the
+    test can show.
+    """
     frequencies, findings = {}, []
     least, most = shortest_pitch(samples), longest_pitch(samples)
     for axis, period in periods.items():
@@ -113,7 +146,8 @@ def _given(test: CircularTest, samples: Samples, periods: Mapping[str, float]) -
             frequencies["first" if axis == test.axes[0] else "second"] = 1.0 / period
         else:
             message = (
-                f"a period of {period:g} mm along {axis} cannot be seen: the samples show periods of {least:.3g} to {most:g} mm"
+                f"a period of {period:g} mm along {axis} cannot be seen: the samples show periods"
+                f" of {least:.3g} to {most:g} mm"
             )
             findings.append(Finding("CW-D009", "warning", message))
     return frequencies, findings
@@ -122,18 +156,25 @@ def _given(test: CircularTest, samples: Samples, periods: Mapping[str, float]) -
 def _lag_finding(samples: Samples, lag: Lag) -> Finding:
     time = 1e3 * lag.angle * samples.radius / samples.speed
     doubt = 1e3 * lag.doubt * samples.radius / samples.speed
-    message = f"the axes reverse {time:.1f} ± {doubt:.1f} ms after their commands; the angles were corrected by that"
+    message = (
+        f"the axes reverse {time:.1f} ± {doubt:.1f} ms after their commands; the angles were"
+        " corrected by that"
+    )
     return Finding("CW-D011", "info", message)
 
 
 def _fitted(problem: Problem, given: dict[str, float]) -> tuple[Fit, Search]:
-    """Return the fit after everything was sought: noise, decay of the spikes, cyclic errors, and the noise again."""
+    """Return the fit after everything was sought: noise, decay of the spikes, cyclic errors, and
+    the noise again.
+    """
     shapes = replace(default_shapes(problem.samples), frequencies=given, given=frozenset(given))
     fitted = first_fit(problem, shapes)
     fitted = fit(problem, fitted.shapes, spectra_of(fitted), fitted.known, rounds=4)
     found = search(problem, fitted, [axis for axis in AXES if axis not in given])
     while found.found:
-        shapes = Shapes(fitted.shapes.lengths, {**fitted.shapes.frequencies, **found.found}, fitted.shapes.given)
+        shapes = Shapes(
+            fitted.shapes.lengths, {**fitted.shapes.frequencies, **found.found}, fitted.shapes.given
+        )
         fitted = fit(problem, shapes, fitted.spectra, fitted.known, rounds=5)
         open_axes = [axis for axis in AXES if axis not in fitted.shapes.frequencies]
         if not open_axes:
@@ -149,7 +190,10 @@ def _settled(problem: Problem, fitted: Fit) -> Fit:
     for _ in range(_NOISE_ROUNDS):
         fitted = fit(problem, fitted.shapes, spectra, fitted.known)
         spectra = spectra_of(fitted)
-        changes = [abs(np.log(new.density[0] / old.density[0])) for new, old in zip(spectra, fitted.spectra, strict=True)]
+        changes = [
+            abs(np.log(new.density[0] / old.density[0]))
+            for new, old in zip(spectra, fitted.spectra, strict=True)
+        ]
         if max(changes) < _NOISE_SETTLED:
             break
     return fitted

@@ -1,8 +1,10 @@
-"""The centre of a circular test, geometrically: where the bar's ball stood, not just the first harmonic of the trace.
+"""The centre of a circular test, geometrically: where the bar's ball stood, not just the first
+harmonic of the trace.
 
-The angle of a circular test is the commanded one, so that with the ball off the centre of the path the distance is
-r(θ) = |(R + m) u(θ) + c| with u = (cosθ, sinθ): c is the centre of the path seen from the ball. Its second order,
-(c_x sinθ - c_y cosθ)² / 2R, looks like scale mismatch and squareness; a linear centre term leaves it in the data.
+The angle of a circular test is the commanded one, so that with the ball off the centre of the path
+the distance is r(θ) = |(R + m) u(θ) + c| with u = (cosθ, sinθ): c is the centre of the path seen
+from the ball. Its second order, (c_x sinθ - c_y cosθ)² / 2R, looks like scale mismatch and
+squareness; a linear centre term leaves it in the data.
 """
 
 from __future__ import annotations
@@ -13,15 +15,20 @@ import numpy as np
 
 from compwright.records.axis import FloatArray
 
-#: Rounds of Gauss-Newton. The error falls as its square: 0.5 mm on R = 50 mm is below 1e-9 mm after three.
+#: Rounds of Gauss-Newton. The error falls as its square: 0.5 mm on R = 50 mm is below 1e-9 mm after
+#: three.
 ROUNDS: Final = 3
 
 
-def recentre(theta: FloatArray, deviations: FloatArray, radius: float) -> tuple[float, float, float]:
-    """Return (c_x, c_y, m), mm: centre of the path from the ball and the mean deviation of the radius, by least squares.
+def recentre(
+    theta: FloatArray, deviations: FloatArray, radius: float
+) -> tuple[float, float, float]:
+    """Return (c_x, c_y, m), mm: centre of the path from the ball and the mean deviation of the
+    radius, by least squares.
 
-    ``theta`` (n,) rad, commanded; ``deviations`` (n,) mm, measured distance minus ``radius`` mm. On an arc without
-    curvature enough to tell the three apart the smallest of the equally good answers comes back.
+    ``theta`` (n,) rad, commanded; ``deviations`` (n,) mm, measured distance minus ``radius`` mm. On
+    an arc without curvature enough to tell the three apart the smallest of the equally good answers
+    comes back.
     """
     cos, sin = np.cos(theta), np.sin(theta)
     measured = radius + deviations
@@ -29,14 +36,18 @@ def recentre(theta: FloatArray, deviations: FloatArray, radius: float) -> tuple[
     for _ in range(ROUNDS):
         along, across = (radius + mean) * cos + x, (radius + mean) * sin + y
         distance = np.hypot(along, across)
-        rows = np.column_stack([along / distance, across / distance, (along * cos + across * sin) / distance])
+        rows = np.column_stack(
+            [along / distance, across / distance, (along * cos + across * sin) / distance]
+        )
         step, *_ = np.linalg.lstsq(rows, measured - distance, rcond=None)
         x, y, mean = x + float(step[0]), y + float(step[1]), mean + float(step[2])
     return x, y, mean
 
 
 def second_order(theta: FloatArray, centre: tuple[float, float], radius: float) -> FloatArray:
-    """Return what a centre adds to the distance beyond its first harmonic, mm (n,): |R u + c| - R - c.u."""
+    """Return what a centre adds to the distance beyond its first harmonic, mm (n,): |R u + c| - R -
+    c.u.
+    """
     cos, sin = np.cos(theta), np.sin(theta)
     x, y = centre
     beyond: FloatArray = np.hypot(radius * cos + x, radius * sin + y) - radius - (x * cos + y * sin)

@@ -1,8 +1,9 @@
 """Search for a cyclic error of unknown pitch in what a fit of a circular test has left over.
 
-A cyclic error of an axis repeats with its position x = R cosθ, not with the angle: its frequency along the trace changes,
-so that it is sought as a chirp. All frequencies at once come from one Fourier transform of the weighted residuals over x;
-the best are then weighed exactly against everything else in the model.
+A cyclic error of an axis repeats with its position x = R cosθ, not with the angle: its frequency
+along the trace changes, so that it is sought as a chirp. All frequencies at once come from one
+Fourier transform of the weighted residuals over x; the best are then weighed exactly against
+everything else in the model.
 """
 
 from __future__ import annotations
@@ -21,25 +22,31 @@ from compwright.records.axis import FloatArray
 #: One search in a thousand finds a cyclic error where there is none.
 _FALSE_ALARM: Final = 1e-3
 _CANDIDATES: Final = 3
-#: The longest pitch sought, in radii: four periods over the circle; longer ones are straightness and scale.
+#: The longest pitch sought, in radii: four periods over the circle; longer ones are straightness
+#: and scale.
 _LONGEST: Final = 0.5
-#: Phase from sample to sample, in half turns, up to which a pitch is sought where the axis is fastest.
+#: Phase from sample to sample, in half turns, up to which a pitch is sought where the axis is
+#: fastest.
 _STEEPEST: Final = 0.7
 _OVERSAMPLING: Final = 8.0  # search steps within one period over the radius
 
 
 @dataclass(frozen=True, slots=True)
 class Search:
-    """What was found: frequency, 1/mm, of the clearest by its axis, and the amplitude (µm) that may have been missed, by axis."""
+    """What was found: frequency, 1/mm, of the clearest by its axis, and the amplitude (µm) that may
+    have been missed, by axis.
+    """
 
     found: Mapping[str, float]
     hidden: Mapping[str, float]
 
 
 def search(problem: Problem, fitted: Fit, axes: Sequence[str]) -> Search:
-    """Return the clearest cyclic error of ``axes`` if the residuals of ``fitted`` show it beyond doubt.
+    """Return the clearest cyclic error of ``axes`` if the residuals of ``fitted`` show it beyond
+    doubt.
 
-    One at a time, because a strong one of one axis has side lobes among the frequencies of the other.
+    One at a time, because a strong one of one axis has side lobes among the frequencies of the
+    other.
     """
     clearest, found = 1.0, {}
     hidden = {}
@@ -48,10 +55,14 @@ def search(problem: Problem, fitted: Fit, axes: Sequence[str]) -> Search:
         if not frequencies.size:
             continue
         threshold = 2.0 * np.log(frequencies.size / _OVERSAMPLING * 4.0 / _FALSE_ALARM)
-        # The longest pitch is the hardest to tell from straightness and from what no cause explains.
+        # The longest pitch is the hardest to tell from straightness and from what no cause
+        # explains.
         longest = np.linalg.eigvalsh(_weighed(problem, fitted, axis, float(frequencies[0]))[1])[0]
         hidden[axis] = float(np.sqrt(threshold / max(min(float(longest), least), 1e-300)))
-        exact = [(_gain(problem, fitted, axis, frequencies[index]), float(frequencies[index])) for index in _peaks(gains)]
+        exact = [
+            (_gain(problem, fitted, axis, frequencies[index]), float(frequencies[index]))
+            for index in _peaks(gains)
+        ]
         best = max(exact, default=(0.0, 0.0))
         if best[0] > clearest * threshold:
             clearest, found = best[0] / threshold, {axis: best[1]}
@@ -70,7 +81,9 @@ def longest_pitch(samples: Samples) -> float:
 
 
 def _screen(problem: Problem, fitted: Fit, axis: str) -> tuple[FloatArray, FloatArray, float]:
-    """Return frequencies (f,), about how much each would lower the weighted squares, and the least weight of one, 1/µm²."""
+    """Return frequencies (f,), about how much each would lower the weighted squares, and the least
+    weight of one, 1/µm².
+    """
     samples, grid = problem.samples, problem.grid
     shared = fitted.rest[0] / fitted.spectra[0].density
     index = grid.index[0][0]
@@ -83,13 +96,19 @@ def _screen(problem: Problem, fitted: Fit, axis: str) -> tuple[FloatArray, Float
     low = place.astype(np.intp)
     share = place - low
     values = inverse_cosine_transform(shared) * turn
-    binned = np.bincount(low, values * (1.0 - share), cells) + np.bincount(low + 1, values * share, cells)[:cells]
+    binned = (
+        np.bincount(low, values * (1.0 - share), cells)
+        + np.bincount(low + 1, values * share, cells)[:cells]
+    )
     padded = max(int(np.ceil(_OVERSAMPLING * radius / step)), cells)
     score = np.fft.rfft(binned, padded)
     frequencies = np.arange(score.size) / (padded * step)
-    keep = (frequencies * longest_pitch(samples) >= 1.0) & (frequencies * shortest_pitch(samples) <= 1.0)
+    keep = (frequencies * longest_pitch(samples) >= 1.0) & (
+        frequencies * shortest_pitch(samples) <= 1.0
+    )
     frequencies, score = frequencies[keep], score[keep]
-    # A chirp is seen against the noise at its own local frequency: here its order in the cosine transform.
+    # A chirp is seen against the noise at its own local frequency: here its order in the cosine
+    # transform.
     thin = slice(None, None, max(turn.size // 128, 1))
     per_order = 4.0 * radius * samples.arc[1] / (2.0 * np.pi) * speed[thin]
     orders = np.minimum(np.outer(frequencies, np.pi * per_order).astype(np.intp), grid.size - 1)
@@ -102,7 +121,9 @@ def _screen(problem: Problem, fitted: Fit, axis: str) -> tuple[FloatArray, Float
 def _peaks(gains: FloatArray) -> FloatArray:
     inner = np.flatnonzero((gains[1:-1] >= gains[:-2]) & (gains[1:-1] > gains[2:])) + 1
     ends = [
-        index for index, beside in ((0, 1), (gains.size - 1, gains.size - 2)) if gains.size > 1 and gains[index] > gains[beside]
+        index
+        for index, beside in ((0, 1), (gains.size - 1, gains.size - 2))
+        if gains.size > 1 and gains[index] > gains[beside]
     ]
     every = np.concatenate([inner, np.array(ends, dtype=inner.dtype)])
     best: FloatArray = every[np.argsort(gains[every])[::-1][:_CANDIDATES]]
@@ -115,15 +136,23 @@ def _gain(problem: Problem, fitted: Fit, axis: str, frequency: float) -> float:
     return float(right @ np.linalg.solve(left, right))
 
 
-def _weighed(problem: Problem, fitted: Fit, axis: str, frequency: float) -> tuple[FloatArray, FloatArray]:
-    """Return right side (2,) and normal matrix (2, 2), 1/µm², of cosine and sine with all other columns refitted."""
+def _weighed(
+    problem: Problem, fitted: Fit, axis: str, frequency: float
+) -> tuple[FloatArray, FloatArray]:
+    """Return right side (2,) and normal matrix (2, 2), 1/µm², of cosine and sine with all other
+    columns refitted.
+    """
     samples = problem.samples
     columns = cyclic_columns(samples, axis, frequency, (0.0, 0.0))[:2]
-    slopes = np.column_stack([column.x * problem.towards_x + column.y * problem.towards_y for column in columns])
+    slopes = np.column_stack(
+        [column.x * problem.towards_x + column.y * problem.towards_y for column in columns]
+    )
     right = np.zeros(2)
     inner = np.zeros((2, 2))
     shared = np.zeros((2, fitted.values.size))
-    for half, rows, rest, spectrum in zip(halves(problem.grid, slopes), fitted.rows, fitted.rest, fitted.spectra, strict=True):
+    for half, rows, rest, spectrum in zip(
+        halves(problem.grid, slopes), fitted.rows, fitted.rest, fitted.spectra, strict=True
+    ):
         weighted = half / spectrum.density[:, np.newaxis]
         right += weighted.T @ rest
         inner += weighted.T @ half

@@ -1,4 +1,6 @@
-"""Weighted least squares of all causes over both runs, at the exact distance: Gauss-Newton on |R u + displacements|."""
+"""Weighted least squares of all causes over both runs, at the exact distance: Gauss-Newton on |R u
++ displacements|.
+"""
 
 from __future__ import annotations
 
@@ -25,12 +27,16 @@ _SETTLED: Final = 0.02  # change in standard errors that no interval shows
 SPIKE_SHARE: Final = 0.03
 _SPIKE_SPREAD: Final = 0.8
 _SPIKE_STEP: Final = 0.7  # largest change of log length in one round
-_SPIKE_LIMITS: Final = (0.15, 6.0)  # times the likeliest length: shorter is a single sample, longer is not a spike
+_SPIKE_LIMITS: Final = (
+    0.15,
+    6.0,
+)  # times the likeliest length: shorter is a single sample, longer is not a spike
 
 
 @dataclass(frozen=True, slots=True)
 class Shapes:
-    """What is not linear: decay lengths of the spikes (mm, by axis) and the frequencies of cyclic errors (1/mm, by axis).
+    """What is not linear: decay lengths of the spikes (mm, by axis) and the frequencies of cyclic
+    errors (1/mm, by axis).
 
     ``given``: axes whose frequency was given and is not fitted.
     """
@@ -42,11 +48,12 @@ class Shapes:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fit:
-    """The solution: ``values`` (k,) by ``names``, with ``covariance`` (k, k); ``residual`` (n,) mm by sample.
+    """The solution: ``values`` (k,) by ``names``, with ``covariance`` (k, k); ``residual`` (n,) mm
+    by sample.
 
-    ``x``, ``y`` (n, k): displacements per unit, mm. ``rows`` and ``rest``: transformed rows (size, k) and residuals
-    (size,) of each half, mm, with ``spectra``, the density that the covariance rests on. ``information`` (k,): what each
-    column would weigh on its own.
+    ``x``, ``y`` (n, k): displacements per unit, mm. ``rows`` and ``rest``: transformed rows (size,
+    k) and residuals (size,) of each half, mm, with ``spectra``, the density that the covariance
+    rests on. ``information`` (k,): what each column would weigh on its own.
     """
 
     names: tuple[str, ...]
@@ -73,11 +80,13 @@ class Fit:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Problem:
-    """What all fits of one test share: the columns without a free shape, ``x``, ``y`` (n, k) mm, and the way to the ball.
+    """What all fits of one test share: the columns without a free shape, ``x``, ``y`` (n, k) mm,
+    and the way to the ball.
 
-    ``towards_x``, ``towards_y`` (n,): direction of the bar, from the centre by least squares; causes turn it by less than a
-    thousandth, which slows no round of Gauss-Newton. ``slopes`` (n, k) and ``rows`` (size, k) by half: the columns seen by the
-    bar and their transforms. ``start``: that centre, by name.
+    ``towards_x``, ``towards_y`` (n,): direction of the bar, from the centre by least squares;
+    causes turn it by less than a thousandth, which slows no round of Gauss-Newton. ``slopes`` (n,
+    k) and ``rows`` (size, k) by half: the columns seen by the bar and their transforms. ``start``:
+    that centre, by name.
     """
 
     samples: Samples
@@ -98,7 +107,10 @@ def problem_of(samples: Samples, grid: Grid) -> Problem:
     x = np.ascontiguousarray(np.array([column.x for column in fixed]).T)
     y = np.ascontiguousarray(np.array([column.y for column in fixed]).T)
     centre_x, centre_y, mean = recentre(samples.theta, samples.deviations, samples.radius)
-    along, across = samples.radius * np.cos(samples.theta) + centre_x, samples.radius * np.sin(samples.theta) + centre_y
+    along, across = (
+        samples.radius * np.cos(samples.theta) + centre_x,
+        samples.radius * np.sin(samples.theta) + centre_y,
+    )
     distance = np.hypot(along, across)
     slopes = x * (along / distance)[:, np.newaxis] + y * (across / distance)[:, np.newaxis]
     return Problem(
@@ -116,7 +128,9 @@ def problem_of(samples: Samples, grid: Grid) -> Problem:
 
 
 def first_fit(problem: Problem, shapes: Shapes) -> Fit:
-    """Return a fit with ``shapes`` as they are and all samples independent and alike, to see the residuals."""
+    """Return a fit with ``shapes`` as they are and all samples independent and alike, to see the
+    residuals.
+    """
     white = tuple(Spectrum(np.full(problem.grid.size, 1e-6), 1.0) for _ in problem.grid.index)
     return fit(problem, shapes, white, problem.start, rounds=2, hold=True)
 
@@ -139,22 +153,34 @@ def fit(
     rounds: int = 10,
     hold: bool = False,
 ) -> Fit:
-    """Return the least-squares fit weighted by ``spectra``, from ``shapes`` and the values ``known`` by name as its start.
+    """Return the least-squares fit weighted by ``spectra``, from ``shapes`` and the values
+    ``known`` by name as its start.
 
-    ``hold``: the shapes stay; else lengths and frequencies are fitted along. Distances are exact in every round.
+    ``hold``: the shapes stay; else lengths and frequencies are fitted along. Distances are exact in
+    every round.
     """
     steps = _Steps(problem, spectra)
     for _ in range(rounds):
         free = tuple(_free_columns(problem.samples, shapes, known, hold=hold))
-        values = np.array([0.0 if _is_shape(c.name) else known.get(c.name, 0.0) for c in (*problem.fixed, *free)])
-        solved = steps.solved(free, values, _prior((*problem.fixed, *free), problem.samples, shapes))
-        known = {c.name: float(value) for c, value in zip((*problem.fixed, *free), values + solved.step, strict=True)}
+        values = np.array(
+            [0.0 if _is_shape(c.name) else known.get(c.name, 0.0) for c in (*problem.fixed, *free)]
+        )
+        solved = steps.solved(
+            free, values, _prior((*problem.fixed, *free), problem.samples, shapes)
+        )
+        known = {
+            c.name: float(value)
+            for c, value in zip((*problem.fixed, *free), values + solved.step, strict=True)
+        }
         if not hold:
             shapes = _moved(shapes, known, problem.samples.radius)
         if np.max(np.abs(solved.step) * np.sqrt(solved.information)) < _SETTLED:
             break
     slopes = np.column_stack([problem.slopes, solved.own[:, :-1]])
-    rows = tuple(np.column_stack([fixed, part[:, :-1]]) for fixed, part in zip(problem.rows, solved.parts, strict=True))
+    rows = tuple(
+        np.column_stack([fixed, part[:, :-1]])
+        for fixed, part in zip(problem.rows, solved.parts, strict=True)
+    )
     return Fit(
         names=tuple(column.name for column in (*problem.fixed, *free)),
         values=values + solved.step,
@@ -164,7 +190,9 @@ def fit(
         x=np.column_stack([problem.x, *(column.x for column in free)]),
         y=np.column_stack([problem.y, *(column.y for column in free)]),
         rows=rows,
-        rest=tuple(part[:, -1] - half @ solved.step for part, half in zip(solved.parts, rows, strict=True)),
+        rest=tuple(
+            part[:, -1] - half @ solved.step for part, half in zip(solved.parts, rows, strict=True)
+        ),
         spectra=spectra,
         shapes=shapes,
     )
@@ -174,7 +202,8 @@ def fit(
 class _Step:
     """One round of Gauss-Newton: its step (k,), and what it was solved from.
 
-    ``own``: slopes of the free columns and, last, the residual (n, f + 1), mm; ``parts``: their transforms by half.
+    ``own``: slopes of the free columns and, last, the residual (n, f + 1), mm; ``parts``: their
+    transforms by half.
     """
 
     step: FloatArray
@@ -191,12 +220,22 @@ class _Steps:
     def __init__(self, problem: Problem, spectra: tuple[Spectrum, ...]) -> None:
         self.problem, self.spectra = problem, spectra
         self.cos, self.sin = np.cos(problem.samples.theta), np.sin(problem.samples.theta)
-        self.weighted = [rows / spectrum.density[:, np.newaxis] for rows, spectrum in zip(problem.rows, spectra, strict=True)]
+        self.weighted = [
+            rows / spectrum.density[:, np.newaxis]
+            for rows, spectrum in zip(problem.rows, spectra, strict=True)
+        ]
         size = len(problem.fixed)
-        self.block = sum((rows.T @ part for rows, part in zip(problem.rows, self.weighted, strict=True)), np.zeros((size, size)))
+        self.block = sum(
+            (rows.T @ part for rows, part in zip(problem.rows, self.weighted, strict=True)),
+            np.zeros((size, size)),
+        )
 
-    def solved(self, free: tuple[Column, ...], values: FloatArray, prior: tuple[FloatArray, FloatArray]) -> _Step:
-        """Return the step from ``values`` (k,); ``prior``: precision (k,) and where it draws each step to (k,)."""
+    def solved(
+        self, free: tuple[Column, ...], values: FloatArray, prior: tuple[FloatArray, FloatArray]
+    ) -> _Step:
+        """Return the step from ``values`` (k,); ``prior``: precision (k,) and where it draws each
+        step to (k,).
+        """
         problem, samples, size = self.problem, self.problem.samples, len(self.problem.fixed)
         along = samples.radius * self.cos + problem.x @ values[:size]
         across = samples.radius * self.sin + problem.y @ values[:size]
@@ -235,7 +274,9 @@ def _is_shape(name: str) -> bool:
     return name.startswith(("_length_", "_frequency_"))
 
 
-def _free_columns(samples: Samples, shapes: Shapes, known: dict[str, float], *, hold: bool) -> list[Column]:
+def _free_columns(
+    samples: Samples, shapes: Shapes, known: dict[str, float], *, hold: bool
+) -> list[Column]:
     columns: list[Column] = []
     for axis, length in shapes.lengths.items():
         spike = spike_columns(samples, axis, length, known.get(f"reversal_spike_{axis}", 0.0))
@@ -249,8 +290,12 @@ def _free_columns(samples: Samples, shapes: Shapes, known: dict[str, float], *, 
     return columns
 
 
-def _prior(columns: tuple[Column, ...], samples: Samples, shapes: Shapes) -> tuple[FloatArray, FloatArray]:
-    """Return the precision of each column's prior and where it draws to. Only the lengths of spikes are drawn anywhere."""
+def _prior(
+    columns: tuple[Column, ...], samples: Samples, shapes: Shapes
+) -> tuple[FloatArray, FloatArray]:
+    """Return the precision of each column's prior and where it draws to. Only the lengths of spikes
+    are drawn anywhere.
+    """
     precision = np.array([column.width for column in columns]) ** -2.0
     aim = np.zeros(len(columns))
     for index, column in enumerate(columns):
@@ -279,13 +324,26 @@ def _moved(shapes: Shapes, known: dict[str, float], radius: float) -> Shapes:
     """Return the shapes after one round, no step longer than its straight line is good for."""
     least, most = (factor * SPIKE_SHARE * radius for factor in _SPIKE_LIMITS)
     lengths = {
-        axis: float(np.clip(length * np.exp(np.clip(known[f"_length_{axis}"], -_SPIKE_STEP, _SPIKE_STEP)), least, most))
+        axis: float(
+            np.clip(
+                length * np.exp(np.clip(known[f"_length_{axis}"], -_SPIKE_STEP, _SPIKE_STEP)),
+                least,
+                most,
+            )
+        )
         for axis, length in shapes.lengths.items()
     }
-    frequencies = {axis: frequency + known.get(f"_frequency_{axis}", 0.0) for axis, frequency in shapes.frequencies.items()}
+    frequencies = {
+        axis: frequency + known.get(f"_frequency_{axis}", 0.0)
+        for axis, frequency in shapes.frequencies.items()
+    }
     return Shapes(lengths, frequencies, shapes.given)
 
 
 def default_shapes(samples: Samples) -> Shapes:
-    """Return the shapes before anything was searched: spikes of the likeliest length where an axis reverses."""
-    return Shapes({axis: SPIKE_SHARE * samples.radius for axis in AXES if any(samples.reversals(axis))}, {})
+    """Return the shapes before anything was searched: spikes of the likeliest length where an axis
+    reverses.
+    """
+    return Shapes(
+        {axis: SPIKE_SHARE * samples.radius for axis in AXES if any(samples.reversals(axis))}, {}
+    )

@@ -1,9 +1,11 @@
-"""How late the axes reverse: the lag that both have in common, from where lost motion and spikes really set in.
+"""How late the axes reverse: the lag that both have in common, from where lost motion and spikes
+really set in.
 
-The angles of a test are commanded ones, and axes that follow their commands T late reverse at v T / R after the commanded
-reversal point: 0.8° at 2 000 mm/min on R = 150 mm with a loop of Kv = 16.7/s. Steps fitted at the wrong angle spoil lost
-motion and spikes, and half of what is then left of scale and squareness looks like a lag difference. A lag that all axes share
-moves nothing else to first order, so that it is found here and the angles are corrected by it.
+The angles of a test are commanded ones, and axes that follow their commands T late reverse at v T /
+R after the commanded reversal point: 0.8° at 2 000 mm/min on R = 150 mm with a loop of Kv = 16.7/s.
+Steps fitted at the wrong angle spoil lost motion and spikes, and half of what is then left of scale
+and squareness looks like a lag difference. A lag that all axes share moves nothing else to first
+order, so that it is found here and the angles are corrected by it.
 """
 
 from __future__ import annotations
@@ -21,7 +23,8 @@ _BESIDE: Final = 14
 #: Decay lengths of the spikes tried, as shares of the radius; two of them imitate those between.
 _DECAYS: Final = (0.012, 0.045)
 _STEPS_PER_SAMPLE: Final = 5
-#: Weighted squares that an angle must save against no lag at all, and within which angles count as equally good.
+#: Weighted squares that an angle must save against no lag at all, and within which angles count as
+#: equally good.
 _CLEAR: Final = 40.0
 _EQUAL: Final = 9.0
 #: Deviations, mm, below which the shape of a parabola is not asked for more.
@@ -30,14 +33,18 @@ _FLOOR: Final = 2e-5
 
 @dataclass(frozen=True, slots=True)
 class Lag:
-    """``angle`` rad by which both directions reverse late, and ``doubt``, half the width of what is equally good, rad."""
+    """``angle`` rad by which both directions reverse late, and ``doubt``, half the width of what is
+    equally good, rad.
+    """
 
     angle: float
     doubt: float
 
 
 def common_lag(samples: Samples) -> Lag | None:
-    """Return the common lag if the samples beside the reversal points show one clearly, else None."""
+    """Return the common lag if the samples beside the reversal points show one clearly, else
+    None.
+    """
     per_run = samples.theta.size / np.unique(samples.run).size
     spacing = samples.arc[1] / per_run
     most = samples.speed / (SOFTEST_LOOP * samples.radius) * 1.3 + spacing
@@ -65,7 +72,9 @@ def corrected(samples: Samples, lag: Lag) -> Samples:
 
 
 def _windows(samples: Samples, half: int) -> FloatArray:
-    """Return (w, 2, 2 half): angle travelled since the reversal point, rad, and deviation, mm, beside each point of each run."""
+    """Return (w, 2, 2 half): angle travelled since the reversal point, rad, and deviation, mm,
+    beside each point of each run.
+    """
     found = []
     for number in np.unique(samples.run):
         mine = np.flatnonzero(samples.run == number)
@@ -83,18 +92,25 @@ def _windows(samples: Samples, half: int) -> FloatArray:
 
 
 def _squares(windows: FloatArray, angles: FloatArray) -> tuple[FloatArray, float]:
-    """Return the sum of squares (a,) left over in all windows with everything sudden set in at each of ``angles`` (a,).
+    """Return the sum of squares (a,) left over in all windows with everything sudden set in at each
+    of ``angles`` (a,).
 
-    In each window: a parabola, and from the reversal on a step, a bend and two decays. Also the degrees of freedom.
+    In each window: a parabola, and from the reversal on a step, a bend and two decays. Also the
+    degrees of freedom.
     """
     travelled, values = windows[:, 0, :], windows[:, 1, :]
     size = float(np.max(np.abs(travelled)))
     late = travelled[np.newaxis] - angles[:, np.newaxis, np.newaxis]
     after = late > 0.0
     smooth = np.broadcast_to(
-        np.stack([np.ones_like(travelled), travelled / size, (travelled / size) ** 2], axis=-1), (*late.shape, 3)
+        np.stack([np.ones_like(travelled), travelled / size, (travelled / size) ** 2], axis=-1),
+        (*late.shape, 3),
     )
-    sudden = [after, after * late / size, *(after * np.exp(-np.maximum(late, 0.0) / decay) for decay in _DECAYS)]
+    sudden = [
+        after,
+        after * late / size,
+        *(after * np.exp(-np.maximum(late, 0.0) / decay) for decay in _DECAYS),
+    ]
     rows = np.concatenate([smooth, np.stack(sudden, axis=-1)], axis=-1)
     normal = np.swapaxes(rows, -1, -2) @ rows
     right = np.einsum("awsk,ws->awk", rows, values)

@@ -1,11 +1,13 @@
-"""What the residuals of a circular test allow the causes to wander: their spectrum, and samples made independent by it.
+"""What the residuals of a circular test allow the causes to wander: their spectrum, and samples
+made independent by it.
 
-Neighbouring samples are correlated, and what the model leaves out comes back in every run at the same angle: there are
-neither n independent samples nor two independent runs. The samples are therefore split into the half that both directions
-share and the half that changes sign with the direction (each cause belongs to one of them), each with a spectrum of its own:
-white plus first-order autoregressive, in the cosine transform, which makes such noise independent to good approximation
-and needs no closed circle. The spectrum is not taken at its peak but averaged over its likelihood, so that what the data
-leave open about it widens the intervals.
+Neighbouring samples are correlated, and what the model leaves out comes back in every run at the
+same angle: there are neither n independent samples nor two independent runs. The samples are
+therefore split into the half that both directions share and the half that changes sign with the
+direction (each cause belongs to one of them), each with a spectrum of its own: white plus
+first-order autoregressive, in the cosine transform, which makes such noise independent to good
+approximation and needs no closed circle. The spectrum is not taken at its peak but averaged over
+its likelihood, so that what the data leave open about it widens the intervals.
 """
 
 from __future__ import annotations
@@ -21,12 +23,15 @@ from compwright.records.axis import FloatArray
 
 IndexArray = NDArray[np.intp]
 
-#: Correlation lengths tried, and ratios of correlated to white density at frequency zero (0: white alone).
+#: Correlation lengths tried, and ratios of correlated to white density at frequency zero (0: white
+#: alone).
 _LENGTHS: Final = 10
 _RATIOS: Final = np.concatenate([[0.0], np.logspace(-1.0, 5.0, 19)])
-#: The longest correlation tried is so small a part of a run: the orders that would show a longer one are used up by the causes.
+#: The longest correlation tried is so small a part of a run: the orders that would show a longer
+#: one are used up by the causes.
 _SHORTEST_WAVE: Final = 16.0
-#: White noise alone weighs beforehand so many times one ratio: as much as all correlated noise together.
+#: White noise alone weighs beforehand so many times one ratio: as much as all correlated noise
+#: together.
 _WHITE: Final = 19.0
 #: Ordinates of a spectrum are pooled above the first so many, in steps of a constant ratio.
 _SINGLE: Final = 32
@@ -35,7 +40,9 @@ _POOLED: Final = 36
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """The samples of each direction at the same ``size`` angles: indices (runs, size) per direction."""
+    """The samples of each direction at the same ``size`` angles: indices (runs, size) per
+    direction.
+    """
 
     index: tuple[IndexArray, ...]
     size: int
@@ -48,7 +55,8 @@ class Grid:
 
 @dataclass(frozen=True, slots=True)
 class Spectrum:
-    """Variance density (size,) of one half of the samples, mm², over the orders of the cosine transform.
+    """Variance density (size,) of one half of the samples, mm², over the orders of the cosine
+    transform.
 
     ``length``: correlation length in samples: density at order zero over the mean density.
     """
@@ -58,7 +66,9 @@ class Spectrum:
 
 
 def grid_of(samples: Samples) -> Grid:
-    """Return the nearest samples of every run at common, evenly spaced angles, as many as the shortest run has."""
+    """Return the nearest samples of every run at common, evenly spaced angles, as many as the
+    shortest run has.
+    """
     runs = [np.flatnonzero(samples.run == number) for number in np.unique(samples.run)]
     start, extent = samples.arc
     size = min(run.size for run in runs)
@@ -67,7 +77,14 @@ def grid_of(samples: Samples) -> Grid:
     for sense in (1.0, -1.0):
         mine = [run for run in runs if samples.sense[run[0]] == sense]
         if mine:
-            index.append(np.array([_nearest(np.mod(samples.theta[run] - start, 2.0 * np.pi), where, run) for run in mine]))
+            index.append(
+                np.array(
+                    [
+                        _nearest(np.mod(samples.theta[run] - start, 2.0 * np.pi), where, run)
+                        for run in mine
+                    ]
+                )
+            )
     return Grid(tuple(index), size)
 
 
@@ -82,13 +99,18 @@ def _nearest(angles: FloatArray, where: FloatArray, run: IndexArray) -> IndexArr
 
 
 def halves(grid: Grid, values: FloatArray) -> tuple[FloatArray, ...]:
-    """Return the cosine transforms (size, ...) of what both directions share and of what changes sign between them.
+    """Return the cosine transforms (size, ...) of what both directions share and of what changes
+    sign between them.
 
-    ``values`` (n, ...) by sample: residuals or rows of the model. Runs of one direction are averaged and count by
-    their number; one direction alone gives one half.
+    ``values`` (n, ...) by sample: residuals or rows of the model. Runs of one direction are
+    averaged and count by their number; one direction alone gives one half.
     """
     parts = [
-        values[index[0]] if index.shape[0] == 1 else np.sqrt(index.shape[0]) * np.mean(values[index], axis=0)
+        (
+            values[index[0]]
+            if index.shape[0] == 1
+            else np.sqrt(index.shape[0]) * np.mean(values[index], axis=0)
+        )
         for index in grid.index
     ]
     if len(parts) == 2:
@@ -99,7 +121,8 @@ def halves(grid: Grid, values: FloatArray) -> tuple[FloatArray, ...]:
 def cosine_transform(values: FloatArray) -> FloatArray:
     """Return the orthonormal cosine transform (type II) of values (size, ...) along the first axis.
 
-    By one Fourier transform of the same length: the even samples, then the odd ones backwards (Makhoul 1980).
+    By one Fourier transform of the same length: the even samples, then the odd ones backwards
+    (Makhoul 1980).
     """
     size = values.shape[0]
     folded = np.fft.rfft(np.concatenate([values[::2], values[1::2][::-1]]), axis=0)
@@ -107,7 +130,8 @@ def cosine_transform(values: FloatArray) -> FloatArray:
     turned = folded * turn.reshape(-1, *(1,) * (values.ndim - 1))
     transformed = np.empty_like(values)
     transformed[: folded.shape[0]] = turned.real
-    # The upper half of the spectrum is the conjugate of the lower; turned on by a quarter it becomes the imaginary part.
+    # The upper half of the spectrum is the conjugate of the lower; turned on by a quarter it
+    # becomes the imaginary part.
     transformed[folded.shape[0] :] = -turned.imag[1 : size - folded.shape[0] + 1][::-1]
     transformed[0] *= np.sqrt(0.5)
     return transformed
@@ -130,7 +154,8 @@ def inverse_cosine_transform(transformed: FloatArray) -> FloatArray:
 def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
     """Return the spectrum of one half from its transformed residuals (size,), mm.
 
-    ``leverage`` (size,): share of each ordinate that the fit has used up; the rest is what it carries of a degree of freedom.
+    ``leverage`` (size,): share of each ordinate that the fit has used up; the rest is what it
+    carries of a degree of freedom.
     """
     size = residual.size
     power, freedom = residual**2, np.clip(1.0 - leverage, 1e-9, 1.0)
@@ -142,7 +167,9 @@ def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
     shapes = 1.0 + _RATIOS[:, np.newaxis, np.newaxis] * _correlated(pooled_orders / size, lengths)
     total = float(np.sum(pooled_freedom))
     scale = np.sum(pooled_power / shapes, axis=-1)
-    log = -0.5 * np.sum(pooled_freedom * np.log(shapes), axis=-1) - 0.5 * total * np.log(np.maximum(scale, 1e-300))
+    log = -0.5 * np.sum(pooled_freedom * np.log(shapes), axis=-1) - 0.5 * total * np.log(
+        np.maximum(scale, 1e-300)
+    )
     weights = np.exp(log - np.max(log))
     weights[0] *= _WHITE
     level = weights / np.sum(weights) * scale / max(total - 2.0, 1.0)
@@ -153,7 +180,8 @@ def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
 
 
 def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
-    """Return densities (2 l, f), 1 at zero, of autoregressive noise of first order and of the same passed through once more.
+    """Return densities (2 l, f), 1 at zero, of autoregressive noise of first order and of the same
+    passed through once more.
 
     ``lengths`` in samples to 1/e; ``frequency`` 1 is half a turn per sample.
     """
@@ -163,7 +191,9 @@ def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
 
 
 def _pools(size: int) -> IndexArray:
-    """Return where the pools of ``size`` ordinates start: single ones first, then wider and wider."""
+    """Return where the pools of ``size`` ordinates start: single ones first, then wider and
+    wider.
+    """
     if size <= _SINGLE + 1:
         return np.arange(size)
     wide = np.geomspace(_SINGLE, size, _POOLED + 1)[:-1].astype(np.intp)

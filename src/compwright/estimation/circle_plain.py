@@ -1,4 +1,6 @@
-"""Simple formulas for a circular test, beside the full model: the plain regression of other software, and four points."""
+"""Simple formulas for a circular test, beside the full model: the plain regression of other
+software, and four points.
+"""
 
 from __future__ import annotations
 
@@ -19,19 +21,31 @@ _BESIDE: Final = np.radians(5.0)
 
 
 def plain_regression(samples: Samples) -> dict[str, float]:
-    """Return the causes, in the contract's units, by harmonics and reversal terms, unweighted, after recentring.
+    """Return the causes, in the contract's units, by harmonics and reversal terms, unweighted,
+    after recentring.
 
-    On a full circle in both directions: squareness, scale mismatch, servo mismatch, radius change, and for each axis lost
-    motion (mean and both ends), lateral play and straightness. On an arc lateral play, straightness and the two ends are
-    left out, with one direction everything that needs two.
+    On a full circle in both directions: squareness, scale mismatch, servo mismatch, radius change,
+    and for each axis lost motion (mean and both ends), lateral play and straightness. On an arc
+    lateral play, straightness and the two ends are left out, with one direction everything that
+    needs two.
     """
     names, rows = _plain_rows(samples)
     x, y, _ = recentre(samples.theta, samples.deviations, samples.radius)
     values = samples.deviations - second_order(samples.theta, (x, y), samples.radius)
-    solved, *_ = np.linalg.lstsq(rows.T @ rows, rows.T @ values * MICROMETRES_PER_MILLIMETRE, rcond=None)
-    found = {name: float(value) for name, value in zip(names, solved, strict=True) if not name.startswith("_")}
+    solved, *_ = np.linalg.lstsq(
+        rows.T @ rows, rows.T @ values * MICROMETRES_PER_MILLIMETRE, rcond=None
+    )
+    found = {
+        name: float(value)
+        for name, value in zip(names, solved, strict=True)
+        if not name.startswith("_")
+    }
     for axis in AXES:
-        ends = [found[key] for key in (f"backlash_{axis}_at_positive", f"backlash_{axis}_at_negative") if key in found]
+        ends = [
+            found[key]
+            for key in (f"backlash_{axis}_at_positive", f"backlash_{axis}_at_negative")
+            if key in found
+        ]
         if ends:
             found[f"backlash_{axis}"] = sum(ends) / len(ends)
     return found
@@ -56,7 +70,10 @@ def _plain_rows(samples: Samples) -> tuple[list[str], FloatArray]:
             ("second", second, sin, 0.5 * d * np.abs(cos)),
         ):
             if whole:
-                rows[f"backlash_{axis}_at_positive"], rows[f"backlash_{axis}_at_negative"] = lost * (along > 0), lost * (along < 0)
+                rows[f"backlash_{axis}_at_positive"], rows[f"backlash_{axis}_at_negative"] = (
+                    lost * (along > 0),
+                    lost * (along < 0),
+                )
                 rows[f"lateral_play_{axis}"], rows[f"_lateral_change_{axis}"] = play, play * along
                 rows[f"straightness_{axis}"] = along**2 * (sin if axis == "first" else cos)
             elif any(samples.reversals(axis)):
@@ -65,21 +82,34 @@ def _plain_rows(samples: Samples) -> tuple[list[str], FloatArray]:
 
 
 def shop_formulas(test: CircularTest) -> Mapping[str, float]:
-    """Return squareness (um/m) and scale mismatch (um) of a full circle by four points, mean of the runs, as shops do.
+    """Return squareness (um/m) and scale mismatch (um) of a full circle by four points, mean of the
+    runs, as shops do.
 
-    squareness = -(r45 + r225 - r135 - r315) / 2R; mismatch = (r0 + r180) - (r90 + r270), each read 5° beside the reversal
-    point, on the side before it is reached (MTS and similar). In one direction alone unequal lost motion of the axes
-    goes into the squareness: shown for comparison, not used. Raises UsageError for an arc.
+    squareness = -(r45 + r225 - r135 - r315) / 2R; mismatch = (r0 + r180) - (r90 + r270), each read
+    5° beside the reversal point, on the side before it is reached (MTS and similar). In one
+    direction alone unequal lost motion of the axes goes into the squareness: shown for comparison,
+    not used. Raises UsageError for an arc.
     """
     if not test.full_circle:
-        raise UsageError(Fault(message="the four-point formulas need a full circle", file=test.name, found=f"{test.arc[1]:g} deg"))
+        raise UsageError(
+            Fault(
+                message="the four-point formulas need a full circle",
+                file=test.name,
+                found=f"{test.arc[1]:g} deg",
+            )
+        )
     samples = samples_of(test)
     found: dict[str, list[float]] = {"squareness": [], "scale_mismatch": []}
     for number in np.unique(samples.run):
         mine = samples.run == number
         theta, deviations = samples.theta[mine], samples.deviations[mine]
         x, y, _ = recentre(theta, deviations, samples.radius)
-        centred = deviations - second_order(theta, (x, y), samples.radius) - x * np.cos(theta) - y * np.sin(theta)
+        centred = (
+            deviations
+            - second_order(theta, (x, y), samples.radius)
+            - x * np.cos(theta)
+            - y * np.sin(theta)
+        )
         before = -_BESIDE * samples.sense[mine][0]
         diagonal = _read(theta, centred, np.radians([45.0, 225.0, 135.0, 315.0]))
         axial = _read(theta, centred, np.radians([0.0, 180.0, 90.0, 270.0]) + before)
@@ -90,7 +120,9 @@ def shop_formulas(test: CircularTest) -> Mapping[str, float]:
 
 
 def _read(theta: FloatArray, values: FloatArray, where: FloatArray) -> FloatArray:
-    """Return the trace at angles ``where``, between samples by a straight line around the circle."""
+    """Return the trace at angles ``where``, between samples by a straight line around the
+    circle.
+    """
     turn = 2.0 * np.pi
     order = np.argsort(np.mod(theta, turn))
     return np.interp(np.mod(where, turn), np.mod(theta, turn)[order], values[order], period=turn)

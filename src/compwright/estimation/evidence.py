@@ -1,8 +1,9 @@
-"""Marginal likelihood of the hyperparameters, its gradient, and the weights given the hyperparameters.
+"""Marginal likelihood of the hyperparameters, its gradient, and the weights given the
+hyperparameters.
 
-Everything here is in units of ``CellData.scale``. The hyperparameters are logarithms, in this order: noise of a reading,
-local (target to target) part, standard deviation and length of the smooth part, the same two of the reversal, amplitude of
-each period.
+Everything here is in units of ``CellData.scale``. The hyperparameters are logarithms, in this
+order: noise of a reading, local (target to target) part, standard deviation and length of the
+smooth part, the same two of the reversal, amplitude of each period.
 """
 
 from __future__ import annotations
@@ -16,17 +17,19 @@ from compwright.estimation.basis import Basis, log_density
 from compwright.records.axis import FloatArray
 
 NOISE, LOCAL, SMOOTH, LENGTH, REVERSAL, REVERSAL_LENGTH, PERIODIC = range(7)
-#: Standard deviation of offset, slope and constant reversal, which the data alone shall decide, in units of the scale.
+#: Standard deviation of offset, slope and constant reversal, which the data alone shall decide, in
+#: units of the scale.
 VAGUE: Final = 1e2
 
 
 @dataclass(frozen=True, slots=True)
 class CellData:
-    """Means of the readings at each target and direction, without their straight line, in units of ``scale`` (mm or deg).
+    """Means of the readings at each target and direction, without their straight line, in units of
+    ``scale`` (mm or deg).
 
-    ``positive``, ``negative`` (m,) with ``count_*`` (m,) readings (0: none, the mean is 0 then); ``squares`` is the sum of
-    squares of the readings about their own means with ``dof`` degrees of freedom. ``floor``: noise below which nothing is
-    claimed.
+    ``positive``, ``negative`` (m,) with ``count_*`` (m,) readings (0: none, the mean is 0 then);
+    ``squares`` is the sum of squares of the readings about their own means with ``dof`` degrees of
+    freedom. ``floor``: noise below which nothing is claimed.
     """
 
     positive: FloatArray
@@ -41,7 +44,9 @@ class CellData:
 
 @dataclass(frozen=True, slots=True)
 class Prior:
-    """Normal priors of the hyperparameters (h,): ``centre`` and ``width``. A fixed hyperparameter has ``free`` False."""
+    """Normal priors of the hyperparameters (h,): ``centre`` and ``width``. A fixed hyperparameter
+    has ``free`` False.
+    """
 
     centre: FloatArray
     width: FloatArray
@@ -51,12 +56,16 @@ class Prior:
         """Return the logarithm of the prior density over the free hyperparameters."""
         free = np.array(self.free)
         z = ((values - self.centre) / self.width)[free]
-        return float(-0.5 * z @ z - np.sum(np.log(self.width[free])) - 0.5 * z.size * np.log(2.0 * np.pi))
+        return float(
+            -0.5 * z @ z - np.sum(np.log(self.width[free])) - 0.5 * z.size * np.log(2.0 * np.pi)
+        )
 
 
 @dataclass(frozen=True, slots=True)
 class Weights:
-    """Posterior of the weights: ``mean`` (j,), ``root`` (j, j) with covariance root @ root.T; variances ``noise``, ``local``."""
+    """Posterior of the weights: ``mean`` (j,), ``root`` (j, j) with covariance root @ root.T;
+    variances ``noise``, ``local``.
+    """
 
     mean: FloatArray
     root: FloatArray
@@ -75,7 +84,9 @@ class Evidence:
         self.inverse_counts = np.where(self.counts > 0, 1.0 / np.maximum(self.counts, 1.0), 0.0)
 
     def log_variances(self, h: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return log prior variances (j,) of the weights and their derivatives (hyperparameters, j)."""
+        """Return log prior variances (j,) of the weights and their derivatives (hyperparameters,
+        j).
+        """
         basis = self.basis
         logs = np.full(basis.size, 2.0 * np.log(VAGUE))
         slopes = np.zeros((h.size, basis.size))
@@ -93,7 +104,9 @@ class Evidence:
         if basis.bidirectional:
             logs[start + 1] = 2.0 * h[REVERSAL]
             varying = slice(start + 2, basis.size)
-            logs[varying], slopes[REVERSAL_LENGTH, varying] = log_density(basis.reversal_frequencies, h[REVERSAL_LENGTH])
+            logs[varying], slopes[REVERSAL_LENGTH, varying] = log_density(
+                basis.reversal_frequencies, h[REVERSAL_LENGTH]
+            )
             logs[varying] += 2.0 * h[REVERSAL]
             slopes[REVERSAL, start + 1 :] = 2.0
         return logs, slopes
@@ -106,7 +119,9 @@ class Evidence:
         """Return the posterior of the weights given the hyperparameters."""
         solved = self._solve(h)
         root = solved.deviations[:, np.newaxis] * solved.inverse_factor.T
-        return Weights(mean=solved.deviations * solved.mean, root=root, noise=solved.noise, local=solved.local)
+        return Weights(
+            mean=solved.deviations * solved.mean, root=root, noise=solved.noise, local=solved.local
+        )
 
     def log_posterior(self, h: FloatArray) -> float:
         """Return log marginal likelihood plus log prior of the hyperparameters."""
@@ -115,7 +130,8 @@ class Evidence:
     def with_gradient(self, h: FloatArray) -> tuple[float, FloatArray]:
         """Return the log posterior and its gradient; the gradient of a fixed hyperparameter is 0.
 
-        By Fisher's identity: the gradient of the marginal likelihood is the expected gradient of the complete one.
+        By Fisher's identity: the gradient of the marginal likelihood is the expected gradient of
+        the complete one.
         """
         solved = self._solve(h)
         second_moment = solved.mean**2 + np.sum(solved.inverse_factor**2, axis=0)
@@ -135,14 +151,28 @@ class Evidence:
         precision = self.counts / noise
         own, cross, shared = _cell_precision(precision, local)
         rows = self.rows * deviations
-        weighted = own[:, np.newaxis] * rows + cross[:, np.newaxis] * np.roll(rows, rows.shape[0] // 2, axis=0)
+        weighted = own[:, np.newaxis] * rows + cross[:, np.newaxis] * np.roll(
+            rows, rows.shape[0] // 2, axis=0
+        )
         matrix = rows.T @ weighted
         matrix.flat[:: matrix.shape[0] + 1] += 1.0
         factor = np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
         inverse = np.asarray(np.linalg.inv(factor), dtype=np.float64)
         moment = inverse @ (weighted.T @ self.values)
         return _Solved(
-            noise, local, deviations, slopes, own, cross, shared, rows, weighted, factor, inverse, moment, inverse.T @ moment
+            noise,
+            local,
+            deviations,
+            slopes,
+            own,
+            cross,
+            shared,
+            rows,
+            weighted,
+            factor,
+            inverse,
+            moment,
+            inverse.T @ moment,
         )
 
     def _log_posterior(self, h: FloatArray, solved: _Solved) -> float:
@@ -159,28 +189,39 @@ class Evidence:
         return float(-0.5 * (log_determinant + fit + spread)) + self.prior.log(h)
 
     def _by_variances(self, solved: _Solved) -> tuple[float, float]:
-        """Return the derivatives of the log likelihood of the means by the noise and the local variance."""
+        """Return the derivatives of the log likelihood of the means by the noise and the local
+        variance.
+        """
         half = self.values.size // 2
         residual = self.values - solved.rows @ solved.mean
         spread = solved.inverse_factor @ solved.rows.T
         square = residual**2 + np.sum(spread**2, axis=0)
-        product = residual * np.roll(residual, half) + np.sum(spread * np.roll(spread, half, axis=1), axis=0)
+        product = residual * np.roll(residual, half) + np.sum(
+            spread * np.roll(spread, half, axis=1), axis=0
+        )
         own, cross = solved.own, solved.cross
         other_own = np.roll(own, half)
-        # Per target, the 2 x 2 blocks of P (d cov / d variance) P against those of the expected residual square.
+        # Per target, the 2 x 2 blocks of P (d cov / d variance) P against those of the expected
+        # residual square.
         other_counts = np.roll(self.inverse_counts, half)
         pdp_own = own**2 * self.inverse_counts + cross**2 * other_counts
         pdp_cross = own * cross * self.inverse_counts + cross * other_own * other_counts
-        by_noise = -0.5 * np.sum(own * self.inverse_counts) + 0.5 * np.sum(pdp_own * square + pdp_cross * product)
+        by_noise = -0.5 * np.sum(own * self.inverse_counts) + 0.5 * np.sum(
+            pdp_own * square + pdp_cross * product
+        )
         row_sum = own + cross
         other_sum = np.roll(row_sum, half)
-        by_local = -0.5 * np.sum(row_sum) + 0.5 * np.sum(row_sum**2 * square + row_sum * other_sum * product)
+        by_local = -0.5 * np.sum(row_sum) + 0.5 * np.sum(
+            row_sum**2 * square + row_sum * other_sum * product
+        )
         return float(by_noise), float(by_local)
 
 
 @dataclass(frozen=True, slots=True)
 class _Solved:
-    """What one evaluation shares: variances, whitened rows, precision per cell, factor of the posterior, whitened mean."""
+    """What one evaluation shares: variances, whitened rows, precision per cell, factor of the
+    posterior, whitened mean.
+    """
 
     noise: float
     local: float
@@ -197,9 +238,12 @@ class _Solved:
     mean: FloatArray
 
 
-def _cell_precision(precision: FloatArray, local: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return the inverse of noise/n + local for the two directions of each target: diagonal (2m,), off-diagonal (2m,), and
-    the determinant's extra factor (m,). A cell without readings has precision 0."""
+def _cell_precision(
+    precision: FloatArray, local: float
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the inverse of noise/n + local for the two directions of each target: diagonal (2m,),
+    off-diagonal (2m,), and the determinant's extra factor (m,). A cell without readings has
+    precision 0."""
     half = precision.size // 2
     both = precision[:half] + precision[half:]
     shared = 1.0 + local * both

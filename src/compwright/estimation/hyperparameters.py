@@ -1,8 +1,9 @@
-"""Posterior of the hyperparameters: its peak, its width there, and draws corrected by their true density.
+"""Posterior of the hyperparameters: its peak, its width there, and draws corrected by their true
+density.
 
-Laplace's approximation alone is lopsided where the data say little (a length scale, the variance of a reversal that may be
-constant). Draws from a heavier-tailed version of it are therefore weighted with the true posterior; the mean weight is the
-evidence of the model.
+Laplace's approximation alone is lopsided where the data say little (a length scale, the variance of
+a reversal that may be constant). Draws from a heavier-tailed version of it are therefore weighted
+with the true posterior; the mean weight is the evidence of the model.
 """
 
 from __future__ import annotations
@@ -30,7 +31,9 @@ class HyperparameterDraws:
 
 
 def maximise(evidence: Evidence, start: FloatArray) -> tuple[FloatArray, float]:
-    """Return the hyperparameters of highest posterior density, from ``start`` uphill (BFGS with step halving)."""
+    """Return the hyperparameters of highest posterior density, from ``start`` uphill (BFGS with
+    step halving).
+    """
     free = np.array(evidence.prior.free)
     here = start.copy()
     value, gradient = evidence.with_gradient(here)
@@ -56,17 +59,23 @@ def maximise(evidence: Evidence, start: FloatArray) -> tuple[FloatArray, float]:
     return here, value
 
 
-def _updated(inverse: FloatArray, step: FloatArray, change: FloatArray, curvature: float) -> FloatArray:
+def _updated(
+    inverse: FloatArray, step: FloatArray, change: FloatArray, curvature: float
+) -> FloatArray:
     moved = inverse @ change
     outer = np.outer(step, moved)
     updated: FloatArray = (
-        inverse + (1.0 + float(change @ moved) / curvature) / curvature * np.outer(step, step) - (outer + outer.T) / curvature
+        inverse
+        + (1.0 + float(change @ moved) / curvature) / curvature * np.outer(step, step)
+        - (outer + outer.T) / curvature
     )
     return updated
 
 
 def _spread(evidence: Evidence, peak: FloatArray) -> FloatArray:
-    """Return a root (f, f) of the covariance of the free hyperparameters at the peak; no wider than the prior."""
+    """Return a root (f, f) of the covariance of the free hyperparameters at the peak; no wider than
+    the prior.
+    """
     free = np.flatnonzero(evidence.prior.free)
     hessian = np.empty((free.size, free.size))
     for row, index in enumerate(free):
@@ -83,12 +92,15 @@ def _spread(evidence: Evidence, peak: FloatArray) -> FloatArray:
 def draw_hyperparameters(
     evidence: Evidence, start: FloatArray, *, proposals: int, draws: int, rng: np.random.Generator
 ) -> HyperparameterDraws:
-    """Return ``draws`` equally likely hyperparameters, and the evidence by importance sampling with ``proposals`` points."""
+    """Return ``draws`` equally likely hyperparameters, and the evidence by importance sampling with
+    ``proposals`` points.
+    """
     peak, _ = maximise(evidence, start)
     root = _spread(evidence, peak)
     free = np.flatnonzero(evidence.prior.free)
     normal = rng.standard_normal((proposals, free.size))
-    # The second half mirrors the first: what is odd about the peak cancels, and the evidence scatters less.
+    # The second half mirrors the first: what is odd about the peak cancels, and the evidence
+    # scatters less.
     normal[proposals // 2 :] = -normal[: proposals - proposals // 2]
     stretch = np.sqrt(_TAIL_DOF / rng.chisquare(_TAIL_DOF, proposals))
     points = np.tile(peak, (proposals, 1))
@@ -100,13 +112,22 @@ def draw_hyperparameters(
     weights = np.exp(log_weights - top)
     ladder = (np.arange(draws) + 0.5) / draws
     chosen = np.searchsorted(np.cumsum(weights) / np.sum(weights), ladder)
-    return HyperparameterDraws(values=points[np.minimum(chosen, proposals - 1)], log_evidence=top + float(np.log(np.mean(weights))))
+    return HyperparameterDraws(
+        values=points[np.minimum(chosen, proposals - 1)],
+        log_evidence=top + float(np.log(np.mean(weights))),
+    )
 
 
 def _log_student(scaled: FloatArray) -> FloatArray:
     from math import lgamma
 
     size = scaled.shape[1]
-    constant = lgamma(0.5 * (_TAIL_DOF + size)) - lgamma(0.5 * _TAIL_DOF) - 0.5 * size * np.log(_TAIL_DOF * np.pi)
-    density: FloatArray = constant - 0.5 * (_TAIL_DOF + size) * np.log1p(np.sum(scaled**2, axis=1) / _TAIL_DOF)
+    constant = (
+        lgamma(0.5 * (_TAIL_DOF + size))
+        - lgamma(0.5 * _TAIL_DOF)
+        - 0.5 * size * np.log(_TAIL_DOF * np.pi)
+    )
+    density: FloatArray = constant - 0.5 * (_TAIL_DOF + size) * np.log1p(
+        np.sum(scaled**2, axis=1) / _TAIL_DOF
+    )
     return density

@@ -1,4 +1,6 @@
-"""Do the other tests of an axis show the error that the first one shows? A table is made from the first alone."""
+"""Do the other tests of an axis show the error that the first one shows? A table is made from the
+first alone.
+"""
 
 from __future__ import annotations
 
@@ -13,22 +15,30 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 
-#: Two tests of one axis differ by their noise, by a few µm/m of temperature and by the wave of a screw that one of them misses.
-#: More than half of the error itself, and three times what noise explains, is none of these.
+#: Two tests of one axis differ by their noise, by a few µm/m of temperature and by the wave of a
+#: screw that one of them misses. More than half of the error itself, and three times what noise
+#: explains, is none of these.
 _OF_THE_ERROR: Final = 0.5
 _OF_THE_NOISE: Final = 3.0
 _FEWEST: Final = 3
-#: Lost motion that comes and goes by this much, with load and lubrication, is no contradiction: 2 µm, 2 arcsec.
+#: Lost motion that comes and goes by this much, with load and lubrication, is no contradiction: 2
+#: µm, 2 arcsec.
 _REVERSAL: Final = {AxisKind.LINEAR: 2e-3, AxisKind.ROTARY: 2.0 / 3600.0}
 
 
 def disagreeing_test(
-    test: PositioningTest, expected: Mapping[Direction, FloatArray], std: Mapping[Direction, FloatArray], noise: float, first: str
+    test: PositioningTest,
+    expected: Mapping[Direction, FloatArray],
+    std: Mapping[Direction, FloatArray],
+    noise: float,
+    first: str,
 ) -> Finding | None:
-    """Return a doubt where ``test`` does not show what the ``first`` test makes expect (CW-T036), else None.
+    """Return a doubt where ``test`` does not show what the ``first`` test makes expect (CW-T036),
+    else None.
 
-    ``expected`` and ``std`` (m,) by direction at the targets of ``test``, ``noise`` of a reading: mm or deg. The instrument's zero
-    is free. A test with its sign or directions turned, of another axis, in another unit, or taken in another state shows up here.
+    ``expected`` and ``std`` (m,) by direction at the targets of ``test``, ``noise`` of a reading:
+    mm or deg. The instrument's zero is free. A test with its sign or directions turned, of another
+    axis, in another unit, or taken in another state shows up here.
     """
     shown, wanted, spread = [], [], []
     for direction in Direction:
@@ -36,26 +46,42 @@ def disagreeing_test(
         if block.shape[1]:
             shown.append(mean_deviation(block))
             wanted.append(expected[direction])
-            spread.append(np.hypot(std[direction], noise / np.sqrt(np.maximum(count_readings(block), 1.0))))
+            spread.append(
+                np.hypot(std[direction], noise / np.sqrt(np.maximum(count_readings(block), 1.0)))
+            )
     measured, meant, error = (np.concatenate(parts) for parts in (shown, wanted, spread))
     known = np.isfinite(measured) & np.isfinite(meant)
     if np.count_nonzero(known) < _FEWEST:
         return None
-    apart, size = _rms(measured[known] - meant[known]), max(_rms(measured[known]), _rms(meant[known]))
+    apart, size = (
+        _rms(measured[known] - meant[known]),
+        max(_rms(measured[known]), _rms(meant[known])),
+    )
     what = "the error itself"
-    if apart <= max(_OF_THE_ERROR * size, _OF_THE_NOISE * float(np.sqrt(np.mean(error[known] ** 2)))):
+    if apart <= max(
+        _OF_THE_ERROR * size, _OF_THE_NOISE * float(np.sqrt(np.mean(error[known] ** 2)))
+    ):
         if len(shown) < 2:
             return None
         mine, theirs = (float(np.nanmean(parts[0] - parts[1])) for parts in (shown, wanted))
-        apart, size, what = abs(mine - theirs), max(abs(mine), abs(theirs)), "the mean reversal itself"
-        if apart <= max(_OF_THE_ERROR * size, _OF_THE_NOISE * float(np.sqrt(np.mean(error[known] ** 2))), _REVERSAL[test.kind]):
+        apart, size, what = (
+            abs(mine - theirs),
+            max(abs(mine), abs(theirs)),
+            "the mean reversal itself",
+        )
+        if apart <= max(
+            _OF_THE_ERROR * size,
+            _OF_THE_NOISE * float(np.sqrt(np.mean(error[known] ** 2))),
+            _REVERSAL[test.kind],
+        ):
             return None
     factor, unit = outside_factor(test.kind.unit), shown_unit(test.kind.unit)
     return Finding(
         "CW-T036",
         "warning",
-        f"The tests {first} and {test.name} contradict each other: they differ by {apart * factor:.2f} {unit}, {what} is "
-        f"{size * factor:.2f} {unit}. Were sign, directions, unit, axis and state the same? The table is made from {first}.",
+        f"The tests {first} and {test.name} contradict each other: they differ by"
+        f" {apart * factor:.2f} {unit}, {what} is {size * factor:.2f} {unit}. Were sign,"
+        f" directions, unit, axis and state the same? The table is made from {first}.",
     )
 
 

@@ -1,4 +1,5 @@
-"""Checks of the test plan against the edition: targets, runs, rotary positions, spacing, long axes, cycle.
+"""Checks of the test plan against the edition: targets, runs, rotary positions, spacing, long axes,
+cycle.
 
 Findings, never refusals.
 """
@@ -21,32 +22,41 @@ LONG: Final = {AxisKind.LINEAR: 2000.0, AxisKind.ROTARY: 360.0}
 _FIRST_EDITION: Final = "iso230-2:1988"
 _EIGHT_PER_TURN: Final = ("iso230-2:2006", "iso230-2:2014")
 _PRINCIPAL: Final = (0.0, 90.0, 180.0, 270.0)
-#: Targets in a circle of phases see a periodic error of any phase when the smaller eigenvalue of the covariance of cosine and sine
-#: is 0.5 (evenly spread); below this value one phase is seen at less than a third of its size.
+#: Targets in a circle of phases see a periodic error of any phase when the smaller eigenvalue of
+#: the covariance of cosine and sine is 0.5 (evenly spread); below this value one phase is seen at
+#: less than a third of its size.
 _PHASES_SEEN: Final = 0.05
 
 
 def plan_findings(
-    test: PositioningTest, standard: str, travel: tuple[float, float] | None, periods: Sequence[float]
+    test: PositioningTest,
+    standard: str,
+    travel: tuple[float, float] | None,
+    periods: Sequence[float],
 ) -> list[Finding]:
-    """Return the findings about how the test was planned, by ``standard`` (an id such as ``iso230-2:2014``).
+    """Return the findings about how the test was planned, by ``standard`` (an id such as
+    ``iso230-2:2014``).
 
-    ``travel`` of the axis and ``periods`` of known periodic errors in mm or deg. VDI 3441 is checked by the rules of ISO 230-2.
+    ``travel`` of the axis and ``periods`` of known periodic errors in mm or deg. VDI 3441 is
+    checked by the rules of ISO 230-2.
     """
     findings = [*_runs(test)]
     if test.kind is AxisKind.LINEAR:
         findings += _linear_targets(test)
     else:
         findings += _rotary_targets(test, standard)
-    findings += [*_long_axis(test, standard, travel), *_travel_covered(test, travel), *_spacing(test, periods)]
+    findings += [
+        *_long_axis(test, standard, travel),
+        *_travel_covered(test, travel),
+        *_spacing(test, periods),
+    ]
     if test.cycle == "step":
         findings.append(
             Finding(
                 "CW-T009",
                 "warning",
-                "Step cycle: not for acceptance unless agreed in writing (annex of ISO 230-2). A drift D during the test "
-                "puts about 0.92 D into "
-                "E and M, and hardly any into R.",
+                "Step cycle: not for acceptance unless agreed in writing (annex of ISO 230-2). A"
+                " drift D during the test puts about 0.92 D into E and M, and hardly any into R.",
             )
         )
     return findings
@@ -76,7 +86,8 @@ def _runs(test: PositioningTest) -> list[Finding]:
             Finding(
                 "CW-T003",
                 "info",
-                f"Only the approach in {sign_text(only)} was measured; parameters of both directions do not exist.",
+                f"Only the approach in {sign_text(only)} was measured; parameters of both"
+                " directions do not exist.",
             )
         ]
     else:
@@ -90,13 +101,18 @@ def _runs(test: PositioningTest) -> list[Finding]:
     return [
         *one_way,
         Finding(
-            "CW-T001", severity, f"The standard asks for 5 approaches to each target and direction; found {' and '.join(wrong)}."
+            "CW-T001",
+            severity,
+            "The standard asks for 5 approaches to each target and direction; found"
+            f" {' and '.join(wrong)}.",
         ),
     ]
 
 
 def _linear_targets(test: PositioningTest) -> list[Finding]:
-    """CW-T002: at least five targets per metre and five in all (4.3.2); long axes with n = 1 have their own interval."""
+    """CW-T002: at least five targets per metre and five in all (4.3.2); long axes with n = 1 have
+    their own interval.
+    """
     length = _length(test)
     if length > LONG[test.kind] and approaches(test) == 1:
         return []
@@ -107,41 +123,52 @@ def _linear_targets(test: PositioningTest) -> list[Finding]:
         Finding(
             "CW-T002",
             "warning",
-            f"{test.targets.size} targets over {length:.10g} mm are too few: at least 5 per metre and 5 in all are needed, "
-            f"here {needed}.",
+            f"{test.targets.size} targets over {length:.10g} mm are too few: at least 5 per metre"
+            f" and 5 in all are needed, here {needed}.",
         )
     ]
 
 
 def _rotary_targets(test: PositioningTest, standard: str) -> list[Finding]:
-    """CW-T002 and CW-T004: number of targets and principal positions of rotary axes (1988: 4.3.4; later: 4.3.4, table 1)."""
+    """CW-T002 and CW-T004: number of targets and principal positions of rotary axes (1988: 4.3.4;
+    later: 4.3.4, table 1).
+    """
     length, number = _length(test), test.targets.size
     missing = [p for p in _PRINCIPAL if _within(test, p) and not _has(test.targets, p)]
     findings = []
     if standard == _FIRST_EDITION:
         others = sum(not any(_has(np.array([x]), p) for p in _PRINCIPAL) for x in test.targets)
         if others < 3:
-            message = f"ISO 230-2:1988, 4.3.4 asks for three positions beside 0°, 90°, 180°, 270°; there are {others}."
+            message = (
+                "ISO 230-2:1988, 4.3.4 asks for three positions beside 0°, 90°, 180°, 270°; there"
+                f" are {others}."
+            )
             findings.append(Finding("CW-T002", "warning", message))
     else:
         needed = 3 if length <= 90.0 else 5 if length <= 180.0 else 8
         if number < needed:
             message = (
-                f"{number} targets over {length:.10g}° are too few: this travel needs at least {needed} (table of "
-                "target positions)."
+                f"{number} targets over {length:.10g}° are too few: this travel needs at least"
+                f" {needed} (table of target positions)."
             )
             findings.append(Finding("CW-T002", "warning", message))
     if missing:
         severity: Severity = "warning" if standard == _FIRST_EDITION else "info"
         named = ", ".join(f"{p:g}°" for p in missing)
-        findings.append(Finding("CW-T004", severity, f"Principal position not among the targets: {named}."))
+        findings.append(
+            Finding("CW-T004", severity, f"Principal position not among the targets: {named}.")
+        )
     return findings
 
 
 def _within(test: PositioningTest, principal: float) -> bool:
     """Whether some turn of ``principal`` lies in the measured range."""
     first, last = float(test.targets[0]), float(test.targets[-1])
-    return first - 1e-9 <= principal + 360.0 * math.ceil((first - principal - 1e-9) / 360.0) <= last + 1e-9
+    return (
+        first - 1e-9
+        <= principal + 360.0 * math.ceil((first - principal - 1e-9) / 360.0)
+        <= last + 1e-9
+    )
 
 
 def _has(targets: FloatArray, principal: float) -> bool:
@@ -149,8 +176,12 @@ def _has(targets: FloatArray, principal: float) -> bool:
     return bool(np.any(np.abs(offset) < 1e-6))
 
 
-def _long_axis(test: PositioningTest, standard: str, travel: tuple[float, float] | None) -> list[Finding]:
-    """CW-T005: axes over 2 000 mm or 360° have two tests: n = 1 over the whole length, n = 5 over 2 000 mm or 360°."""
+def _long_axis(
+    test: PositioningTest, standard: str, travel: tuple[float, float] | None
+) -> list[Finding]:
+    """CW-T005: axes over 2 000 mm or 360° have two tests: n = 1 over the whole length, n = 5 over 2
+    000 mm or 360°.
+    """
     if not _is_long(test, travel) or (test.kind is AxisKind.ROTARY and standard == _FIRST_EDITION):
         return []
     limit = "2 000 mm" if test.kind is AxisKind.LINEAR else "360°"
@@ -161,8 +192,8 @@ def _long_axis(test: PositioningTest, standard: str, travel: tuple[float, float]
             Finding(
                 "CW-T005",
                 "info",
-                f"The axis is longer than {limit}; beside this test with one approach per direction a test with n = 5 over "
-                f"{limit} belongs to it.",
+                f"The axis is longer than {limit}; beside this test with one approach per direction"
+                f" a test with n = 5 over {limit} belongs to it.",
             )
         )
         findings += _long_interval(test, standard)
@@ -171,9 +202,9 @@ def _long_axis(test: PositioningTest, standard: str, travel: tuple[float, float]
             Finding(
                 "CW-T005",
                 "warning",
-                f"Repeated approaches over more than {limit}: the standard tests the whole length with one approach per "
-                "direction, and n = 5 over "
-                f"{limit} in the normal working area, as two tests. Evaluated as measured.",
+                f"Repeated approaches over more than {limit}: the standard tests the whole length"
+                f" with one approach per direction, and n = 5 over {limit} in the normal working"
+                " area, as two tests. Evaluated as measured.",
             )
         )
     else:
@@ -181,14 +212,17 @@ def _long_axis(test: PositioningTest, standard: str, travel: tuple[float, float]
             Finding(
                 "CW-T005",
                 "info",
-                f"The axis is longer than {limit}; a test of its whole length with one approach per direction belongs to it too.",
+                f"The axis is longer than {limit}; a test of its whole length with one approach per"
+                " direction belongs to it too.",
             )
         )
     return findings
 
 
 def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
-    """CW-T006: 250 mm (4.3.3); rotary at most 45° (1997, GOST) or eight targets per turn (2006, 2014), up to 1 800°."""
+    """CW-T006: 250 mm (4.3.3); rotary at most 45° (1997, GOST) or eight targets per turn (2006,
+    2014), up to 1 800°.
+    """
     length, number = _length(test), test.targets.size
     if test.kind is AxisKind.LINEAR:
         mean = length / max(number - 1, 1)
@@ -198,7 +232,8 @@ def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
             Finding(
                 "CW-T006",
                 "warning",
-                f"The mean interval of the targets is {mean:.5g} mm; over 2 000 mm it is to be 250 mm at most.",
+                f"The mean interval of the targets is {mean:.5g} mm; over 2 000 mm it is to be 250"
+                " mm at most.",
             )
         ]
     findings = []
@@ -207,23 +242,35 @@ def _long_interval(test: PositioningTest, standard: str) -> list[Finding]:
         turns = length / 360.0
         if number < 8.0 * turns - 1e-9:
             findings.append(
-                Finding("CW-T006", "warning", f"{number} targets over {turns:.4g} turns: at least eight per turn are needed.")
+                Finding(
+                    "CW-T006",
+                    "warning",
+                    f"{number} targets over {turns:.4g} turns: at least eight per turn are needed.",
+                )
             )
     elif widest > 45.0 * (1.0 + 1e-9):
         findings.append(
             Finding(
-                "CW-T006", "warning", f"The widest interval of the targets is {widest:.5g}°; over 360° it is to be 45° at most."
+                "CW-T006",
+                "warning",
+                f"The widest interval of the targets is {widest:.5g}°; over 360° it is to be 45° at"
+                " most.",
             )
         )
     if length > 1800.0 * (1.0 + 1e-9):
         findings.append(
-            Finding("CW-T006", "info", f"{length:.10g}° were measured; the standard asks for 1 800° (five turns) at most.")
+            Finding(
+                "CW-T006",
+                "info",
+                f"{length:.10g}° were measured; the standard asks for 1 800° (five turns) at most.",
+            )
         )
     return findings
 
 
 def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -> list[Finding]:
-    """CW-T007: targets outside the travel, or more than one mean interval of travel at an end without a target.
+    """CW-T007: targets outside the travel, or more than one mean interval of travel at an end
+    without a target.
 
     An axis of a full turn may be counted from anywhere.
     """
@@ -233,36 +280,45 @@ def _travel_covered(test: PositioningTest, travel: tuple[float, float] | None) -
     first, last = float(test.targets[0]), float(test.targets[-1])
     if not full_turn and (first < travel[0] - 1e-6 or last > travel[1] + 1e-6):
         message = (
-            f"Targets {position_text(first, test)} to {position_text(last, test)} lie outside the travel "
-            f"{position_text(travel[0], test)} to "
-            f"{position_text(travel[1], test)}: check the offset and the sense of the positions."
+            f"Targets {position_text(first, test)} to {position_text(last, test)} lie outside the"
+            f" travel {position_text(travel[0], test)} to {position_text(travel[1], test)}: check"
+            " the offset and the sense of the positions."
         )
         return [Finding("CW-T007", "warning", message)]
     if _is_long(test, travel) or full_turn or test.targets.size < 2:
         return []
     interval = (last - first) / (test.targets.size - 1)
     ends = [(first - travel[0], "lower"), (travel[1] - last, "upper")]
-    told = [f"{position_text(round(gap, 6), test)} at the {end} end" for gap, end in ends if gap > interval * (1.0 + 1e-9)]
+    told = [
+        f"{position_text(round(gap, 6), test)} at the {end} end"
+        for gap, end in ends
+        if gap > interval * (1.0 + 1e-9)
+    ]
     if not told:
         return []
     return [
         Finding(
-            "CW-T007", "info", f"Part of the travel was not measured: {' and '.join(told)}, more than one interval of the targets."
+            "CW-T007",
+            "info",
+            f"Part of the travel was not measured: {' and '.join(told)}, more than one interval of"
+            " the targets.",
         )
     ]
 
 
 def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
-    """CW-T008: equal spacing, or targets at phases of a known period that hide a periodic error (4.2)."""
+    """CW-T008: equal spacing, or targets at phases of a known period that hide a periodic error
+    (4.2).
+    """
     if test.targets.size < 3:
         return []
     hidden = [
         Finding(
             "CW-T008",
             "warning",
-            f"The targets hit the period of {position_text(period, test)} always at the same phases: a periodic error of "
-            "this period can stay "
-            "hidden. Choose targets at varying phases (clause on target positions).",
+            f"The targets hit the period of {position_text(period, test)} always at the same"
+            " phases: a periodic error of this period can stay hidden. Choose targets at varying"
+            " phases (clause on target positions).",
         )
         for period in periods
         if _phases_seen(test.targets, period) < _PHASES_SEEN
@@ -273,15 +329,17 @@ def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
     if intervals.max() - intervals.min() > 1e-3 * intervals.mean():
         return []
     message = (
-        f"The targets are equally spaced ({position_text(float(intervals.mean()), test)}): a periodic error (screw pitch, "
-        "scale pitch) that divides "
-        "the spacing stays hidden. The standard asks for random offsets."
+        f"The targets are equally spaced ({position_text(float(intervals.mean()), test)}): a"
+        " periodic error (screw pitch, scale pitch) that divides the spacing stays hidden. The"
+        " standard asks for random offsets."
     )
     return [Finding("CW-T008", "info", message)]
 
 
 def _phases_seen(targets: FloatArray, period: float) -> float:
-    """Return the smaller eigenvalue of the covariance of cosine and sine of the target phases: 0 hidden, 0.5 evenly seen."""
+    """Return the smaller eigenvalue of the covariance of cosine and sine of the target phases: 0
+    hidden, 0.5 evenly seen.
+    """
     phase = 2.0 * np.pi * targets / period
     covariance = np.cov(np.vstack([np.cos(phase), np.sin(phase)]), bias=True)
     return float(np.linalg.eigvalsh(covariance)[0])

@@ -1,8 +1,9 @@
 """Evaluation of a circular test to ISO 230-4: G, F, H and their successors of 2005.
 
-The text of 1996 (DIN ISO 230-4:1999) was at hand. That of 2005 was not: the bidirectional circular deviation, the mean
-bidirectional radial deviation and the absence of H rest on its published scope and on instrument software that prints both
-editions for the same readings. G and F are those of 1996 in both.
+The text of 1996 (DIN ISO 230-4:1999) was at hand. That of 2005 was not: the bidirectional circular
+deviation, the mean bidirectional radial deviation and the absence of H rest on its published scope
+and on instrument software that prints both editions for the same readings. G and F are those of
+1996 in both.
 """
 
 from __future__ import annotations
@@ -30,7 +31,16 @@ _SENSES: Final[tuple[Sense, ...]] = get_args(Sense)
 #: Parameters by their contract names, in its order.
 CIRCULAR_NAMES: Final = (
     *("G_ccw", "G_cw", "G_bidirectional", "G_ccw_lsc", "G_cw_lsc", "G_bidirectional_lsc", "H", "D"),
-    *("F_max_ccw", "F_min_ccw", "F_max_cw", "F_min_cw", "F_max_ccw_lsc", "F_min_ccw_lsc", "F_max_cw_lsc", "F_min_cw_lsc"),
+    *(
+        "F_max_ccw",
+        "F_min_ccw",
+        "F_max_cw",
+        "F_min_cw",
+        "F_max_ccw_lsc",
+        "F_min_ccw_lsc",
+        "F_max_cw_lsc",
+        "F_min_cw_lsc",
+    ),
 )
 
 
@@ -51,13 +61,19 @@ CIRCULAR_STANDARDS: Final[Mapping[str, CircularStandard]] = {
             id="iso230-4:1996",
             title="ISO 230-4:1996",
             undefined=dict.fromkeys(
-                ("G_bidirectional", "G_bidirectional_lsc", "D"), "not defined by ISO 230-4:1996 (clauses 3.3 to 3.5: H, G and F)"
+                ("G_bidirectional", "G_bidirectional_lsc", "D"),
+                "not defined by ISO 230-4:1996 (clauses 3.3 to 3.5: H, G and F)",
             ),
         ),
         CircularStandard(
             id=DEFAULT_CIRCULAR_STANDARD,
             title="ISO 230-4:2005",
-            undefined={"H": "not defined by ISO 230-4:2005, which has the bidirectional circular deviation in its place"},
+            undefined={
+                "H": (
+                    "not defined by ISO 230-4:2005, which has the bidirectional circular deviation"
+                    " in its place"
+                )
+            },
         ),
     )
 }
@@ -67,27 +83,39 @@ def circular_standard_by_id(name: str) -> CircularStandard:
     """Return the circular standard of an id. Raises UsageError for an unknown one."""
     if name not in CIRCULAR_STANDARDS:
         raise UsageError(
-            Fault(message="unknown circular standard", place="--standard", expected=", ".join(CIRCULAR_STANDARDS), found=name)
+            Fault(
+                message="unknown circular standard",
+                place="--standard",
+                expected=", ".join(CIRCULAR_STANDARDS),
+                found=name,
+            )
         )
     return CIRCULAR_STANDARDS[name]
 
 
-def evaluate_circle(test: CircularTest, standard: str = DEFAULT_CIRCULAR_STANDARD) -> CircularResult:
-    """Evaluate ``test`` to ``standard``; every length in the result is in mm. The result carries no diagnosis.
+def evaluate_circle(
+    test: CircularTest, standard: str = DEFAULT_CIRCULAR_STANDARD
+) -> CircularResult:
+    """Evaluate ``test`` to ``standard``; every length in the result is in mm. The result carries no
+    diagnosis.
 
-    G is the width of the minimum zone (3.4), ``*_lsc`` the range of the distances from the least-squares centre of the same run,
-    for ``G_bidirectional_lsc`` from the common one. F are the extremes with sign of distance minus nominal radius (3.5): from the
-    set-up centre on an arc, from the run's least-squares centre on a full circle; ``F_*_lsc`` always from the latter. H is the
-    largest difference at one angle about the common least-squares centre (3.3). D is the radius of the common least-squares circle
-    minus nominal. Every sample counts and nothing is smoothed (clause 5).
+    G is the width of the minimum zone (3.4), ``*_lsc`` the range of the distances from the
+    least-squares centre of the same run, for ``G_bidirectional_lsc`` from the common one. F are the
+    extremes with sign of distance minus nominal radius (3.5): from the set-up centre on an arc,
+    from the run's least-squares centre on a full circle; ``F_*_lsc`` always from the latter. H is
+    the largest difference at one angle about the common least-squares centre (3.3). D is the radius
+    of the common least-squares circle minus nominal. Every sample counts and nothing is smoothed
+    (clause 5).
 
-    G and F belong to "the actual path", which is one traverse (3.2), and H to one in each direction, measured in succession
-    (clause 5). So of several runs in a direction that with the lowest number is evaluated, and a finding gives G of the others;
-    joined runs would count repeatability as form.
+    G and F belong to "the actual path", which is one traverse (3.2), and H to one in each
+    direction, measured in succession (clause 5). So of several runs in a direction that with the
+    lowest number is evaluated, and a finding gives G of the others; joined runs would count
+    repeatability as form.
 
-    A parameter is None where the standard does not define it, its direction was not measured, or the bar was not calibrated
-    (F; 3.4 note 3 and 4.5); ``not_applicable`` says which. Raises UsageError for an unknown standard; InputError for an arc
-    below 90° (3.1), for readings that do not fit together and for points that are not near a circle.
+    A parameter is None where the standard does not define it, its direction was not measured, or
+    the bar was not calibrated (F; 3.4 note 3 and 4.5); ``not_applicable`` says which. Raises
+    UsageError for an unknown standard; InputError for an arc below 90° (3.1), for readings that do
+    not fit together and for points that are not near a circle.
     """
     chosen = circular_standard_by_id(standard)
     _require_sound(test)
@@ -102,20 +130,32 @@ def evaluate_circle(test: CircularTest, standard: str = DEFAULT_CIRCULAR_STANDAR
     if common is not None:
         values |= common.values
     reasons = _reasons(test, chosen, values)
-    zones = {str(sense): found.zone for sense, found in one_way.items()} | ({"both": common.zone} if common else {})
-    centres = {str(sense): found.centre for sense, found in one_way.items()} | ({"common": common.centre} if common else {})
+    zones = {str(sense): found.zone for sense, found in one_way.items()} | (
+        {"both": common.zone} if common else {}
+    )
+    centres = {str(sense): found.centre for sense, found in one_way.items()} | (
+        {"common": common.centre} if common else {}
+    )
     findings = [
         *test.findings,
         *_further_runs(ordered),
-        *test_findings(test, centres, F_given="F_max_ccw" not in reasons or "F_max_cw" not in reasons),
-        *(finding for sense, path in evaluated.items() for finding in run_findings(test, path, one_way[sense].centre)),
+        *test_findings(
+            test, centres, F_given="F_max_ccw" not in reasons or "F_max_cw" not in reasons
+        ),
+        *(
+            finding
+            for sense, path in evaluated.items()
+            for finding in run_findings(test, path, one_way[sense].centre)
+        ),
     ]
     return CircularResult(
         test=test,
         standard=chosen.id,
         parameters={name: None if name in reasons else values[name] for name in CIRCULAR_NAMES},
         centres=centres,
-        mean_radius_deviation={str(sense): found.radius - test.nominal_radius for sense, found in one_way.items()},
+        mean_radius_deviation={
+            str(sense): found.radius - test.nominal_radius for sense, found in one_way.items()
+        },
         zone_centres={name: zone[0] for name, zone in zones.items()},
         zone_radii={name: (zone[1], zone[2]) for name, zone in zones.items()},
         not_applicable=reasons,
@@ -149,7 +189,9 @@ class _Common:
 
 
 def _of(placed: tuple[ActualPath, ...], sense: Sense) -> list[ActualPath]:
-    return sorted((path for path in placed if path.run.sense == sense), key=lambda path: path.run.number)
+    return sorted(
+        (path for path in placed if path.run.sense == sense), key=lambda path: path.run.number
+    )
 
 
 def _one_way_values(test: CircularTest, sense: Sense, found: _OneWay) -> dict[str, float]:
@@ -180,11 +222,17 @@ def _common_values(test: CircularTest, evaluated: Mapping[Sense, ActualPath]) ->
     return _Common(values, centre, zone)
 
 
-def _reasons(test: CircularTest, standard: CircularStandard, values: Mapping[str, float]) -> dict[str, str]:
+def _reasons(
+    test: CircularTest, standard: CircularStandard, values: Mapping[str, float]
+) -> dict[str, str]:
     """Return why parameters are not given: by the edition, the direction, the bar."""
     reasons = {}
     for name in CIRCULAR_NAMES:
-        missing = [sense for sense in _SENSES if not test.of(sense) and (f"_{sense}" in name or name[0] in "HD" or "_bi" in name)]
+        missing = [
+            sense
+            for sense in _SENSES
+            if not test.of(sense) and (f"_{sense}" in name or name[0] in "HD" or "_bi" in name)
+        ]
         if name in standard.undefined:
             reasons[name] = standard.undefined[name]
         elif missing:
@@ -202,24 +250,47 @@ def _further_runs(ordered: Mapping[Sense, list[ActualPath]]) -> list[Finding]:
     for sense, runs in ordered.items():
         for path in runs[1:]:
             _, inner, outer = minimum_zone(path.points)
-            told.append(f"{sense} run {path.run.number}: G {(outer - inner) * MICROMETRES_PER_MILLIMETRE:.2f} µm")
+            told.append(
+                f"{sense} run {path.run.number}: G"
+                f" {(outer - inner) * MICROMETRES_PER_MILLIMETRE:.2f} µm"
+            )
     if not told:
         return []
-    first = " and ".join(f"{sense} run {runs[0].run.number}" for sense, runs in ordered.items() if runs)
-    message = f"Each parameter belongs to one traverse (clauses 3.2 and 5); given are those of {first}. Others: {', '.join(told)}."
+    first = " and ".join(
+        f"{sense} run {runs[0].run.number}" for sense, runs in ordered.items() if runs
+    )
+    message = (
+        f"Each parameter belongs to one traverse (clauses 3.2 and 5); given are those of {first}."
+        f" Others: {', '.join(told)}."
+    )
     return [Finding("CW-C001", "info", message)]
 
 
 def _require_sound(test: CircularTest) -> None:
     faults = []
     if not (np.isfinite(test.nominal_radius) and test.nominal_radius > 0.0):
-        faults.append(Fault(message="nominal radius", expected="more than 0 mm", found=f"{test.nominal_radius:g}"))
+        faults.append(
+            Fault(
+                message="nominal radius",
+                expected="more than 0 mm",
+                found=f"{test.nominal_radius:g}",
+            )
+        )
     if not SHORTEST_ARC <= test.arc[1] <= 360.0:
-        faults.append(Fault(message="arc", expected="90° to 360° (ISO 230-4:1996, 3.1)", found=f"{test.arc[1]:.6g}°"))
+        faults.append(
+            Fault(
+                message="arc",
+                expected="90° to 360° (ISO 230-4:1996, 3.1)",
+                found=f"{test.arc[1]:.6g}°",
+            )
+        )
     if not test.runs:
         faults.append(Fault(message="the test holds no run"))
     for run in test.runs:
-        faults += [fault.within(f"{run.sense} run {run.number}") for fault in _run_faults(run, test.nominal_radius)]
+        faults += [
+            fault.within(f"{run.sense} run {run.number}")
+            for fault in _run_faults(run, test.nominal_radius)
+        ]
     file = test.sources[0].file if test.sources else test.name
     raise_all(InputError, [fault.in_file(file) for fault in faults])
 
@@ -227,14 +298,34 @@ def _require_sound(test: CircularTest) -> None:
 def _run_faults(run: CircularRun, nominal_radius: float) -> list[Fault]:
     if run.angles.ndim != 1 or run.angles.shape != run.deviations.shape:
         found = f"{run.angles.shape} and {run.deviations.shape}"
-        return [Fault(message="angles and deviations do not fit together", expected="one deviation per angle", found=found)]
+        return [
+            Fault(
+                message="angles and deviations do not fit together",
+                expected="one deviation per angle",
+                found=found,
+            )
+        ]
     if run.angles.size < 4:
         return [Fault(message="too few samples", expected="at least 4", found=str(run.angles.size))]
     if not (np.all(np.isfinite(run.angles)) and np.all(np.isfinite(run.deviations))):
         return [Fault(message="angles and deviations", expected="finite numbers")]
     if np.any(run.deviations <= -nominal_radius):
-        return [Fault(message="deviation", expected="more than minus the nominal radius", found=f"{run.deviations.min():g} mm")]
-    covered = float(np.ptp(run.angles)) * run.angles.size / (run.angles.size - 1)  # each sample stands for one interval
+        return [
+            Fault(
+                message="deviation",
+                expected="more than minus the nominal radius",
+                found=f"{run.deviations.min():g} mm",
+            )
+        ]
+    covered = (
+        float(np.ptp(run.angles)) * run.angles.size / (run.angles.size - 1)
+    )  # each sample stands for one interval
     if covered < SHORTEST_ARC * (1.0 - 1e-6):
-        return [Fault(message="arc of the samples", expected="at least 90° (ISO 230-4:1996, 3.1)", found=f"{covered:.6g}°")]
+        return [
+            Fault(
+                message="arc of the samples",
+                expected="at least 90° (ISO 230-4:1996, 3.1)",
+                found=f"{covered:.6g}°",
+            )
+        ]
     return []

@@ -1,6 +1,8 @@
-"""Checks of a circular test: directions, calibration, sampling, gaps, feed, closing of the circle, set-up offset.
+"""Checks of a circular test: directions, calibration, sampling, gaps, feed, closing of the circle,
+set-up offset.
 
-Findings, never refusals. The standard sets no limits for most of these; those used here are stated beside each.
+Findings, never refusals. The standard sets no limits for most of these; those used here are stated
+beside each.
 """
 
 from __future__ import annotations
@@ -17,28 +19,38 @@ from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularTest
 
-#: Samples farther apart (deg) can miss a reversal spike, which lasts about 1 mm of path (a 20 ms answer at 3 m/min); 1° is 2.6 mm
-#: at 150 mm. The examples of ISO 230-4:1996 (figures 4 and 5) have 1 500 and 1 800 samples per circle.
+#: Samples farther apart (deg) can miss a reversal spike, which lasts about 1 mm of path (a 20 ms
+#: answer at 3 m/min); 1° is 2.6 mm at 150 mm. The examples of ISO 230-4:1996 (figures 4 and 5) have
+#: 1 500 and 1 800 samples per circle.
 _COARSE: Final = 1.0
 #: A hole in the samples: so many usual intervals, and more than ``_COARSE``.
 _HOLE: Final = 5.0
-#: A full circle takes between so many seconds at any sensible feed; beyond, the unit of the feed is likely wrong (m/min, mm/s).
+#: A full circle takes between so many seconds at any sensible feed; beyond, the unit of the feed is
+#: likely wrong (m/min, mm/s).
 _CIRCLE_SECONDS: Final = (0.5, 900.0)
-#: Numbers of samples of the two directions that differ by more than this share pull the common circle to one of them.
+#: Numbers of samples of the two directions that differ by more than this share pull the common
+#: circle to one of them.
 _UNEQUAL: Final = 0.02
 #: Ends of a full circle are compared by the median of so many samples.
 _ENDS: Final = 3
-#: The ends differ when they do by so many robust standard deviations of a sample, and by more than the next number, mm.
+#: The ends differ when they do by so many robust standard deviations of a sample, and by more than
+#: the next number, mm.
 _OPEN_SCATTER: Final = 8.0
 _OPEN_LEAST: Final = 0.001
-#: Lost motion makes a true step where an axis reverses: ends nearer to an axis (deg) are not compared.
+#: Lost motion makes a true step where an axis reverses: ends nearer to an axis (deg) are not
+#: compared.
 _NEAR_AXIS: Final = 3.0
-#: Where commanded and measured angles would give radii that differ by more than this (mm), the reading of the angle is told.
+#: Where commanded and measured angles would give radii that differ by more than this (mm), the
+#: reading of the angle is told.
 _OFFSET_EFFECT: Final = 1e-4
 
 
-def test_findings(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) -> list[Finding]:
-    """Return the findings about the test as a whole. ``centres`` mm; ``F_given``: F from the set-up centre or none is stated."""
+def test_findings(
+    test: CircularTest, centres: Mapping[str, Point], *, F_given: bool
+) -> list[Finding]:
+    """Return the findings about the test as a whole. ``centres`` mm; ``F_given``: F from the set-up
+    centre or none is stated.
+    """
     return [
         *_directions(test),
         *_calibration(test),
@@ -49,7 +61,9 @@ def test_findings(test: CircularTest, centres: Mapping[str, Point], *, F_given: 
 
 
 def run_findings(test: CircularTest, path: ActualPath, centre: Point) -> list[Finding]:
-    """Return the findings about one evaluated run; ``centre`` is that of its least-squares circle, mm."""
+    """Return the findings about one evaluated run; ``centre`` is that of its least-squares circle,
+    mm.
+    """
     return [
         *_sampling(path),
         *_holes(test, path),
@@ -69,13 +83,15 @@ def _um(value: float) -> str:
 
 
 def _directions(test: CircularTest) -> list[Finding]:
-    """CW-C002: one direction only; H and the bidirectional parameters need two in succession (clause 5)."""
+    """CW-C002: one direction only; H and the bidirectional parameters need two in succession
+    (clause 5).
+    """
     measured = [sense for sense in ("ccw", "cw") if any(run.sense == sense for run in test.runs)]
     if len(measured) == 2:
         return []
     message = (
-        f"Only {measured[0]} was measured: parameters of both directions do not exist, and squareness, servo mismatch and lost "
-        "motion cannot be told apart."
+        f"Only {measured[0]} was measured: parameters of both directions do not exist, and"
+        " squareness, servo mismatch and lost motion cannot be told apart."
     )
     return [Finding("CW-C002", "info", message)]
 
@@ -85,8 +101,8 @@ def _calibration(test: CircularTest) -> list[Finding]:
     if test.calibrated:
         return []
     message = (
-        "The length of the bar was not calibrated: F is not given; D and F about the least-squares centre rest on the nominal "
-        "length."
+        "The length of the bar was not calibrated: F is not given; D and F about the least-squares"
+        " centre rest on the nominal length."
     )
     return [Finding("CW-C003", "warning", message)]
 
@@ -97,7 +113,10 @@ def _feed(test: CircularTest) -> list[Finding]:
         seconds = 60.0 * 2.0 * np.pi * test.nominal_radius / test.feed
         if _CIRCLE_SECONDS[0] <= seconds <= _CIRCLE_SECONDS[1]:
             return []
-        found = f"at {test.feed:g} mm/min a circle of {test.nominal_radius:g} mm takes {seconds:.3g} s: check the unit of the feed"
+        found = (
+            f"at {test.feed:g} mm/min a circle of {test.nominal_radius:g} mm takes {seconds:.3g} s:"
+            " check the unit of the feed"
+        )
     else:
         found = f"{test.feed:g} mm/min is no feed"
     return [Finding("CW-C006", "warning", f"{found[0].upper()}{found[1:]}.")]
@@ -105,29 +124,39 @@ def _feed(test: CircularTest) -> list[Finding]:
 
 def _unequal(test: CircularTest) -> list[Finding]:
     """CW-C008: the common circle weighs every sample alike, so the longer run counts more."""
-    counts = [test.of("ccw")[0].angles.size, test.of("cw")[0].angles.size] if test.of("ccw") and test.of("cw") else [1, 1]
+    counts = (
+        [test.of("ccw")[0].angles.size, test.of("cw")[0].angles.size]
+        if test.of("ccw") and test.of("cw")
+        else [1, 1]
+    )
     if max(counts) <= (1.0 + _UNEQUAL) * min(counts):
         return []
-    message = f"{counts[0]} samples ccw and {counts[1]} cw: the common circle is drawn towards the direction with more."
+    message = (
+        f"{counts[0]} samples ccw and {counts[1]} cw: the common circle is drawn towards the"
+        " direction with more."
+    )
     return [Finding("CW-C008", "info", message)]
 
 
 def _offset(test: CircularTest, centres: Mapping[str, Point], *, F_given: bool) -> list[Finding]:
-    """CW-C010: F on an arc contains the set-up offset (3.5 a, note 6). CW-C011: an offset for which the kind of angle matters."""
+    """CW-C010: F on an arc contains the set-up offset (3.5 a, note 6). CW-C011: an offset for which
+    the kind of angle matters.
+    """
     x, y = centres["common"] if "common" in centres else next(iter(centres.values()))
     offset = float(np.hypot(x, y))
     findings = []
     if F_given and not test.full_circle:
         message = (
-            f"F on an arc counts from the set-up centre (3.5 a) and contains its offset, here about {_um(offset)}; F about the "
-            "least-squares centre is given beside."
+            "F on an arc counts from the set-up centre (3.5 a) and contains its offset, here about"
+            f" {_um(offset)}; F about the least-squares centre is given beside."
         )
         findings.append(Finding("CW-C010", "info", message))
     effect = offset**2 / test.nominal_radius
     if effect > _OFFSET_EFFECT:
         message = (
-            f"The circle lies {_um(offset)} beside the set-up centre. The angles were taken as commanded; if they were measured "
-            f"from the set-up centre, radii are off by up to {_um(effect)}. Centring better settles it."
+            f"The circle lies {_um(offset)} beside the set-up centre. The angles were taken as"
+            " commanded; if they were measured from the set-up centre, radii are off by up to"
+            f" {_um(effect)}. Centring better settles it."
         )
         findings.append(Finding("CW-C011", "warning", message))
     return findings
@@ -139,8 +168,8 @@ def _sampling(path: ActualPath) -> list[Finding]:
     if interval <= _COARSE:
         return []
     message = (
-        f"The samples of {_named(path)} are {interval:.3g}° apart: spikes at the reversal points can be missed, and G, F and H "
-        "come out too small."
+        f"The samples of {_named(path)} are {interval:.3g}° apart: spikes at the reversal points"
+        " can be missed, and G, F and H come out too small."
     )
     return [Finding("CW-C004", "warning", message)]
 
@@ -150,21 +179,34 @@ def _holes(test: CircularTest, path: ActualPath) -> list[Finding]:
     angles = np.sort(path.run.angles)
     usual = float(np.median(np.diff(angles)))
     limit = max(_HOLE * usual, _COARSE)
-    holes = [(float(angles[i]), float(angles[i + 1])) for i in np.flatnonzero(np.diff(angles) > limit)]
+    holes = [
+        (float(angles[i]), float(angles[i + 1])) for i in np.flatnonzero(np.diff(angles) > limit)
+    ]
     if test.full_circle:
         closing = float(angles[0] + 360.0 - angles[-1])
         holes += [(float(angles[-1]), float(angles[0]) + 360.0)] if closing > limit else []
     elif test.arc[1] - float(np.ptp(angles)) > 2.0 * limit:
-        message = f"{_named(path)} covers {float(np.ptp(angles)):.5g}° of an arc of {test.arc[1]:.5g}°."
+        message = (
+            f"{_named(path)} covers {float(np.ptp(angles)):.5g}° of an arc of {test.arc[1]:.5g}°."
+        )
         return [Finding("CW-C005", "warning", message)]
     if not holes:
         return []
     where = ", ".join(f"{begin:.5g}° to {end:.5g}°" for begin, end in holes[:5])
-    return [Finding("CW-C005", "warning", f"No samples of {_named(path)} from {where}: what the path does there is not evaluated.")]
+    return [
+        Finding(
+            "CW-C005",
+            "warning",
+            f"No samples of {_named(path)} from {where}: what the path does there is not"
+            " evaluated.",
+        )
+    ]
 
 
 def _duplicates(path: ActualPath) -> list[Finding]:
-    """CW-C009: several samples at one angle (the two ends of a full circle are not the same sample)."""
+    """CW-C009: several samples at one angle (the two ends of a full circle are not the same
+    sample).
+    """
     repeated = int(np.count_nonzero(np.diff(np.sort(path.run.angles)) <= SAME_ANGLE))
     if repeated == 0:
         return []
@@ -173,19 +215,23 @@ def _duplicates(path: ActualPath) -> list[Finding]:
 
 
 def _beyond(test: CircularTest, path: ActualPath) -> list[Finding]:
-    """CW-C007: samples beyond the arc, as starting and stopping arcs that were not cut leave them."""
+    """CW-C007: samples beyond the arc, as starting and stopping arcs that were not cut leave
+    them.
+    """
     covered = float(np.ptp(path.run.angles))
     if covered <= test.arc[1] + SAME_ANGLE:
         return []
     message = (
-        f"{_named(path)} covers {covered:.5g}°, more than the arc of {test.arc[1]:.5g}°: starting and stopping arcs seem not to be "
-        "cut."
+        f"{_named(path)} covers {covered:.5g}°, more than the arc of {test.arc[1]:.5g}°: starting"
+        " and stopping arcs seem not to be cut."
     )
     return [Finding("CW-C007", "warning", message)]
 
 
 def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Finding]:
-    """CW-C012: the ends of a full circle do not meet: drift, slip, or readings from the starting arc."""
+    """CW-C012: the ends of a full circle do not meet: drift, slip, or readings from the starting
+    arc.
+    """
     ends = np.mod(path.run.angles[[0, -1]] + 45.0, 90.0) - 45.0
     if not test.full_circle or np.any(np.abs(ends) < _NEAR_AXIS):
         return []
@@ -194,14 +240,16 @@ def _closing(test: CircularTest, path: ActualPath, centre: Point) -> list[Findin
     if step <= max(_OPEN_LEAST, _OPEN_SCATTER * _scatter(radial)):
         return []
     message = (
-        f"The ends of {_named(path)} differ by {_um(step)} at the same place: drift during the run, a moved bar, or readings of "
-        "the starting arc among the samples."
+        f"The ends of {_named(path)} differ by {_um(step)} at the same place: drift during the run,"
+        " a moved bar, or readings of the starting arc among the samples."
     )
     return [Finding("CW-C012", "warning", message)]
 
 
 def _scatter(radial: FloatArray) -> float:
-    """Return the standard deviation of a sample from the differences of neighbours, by their median absolute value (mm)."""
+    """Return the standard deviation of a sample from the differences of neighbours, by their median
+    absolute value (mm).
+    """
     return float(1.4826 / np.sqrt(2.0) * np.median(np.abs(np.diff(radial))))
 
 
@@ -209,4 +257,10 @@ def _zeros(path: ActualPath) -> list[Finding]:
     """CW-C013: a run of zeros was not measured."""
     if np.any(path.run.deviations):
         return []
-    return [Finding("CW-C013", "warning", f"{_named(path)} is exactly zero throughout: probably it was not measured.")]
+    return [
+        Finding(
+            "CW-C013",
+            "warning",
+            f"{_named(path)} is exactly zero throughout: probably it was not measured.",
+        )
+    ]

@@ -1,4 +1,6 @@
-"""The least-squares circle: the sum of squared orthogonal distances is least (Gauss; ISO 230-4:1996, 3.3 note 1 and 3.5 b)."""
+"""The least-squares circle: the sum of squared orthogonal distances is least (Gauss; ISO
+230-4:1996, 3.3 note 1 and 3.5 b).
+"""
 
 from __future__ import annotations
 
@@ -12,23 +14,26 @@ from compwright.records.axis import FloatArray
 Point = tuple[float, float]
 
 _MOST_STEPS: Final = 200
-#: Points whose spread across their longest direction is smaller than this share of the spread along it lie on a straight line:
-#: squared, it is what rounding leaves of the smaller eigenvalue.
+#: Points whose spread across their longest direction is smaller than this share of the spread along
+#: it lie on a straight line: squared, it is what rounding leaves of the smaller eigenvalue.
 _STRAIGHT: Final = 1e-7
 #: A centre so many sizes of the figure away belongs to a straight line.
 _FARTHEST: Final = 1e6
-#: A step smaller than this share of the size of the figure moves the centre by less than rounding does.
+#: A step smaller than this share of the size of the figure moves the centre by less than rounding
+#: does.
 _STANDSTILL: Final = 1e-15
 #: Steps below this share shrink until only rounding is left; one that does not ends the search.
 _FLAT: Final = 1e-8
 
 
 def least_squares_circle(points: FloatArray) -> tuple[Point, float]:
-    """Return centre and radius of the circle with the least sum of squared distances to ``points`` (n, 2), in their unit.
+    """Return centre and radius of the circle with the least sum of squared distances to ``points``
+    (n, 2), in their unit.
 
-    Gauss-Newton from an algebraic start, on centred and scaled coordinates; the radius is the mean distance and so
-    no unknown of its own. Partial arcs are no special case. Raises InputError for other shapes, values that are not
-    finite, fewer than three different points, or points on (or nearest to) a straight line.
+    Gauss-Newton from an algebraic start, on centred and scaled coordinates; the radius is the mean
+    distance and so no unknown of its own. Partial arcs are no special case. Raises InputError for
+    other shapes, values that are not finite, fewer than three different points, or points on (or
+    nearest to) a straight line.
     """
     _require_points(points)
     shift = points.mean(axis=0)
@@ -39,7 +44,10 @@ def least_squares_circle(points: FloatArray) -> tuple[Point, float]:
     a, b = _refined(x, y, _algebraic_centre(x, y))
     if max(abs(a), abs(b)) > _FARTHEST:
         raise InputError(
-            Fault(message="no circle through these points", expected="points nearer to a circle than to a straight line")
+            Fault(
+                message="no circle through these points",
+                expected="points nearer to a circle than to a straight line",
+            )
         )
     radius = float(np.hypot(x - a, y - b).mean())
     return (float(shift[0] + size * a), float(shift[1] + size * b)), size * radius
@@ -48,9 +56,17 @@ def least_squares_circle(points: FloatArray) -> tuple[Point, float]:
 def _require_points(points: FloatArray) -> None:
     if points.ndim != 2 or points.shape[1] != 2 or points.shape[0] < 3:
         found = " x ".join(str(n) for n in points.shape)
-        raise InputError(Fault(message="no circle through these points", expected="at least three points (x, y)", found=found))
+        raise InputError(
+            Fault(
+                message="no circle through these points",
+                expected="at least three points (x, y)",
+                found=found,
+            )
+        )
     if not np.all(np.isfinite(points)):
-        raise InputError(Fault(message="no circle through these points", expected="finite coordinates"))
+        raise InputError(
+            Fault(message="no circle through these points", expected="finite coordinates")
+        )
 
 
 def _require_curved(x: FloatArray, y: FloatArray, size: float) -> None:
@@ -58,12 +74,17 @@ def _require_curved(x: FloatArray, y: FloatArray, size: float) -> None:
     least, most = np.linalg.eigvalsh(scatter)
     if size <= 0.0 or least <= _STRAIGHT**2 * most:
         raise InputError(
-            Fault(message="no circle through these points", expected="three points that do not lie on a straight line")
+            Fault(
+                message="no circle through these points",
+                expected="three points that do not lie on a straight line",
+            )
         )
 
 
 def _algebraic_centre(x: FloatArray, y: FloatArray) -> Point:
-    """Return the centre for which x² + y² - 2 a x - 2 b y - c has the least sum of squares (Kåsa 1976); x and y have mean 0."""
+    """Return the centre for which x² + y² - 2 a x - 2 b y - c has the least sum of squares (Kåsa
+    1976); x and y have mean 0.
+    """
     square = x * x + y * y
     scatter = 2.0 * np.array([[x @ x, x @ y], [x @ y, y @ y]])
     a, b = np.linalg.solve(scatter, np.array([x @ square, y @ square]))
@@ -73,8 +94,9 @@ def _algebraic_centre(x: FloatArray, y: FloatArray) -> Point:
 def _refined(x: FloatArray, y: FloatArray, start: Point) -> Point:
     """Return the centre about which the distances have the least variance, by Gauss-Newton steps.
 
-    Near a circle the steps shrink to rounding within a few rounds. No damping: it never changed the end in 20 000 sets of points
-    that scatter by half the radius; where the steps run away the points are nearest to a straight line.
+    Near a circle the steps shrink to rounding within a few rounds. No damping: it never changed the
+    end in 20 000 sets of points that scatter by half the radius; where the steps run away the
+    points are nearest to a straight line.
     """
     centre, last = np.array(start), np.inf
     for _ in range(_MOST_STEPS):
@@ -88,13 +110,19 @@ def _refined(x: FloatArray, y: FloatArray, start: Point) -> Point:
 
 
 def _gauss_newton_step(dx: FloatArray, dy: FloatArray) -> FloatArray:
-    """Return the step (2,) of the centre; ``dx``, ``dy`` are the points as seen from the present one."""
+    """Return the step (2,) of the centre; ``dx``, ``dy`` are the points as seen from the present
+    one.
+    """
     distance = np.hypot(dx, dy)
-    safe = np.where(distance > 0.0, distance, 1.0)  # a point in the centre has no direction; it pulls nowhere
+    safe = np.where(
+        distance > 0.0, distance, 1.0
+    )  # a point in the centre has no direction; it pulls nowhere
     u, v = dx / safe, dy / safe
     u -= u.mean()
     v -= v.mean()
     residual = distance - distance.mean()
     matrix = np.array([[u @ u, u @ v], [u @ v, v @ v]])
-    step: FloatArray = np.linalg.lstsq(matrix, np.array([u @ residual, v @ residual]), rcond=None)[0]
+    step: FloatArray = np.linalg.lstsq(matrix, np.array([u @ residual, v @ residual]), rcond=None)[
+        0
+    ]
     return step

@@ -1,4 +1,6 @@
-"""From the readings of a circular test to points of the actual path, and the comparison of two paths angle by angle."""
+"""From the readings of a circular test to points of the actual path, and the comparison of two
+paths angle by angle.
+"""
 
 from __future__ import annotations
 
@@ -21,25 +23,31 @@ SAME_ANGLE: Final = 1e-9
 
 @dataclass(frozen=True, slots=True)
 class ActualPath:
-    """One actual path. ``angles`` (n,) deg as commanded, ``points`` (n, 2) mm as seen from the set-up centre."""
+    """One actual path. ``angles`` (n,) deg as commanded, ``points`` (n, 2) mm as seen from the
+    set-up centre.
+    """
 
     run: CircularRun
     points: FloatArray
 
     def distances(self, centre: Point) -> FloatArray:
         """Return the distances (n,) of the points from ``centre``, mm."""
-        distances: FloatArray = np.hypot(self.points[:, 0] - centre[0], self.points[:, 1] - centre[1])
+        distances: FloatArray = np.hypot(
+            self.points[:, 0] - centre[0], self.points[:, 1] - centre[1]
+        )
         return distances
 
 
 def paths(runs: Sequence[CircularRun], nominal_radius: float) -> tuple[ActualPath, ...]:
-    """Return the actual paths of ``runs`` (angles deg, deviations mm) of one set-up, ``nominal_radius`` in mm.
+    """Return the actual paths of ``runs`` (angles deg, deviations mm) of one set-up,
+    ``nominal_radius`` in mm.
 
-    The angles are commanded, so they count about the programmed centre; the distances count from the set-up centre, which lies
-    somewhat beside it. The programmed centre seen from the set-up is taken as the least-squares centre of all runs together, and
-    a point lies from the set-up centre in the direction of its commanded point. The round is repeated until the centre stands
-    still. Points laid out at the commanded angles around the set-up centre instead would turn an offset e into an ellipse of
-    e²/2R: 2.5 µm for 0.5 mm at R = 50 mm.
+    The angles are commanded, so they count about the programmed centre; the distances count from
+    the set-up centre, which lies somewhat beside it. The programmed centre seen from the set-up is
+    taken as the least-squares centre of all runs together, and a point lies from the set-up centre
+    in the direction of its commanded point. The round is repeated until the centre stands still.
+    Points laid out at the commanded angles around the set-up centre instead would turn an offset e
+    into an ellipse of e²/2R: 2.5 µm for 0.5 mm at R = 50 mm.
 
     Raises InputError where no circle passes through the points.
     """
@@ -62,12 +70,16 @@ def _placed(run: CircularRun, nominal_radius: float, centre: Point) -> ActualPat
     return ActualPath(run=run, points=np.column_stack([x * factor, y * factor]))
 
 
-def hysteresis(one: ActualPath, other: ActualPath, centre: Point, arc: tuple[float, float]) -> float:
-    """Return H: the largest difference of the distances from ``centre`` at one angle, mm (ISO 230-4:1996, 3.3 and note 1).
+def hysteresis(
+    one: ActualPath, other: ActualPath, centre: Point, arc: tuple[float, float]
+) -> float:
+    """Return H: the largest difference of the distances from ``centre`` at one angle, mm (ISO
+    230-4:1996, 3.3 and note 1).
 
-    Both paths are joined by straight lines over the angle, so the largest difference lies at a sample of one of them: those at
-    which both paths exist are tried. Several samples of a path at one angle all count, by their largest and their least.
-    ``arc``: start and extent of the test, deg; a full circle is closed. NaN where the two paths share no angle.
+    Both paths are joined by straight lines over the angle, so the largest difference lies at a
+    sample of one of them: those at which both paths exist are tried. Several samples of a path at
+    one angle all count, by their largest and their least. ``arc``: start and extent of the test,
+    deg; a full circle is closed. NaN where the two paths share no angle.
     """
     closed = arc[1] >= 360.0
     seam = 0.0 if closed else arc[0] - 0.5 * (360.0 - arc[1])
@@ -84,7 +96,9 @@ def hysteresis(one: ActualPath, other: ActualPath, centre: Point, arc: tuple[flo
 
 @dataclass(frozen=True, slots=True)
 class _Curve:
-    """Distances over strictly ascending angles from the seam (deg): the largest and the least of the samples at each angle."""
+    """Distances over strictly ascending angles from the seam (deg): the largest and the least of
+    the samples at each angle.
+    """
 
     angles: FloatArray
     low: FloatArray
@@ -100,5 +114,7 @@ class _Curve:
         low, high = np.minimum.reduceat(distances, first), np.maximum.reduceat(distances, first)
         if closed:
             angles = np.concatenate([[angles[-1] - 360.0], angles, [angles[0] + 360.0]])
-            low, high = (np.concatenate([values[-1:], values, values[:1]]) for values in (low, high))
+            low, high = (
+                np.concatenate([values[-1:], values, values[:1]]) for values in (low, high)
+            )
         return cls(angles=angles, low=low, high=high)

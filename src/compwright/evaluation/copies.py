@@ -1,7 +1,8 @@
 """Runs that are copies of each other: to the last digit, or with a little noise on top (CW-T031).
 
-Repeated runs of a machine differ at every target by their noise. Two runs that agree ten times better than the runs of the same
-test do are one run. Where the digits of the instrument are coarser than the noise, runs may be the same by chance.
+Repeated runs of a machine differ at every target by their noise. Two runs that agree ten times
+better than the runs of the same test do are one run. Where the digits of the instrument are coarser
+than the noise, runs may be the same by chance.
 """
 
 from __future__ import annotations
@@ -19,11 +20,12 @@ from compwright.records.positioning import PositioningTest
 #: Scatter below this is rounding of binary numbers, not a measurement: 1 pm, 1e-9 deg.
 _ROUNDING: Final = 1e-9
 _DIRECTIONS: Final = (Direction.POSITIVE, Direction.NEGATIVE)
-#: Two runs that differ by less than this of what the runs of a test differ by are one run. With eight targets (six degrees
-#: of freedom) honest runs do so once in 200 000 pairs.
+#: Two runs that differ by less than this of what the runs of a test differ by are one run. With
+#: eight targets (six degrees of freedom) honest runs do so once in 200 000 pairs.
 _COPY: Final = 0.1
 _TARGETS: Final = 8
-#: Of the differences of the pairs this one stands for the noise: above most copies, below a run that lies far off.
+#: Of the differences of the pairs this one stands for the noise: above most copies, below a run
+#: that lies far off.
 _QUANTILE: Final = 0.75
 #: Differences within this many steps of the instrument's last digit are made by the rounding.
 _STEPS: Final = 1.5
@@ -34,13 +36,17 @@ _NAMED: Final = 4
 
 
 def same_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
-    """Return for each direction the groups of columns (two or more) that hold the same readings at three targets or more."""
+    """Return for each direction the groups of columns (two or more) that hold the same readings at
+    three targets or more.
+    """
     found: dict[Direction, list[list[int]]] = {}
     for direction in _DIRECTIONS:
         block = test.deviations(direction)
         groups: list[list[int]] = []
         for column in range(block.shape[1]):
-            group = next((group for group in groups if _same(block[:, group[0]], block[:, column])), None)
+            group = next(
+                (group for group in groups if _same(block[:, group[0]], block[:, column])), None
+            )
             if group is None:
                 groups.append([column])
             else:
@@ -50,12 +56,14 @@ def same_runs(test: PositioningTest) -> dict[Direction, list[list[int]]]:
 
 
 def same_runs_findings(test: PositioningTest) -> list[Finding]:
-    """Return the finding CW-T031: runs that agree to the last digit, or nearly so, in one direction or between the two."""
+    """Return the finding CW-T031: runs that agree to the last digit, or nearly so, in one direction
+    or between the two.
+    """
     exact = [] if _by_chance(test) else _exact(test)
     if exact:
         message = (
-            f"The same readings to the last digit: {'; '.join(exact)}. Was one run copied, or are the readings rounded too "
-            "coarsely? Repeatability and noise cannot be told from them."
+            f"The same readings to the last digit: {'; '.join(exact)}. Was one run copied, or are"
+            " the readings rounded too coarsely? Repeatability and noise cannot be told from them."
         )
         return [Finding("CW-T031", "warning", message)]
     near, noise = _near(test)
@@ -63,8 +71,9 @@ def same_runs_findings(test: PositioningTest) -> list[Finding]:
         return []
     more = f" and {len(near) - _NAMED} more pairs" if len(near) > _NAMED else ""
     message = (
-        f"Nearly the same readings: {'; '.join(near[:_NAMED])}{more}, while runs of this test differ by {text_of(noise, test)}. "
-        "Was one run copied and changed a little? Repeatability and noise cannot be told from them."
+        f"Nearly the same readings: {'; '.join(near[:_NAMED])}{more}, while runs of this test"
+        f" differ by {text_of(noise, test)}. Was one run copied and changed a little? Repeatability"
+        " and noise cannot be told from them."
     )
     return [Finding("CW-T031", "warning", message)]
 
@@ -75,7 +84,11 @@ def _exact(test: PositioningTest) -> list[str]:
         for group in groups:
             names = [_number(test, direction, column) for column in group]
             parts.append(f"runs {', '.join(names[:-1])} and {names[-1]} in {sign_text(direction)}")
-    if test.positive.shape == test.negative.shape and all(map(_same, test.positive.T, test.negative.T)) and test.positive.size:
+    if (
+        test.positive.shape == test.negative.shape
+        and all(map(_same, test.positive.T, test.negative.T))
+        and test.positive.size
+    ):
         parts.append("the runs in + and those in −")
     return parts
 
@@ -83,8 +96,8 @@ def _exact(test: PositioningTest) -> list[str]:
 def _by_chance(test: PositioningTest) -> bool:
     """Return whether digits this coarse make runs the same by chance.
 
-    Of the pairs of runs that are not the same, the share p of targets at which they agree tells how often two readings are the
-    same; all m targets agree with the chance p^m for each pair.
+    Of the pairs of runs that are not the same, the share p of targets at which they agree tells how
+    often two readings are the same; all m targets agree with the chance p^m for each pair.
     """
     agree, count, pairs = 0.0, 0, 0
     for direction in _DIRECTIONS:
@@ -98,7 +111,9 @@ def _by_chance(test: PositioningTest) -> bool:
 
 
 def _near(test: PositioningTest) -> tuple[list[str], float]:
-    """Return the pairs of runs that are nearly the same, in words, and what the runs of a direction differ by (mm or deg, rms)."""
+    """Return the pairs of runs that are nearly the same, in words, and what the runs of a direction
+    differ by (mm or deg, rms).
+    """
     traverses = [
         (direction, column, values)
         for direction in _DIRECTIONS
@@ -106,7 +121,9 @@ def _near(test: PositioningTest) -> tuple[list[str], float]:
         if np.any(np.nan_to_num(values))  # zeros have a finding of their own
     ]
     apart = {
-        (one[:2], other[:2]): gap for one, other in combinations(traverses, 2) if (gap := _apart(one[2], other[2])) is not None
+        (one[:2], other[:2]): gap
+        for one, other in combinations(traverses, 2)
+        if (gap := _apart(one[2], other[2])) is not None
     }
     within = [gap for (one, other), gap in apart.items() if one[0] is other[0]]
     noise = float(np.quantile(within, _QUANTILE)) if within else 0.0
@@ -121,7 +138,9 @@ def _near(test: PositioningTest) -> tuple[list[str], float]:
 
 
 def _apart(one: FloatArray, other: FloatArray) -> float | None:
-    """Return by how much two runs differ, rms, but for a constant and a drift along the run; None with too few targets."""
+    """Return by how much two runs differ, rms, but for a constant and a drift along the run; None
+    with too few targets.
+    """
     known = np.isfinite(one) & np.isfinite(other)
     count = int(np.count_nonzero(known))
     if count < _TARGETS:
@@ -142,7 +161,11 @@ def _step(test: PositioningTest) -> float:
 
 def _same(one: FloatArray, other: FloatArray) -> bool:
     both = np.isfinite(one) & np.isfinite(other)
-    return bool(np.count_nonzero(both) >= 3 and np.any(one[both]) and np.max(np.abs(one[both] - other[both])) <= _ROUNDING)
+    return bool(
+        np.count_nonzero(both) >= 3
+        and np.any(one[both])
+        and np.max(np.abs(one[both] - other[both])) <= _ROUNDING
+    )
 
 
 def _number(test: PositioningTest, direction: Direction, column: int) -> str:

@@ -1,4 +1,6 @@
-"""Does a value keep its limit? Simple comparison, or with the measurement uncertainty as a guard band."""
+"""Does a value keep its limit? Simple comparison, or with the measurement uncertainty as a guard
+band.
+"""
 
 from __future__ import annotations
 
@@ -12,15 +14,21 @@ Rule = Literal["simple", "guarded"]
 
 
 def decide(value: float, limit: float, U: float | None, rule: Rule) -> Decision:
-    """Return the decision about ``value`` <= ``limit``; ``U`` is the expanded uncertainty, all three in one unit.
+    """Return the decision about ``value`` <= ``limit``; ``U`` is the expanded uncertainty, all
+    three in one unit.
 
-    ``simple`` compares the value alone. ``guarded`` (ISO 14253-1) accepts when value + U <= limit, rejects when
-    value - U > limit, and is undecided between. A value that is not a number is undecided. Raises UsageError for an unknown rule
-    and for ``guarded`` without an uncertainty.
+    ``simple`` compares the value alone. ``guarded`` (ISO 14253-1) accepts when value + U <= limit,
+    rejects when value - U > limit, and is undecided between. A value that is not a number is
+    undecided. Raises UsageError for an unknown rule and for ``guarded`` without an uncertainty.
     """
     if rule not in {"simple", "guarded"}:
         raise UsageError(
-            Fault(message="unknown decision rule", place="decision_rule", expected="simple or guarded", found=str(rule))
+            Fault(
+                message="unknown decision rule",
+                place="decision_rule",
+                expected="simple or guarded",
+                found=str(rule),
+            )
         )
     if rule == "guarded" and U is None:
         raise UsageError(

@@ -1,4 +1,6 @@
-"""Nominal differential expansion (ISO 230-2:1997 and 2006, 3.1): deviations of a linear axis referred to 20 °C."""
+"""Nominal differential expansion (ISO 230-2:1997 and 2006, 3.1): deviations of a linear axis
+referred to 20 °C.
+"""
 
 from __future__ import annotations
 
@@ -25,27 +27,39 @@ _AIR_ONLY: Final = re.compile(
 def instrument_compensated_expansion(compensated_for: str) -> bool:
     """Whether the header text says that the instrument already removed material expansion.
 
-    The parts between commas, semicolons, ``+`` and ``/`` that speak of the air or the wavelength only do not count; a part that is
-    not understood counts, because removing the expansion twice is worse than asking.
+    The parts between commas, semicolons, ``+`` and ``/`` that speak of the air or the wavelength
+    only do not count; a part that is not understood counts, because removing the expansion twice is
+    worse than asking.
     """
     parts = [part.strip().lower() for part in re.split(r"[,;+/]", compensated_for)]
     return any(part not in _NOTHING and not _AIR_ONLY.match(part) for part in parts)
 
 
 def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> PositioningTest:
-    """Return ``test`` with e20 = e - (x - x_fix)[alpha_m (T_m - 20) - alpha_d (T_d - 20)] and a finding that says so.
+    """Return ``test`` with e20 = e - (x - x_fix)[alpha_m (T_m - 20) - alpha_d (T_d - 20)] and a
+    finding that says so.
 
-    x in mm, alpha in µm/(m K), T in °C, deviations in mm. ``thermal.x_fix`` is the fixed point of the measurement and
-    ``thermal.refer_to`` says whose expansion alpha_m and T_m are: the machine's scale or the workpiece. Raises UsageError for a
-    rotary axis, InputError when the instrument did it already (header ``compensated_for``) or it was done before.
+    x in mm, alpha in µm/(m K), T in °C, deviations in mm. ``thermal.x_fix`` is the fixed point of
+    the measurement and ``thermal.refer_to`` says whose expansion alpha_m and T_m are: the machine's
+    scale or the workpiece. Raises UsageError for a rotary axis, InputError when the instrument did
+    it already (header ``compensated_for``) or it was done before.
     """
     if test.kind is not AxisKind.LINEAR:
-        raise UsageError(Fault(message="thermal expansion applies to linear axes only", file=test.name, found="a rotary axis"))
+        raise UsageError(
+            Fault(
+                message="thermal expansion applies to linear axes only",
+                file=test.name,
+                found="a rotary axis",
+            )
+        )
     stated = test.header.get("compensated_for", "")
     if instrument_compensated_expansion(stated):
         raise InputError(
             Fault(
-                message="the instrument already compensated; removing the thermal expansion again would count it twice",
+                message=(
+                    "the instrument already compensated; removing the thermal expansion again would"
+                    " count it twice"
+                ),
                 file=test.sources[0].file if test.sources else test.name,
                 place="compensated_for",
                 expected="nothing, or the air only",
@@ -53,15 +67,22 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
             )
         )
     if any(finding.code == _CODE for finding in test.findings):
-        raise InputError(Fault(message="the thermal expansion was already removed from this test", file=test.name))
-    per_mm = 1e-6 * (thermal.alpha_m * (thermal.T_m - 20.0) - thermal.alpha_d * (thermal.T_d - 20.0))
+        raise InputError(
+            Fault(
+                message="the thermal expansion was already removed from this test", file=test.name
+            )
+        )
+    per_mm = 1e-6 * (
+        thermal.alpha_m * (thermal.T_m - 20.0) - thermal.alpha_d * (thermal.T_d - 20.0)
+    )
     expansion = ((test.targets - thermal.x_fix) * per_mm)[:, np.newaxis]
     finding = Finding(
         _CODE,
         "info",
-        f"Referred to 20 °C ({thermal.refer_to}): {1e6 * per_mm:+.3f} µm/m removed about {thermal.x_fix:.10g} mm, from "
-        f"{thermal.alpha_m:g} µm/(m K) at {thermal.T_m:g} °C for the {thermal.refer_to} and {thermal.alpha_d:g} µm/(m K) at "
-        f"{thermal.T_d:g} °C for the instrument.",
+        f"Referred to 20 °C ({thermal.refer_to}): {1e6 * per_mm:+.3f} µm/m removed about"
+        f" {thermal.x_fix:.10g} mm, from {thermal.alpha_m:g} µm/(m K) at {thermal.T_m:g} °C for the"
+        f" {thermal.refer_to} and {thermal.alpha_d:g} µm/(m K) at {thermal.T_d:g} °C for the"
+        " instrument.",
     )
     return replace(
         test,

@@ -1,14 +1,17 @@
-"""The minimum zone: two concentric circles, closest to each other, that hold all points (Chebyshev; ISO 230-4:1996, 3.4).
+"""The minimum zone: two concentric circles, closest to each other, that hold all points (Chebyshev;
+ISO 230-4:1996, 3.4).
 
-The width w(c) = max|p - c| - min|p - c| has a minimum only where two points lie on the outer and two on the inner circle and
-the two pairs alternate around the centre: there the directions to the outer pair and to the inner pair span crossing chords of
-the unit circle, so that w rises in every direction to first order. (Three on one circle and one on the other is a
-stationary point only if two of them lie on one ray, where w is largest, not least, across the ray.) Such a centre is the
+The width w(c) = max|p - c| - min|p - c| has a minimum only where two points lie on the outer and
+two on the inner circle and the two pairs alternate around the centre: there the directions to the
+outer pair and to the inner pair span crossing chords of the unit circle, so that w rises in every
+direction to first order. (Three on one circle and one on the other is a stationary point only if
+two of them lie on one ray, where w is largest, not least, across the ray.) Such a centre is the
 crossing of two perpendicular bisectors.
 
-Working-set method: all crossings of the bisectors of a few points are tried, which gives the least width of these few exactly,
-a lower bound for all points; points outside that zone join them, and the points that do not touch it leave when the width has
-grown. When no point is outside, the bound is reached.
+Working-set method: all crossings of the bisectors of a few points are tried, which gives the least
+width of these few exactly, a lower bound for all points; points outside that zone join them, and
+the points that do not touch it leave when the width has grown. When no point is outside, the bound
+is reached.
 """
 
 from __future__ import annotations
@@ -26,30 +29,38 @@ from compwright.records.axis import FloatArray
 
 Indices = NDArray[np.intp]
 
-#: The points are taken in so many sectors of equal number; the outermost and the innermost of each may join in a round.
+#: The points are taken in so many sectors of equal number; the outermost and the innermost of each
+#: may join in a round.
 _SECTORS: Final = 6
 _MOST_ROUNDS: Final = 100
-#: Distances from the least-squares centre that spread over more than this share of the radius are not those of a circle. Below it
-#: 9 000 random sets (even, normal, heavy-tailed, coarse, spikes; arcs from 90°) took 9 rounds and 14 points at most.
+#: Distances from the least-squares centre that spread over more than this share of the radius are
+#: not those of a circle. Below it 9 000 random sets (even, normal, heavy-tailed, coarse, spikes;
+#: arcs from 90°) took 9 rounds and 14 points at most.
 _NOT_ROUND: Final = 0.25
-#: Crossings of all bisectors of so many points are the most that are tried at once (about 12 million distances).
+#: Crossings of all bisectors of so many points are the most that are tried at once (about 12
+#: million distances).
 _MOST_WORKING: Final = 40
 #: Distances that differ by less, relative to the radius, are equal: some tens of roundings.
 _ROUNDING: Final = 64.0 * float(np.finfo(np.float64).eps)
 
 
-def minimum_zone(points: FloatArray, least_squares: tuple[Point, float] | None = None) -> tuple[Point, float, float]:
-    """Return centre, inner and outer radius of the narrowest annulus that holds ``points`` (n, 2), all in their unit.
+def minimum_zone(
+    points: FloatArray, least_squares: tuple[Point, float] | None = None
+) -> tuple[Point, float, float]:
+    """Return centre, inner and outer radius of the narrowest annulus that holds ``points`` (n, 2),
+    all in their unit.
 
     ``least_squares``: their least-squares circle, where it is known already.
 
-    The least width over all centres in the region around the least-squares centre that the reach bounds; a centre far away, about
-    which a short piece of arc looks like a strip, is not what roundness means. Every point counts, and each lies in the
-    annulus. The width is the least one to within rounding (some 1e-14 of the radius). Where two points on one ray alone set it,
-    many centres give it, to 1e-9 of itself; one of them is returned.
+    The least width over all centres in the region around the least-squares centre that the reach
+    bounds; a centre far away, about which a short piece of arc looks like a strip, is not what
+    roundness means. Every point counts, and each lies in the annulus. The width is the least one to
+    within rounding (some 1e-14 of the radius). Where two points on one ray alone set it, many
+    centres give it, to 1e-9 of itself; one of them is returned.
 
-    Raises InputError for fewer than three different points, for points on a straight line, and for points whose distances from the
-    least-squares centre spread over more than a quarter of the radius; CapacityError when the zone does not stand still.
+    Raises InputError for fewer than three different points, for points on a straight line, and for
+    points whose distances from the least-squares centre spread over more than a quarter of the
+    radius; CapacityError when the zone does not stand still.
     """
     start, radius = least_squares or least_squares_circle(points)
     x, y = _around(points[:, 0] - start[0], points[:, 1] - start[1])
@@ -57,7 +68,11 @@ def minimum_zone(points: FloatArray, least_squares: tuple[Point, float] | None =
     if float(np.ptp(distance)) > _NOT_ROUND * radius:
         found = f"{float(np.ptp(distance)):.4g} at a radius of {radius:.4g}"
         raise InputError(
-            Fault(message="the points are not near a circle", expected="a spread below a quarter of the radius", found=found)
+            Fault(
+                message="the points are not near a circle",
+                expected="a spread below a quarter of the radius",
+                found=found,
+            )
         )
     reach = _reach(x, y, distance)
     tolerance = _ROUNDING * radius
@@ -67,16 +82,24 @@ def minimum_zone(points: FloatArray, least_squares: tuple[Point, float] | None =
     for _ in range(_MOST_ROUNDS):
         joining = _outside(distance, low - tolerance, high + tolerance)
         if joining.size == 0:
-            return (start[0] + float(centre[0]), start[1] + float(centre[1])), float(distance.min()), float(distance.max())
+            return (
+                (start[0] + float(centre[0]), start[1] + float(centre[1])),
+                float(distance.min()),
+                float(distance.max()),
+            )
         working = np.union1d(working, joining)
         centre = _narrowest(x[working], y[working], reach, tolerance)
         distance = np.hypot(x - centre[0], y - centre[1])
         low, high = float(distance[working].min()), float(distance[working].max())
         if high - low > width + tolerance or working.size > _MOST_WORKING - 2 * _SECTORS:
-            touching = (distance[working] < low + tolerance) | (distance[working] > high - tolerance)
+            touching = (distance[working] < low + tolerance) | (
+                distance[working] > high - tolerance
+            )
             working = working[touching]
         width = max(width, high - low)
-    raise CapacityError(Fault(message="the minimum zone does not stand still", found=f"{points.shape[0]} points"))
+    raise CapacityError(
+        Fault(message="the minimum zone does not stand still", found=f"{points.shape[0]} points")
+    )
 
 
 def _around(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -91,9 +114,10 @@ def _around(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
 def _reach(x: FloatArray, y: FloatArray, distance: FloatArray) -> float:
     """Return how far from the least-squares centre the best one can lie.
 
-    A centre moved by s along a unit vector e changes the distances by about s u·e, u the directions of the points. With k the least
-    range of u·e over all e, the width is at least k s minus the present one: better centres have s of at most two widths over
-    k. Doubled for the terms of second order, and never farther than the points themselves.
+    A centre moved by s along a unit vector e changes the distances by about s u·e, u the directions
+    of the points. With k the least range of u·e over all e, the width is at least k s minus the
+    present one: better centres have s of at most two widths over k. Doubled for the terms of second
+    order, and never farther than the points themselves.
     """
     thin = max(1, x.size // 256)
     some = np.where(distance > 0.0, distance, 1.0)[::thin]
@@ -125,16 +149,20 @@ def _pairs(n: int) -> tuple[Indices, Indices]:
 
 
 def _narrowest(x: FloatArray, y: FloatArray, reach: float, tolerance: float) -> FloatArray:
-    """Return the centre (2,) of the narrowest annulus of a few points among the origin and the crossings of their bisectors.
+    """Return the centre (2,) of the narrowest annulus of a few points among the origin and the
+    crossings of their bisectors.
 
-    Centres farther from the origin than ``reach`` are left out. Of several equally good ones the middle is taken: where two
-    points on a ray set the width all centres between are as good, and the middle leaves fewest other points outside.
+    Centres farther from the origin than ``reach`` are left out. Of several equally good ones the
+    middle is taken: where two points on a ray set the width all centres between are as good, and
+    the middle leaves fewest other points outside.
     """
     first, second = _pairs(x.size)
     nx, ny = x[second] - x[first], y[second] - y[first]
     level = 0.5 * (nx * (x[second] + x[first]) + ny * (y[second] + y[first]))
     one, other = _pairs(nx.size)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # parallel bisectors do not cross
+    with np.errstate(
+        divide="ignore", invalid="ignore", over="ignore"
+    ):  # parallel bisectors do not cross
         across = nx[one] * ny[other] - nx[other] * ny[one]
         cx = (level[one] * ny[other] - level[other] * ny[one]) / across
         cy = (nx[one] * level[other] - nx[other] * level[one]) / across

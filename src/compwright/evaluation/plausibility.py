@@ -1,7 +1,9 @@
-"""Can these readings be what they say they are? Units, copies and directions that a single test gives away by itself.
+"""Can these readings be what they say they are? Units, copies and directions that a single test
+gives away by itself.
 
-What is certain is said by `certain_fault` (a caller refuses the test), what is possible by `plausibility_findings` (doubts, shown
-first). Reasons for each number stand at its constant; lengths in mm, angles in deg.
+What is certain is said by `certain_fault` (a caller refuses the test), what is possible by
+`plausibility_findings` (doubts, shown first). Reasons for each number stand at its constant;
+lengths in mm, angles in deg.
 """
 
 from __future__ import annotations
@@ -17,23 +19,27 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.positioning import PositioningTest
 
-#: Readings that all lie within this per metre (and within a tenth of it on short axes) are no machine in air: 0.01 K changes
-#: a metre of steel by 0.115 µm and of light path by 0.01 µm, and no control positions to better than its own increment. mm per mm.
+#: Readings that all lie within this per metre (and within a tenth of it on short axes) are no
+#: machine in air: 0.01 K changes a metre of steel by 0.115 µm and of light path by 0.01 µm, and no
+#: control positions to better than its own increment. mm per mm.
 _NO_MACHINE: Final = 1e-7
 _SHORTEST: Final = 100.0
 #: The same for rotary axes, deg: 0.01 arcsec, the resolution of the best autocollimators.
 _NO_TABLE: Final = 0.01 / 3600.0
-#: Repeated readings that scatter by less than this (and do scatter) lie below the resolution of any instrument for machine tools
-#: (1 nm) and far below the turbulence of the air in any beam: 2 nm, 0.0005 arcsec. Taken as certain only where the readings
-#: altogether lie within `_NARROW`: a scale error of 20 µm with hardly any noise is a simulation, not a slip of the unit.
+#: Repeated readings that scatter by less than this (and do scatter) lie below the resolution of any
+#: instrument for machine tools (1 nm) and far below the turbulence of the air in any beam: 2 nm,
+#: 0.0005 arcsec. Taken as certain only where the readings altogether lie within `_NARROW`: a scale
+#: error of 20 µm with hardly any noise is a simulation, not a slip of the unit.
 _NO_SCATTER: Final = {AxisKind.LINEAR: 2e-6, AxisKind.ROTARY: 0.0005 / 3600.0}
 _NARROW: Final = {AxisKind.LINEAR: 2e-3, AxisKind.ROTARY: 0.2 / 3600.0}
-#: Readings within this are better than practically every machine tool: possible, to be asked about. 0.5 µm, 0.1 arcsec.
+#: Readings within this are better than practically every machine tool: possible, to be asked about.
+#: 0.5 µm, 0.1 arcsec.
 _RARE: Final = {AxisKind.LINEAR: 5e-4, AxisKind.ROTARY: 0.1 / 3600.0}
 #: Scatter below this is rounding of binary numbers, not a measurement: 1 pm, 1e-9 deg.
 _ROUNDING: Final = 1e-9
-#: Lost motion gives a negative mean reversal. A positive one needs a backlash value that is too large (a few µm are common), or the
-#: directions or the sign are turned: 3 µm, 3 arcsec, and four standard errors.
+#: Lost motion gives a negative mean reversal. A positive one needs a backlash value that is too
+#: large (a few µm are common), or the directions or the sign are turned: 3 µm, 3 arcsec, and four
+#: standard errors.
 _TURNED: Final = {AxisKind.LINEAR: 3e-3, AxisKind.ROTARY: 3.0 / 3600.0}
 _SURE: Final = 4.0
 _INCH: Final = 25.4
@@ -45,7 +51,9 @@ _DIRECTIONS: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def pooled_scatter(test: PositioningTest) -> tuple[float, float]:
-    """Return the pooled standard deviation of a reading about its target's mean (mm or deg) and its degrees of freedom."""
+    """Return the pooled standard deviation of a reading about its target's mean (mm or deg) and its
+    degrees of freedom.
+    """
     squares, dof = 0.0, 0.0
     for direction in _DIRECTIONS:
         block = test.deviations(direction)
@@ -65,19 +73,27 @@ def spread_of(test: PositioningTest) -> float:
 
 
 def certain_fault(test: PositioningTest) -> str:
-    """Return why these readings cannot be deviations of a machine in the unit stated; empty where they can.
+    """Return why these readings cannot be deviations of a machine in the unit stated; empty where
+    they can.
 
-    Certain are: every reading the same (nothing was measured); all readings within 0.1 µm per metre (0.01 arcsec); repeated
-    readings that scatter by less than 2 nm (0.0005 arcsec) while all lie within 2 µm (0.2 arcsec), the mark of mm read as µm or
-    deg read as arcsec; and deviations that grow one to one with the targets, which are measured positions. An excellent machine
-    shows none of them: its repeated readings scatter at least by the air in the beam.
+    Certain are: every reading the same (nothing was measured); all readings within 0.1 µm per metre
+    (0.01 arcsec); repeated readings that scatter by less than 2 nm (0.0005 arcsec) while all lie
+    within 2 µm (0.2 arcsec), the mark of mm read as µm or deg read as arcsec; and deviations that
+    grow one to one with the targets, which are measured positions. An excellent machine shows none
+    of them: its repeated readings scatter at least by the air in the beam.
     """
     noticed = {finding.code for finding in test.findings}
     if "CW-R011" in noticed:
         unit = test.kind.unit
-        return f"the deviations grow by 1 {unit} per {unit} of target: these are measured positions, not deviations"
+        return (
+            f"the deviations grow by 1 {unit} per {unit} of target: these are measured positions,"
+            " not deviations"
+        )
     if "CW-R009" in noticed:
-        return f"all deviations are smaller than 0.000001 {test.kind.unit}: nothing was measured, or the unit is another one"
+        return (
+            f"all deviations are smaller than 0.000001 {test.kind.unit}: nothing was measured, or"
+            " the unit is another one"
+        )
     spread = spread_of(test)
     count = int(np.isfinite(test.positive).sum() + np.isfinite(test.negative).sum())
     if count < 3:
@@ -87,13 +103,16 @@ def certain_fault(test: PositioningTest) -> str:
     length = float(test.targets[-1] - test.targets[0])
     least = _NO_TABLE if test.kind is AxisKind.ROTARY else _NO_MACHINE * max(length, _SHORTEST)
     if spread < least:
-        return f"all readings lie within {text_of(spread, test)}, which no machine can do: {_smaller(test)}"
+        return (
+            f"all readings lie within {text_of(spread, test)}, which no machine can do:"
+            f" {_smaller(test)}"
+        )
     s, dof = pooled_scatter(test)
     if dof >= 8.0 and _ROUNDING < s < _NO_SCATTER[test.kind] and spread < _NARROW[test.kind]:
         nano = f"{s * 1e6:.2g} nm" if test.kind is AxisKind.LINEAR else text_of(s, test)
         return (
-            f"repeated readings scatter by {nano} and all lie within {text_of(spread, test)}, below what any instrument can "
-            f"resolve: {_smaller(test)}"
+            f"repeated readings scatter by {nano} and all lie within {text_of(spread, test)}, below"
+            f" what any instrument can resolve: {_smaller(test)}"
         )
     return ""
 
@@ -107,7 +126,9 @@ def _smaller(test: PositioningTest) -> str:
 
 
 def plausibility_findings(test: PositioningTest) -> list[Finding]:
-    """Return what may be wrong with the unit, the origin or the directions of a test: CW-T030 to CW-T033, CW-T035."""
+    """Return what may be wrong with the unit, the origin or the directions of a test: CW-T030 to
+    CW-T033, CW-T035.
+    """
     return [*_small(test), *same_runs_findings(test), *_turned(test), *_inches(test), *_few(test)]
 
 
@@ -120,7 +141,10 @@ def _small(test: PositioningTest) -> list[Finding]:
     spread = spread_of(test)
     if not 0.0 < spread < _RARE[test.kind]:
         return []
-    message = f"All readings lie within {text_of(spread, test)}: few machines are that good. Is the unit right?"
+    message = (
+        f"All readings lie within {text_of(spread, test)}: few machines are that good. Is the unit"
+        " right?"
+    )
     return [Finding("CW-T030", "warning", message)]
 
 
@@ -137,10 +161,11 @@ def _turned(test: PositioningTest) -> list[Finding]:
         Finding(
             "CW-T032",
             "warning",
-            f"The mean reversal value is +{text_of(mean, test)}, while lost motion gives a negative one: are the directions + and "
-            "− swapped, is the sign of the deviations turned, or is the backlash compensation too large? A table made from swapped "
-            "directions doubles the lost motion. Check at one target: with lost motion the deviation of an approach in + is the "
-            "smaller one.",
+            f"The mean reversal value is +{text_of(mean, test)}, while lost motion gives a negative"
+            " one: are the directions + and − swapped, is the sign of the deviations turned, or is"
+            " the backlash compensation too large? A table made from swapped directions doubles"
+            " the lost motion. Check at one target: with lost motion the deviation of an approach"
+            " in + is the smaller one.",
         )
     ]
 
@@ -154,12 +179,16 @@ def _inches(test: PositioningTest) -> list[Finding]:
     round_already = np.max(np.abs(test.targets * 100.0 - np.round(test.targets * 100.0))) < 1e-6
     if not whole or round_already:
         return []
-    first, last = position_text(float(test.targets[0]), test), position_text(float(test.targets[-1]), test)
+    first, last = (
+        position_text(float(test.targets[0]), test),
+        position_text(float(test.targets[-1]), test),
+    )
     return [
         Finding(
             "CW-T033",
             "warning",
-            f"The targets, {first} to {last}, are whole millimetres when they are taken for inches: are they in inches?",
+            f"The targets, {first} to {last}, are whole millimetres when they are taken for inches:"
+            " are they in inches?",
         )
     ]
 
@@ -170,23 +199,32 @@ def _few(test: PositioningTest) -> list[Finding]:
     if count >= fewest:
         return []
     targets = "target" if count == 1 else "targets"
-    message = f"{count} {targets}, where the standard asks for {fewest} at least: of what lies between them nothing is known."
-    return [Finding("CW-T035", "warning", f"{message} Parameters and limits speak of these {targets} alone.")]
+    message = (
+        f"{count} {targets}, where the standard asks for {fewest} at least: of what lies between"
+        " them nothing is known."
+    )
+    return [
+        Finding(
+            "CW-T035", "warning", f"{message} Parameters and limits speak of these {targets} alone."
+        )
+    ]
 
 
 #: Factors between the unit of the targets and mm, by name of the unit that was taken for mm.
 _TARGET_UNITS: Final = ((_INCH, "inches"), (1000.0, "metres"))
-#: Targets in another unit cover the travel when multiplied: at least half of it, and not more than all of it but
-#: for a few hundredths.
+#: Targets in another unit cover the travel when multiplied: at least half of it, and not more than
+#: all of it but for a few hundredths.
 _COVERS: Final = (0.5, 1.05)
 
 
 def wrong_target_unit(test: PositioningTest, travel: tuple[float, float]) -> str:
-    """Return in which unit the targets seem to be, so that they fit ``travel`` (mm); empty where they fit as they are.
+    """Return in which unit the targets seem to be, so that they fit ``travel`` (mm); empty where
+    they fit as they are.
 
-    Certain, because nothing else brings it about: the targets span less than a tenth of the travel (or more than ten times
-    of it), and times 25.4 or 1000 (or divided by it) they span at least half of it and not more than all of it. Only spans are
-    compared: an offset may have been added in mm.
+    Certain, because nothing else brings it about: the targets span less than a tenth of the travel
+    (or more than ten times of it), and times 25.4 or 1000 (or divided by it) they span at least
+    half of it and not more than all of it. Only spans are compared: an offset may have been added
+    in mm.
     """
     if test.kind is not AxisKind.LINEAR or test.targets.size < 3:
         return ""

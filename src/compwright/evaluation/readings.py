@@ -1,7 +1,9 @@
-"""Checks of the readings themselves: missing ones, traverses of zeros, drift over the runs, suspect traverses and readings.
+"""Checks of the readings themselves: missing ones, traverses of zeros, drift over the runs, suspect
+traverses and readings.
 
-With n = 5 no reading can lie further than 1.789 s from its own mean, so a 3 s rule never fires; what is suspect is judged by
-medians pooled over the targets. Nothing is dropped: each finding shows the result with and without.
+With n = 5 no reading can lie further than 1.789 s from its own mean, so a 3 s rule never fires;
+what is suspect is judged by medians pooled over the targets. Nothing is dropped: each finding shows
+the result with and without.
 """
 
 from __future__ import annotations
@@ -20,18 +22,32 @@ from compwright.foundations.units import outside_factor
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 
-#: Returns one sentence that compares the result with and without some readings; "" where nothing can be compared.
+#: Returns one sentence that compares the result with and without some readings; "" where nothing
+#: can be compared.
 Compare = Callable[[PositioningTest], str]
 
-#: Runs in random order look ordered with this chance at most before it is called a drift; 2/5! of five runs is 1/60.
+#: Runs in random order look ordered with this chance at most before it is called a drift; 2/5! of
+#: five runs is 1/60.
 DRIFT_CHANCE: Final = 0.02
-#: A traverse is suspect when its median shift exceeds so many robust standard deviations of a reading. Simulated with five runs
-#: this calls 0.1 % of sound tests suspect when the readings scatter on their own and 1.2 % when whole runs shift together.
+#: A traverse is suspect when its median shift exceeds so many robust standard deviations of a
+#: reading. Simulated with five runs this calls 0.1 % of sound tests suspect when the readings
+#: scatter on their own and 1.2 % when whole runs shift together.
 TRAVERSE_LIMIT: Final = 5.0
-#: The same for one reading against its target and its traverse; below 0.1 % of sound tests with five runs.
+#: The same for one reading against its target and its traverse; below 0.1 % of sound tests with
+#: five runs.
 READING_LIMIT: Final = 8.0
-#: Factors that make the median absolute deviation of n normal readings unbiased, beside 1.4826 (Croux and Rousseeuw, 1992).
-_MAD_FACTORS: Final = {2: 1.196, 3: 1.495, 4: 1.363, 5: 1.206, 6: 1.200, 7: 1.140, 8: 1.129, 9: 1.107}
+#: Factors that make the median absolute deviation of n normal readings unbiased, beside 1.4826
+#: (Croux and Rousseeuw, 1992).
+_MAD_FACTORS: Final = {
+    2: 1.196,
+    3: 1.495,
+    4: 1.363,
+    5: 1.206,
+    6: 1.200,
+    7: 1.140,
+    8: 1.129,
+    9: 1.107,
+}
 _SHOWN: Final = 5
 #: Rows of exact zeros that scattering readings show less often than this are no measurement.
 _BY_CHANCE: Final = 1e-5
@@ -43,7 +59,11 @@ _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 def text_of(value: float, test: PositioningTest) -> str:
     """Return a deviation (mm or deg) as text in µm or arcsec."""
     outside = value * outside_factor(test.kind.unit)
-    return f"{outside:.2f} {unit_text(test)}" if abs(outside) >= 1.0 else f"{outside:.3f} {unit_text(test)}"
+    return (
+        f"{outside:.2f} {unit_text(test)}"
+        if abs(outside) >= 1.0
+        else f"{outside:.3f} {unit_text(test)}"
+    )
 
 
 def signed_text(value: float, test: PositioningTest) -> str:
@@ -72,7 +92,9 @@ def _run_number(test: PositioningTest, direction: Direction, column: int) -> int
 
 
 def reading_findings(test: PositioningTest, compare: Compare) -> list[Finding]:
-    """Return the findings about the readings of ``test``; ``compare`` words the result without some of them."""
+    """Return the findings about the readings of ``test``; ``compare`` words the result without some
+    of them.
+    """
     return [
         *missing_readings(test),
         *zero_traverses(test),
@@ -83,13 +105,19 @@ def reading_findings(test: PositioningTest, compare: Compare) -> list[Finding]:
 
 
 def missing_readings(test: PositioningTest) -> list[Finding]:
-    """Return a finding when the number of readings differs between the targets of one direction (CW-T010)."""
+    """Return a finding when the number of readings differs between the targets of one direction
+    (CW-T010).
+    """
     parts = []
     for direction in _BOTH:
         number = test.readings(direction)
         measured = number[number > 0]
         if measured.size and measured.min() < number.max():
-            few = [position_text(x, test) for x, n in zip(test.targets, number, strict=True) if 0 < n < number.max()]
+            few = [
+                position_text(x, test)
+                for x, n in zip(test.targets, number, strict=True)
+                if 0 < n < number.max()
+            ]
             parts.append(
                 f"in {sign_text(direction)} {len(few)} of {number.size} targets "
                 f"({', '.join(few[:_SHOWN])}{' ...' * (len(few) > _SHOWN)})"
@@ -100,13 +128,15 @@ def missing_readings(test: PositioningTest) -> list[Finding]:
         Finding(
             "CW-T010",
             "warning",
-            f"Readings are missing: {'; '.join(parts)} have fewer than the others; each target is evaluated with its own n.",
+            f"Readings are missing: {'; '.join(parts)} have fewer than the others; each target is"
+            " evaluated with its own n.",
         )
     ]
 
 
 def zero_traverses(test: PositioningTest) -> list[Finding]:
-    """Return a finding for each traverse of zeros (two targets or more), and one for rows of zeros within a traverse (CW-T011).
+    """Return a finding for each traverse of zeros (two targets or more), and one for rows of zeros
+    within a traverse (CW-T011).
 
     A file that was read with this finding of its own (CW-R010) does not get the first one twice.
     """
@@ -119,26 +149,44 @@ def zero_traverses(test: PositioningTest) -> list[Finding]:
             values = deviations[:, column][np.isfinite(deviations[:, column])]
             name = f"{_run_number(test, direction, column)} in {sign_text(direction)}"
             if values.size > 1 and not np.any(values):
-                message = f"Traverse {name} is exactly zero at all {values.size} targets: probably not measured."
-                findings += [] if told else [Finding("CW-T011", "warning", f"{message} It is part of the result as it stands.")]
-            elif (row := _longest_row_of_zeros(values)) > 1 and values.size * chance**row < _BY_CHANCE:
+                message = (
+                    f"Traverse {name} is exactly zero at all {values.size} targets: probably not"
+                    " measured."
+                )
+                findings += (
+                    []
+                    if told
+                    else [
+                        Finding(
+                            "CW-T011",
+                            "warning",
+                            f"{message} It is part of the result as it stands.",
+                        )
+                    ]
+                )
+            elif (
+                row := _longest_row_of_zeros(values)
+            ) > 1 and values.size * chance**row < _BY_CHANCE:
                 filled.append((name, row))
     if filled:
         names = ", ".join(name for name, _ in filled[:_SHOWN]) + (
             f" and {len(filled) - _SHOWN} more" if len(filled) > _SHOWN else ""
         )
         message = (
-            f"Up to {max(row for _, row in filled)} targets side by side are exactly zero in traverse {names}, while the other "
-            "readings scatter: probably not measured, and filled up with zeros. They are part of the result as it stands."
+            f"Up to {max(row for _, row in filled)} targets side by side are exactly zero in"
+            f" traverse {names}, while the other readings scatter: probably not measured, and"
+            " filled up with zeros. They are part of the result as it stands."
         )
         findings.append(Finding("CW-T011", "warning", message))
     return findings
 
 
 def _chance_of_zero(test: PositioningTest) -> float:
-    """Return how often a reading that scatters about zero is exactly zero: the step of the digits by the width of the scatter.
+    """Return how often a reading that scatters about zero is exactly zero: the step of the digits
+    by the width of the scatter.
 
-    Scatter: the median of s over the targets that show one, so that the zeros themselves do not count.
+    Scatter: the median of s over the targets that show one, so that the zeros themselves do not
+    count.
     """
     values = np.concatenate([test.positive.ravel(), test.negative.ravel()])
     steps = np.diff(np.unique(values[np.isfinite(values)]))
@@ -159,12 +207,14 @@ def _longest_row_of_zeros(values: FloatArray) -> int:
 
 
 def drift(test: PositioningTest) -> list[Finding]:
-    """Return a finding when the readings progress in order over the runs (ISO 230-2:1997, 3.3), pooled over targets (CW-T012).
+    """Return a finding when the readings progress in order over the runs (ISO 230-2:1997, 3.3),
+    pooled over targets (CW-T012).
 
-    Score of a run and direction: mean over targets of its deviation from the target's median, clipped at three robust standard
-    deviations so that one bad reading cannot decide. Statistic: sum over directions of the absolute slope of the scores over the
-    runs; its significance from all permutations of the run order (common to both directions), so shifts of whole runs in
-    random order raise no alarm. At least five runs; a drift smaller than the robust s is not mentioned.
+    Score of a run and direction: mean over targets of its deviation from the target's median,
+    clipped at three robust standard deviations so that one bad reading cannot decide. Statistic:
+    sum over directions of the absolute slope of the scores over the runs; its significance from all
+    permutations of the run order (common to both directions), so shifts of whole runs in random
+    order raise no alarm. At least five runs; a drift smaller than the robust s is not mentioned.
     """
     residuals, scale = _pooled(test)
     scores = {
@@ -181,10 +231,14 @@ def drift(test: PositioningTest) -> list[Finding]:
     sizes = table @ centred * (runs - 1) / (centred @ centred)
     if chance > DRIFT_CHANCE or np.abs(sizes).max() < scale:
         return []
-    told = " and ".join(f"{signed_text(float(size), test)} in {sign_text(d)}" for size, d in zip(sizes, scores, strict=True))
+    told = " and ".join(
+        f"{signed_text(float(size), test)} in {sign_text(d)}"
+        for size, d in zip(sizes, scores, strict=True)
+    )
     message = (
-        f"The readings drift: {told} from the first run to the last (mean over the targets); in runs without drift such an order "
-        f"has a chance of {100.0 * chance:.1f} %. Warm the axis up and measure again: the drift is part of R and A."
+        f"The readings drift: {told} from the first run to the last (mean over the targets); in"
+        f" runs without drift such an order has a chance of {100.0 * chance:.1f} %. Warm the axis"
+        " up and measure again: the drift is part of R and A."
     )
     return [Finding("CW-T012", "warning", message)]
 
@@ -203,7 +257,9 @@ def _chance(table: FloatArray, centred: FloatArray) -> float:
 
 
 def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
-    """Return a finding for each traverse that lies off its fellows as a whole (CW-T013); at least three runs."""
+    """Return a finding for each traverse that lies off its fellows as a whole (CW-T013); at least
+    three runs.
+    """
     findings = []
     residuals, scale = _pooled(test)
     for direction, residual in zip(_BOTH, residuals, strict=True):
@@ -219,17 +275,19 @@ def suspect_traverses(test: PositioningTest, compare: Compare) -> list[Finding]:
                     Finding(
                         "CW-T013",
                         "warning",
-                        f"Traverse {_run_number(test, direction, column)} in {sign_text(direction)} lies "
-                        f"{signed_text(shift, test)} off the others "
-                        f"(robust standard deviation of a reading: {text_of(scale, test)}). "
-                        f"{compare(_kept(test, direction, without))}".strip(),
+                        f"Traverse {_run_number(test, direction, column)} in {sign_text(direction)}"
+                        f" lies {signed_text(shift, test)} off the others (robust standard"
+                        f" deviation of a reading: {text_of(scale, test)})."
+                        f" {compare(_kept(test, direction, without))}".strip(),
                     )
                 )
     return findings
 
 
 def suspect_readings(test: PositioningTest, compare: Compare) -> list[Finding]:
-    """Return one finding for all readings that lie far off their target's and their traverse's others (CW-T014); n >= 4."""
+    """Return one finding for all readings that lie far off their target's and their traverse's
+    others (CW-T014); n >= 4.
+    """
     found: list[tuple[float, Direction, int, int]] = []
     inner = [residual - _run_medians(residual) for residual in _pooled(test)[0]]
     inner = [residual - _row_medians(residual) for residual in inner]
@@ -250,32 +308,46 @@ def suspect_readings(test: PositioningTest, compare: Compare) -> list[Finding]:
                 keep[i, j] = False
         changed = _kept(changed, direction, keep)
     told = ", ".join(
-        f"run {_run_number(test, d, j)} in {sign_text(d)} at {position_text(float(test.targets[i]), test)} "
-        f"({signed_text(off, test)} off)"
+        f"run {_run_number(test, d, j)} in {sign_text(d)} at"
+        f" {position_text(float(test.targets[i]), test)} ({signed_text(off, test)} off)"
         for off, d, i, j in found[:_SHOWN]
     )
     more = f" and {len(found) - _SHOWN} more" if len(found) > _SHOWN else ""
     message = (
-        f"Suspect reading{'s' * (len(found) > 1)}: {told}{more}; robust standard deviation of a reading: "
-        f"{text_of(scale, test)}. {compare(changed)}"
+        f"Suspect reading{'s' * (len(found) > 1)}: {told}{more}; robust standard deviation of a"
+        f" reading: {text_of(scale, test)}. {compare(changed)}"
     )
     return [Finding("CW-T014", "warning", message.strip())]
 
 
-def _kept(test: PositioningTest, direction: Direction, keep: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> PositioningTest:
+def _kept(
+    test: PositioningTest,
+    direction: Direction,
+    keep: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
+) -> PositioningTest:
     changed = np.where(keep, test.deviations(direction), np.nan)
-    return replace(test, positive=changed) if direction is Direction.POSITIVE else replace(test, negative=changed)
+    return (
+        replace(test, positive=changed)
+        if direction is Direction.POSITIVE
+        else replace(test, negative=changed)
+    )
 
 
 def _pooled(test: PositioningTest) -> tuple[list[FloatArray], float]:
-    """Return the residuals (m, n) from the target's median in + and −, and the robust scale of a reading, common to both."""
-    residuals = [test.deviations(direction) - _row_medians(test.deviations(direction)) for direction in _BOTH]
+    """Return the residuals (m, n) from the target's median in + and −, and the robust scale of a
+    reading, common to both.
+    """
+    residuals = [
+        test.deviations(direction) - _row_medians(test.deviations(direction)) for direction in _BOTH
+    ]
     return residuals, _scale(residuals, test)
 
 
 def _row_medians(values: FloatArray) -> FloatArray:
     """Return the medians (m, 1) of the readings there are; NaN without one."""
-    medians = [np.median(row[np.isfinite(row)]) if np.any(np.isfinite(row)) else np.nan for row in values]
+    medians = [
+        np.median(row[np.isfinite(row)]) if np.any(np.isfinite(row)) else np.nan for row in values
+    ]
     return np.array(medians, dtype=np.float64).reshape(-1, 1)
 
 
@@ -284,7 +356,9 @@ def _run_medians(residual: FloatArray) -> FloatArray:
 
 
 def _run_scores(residual: FloatArray, scale: float) -> FloatArray:
-    """Return the mean (n,) over targets of the residuals, clipped at three ``scale``; 0 for a run without readings."""
+    """Return the mean (n,) over targets of the residuals, clipped at three ``scale``; 0 for a run
+    without readings.
+    """
     clipped = np.clip(np.nan_to_num(residual), -3.0 * scale, 3.0 * scale)
     number = np.maximum(np.isfinite(residual).sum(axis=0), 1)
     scores: FloatArray = clipped.sum(axis=0) / number
@@ -292,10 +366,12 @@ def _run_scores(residual: FloatArray, scale: float) -> FloatArray:
 
 
 def _scale(residuals: list[FloatArray], test: PositioningTest) -> float:
-    """Return the robust standard deviation of a reading: the mean over targets of the unbiased median absolute residual.
+    """Return the robust standard deviation of a reading: the mean over targets of the unbiased
+    median absolute residual.
 
-    Not smaller than the resolution of the readings (the smallest step between two of them), so that coarse readings which mostly
-    repeat exactly do not make every last digit suspect. Targets with fewer than three readings do not count.
+    Not smaller than the resolution of the readings (the smallest step between two of them), so that
+    coarse readings which mostly repeat exactly do not make every last digit suspect. Targets with
+    fewer than three readings do not count.
     """
     estimates = []
     for row in (row for residual in residuals for row in residual):

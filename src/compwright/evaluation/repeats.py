@@ -1,4 +1,6 @@
-"""Is it the same measurement twice? Tests beside each other: files and readings that are the same."""
+"""Is it the same measurement twice? Tests beside each other: files and readings that are the
+same.
+"""
 
 from __future__ import annotations
 
@@ -24,21 +26,30 @@ class Named:
 
 
 def same_measurement(one: Named, other: Named) -> bool:
-    """Return whether two tests share a file by its content, or hold the same scattering readings at the same targets."""
+    """Return whether two tests share a file by its content, or hold the same scattering readings at
+    the same targets.
+    """
     if share_a_file(one.sources, other.sources):
         return True
     return one.test is not None and other.test is not None and same_readings(one.test, other.test)
 
 
 def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
-    """Return whether two tests agree reading by reading, but for one constant: another zero of the instrument.
+    """Return whether two tests agree reading by reading, but for one constant: another zero of the
+    instrument.
 
     Readings without any scatter may do so by chance and do not count.
     """
     if one.kind is not other.kind or pooled_scatter(one)[0] <= SAME_READING:
         return False
-    pairs = ((one.targets, other.targets), (one.positive, other.positive), (one.negative, other.negative))
-    if any(a.shape != b.shape for a, b in pairs) or not np.allclose(one.targets, other.targets, rtol=0.0, atol=SAME_READING):
+    pairs = (
+        (one.targets, other.targets),
+        (one.positive, other.positive),
+        (one.negative, other.negative),
+    )
+    if any(a.shape != b.shape for a, b in pairs) or not np.allclose(
+        one.targets, other.targets, rtol=0.0, atol=SAME_READING
+    ):
         return False
     gaps = np.concatenate([(a - b).ravel() for a, b in pairs[1:]])
     made = np.concatenate([(np.isfinite(a) == np.isfinite(b)).ravel() for a, b in pairs[1:]])
@@ -47,11 +58,15 @@ def same_readings(one: PositioningTest, other: PositioningTest) -> bool:
 
 
 def with_repeats(results: Sequence[PositioningResult]) -> list[PositioningResult]:
-    """Return the results, each that repeats the measurement of another one with a finding that says so (CW-T034)."""
+    """Return the results, each that repeats the measurement of another one with a finding that says
+    so (CW-T034).
+    """
     named = [Named(_file(result), result.test.sources, result.test) for result in results]
     found = []
     for result, mine in zip(results, named, strict=True):
-        others = [other.words for other in named if other is not mine and same_measurement(mine, other)]
+        others = [
+            other.words for other in named if other is not mine and same_measurement(mine, other)
+        ]
         message = f"The same measurement as {', '.join(others)}: given twice it proves nothing new."
         repeated = (Finding("CW-T034", "warning", message),) if others else ()
         found.append(replace(result, findings=(*result.findings, *repeated)))

@@ -1,9 +1,10 @@
-"""Evaluation of a positioning test to a standard: what each edition defines, for which tests, with which factor.
+"""Evaluation of a positioning test to a standard: what each edition defines, for which tests, with
+which factor.
 
-The texts of 1988 and 1997 and of GOST 27843-2006 were at hand, of 2006 clauses 1 to 7. The text of 2014 was not: it is evaluated
-with the definitions of 2006, whose formulas it keeps under other words ("error" for "deviation"); that one approach per
-direction leaves out s, R and A is its clause 6.2 (as quoted by GOST ISO 230-2-2016). VDI/DGQ 3441 rests on the formulas in
-common use.
+The texts of 1988 and 1997 and of GOST 27843-2006 were at hand, of 2006 clauses 1 to 7. The text of
+2014 was not: it is evaluated with the definitions of 2006, whose formulas it keeps under other
+words ("error" for "deviation"); that one approach per direction leaves out s, R and A is its clause
+6.2 (as quoted by GOST ISO 230-2-2016). VDI/DGQ 3441 rests on the formulas in common use.
 """
 
 from __future__ import annotations
@@ -44,9 +45,11 @@ DEFAULT_STANDARD: Final = "iso230-2:2014"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Standard:
-    """One edition. ``coverage`` is its factor k on s; ``undefined`` the reasons of the parameters that it does not define.
+    """One edition. ``coverage`` is its factor k on s; ``undefined`` the reasons of the parameters
+    that it does not define.
 
-    ``single_approach`` is the clause that leaves out s, R and A for n = 1; ``range_factors`` those of s = W * factor(n), or None.
+    ``single_approach`` is the clause that leaves out s, R and A for n = 1; ``range_factors`` those
+    of s = W * factor(n), or None.
     """
 
     id: str
@@ -75,9 +78,18 @@ STANDARDS: Final[Mapping[str, Standard]] = {
             undefined=_NOT_IN_1988,
             range_factors=RANGE_FACTORS_1988,
         ),
-        Standard(id="iso230-2:1997", title="ISO 230-2:1997", coverage=2.0, single_approach="clause 5.2"),
-        Standard(id="iso230-2:2006", title="ISO 230-2:2006", coverage=2.0, single_approach="clause 5.2"),
-        Standard(id=DEFAULT_STANDARD, title="ISO 230-2:2014", coverage=2.0, single_approach="clause 6.2; in 2006 clause 5.2"),
+        Standard(
+            id="iso230-2:1997", title="ISO 230-2:1997", coverage=2.0, single_approach="clause 5.2"
+        ),
+        Standard(
+            id="iso230-2:2006", title="ISO 230-2:2006", coverage=2.0, single_approach="clause 5.2"
+        ),
+        Standard(
+            id=DEFAULT_STANDARD,
+            title="ISO 230-2:2014",
+            coverage=2.0,
+            single_approach="clause 6.2; in 2006 clause 5.2",
+        ),
         Standard(
             id="gost27843:2006",
             title="GOST 27843-2006",
@@ -86,27 +98,54 @@ STANDARDS: Final[Mapping[str, Standard]] = {
             range_factors=RANGE_FACTORS_GOST,
         ),
         Standard(
-            id="vdi3441", title="VDI/DGQ 3441", coverage=3.0, single_approach="no standard deviation from one", names=VDI_NAMES
+            id="vdi3441",
+            title="VDI/DGQ 3441",
+            coverage=3.0,
+            single_approach="no standard deviation from one",
+            names=VDI_NAMES,
         ),
     )
 }
 
-_NEED_S: Final = frozenset({"A", "A_positive", "A_negative", "R", "R_positive", "R_negative", "P", "Ps_max", "Ps_mean"})
+_NEED_S: Final = frozenset(
+    {"A", "A_positive", "A_negative", "R", "R_positive", "R_negative", "P", "Ps_max", "Ps_mean"}
+)
 _BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 
 
 def standard_by_id(name: str, spread: str = "std") -> Standard:
-    """Return the standard of an id. Raises UsageError for an unknown id and for a ``spread`` that the standard does not have."""
+    """Return the standard of an id. Raises UsageError for an unknown id and for a ``spread`` that
+    the standard does not have.
+    """
     if name not in STANDARDS:
-        raise UsageError(Fault(message="unknown standard", place="--standard", expected=", ".join(STANDARDS), found=name))
-    standard = STANDARDS[name]
-    if spread not in {"std", "range"}:
-        raise UsageError(Fault(message="unknown estimator of s", place="--spread", expected="std or range", found=spread))
-    if spread == "range" and standard.range_factors is None:
-        having = ", ".join(other.id for other in STANDARDS.values() if other.range_factors is not None)
         raise UsageError(
             Fault(
-                message=f"{standard.title} has no range method", place="--spread", expected=f"std, or one of {having}", found=spread
+                message="unknown standard",
+                place="--standard",
+                expected=", ".join(STANDARDS),
+                found=name,
+            )
+        )
+    standard = STANDARDS[name]
+    if spread not in {"std", "range"}:
+        raise UsageError(
+            Fault(
+                message="unknown estimator of s",
+                place="--spread",
+                expected="std or range",
+                found=spread,
+            )
+        )
+    if spread == "range" and standard.range_factors is None:
+        having = ", ".join(
+            other.id for other in STANDARDS.values() if other.range_factors is not None
+        )
+        raise UsageError(
+            Fault(
+                message=f"{standard.title} has no range method",
+                place="--spread",
+                expected=f"std, or one of {having}",
+                found=spread,
             )
         )
     return standard
@@ -124,13 +163,15 @@ def evaluate(
 ) -> PositioningResult:
     """Evaluate ``test`` (mm or deg) to ``standard``; everything in the result is in mm or deg.
 
-    ``spread`` "range" takes s from the range of the readings (1988 and GOST only). ``travel`` and ``periods`` (mm or deg, machine
-    coordinates) serve the test checks, ``budget`` and ``thermal`` the uncertainty. A parameter is None where the standard does not
-    define it, the approach direction was not measured, or a target lacks the two readings that s needs; ``not_applicable`` says
-    which. A parameter is never formed over fewer targets than were measured; a finding tells R and A of the others instead.
+    ``spread`` "range" takes s from the range of the readings (1988 and GOST only). ``travel`` and
+    ``periods`` (mm or deg, machine coordinates) serve the test checks, ``budget`` and ``thermal``
+    the uncertainty. A parameter is None where the standard does not define it, the approach
+    direction was not measured, or a target lacks the two readings that s needs; ``not_applicable``
+    says which. A parameter is never formed over fewer targets than were measured; a finding tells R
+    and A of the others instead.
 
-    Raises UsageError for an unknown standard or a range method that does not exist for it or this n, InputError when the test
-    holds no reading or its arrays do not fit together.
+    Raises UsageError for an unknown standard or a range method that does not exist for it or this
+    n, InputError when the test holds no reading or its arrays do not fit together.
     """
     chosen = standard_by_id(standard, spread)
     _require_sound(test)
@@ -152,7 +193,9 @@ def evaluate(
     findings += reading_findings(test, compare)
     uncertainty = None
     if budget is not None:
-        uncertainty, remarks = expanded_uncertainties(test, given, columns, chosen.coverage, budget, thermal)
+        uncertainty, remarks = expanded_uncertainties(
+            test, given, columns, chosen.coverage, budget, thermal
+        )
         findings += remarks
     return PositioningResult(
         test=test,
@@ -171,10 +214,20 @@ def evaluate(
 def _require_sound(test: PositioningTest) -> None:
     m = test.targets.size
     faults = []
-    if test.positive.ndim != 2 or test.negative.ndim != 2 or test.positive.shape[0] != m or test.negative.shape[0] != m:
+    if (
+        test.positive.ndim != 2
+        or test.negative.ndim != 2
+        or test.positive.shape[0] != m
+        or test.negative.shape[0] != m
+    ):
         found = f"{m} targets, {test.positive.shape} in +, {test.negative.shape} in −"
         faults.append(
-            Fault(message="readings and targets do not fit together", file=test.name, expected="one row per target", found=found)
+            Fault(
+                message="readings and targets do not fit together",
+                file=test.name,
+                expected="one row per target",
+                found=found,
+            )
         )
     elif not np.any(np.isfinite(test.positive)) and not np.any(np.isfinite(test.negative)):
         faults.append(Fault(message="the test holds no readings", file=test.name))
@@ -194,7 +247,9 @@ def _columns(test: PositioningTest, standard: Standard, spread: str) -> TargetCo
     s_positive, s_negative = s(test.positive), s(test.negative)
     reversal = mean_positive - mean_negative
     r_positive, r_negative, r = repeatability(reversal, s_positive, s_negative, standard.coverage)
-    if standard.names is VDI_NAMES:  # VDI has no R_i; its 6 s of both directions together stands in their place
+    if (
+        standard.names is VDI_NAMES
+    ):  # VDI has no R_i; its 6 s of both directions together stands in their place
         r_positive = r_negative = np.full(test.targets.size, np.nan)
         r = vdi_positional_scatter(s_positive, s_negative)
     return TargetColumns(
@@ -210,12 +265,23 @@ def _columns(test: PositioningTest, standard: Standard, spread: str) -> TargetCo
     )
 
 
-def _values(columns: TargetColumns, standard: Standard, use: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> dict[str, float]:
+def _values(
+    columns: TargetColumns, standard: Standard, use: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]
+) -> dict[str, float]:
     """Return all parameters over the targets in ``use``, NaN where something is missing."""
     if not np.any(use):
         return dict.fromkeys(standard.names, float("nan"))
-    arguments = (columns.mean_positive[use], columns.s_positive[use], columns.mean_negative[use], columns.s_negative[use])
-    values = vdi_parameters(*arguments) if standard.names is VDI_NAMES else parameters(*arguments, standard.coverage)
+    arguments = (
+        columns.mean_positive[use],
+        columns.s_positive[use],
+        columns.mean_negative[use],
+        columns.s_negative[use],
+    )
+    values = (
+        vdi_parameters(*arguments)
+        if standard.names is VDI_NAMES
+        else parameters(*arguments, standard.coverage)
+    )
     return {name: float(values[name]) for name in standard.names}
 
 
@@ -225,7 +291,12 @@ def _needed(name: str) -> tuple[Direction, ...]:
     return (Direction.NEGATIVE,) if name.endswith("_negative") else _BOTH
 
 
-def _reason(name: str, test: PositioningTest, standard: Standard, measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]) -> str:
+def _reason(
+    name: str,
+    test: PositioningTest,
+    standard: Standard,
+    measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
+) -> str:
     """Say why ``name`` cannot be formed."""
     for direction in _needed(name):
         if not np.any(np.isfinite(test.deviations(direction))):
@@ -241,12 +312,19 @@ def _reason(name: str, test: PositioningTest, standard: Standard, measured: np.n
     for direction, number in counts.items():
         if name in _NEED_S and number.min() < 2:
             where = position_text(float(test.targets[measured][number < 2][0]), test)
-            return f"only one reading in the {sign_text(direction)} direction at {where}, so no standard deviation there"
+            return (
+                f"only one reading in the {sign_text(direction)} direction at {where}, so no"
+                " standard deviation there"
+            )
     return "cannot be formed from these readings"
 
 
-def _located(test: PositioningTest, columns: TargetColumns, given: Mapping[str, float | None]) -> dict[str, float]:
-    """Return the target at which each parameter that is the extreme of one target is reached (the first one on a tie)."""
+def _located(
+    test: PositioningTest, columns: TargetColumns, given: Mapping[str, float | None]
+) -> dict[str, float]:
+    """Return the target at which each parameter that is the extreme of one target is reached (the
+    first one on a tie).
+    """
     sources = {
         "R": columns.repeatability,
         "R_positive": columns.repeatability_positive,
@@ -255,7 +333,11 @@ def _located(test: PositioningTest, columns: TargetColumns, given: Mapping[str, 
         "Ps_max": columns.repeatability,
         "U_max": np.abs(columns.reversal),
     }
-    return {name: float(test.targets[int(np.nanargmax(column))]) for name, column in sources.items() if given.get(name) is not None}
+    return {
+        name: float(test.targets[int(np.nanargmax(column))])
+        for name, column in sources.items()
+        if given.get(name) is not None
+    }
 
 
 def _target_findings(
@@ -264,11 +346,15 @@ def _target_findings(
     standard: Standard,
     measured: np.ndarray[tuple[int, ...], np.dtype[np.bool_]],
 ) -> list[Finding]:
-    """CW-T015: targets without any reading; CW-T016: targets without s, with the parameters over the other targets."""
+    """CW-T015: targets without any reading; CW-T016: targets without s, with the parameters over
+    the other targets.
+    """
     findings = []
     if not np.all(measured):
         where = ", ".join(position_text(float(x), test) for x in test.targets[~measured])
-        findings.append(Finding("CW-T015", "warning", f"Targets without any reading are left out: {where}."))
+        findings.append(
+            Finding("CW-T015", "warning", f"Targets without any reading are left out: {where}.")
+        )
     directions = [d for d in _BOTH if np.any(np.isfinite(test.deviations(d)))]
     complete = measured & np.all([test.readings(d) >= 2 for d in directions], axis=0)
     if np.array_equal(complete, measured) or not np.any(complete):
@@ -280,15 +366,28 @@ def _target_findings(
         for name, value in others.items()
         if name in {"A", "R", "P", "Ps_max"} and np.isfinite(value)
     )
-    message = f"Fewer than two readings per direction at {where}: no standard deviation there, so what needs it is not given."
-    findings.append(Finding("CW-T016", "warning", f"{message} Over the other targets: {told}." if told else message))
+    message = (
+        f"Fewer than two readings per direction at {where}: no standard deviation there, so what"
+        " needs it is not given."
+    )
+    findings.append(
+        Finding(
+            "CW-T016", "warning", f"{message} Over the other targets: {told}." if told else message
+        )
+    )
     return findings
 
 
 def _comparison(
-    test: PositioningTest, given: Mapping[str, float | None], other: PositioningTest, standard: Standard, spread: str
+    test: PositioningTest,
+    given: Mapping[str, float | None],
+    other: PositioningTest,
+    standard: Standard,
+    spread: str,
 ) -> str:
-    """Return "A 5.00 µm with it, 4.00 µm without; R ..." for the readings that ``other`` lacks; "" where s is missing."""
+    """Return "A 5.00 µm with it, 4.00 µm without; R ..." for the readings that ``other`` lacks; ""
+    where s is missing.
+    """
     try:
         columns = _columns(other, standard, spread)
     except UsageError:  # fewer readings than the range method has factors for
@@ -299,7 +398,11 @@ def _comparison(
     for name in ("A", "A_positive", "A_negative", "R", "R_positive", "R_negative", "P", "Ps_max"):
         value = given.get(name)
         one_way = name.endswith(("_positive", "_negative"))
-        if value is None or not np.isfinite(values[name]) or (one_way and given.get(name[0]) is not None):
+        if (
+            value is None
+            or not np.isfinite(values[name])
+            or (one_way and given.get(name[0]) is not None)
+        ):
             continue
         told.append(f"{name} {text_of(value, test)} with, {text_of(values[name], test)} without")
     return f"{'; '.join(told)}. Not removed." if told else ""

@@ -1,8 +1,8 @@
 """The numbers of ISO 230-2 clause 2 on plain arrays: means, standard deviations, parameters.
 
-Targets run along the last axis of means and s; readings along the last axis of deviations; leading batch dimensions are free.
-Units: whatever the input has (mm or deg inside compwright). A missing reading is NaN; NaN goes through to every parameter that
-would need the missing number.
+Targets run along the last axis of means and s; readings along the last axis of deviations; leading
+batch dimensions are free. Units: whatever the input has (mm or deg inside compwright). A missing
+reading is NaN; NaN goes through to every parameter that would need the missing number.
 """
 
 from __future__ import annotations
@@ -17,11 +17,30 @@ from compwright.records.axis import FloatArray
 
 #: ISO 230-2:1988 table 1: s = W / k, here as the factor 1 / k by the number n of readings.
 RANGE_FACTORS_1988: Final[Mapping[int, float]] = {
-    n: 1.0 / k for n, k in {2: 1.128, 3: 1.693, 4: 2.059, 5: 2.326, 6: 2.534, 7: 2.704, 8: 2.847, 9: 2.97, 10: 3.078}.items()
+    n: 1.0 / k
+    for n, k in {
+        2: 1.128,
+        3: 1.693,
+        4: 2.059,
+        5: 2.326,
+        6: 2.534,
+        7: 2.704,
+        8: 2.847,
+        9: 2.97,
+        10: 3.078,
+    }.items()
 }
 
-#: GOST 27843-2006 table 1: s = W * a_n. Its printed a_10 = 0.3429 is a misprint for 0.3249 (= 1 / 3.078).
-RANGE_FACTORS_GOST: Final[Mapping[int, float]] = {5: 0.4299, 6: 0.3946, 7: 0.3698, 8: 0.3512, 9: 0.3367, 10: 0.3249}
+#: GOST 27843-2006 table 1: s = W * a_n. Its printed a_10 = 0.3429 is a misprint for 0.3249 (= 1 /
+#: 3.078).
+RANGE_FACTORS_GOST: Final[Mapping[int, float]] = {
+    5: 0.4299,
+    6: 0.3946,
+    7: 0.3698,
+    8: 0.3512,
+    9: 0.3367,
+    10: 0.3249,
+}
 
 #: Names that `parameters` returns, in the order of the contract.
 ISO_NAMES: Final = (
@@ -49,7 +68,9 @@ def count_readings(deviations: FloatArray) -> FloatArray:
 
 
 def mean_deviation(deviations: FloatArray) -> FloatArray:
-    """Return the mean deviation (..., m) of deviations (..., m, n); NaN where there is no reading (ISO 230-2:1997, 2.10)."""
+    """Return the mean deviation (..., m) of deviations (..., m, n); NaN where there is no reading
+    (ISO 230-2:1997, 2.10).
+    """
     finite = np.isfinite(deviations)
     number = finite.sum(axis=-1)
     total = np.where(finite, deviations, 0.0).sum(axis=-1)
@@ -58,19 +79,27 @@ def mean_deviation(deviations: FloatArray) -> FloatArray:
 
 
 def standard_deviation(deviations: FloatArray) -> FloatArray:
-    """Return s (..., m) with n - 1, n the number of readings of each target; NaN where n < 2 (ISO 230-2:1997, 2.15)."""
+    """Return s (..., m) with n - 1, n the number of readings of each target; NaN where n < 2 (ISO
+    230-2:1997, 2.15).
+    """
     finite = np.isfinite(deviations)
     number = finite.sum(axis=-1)
     residual = np.where(finite, deviations - mean_deviation(deviations)[..., np.newaxis], 0.0)
     squares = (residual**2).sum(axis=-1)
-    s: FloatArray = np.sqrt(np.divide(squares, number - 1, out=np.full(number.shape, np.nan), where=number > 1))
+    s: FloatArray = np.sqrt(
+        np.divide(squares, number - 1, out=np.full(number.shape, np.nan), where=number > 1)
+    )
     return s
 
 
-def standard_deviation_from_range(deviations: FloatArray, factors: Mapping[int, float]) -> FloatArray:
-    """Return s = W * factor(n) (..., m), W the range of the readings (ISO 230-2:1988, 2.9 b; GOST 27843-2006, 3.15).
+def standard_deviation_from_range(
+    deviations: FloatArray, factors: Mapping[int, float]
+) -> FloatArray:
+    """Return s = W * factor(n) (..., m), W the range of the readings (ISO 230-2:1988, 2.9 b; GOST
+    27843-2006, 3.15).
 
-    NaN where n < 2. Raises UsageError when ``factors`` (n -> factor) has no entry for some other number of readings.
+    NaN where n < 2. Raises UsageError when ``factors`` (n -> factor) has no entry for some other
+    number of readings.
     """
     finite = np.isfinite(deviations)
     number = finite.sum(axis=-1)
@@ -94,24 +123,34 @@ def standard_deviation_from_range(deviations: FloatArray, factors: Mapping[int, 
 def repeatability(
     reversal: FloatArray, s_positive: FloatArray, s_negative: FloatArray, coverage: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return R_i+, R_i- and R_i (..., m) for coverage k: R_i = max(k s+ + k s- + abs(B_i); 2k s+; 2k s-).
+    """Return R_i+, R_i- and R_i (..., m) for coverage k: R_i = max(k s+ + k s- + abs(B_i); 2k s+;
+    2k s-).
 
-    ISO 230-2:2006, 2.16 and 2.17. The copy of the 1997 text prints R_i without abs(B_i); its own table 2 includes it.
+    ISO 230-2:2006, 2.16 and 2.17. The copy of the 1997 text prints R_i without abs(B_i); its own
+    table 2 includes it.
     """
     positive = 2.0 * coverage * s_positive
     negative = 2.0 * coverage * s_negative
-    both = np.maximum(0.5 * (positive + negative) + np.abs(reversal), np.maximum(positive, negative))
+    both = np.maximum(
+        0.5 * (positive + negative) + np.abs(reversal), np.maximum(positive, negative)
+    )
     return positive, negative, both
 
 
 def parameters(
-    mean_positive: FloatArray, s_positive: FloatArray, mean_negative: FloatArray, s_negative: FloatArray, coverage: float
+    mean_positive: FloatArray,
+    s_positive: FloatArray,
+    mean_negative: FloatArray,
+    s_negative: FloatArray,
+    coverage: float,
 ) -> dict[str, FloatArray]:
-    """Return the axis parameters of ISO 230-2 (2.13 to 2.24 of 2006), each (...), from means and s (..., m), coverage k = 2 or 3.
+    """Return the axis parameters of ISO 230-2 (2.13 to 2.24 of 2006), each (...), from means and s
+    (..., m), coverage k = 2 or 3.
 
-    B_i = mean+ - mean-, so lost motion gives a negative ``B_mean``; ``R`` is max R_i, not the larger of R+ and R-. The unit is
-    that of the input. NaN in means or s goes through to the parameters that depend on them and to no others.
-    The copy of the 1997 text prints A+ with max(x + 2s) - min(x + 2s); Corrigendum 1:1999 and 2006 have min(x - 2s).
+    B_i = mean+ - mean-, so lost motion gives a negative ``B_mean``; ``R`` is max R_i, not the
+    larger of R+ and R-. The unit is that of the input. NaN in means or s goes through to the
+    parameters that depend on them and to no others. The copy of the 1997 text prints A+ with max(x
+    + 2s) - min(x + 2s); Corrigendum 1:1999 and 2006 have min(x - 2s).
     """
     reversal = mean_positive - mean_negative
     middle = 0.5 * (mean_positive + mean_negative)
@@ -123,10 +162,15 @@ def parameters(
     lowest_positive, lowest_negative = mean_positive.min(axis=-1), mean_negative.min(axis=-1)
     r_positive, r_negative, r = repeatability(reversal, s_positive, s_negative, coverage)
     return {
-        "A": np.maximum(upper_positive, upper_negative) - np.minimum(lower_positive, lower_negative),
+        "A": (
+            np.maximum(upper_positive, upper_negative) - np.minimum(lower_positive, lower_negative)
+        ),
         "A_positive": upper_positive - lower_positive,
         "A_negative": upper_negative - lower_negative,
-        "E": np.maximum(highest_positive, highest_negative) - np.minimum(lowest_positive, lowest_negative),
+        "E": (
+            np.maximum(highest_positive, highest_negative)
+            - np.minimum(lowest_positive, lowest_negative)
+        ),
         "E_positive": highest_positive - lowest_positive,
         "E_negative": highest_negative - lowest_negative,
         "M": middle.max(axis=-1) - middle.min(axis=-1),
@@ -145,13 +189,17 @@ def vdi_positional_scatter(s_positive: FloatArray, s_negative: FloatArray) -> Fl
 
 
 def vdi_parameters(
-    mean_positive: FloatArray, s_positive: FloatArray, mean_negative: FloatArray, s_negative: FloatArray
+    mean_positive: FloatArray,
+    s_positive: FloatArray,
+    mean_negative: FloatArray,
+    s_negative: FloatArray,
 ) -> dict[str, FloatArray]:
-    """Return the parameters of VDI/DGQ 3441, each (...), from means and s (..., m); the unit is that of the input.
+    """Return the parameters of VDI/DGQ 3441, each (...), from means and s (..., m); the unit is
+    that of the input.
 
     U_i = abs(B_i), Ps_i = 6 (s+ + s-)/2, Pa = range of the two-direction means,
-    P = max[mean_i + (U_i + Ps_i)/2] - min[mean_i - (U_i + Ps_i)/2]. The text of VDI/DGQ 3441 was not at hand; the formulas are
-    those in common use by laser software.
+    P = max[mean_i + (U_i + Ps_i)/2] - min[mean_i - (U_i + Ps_i)/2]. The text of VDI/DGQ 3441 was
+    not at hand; the formulas are those in common use by laser software.
     """
     play = np.abs(mean_positive - mean_negative)
     scatter = vdi_positional_scatter(s_positive, s_negative)

@@ -1,1 +1,3 @@
-"""The table that a control holds best under its limits, with a certificate; the only room that imports a solver."""
+"""The table that a control holds best under its limits, with a certificate; the only room that
+imports a solver.
+"""

@@ -1,4 +1,6 @@
-"""Grids that hang on the reference position: the reference plus whole spacings, or one period of an endless axis from it."""
+"""Grids that hang on the reference position: the reference plus whole spacings, or one period of an
+endless axis from it.
+"""
 
 from __future__ import annotations
 
@@ -13,12 +15,14 @@ from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import TableRequest
 
 
-def anchored_grids(wanted: WantedCorrection, capacity: Capacity, request: TableRequest, most: int) -> list[Candidate]:
+def anchored_grids(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, most: int
+) -> list[Candidate]:
     """Return the grids that the control takes, coarsest first; one where the job names the spacing.
 
-    Where the job leaves an end open the grid reaches over the travel by less than one spacing. The reference is always a node:
-    the control counts from there. Raises CapacityError, all faults at once, where the job's start, end or spacing do
-    not fit, saying what would.
+    Where the job leaves an end open the grid reaches over the travel by less than one spacing. The
+    reference is always a node: the control counts from there. Raises CapacityError, all faults at
+    once, where the job's start, end or spacing do not fit, saying what would.
     """
     if capacity.period is not None:
         return _endless_grids(capacity.period, wanted, capacity, request, most)
@@ -29,24 +33,37 @@ def anchored_grids(wanted: WantedCorrection, capacity: Capacity, request: TableR
     if request.spacing is not None:
         raise_all(CapacityError, _count_faults(grids[0].count, capacity, wanted))
         return grids
-    return sorted((one for one in grids if max(2, capacity.min_points) <= one.count <= most), key=lambda one: one.count)
+    return sorted(
+        (one for one in grids if max(2, capacity.min_points) <= one.count <= most),
+        key=lambda one: one.count,
+    )
 
 
 def _over(step: int, reach: tuple[float, float], origin: float) -> Candidate:
-    """Return the grid of ``step`` that covers ``reach`` (quanta from the reference, the reference itself included)."""
+    """Return the grid of ``step`` that covers ``reach`` (quanta from the reference, the reference
+    itself included).
+    """
     first = min(0, int(np.floor(reach[0] / step + 1e-6)))
     last = max(0, int(np.ceil(reach[1] / step - 1e-6)))
     return Candidate(first * step, step, last - first + 1, origin=origin)
 
 
-def _reach(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> tuple[float, float]:
+def _reach(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest
+) -> tuple[float, float]:
     low = float(wanted.positions[0]) if request.start is None else request.start
     high = float(wanted.positions[-1]) if request.end is None else request.end
-    return (low - wanted.reference) / capacity.position_quantum, (high - wanted.reference) / capacity.position_quantum
+    return (low - wanted.reference) / capacity.position_quantum, (
+        high - wanted.reference
+    ) / capacity.position_quantum
 
 
-def _fixed_ends(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> tuple[int | None, int | None]:
-    """Return the ends that the job names, in quanta from the reference. Raises CapacityError where the control has no such."""
+def _fixed_ends(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest
+) -> tuple[int | None, int | None]:
+    """Return the ends that the job names, in quanta from the reference. Raises CapacityError where
+    the control has no such.
+    """
     unit, quantum, reference = wanted.kind.unit, capacity.position_quantum, wanted.reference
     faults: list[Fault] = []
     found: list[int | None] = []
@@ -60,7 +77,10 @@ def _fixed_ends(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
             side = "below" if sign < 0 else "above"
             faults.append(
                 Fault(
-                    message="the control counts its points from the reference position, which must not lie outside the table",
+                    message=(
+                        "the control counts its points from the reference position, which must not"
+                        " lie outside the table"
+                    ),
                     place=f"table.{name}",
                     expected=f"{reference:.10g} {unit} or {side}",
                     found=f"{value:.12g}",
@@ -72,7 +92,10 @@ def _fixed_ends(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
                 Fault(
                     message=f"the control cannot hold the table's {name} exactly",
                     place=f"table.{name}",
-                    expected=f"{reference:.10g} {unit} plus a multiple of {quantum:.10g} {unit}, such as {nearest:.10g}",
+                    expected=(
+                        f"{reference:.10g} {unit} plus a multiple of {quantum:.10g} {unit}, such as"
+                        f" {nearest:.10g}"
+                    ),
                     found=f"{value:.12g}",
                 )
             )
@@ -80,8 +103,15 @@ def _fixed_ends(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
     return found[0], found[1]
 
 
-def _steps(wanted: WantedCorrection, capacity: Capacity, request: TableRequest, ends: tuple[int | None, int | None]) -> list[int]:
-    """Return the steps to choose from, in quanta; the job's own where it names one. Raises CapacityError where it does not fit."""
+def _steps(
+    wanted: WantedCorrection,
+    capacity: Capacity,
+    request: TableRequest,
+    ends: tuple[int | None, int | None],
+) -> list[int]:
+    """Return the steps to choose from, in quanta; the job's own where it names one. Raises
+    CapacityError where it does not fit.
+    """
     if request.spacing is not None:
         step = named_step(request.spacing, capacity, wanted.kind.unit)
         raise_all(CapacityError, _end_faults(step, wanted, capacity, ends))
@@ -102,7 +132,9 @@ def divisors(number: int) -> list[int]:
 
 
 def named_step(spacing: float, capacity: Capacity, unit: str) -> int:
-    """Return a spacing that the job names in quanta. Raises CapacityError where the control does not take it."""
+    """Return a spacing that the job names in quanta. Raises CapacityError where the control does
+    not take it.
+    """
     quantum = capacity.position_quantum
     step = round(spacing / quantum)
     faults = []
@@ -110,7 +142,10 @@ def named_step(spacing: float, capacity: Capacity, unit: str) -> int:
         nearest = max(1, step) * quantum
         faults.append(
             Fault(
-                message=f"the control cannot hold this spacing exactly: the step must be a multiple of {quantum:.10g} {unit}",
+                message=(
+                    "the control cannot hold this spacing exactly: the step must be a multiple of"
+                    f" {quantum:.10g} {unit}"
+                ),
                 place="table.spacing",
                 expected=f"a multiple of {quantum:.10g} {unit}, such as {nearest:.10g}",
                 found=f"{spacing:.12g} {unit}",
@@ -132,7 +167,10 @@ def _not_taken(spacing: float, capacity: Capacity, unit: str) -> Fault:
             found=f"{spacing:.12g} {unit}",
         )
     own = sorted(capacity.spacings or ())
-    near = [max((one for one in own if one < spacing), default=None), min((one for one in own if one > spacing), default=None)]
+    near = [
+        max((one for one in own if one < spacing), default=None),
+        min((one for one in own if one > spacing), default=None),
+    ]
     return Fault(
         message="the control has only certain spacings",
         place="table.spacing",
@@ -141,7 +179,9 @@ def _not_taken(spacing: float, capacity: Capacity, unit: str) -> Fault:
     )
 
 
-def _end_faults(step: int, wanted: WantedCorrection, capacity: Capacity, ends: tuple[int | None, int | None]) -> list[Fault]:
+def _end_faults(
+    step: int, wanted: WantedCorrection, capacity: Capacity, ends: tuple[int | None, int | None]
+) -> list[Fault]:
     unit, quantum, reference = wanted.kind.unit, capacity.position_quantum, wanted.reference
     faults = []
     for name, verb, end in (("start", "starts", ends[0]), ("end", "ends", ends[1])):
@@ -151,9 +191,14 @@ def _end_faults(step: int, wanted: WantedCorrection, capacity: Capacity, ends: t
         near = " or ".join(f"{reference + one * step * quantum:.10g}" for one in (lower, lower + 1))
         faults.append(
             Fault(
-                message=f"the control counts whole spacings from the reference position ({reference:.10g} {unit})",
+                message=(
+                    "the control counts whole spacings from the reference position"
+                    f" ({reference:.10g} {unit})"
+                ),
                 place=f"table.{name}",
-                expected=f"a table that {verb} at {near} {unit}, every {step * quantum:.10g} {unit}",
+                expected=(
+                    f"a table that {verb} at {near} {unit}, every {step * quantum:.10g} {unit}"
+                ),
                 found=f"{reference + end * quantum:.12g}",
             )
         )
@@ -167,8 +212,11 @@ def _count_faults(count: int, capacity: Capacity, wanted: WantedCorrection) -> l
     many = most is not None and count > most
     return [
         Fault(
-            message=f"too {'many' if many else 'few'} points for the table, counted from the reference position "
-            f"({wanted.reference:.10g} {wanted.kind.unit}); a {'larger' if many else 'smaller'} spacing would help",
+            message=(
+                f"too {'many' if many else 'few'} points for the table, counted from the reference"
+                f" position ({wanted.reference:.10g} {wanted.kind.unit}); a"
+                f" {'larger' if many else 'smaller'} spacing would help"
+            ),
             place="table.spacing",
             expected=f"at most {most} points" if many else f"at least {least} points",
             found=f"{count} points",
@@ -176,7 +224,8 @@ def _count_faults(count: int, capacity: Capacity, wanted: WantedCorrection) -> l
     ]
 
 
-# --- endless axes -----------------------------------------------------------------------------------------------------
+# --- endless axes
+# --------------------------------------------------------------------------------------------------
 
 
 def _endless_grids(
@@ -185,12 +234,17 @@ def _endless_grids(
     quantum, unit, reference = capacity.position_quantum, wanted.kind.unit, wanted.reference
     faults = [
         Fault(
-            message="the table of an endless axis spans exactly one period from the reference position",
+            message=(
+                "the table of an endless axis spans exactly one period from the reference position"
+            ),
             place=f"table.{name}",
             expected=f"{place:.10g} {unit}, or nothing",
             found=f"{value:.12g}",
         )
-        for name, value, place in (("start", request.start, reference), ("end", request.end, reference + period))
+        for name, value, place in (
+            ("start", request.start, reference),
+            ("end", request.end, reference + period),
+        )
         if value is not None and abs(value - place) > 1e-6 * period
     ]
     raise_all(CapacityError, faults)
@@ -198,16 +252,25 @@ def _endless_grids(
     steps = taken_steps(divisors(length), capacity) if whole(period / quantum) else []
     grids = [Candidate(0, step, length // step + 1, origin=reference) for step in steps]
     if request.spacing is None:
-        return sorted((one for one in grids if max(2, capacity.min_points) <= one.count <= most), key=lambda one: one.count)
+        return sorted(
+            (one for one in grids if max(2, capacity.min_points) <= one.count <= most),
+            key=lambda one: one.count,
+        )
     step = named_step(request.spacing, capacity, unit)
     chosen = [one for one in grids if one.step == step]
     if not chosen:
-        near = [max((one for one in steps if one < step), default=None), min((one for one in steps if one > step), default=None)]
+        near = [
+            max((one for one in steps if one < step), default=None),
+            min((one for one in steps if one > step), default=None),
+        ]
         raise CapacityError(
             Fault(
                 message=f"the spacing must divide the period of {period:.10g} {unit}",
                 place="table.spacing",
-                expected=f"{' or '.join(f'{one * quantum:.10g}' for one in near if one is not None)} {unit}",
+                expected=(
+                    f"{' or '.join(f'{one * quantum:.10g}' for one in near if one is not None)}"
+                    f" {unit}"
+                ),
                 found=f"{request.spacing:.12g} {unit}",
             )
         )

@@ -1,4 +1,6 @@
-"""What a control cannot hold by far: more than the noise of a reading is cut off by its value range or its increments."""
+"""What a control cannot hold by far: more than the noise of a reading is cut off by its value range
+or its increments.
+"""
 
 from __future__ import annotations
 
@@ -19,8 +21,11 @@ _HELP = {
 }
 
 
-def beyond_limits(fitted: FittedTable, wanted: WantedCorrection, capacity: Capacity) -> Iterator[Fault]:
-    """Yield a fault for each limit that cuts off more than a quantum and than the noise of one reading (rms over the travel).
+def beyond_limits(
+    fitted: FittedTable, wanted: WantedCorrection, capacity: Capacity
+) -> Iterator[Fault]:
+    """Yield a fault for each limit that cuts off more than a quantum and than the noise of one
+    reading (rms over the travel).
 
     A smaller loss is a limit that costs accuracy, and the table is the best under it.
     """
@@ -29,8 +34,11 @@ def beyond_limits(fitted: FittedTable, wanted: WantedCorrection, capacity: Capac
     for limit in fitted.limits:
         if limit.cause in _HELP and limit.value > least:
             yield Fault(
-                message=f"the correction is beyond what the control holds ({limit.cause}): the best table leaves "
-                f"{limit.value * factor:.3g} {unit} rms of it; {_HELP[limit.cause]}",
+                message=(
+                    f"the correction is beyond what the control holds ({limit.cause}): the best"
+                    f" table leaves {limit.value * factor:.3g} {unit} rms of it;"
+                    f" {_HELP[limit.cause]}"
+                ),
                 place="table",
                 expected=_held(limit.cause, capacity, factor, unit),
                 found=f"a correction that spans {_span(wanted) * factor:.4g} {unit}",
@@ -41,11 +49,20 @@ def _held(cause: str, capacity: Capacity, factor: float, unit: str) -> str:
     if cause == "largest increment":
         if capacity.lattice is not None:
             largest = capacity.lattice.increments[1] * capacity.lattice.magnifications[-1]
-            return f"steps of at most {largest * capacity.quantum * factor:.4g} {unit} from point to point"
-        return f"steps of at most {(capacity.max_increment or 0.0) * factor:.4g} {unit} from point to point"
+            return (
+                f"steps of at most {largest * capacity.quantum * factor:.4g} {unit} from point to"
+                " point"
+            )
+        return (
+            f"steps of at most {(capacity.max_increment or 0.0) * factor:.4g} {unit} from point to"
+            " point"
+        )
     low, high = capacity.value_range
     if capacity.line is not None:
-        return f"a slope from {low * 1000:g} to {high * 1000:g} {'mm/m' if unit == 'µm' else 'deg per 1000 deg'}"
+        return (
+            f"a slope from {low * 1000:g} to {high * 1000:g}"
+            f" {'mm/m' if unit == 'µm' else 'deg per 1000 deg'}"
+        )
     return f"values from {low * factor:g} to {high * factor:g} {unit}"
 
 

@@ -1,8 +1,9 @@
 """Proof of optimality in numpy alone: whatever a solver says, only these numbers count.
 
-Conditions of Karush, Kuhn and Tucker for: minimise x'Px/2 + q'x subject to lower <= Ax <= upper, with multipliers
-y > 0 at the upper and y < 0 at the lower bound (Boyd and Vandenberghe, Convex Optimization, section 5.5.3).
-Tables of whole increments are checked from the table itself: what it holds, within which limits, and what it leaves.
+Conditions of Karush, Kuhn and Tucker for: minimise x'Px/2 + q'x subject to lower <= Ax <= upper,
+with multipliers y > 0 at the upper and y < 0 at the lower bound (Boyd and Vandenberghe, Convex
+Optimization, section 5.5.3). Tables of whole increments are checked from the table itself: what it
+holds, within which limits, and what it leaves.
 """
 
 from __future__ import annotations
@@ -25,9 +26,10 @@ WHOLE: Final = 1e-6
 def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict[str, float]:
     """Return by how much each condition is missed, in mm or deg.
 
-    ``primal``: the worst violated limit. ``stationarity``: the gradient against the stiffness of each unknown, that is
-    how far a value would move. ``dual``: a multiplier of the wrong sign on a limit that has only one side, likewise.
-    ``complementarity``: the largest distance from a limit that pushes, where only limits in touch may push.
+    ``primal``: the worst violated limit. ``stationarity``: the gradient against the stiffness of
+    each unknown, that is how far a value would move. ``dual``: a multiplier of the wrong sign on a
+    limit that has only one side, likewise. ``complementarity``: the largest distance from a limit
+    that pushes, where only limits in touch may push.
     """
     stiffness = np.maximum(np.abs(np.diag(problem.P)), 1e-300)
     gradient = problem.P @ x + problem.q + problem.A.T @ y
@@ -35,7 +37,9 @@ def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict
     force = _in_lengths(problem, y, stiffness)
     above, below = problem.upper - held, held - problem.lower
     slack = np.where(y > 0.0, above, below)
-    one_sided = np.where(y > 0.0, ~np.isfinite(problem.upper), ~np.isfinite(problem.lower)) & (y != 0.0)
+    one_sided = np.where(y > 0.0, ~np.isfinite(problem.upper), ~np.isfinite(problem.lower)) & (
+        y != 0.0
+    )
     pushing = np.where(np.isfinite(slack), np.minimum(np.abs(slack), np.abs(force)), 0.0)
     return {
         "primal": _worst(np.maximum(-above, -below)),
@@ -57,10 +61,19 @@ def _worst(values: FloatArray) -> float:
     return max(0.0, float(np.max(values))) if values.size else 0.0
 
 
-def range_gap(cost: FloatArray, G: FloatArray, h: FloatArray, multipliers: FloatArray, reached: float, box: float) -> float:
-    """Return by how much ``reached`` may lie above the least value of c'x subject to Gx <= h, for all x within ``box``.
+def range_gap(
+    cost: FloatArray,
+    G: FloatArray,
+    h: FloatArray,
+    multipliers: FloatArray,
+    reached: float,
+    box: float,
+) -> float:
+    """Return by how much ``reached`` may lie above the least value of c'x subject to Gx <= h, for
+    all x within ``box``.
 
-    Weak duality: for multipliers y >= 0, c'x >= -h'y + (c + G'y)'x; the last term is at least -box |c + G'y|_1.
+    Weak duality: for multipliers y >= 0, c'x >= -h'y + (c + G'y)'x; the last term is at least -box
+    |c + G'y|_1.
     """
     y = np.maximum(multipliers, 0.0)
     left = float(np.sum(np.abs(cost + G.T @ y)))
@@ -69,20 +82,29 @@ def range_gap(cost: FloatArray, G: FloatArray, h: FloatArray, multipliers: Float
 
 
 def lattice_certificate(
-    table: AxisCompensation, aim: WantedCorrection, capacity: Capacity, magnification: int, claimed: tuple[float, float]
+    table: AxisCompensation,
+    aim: WantedCorrection,
+    capacity: Capacity,
+    magnification: int,
+    claimed: tuple[float, float],
 ) -> dict[str, float]:
-    """Return the certificate of a table of whole increments. ``claimed``: mean square, and its lower bound without whole numbers.
+    """Return the certificate of a table of whole increments. ``claimed``: mean square, and its
+    lower bound without whole numbers.
 
-    ``primal``: the worst violated limit, mm or deg. ``objective``, ``lower_bound``: roots of the mean squares, the first computed
-    from the table. ``recomputed``: by how much it differs from the claim. Raises CapacityError where a limit is
-    broken, the mean square is another, or it lies below its lower bound.
+    ``primal``: the worst violated limit, mm or deg. ``objective``, ``lower_bound``: roots of the
+    mean squares, the first computed from the table. ``recomputed``: by how much it differs from the
+    claim. Raises CapacityError where a limit is broken, the mean square is another, or it lies
+    below its lower bound.
     """
     lattice = capacity.lattice
     if lattice is None:
         raise TypeError("the control has no lattice")
     primal = _broken(table, aim, capacity, magnification)
     points, weights = quadrature(aim.positions, table.positions, table.interpolation)
-    left = [table.at(points, direction) - np.interp(points, aim.positions, aim.total(direction)) for direction in Direction]
+    left = [
+        table.at(points, direction) - np.interp(points, aim.positions, aim.total(direction))
+        for direction in Direction
+    ]
     mean_square = 0.5 * float(sum(weights @ one**2 for one in left))
     dust = 1e-7 * mean_square + (WHOLE * lattice.unit) ** 2
     proof = {
@@ -92,13 +114,24 @@ def lattice_certificate(
         "recomputed": abs(float(np.sqrt(mean_square) - np.sqrt(claimed[0]))),
         "magnification": float(magnification),
     }
-    if primal > WHOLE * lattice.unit or abs(mean_square - claimed[0]) > dust or mean_square < claimed[1] - dust:
+    if (
+        primal > WHOLE * lattice.unit
+        or abs(mean_square - claimed[0]) > dust
+        or mean_square < claimed[1] - dust
+    ):
         found = ", ".join(f"{name} {value:.6g}" for name, value in proof.items())
-        raise CapacityError(Fault(message="no certified solution: the table does not pass its certificate", found=found))
+        raise CapacityError(
+            Fault(
+                message="no certified solution: the table does not pass its certificate",
+                found=found,
+            )
+        )
     return proof
 
 
-def _broken(table: AxisCompensation, aim: WantedCorrection, capacity: Capacity, magnification: int) -> float:
+def _broken(
+    table: AxisCompensation, aim: WantedCorrection, capacity: Capacity, magnification: int
+) -> float:
     """Return by how much the worst limit is broken, mm or deg."""
     lattice = capacity.lattice
     if lattice is None:
@@ -111,13 +144,17 @@ def _broken(table: AxisCompensation, aim: WantedCorrection, capacity: Capacity, 
         counts = np.diff(curve) / step
         limits = np.clip(np.round(counts), *lattice.increments)
         missed.append(step * _worst(np.abs(counts - limits)))
-        missed.append(_worst(np.maximum(curve - capacity.value_range[1], capacity.value_range[0] - curve)))
+        missed.append(
+            _worst(np.maximum(curve - capacity.value_range[1], capacity.value_range[0] - curve))
+        )
         if table.period is not None:
             missed.append(abs(float(curve[-1] - curve[0])))
     if not np.array_equal(table.positive, table.negative):
         one = lattice.unit * (magnification if lattice.offset_magnified else 1)
         offset = float(table.curve(home.opposite)[anchor]) / one
-        missed.append(one * abs(offset - float(np.clip(np.round(offset), *(lattice.offset_range or (0, 0))))))
+        missed.append(
+            one * abs(offset - float(np.clip(np.round(offset), *(lattice.offset_range or (0, 0)))))
+        )
     if table.backlash and capacity.backlash_quantum is not None:
         count = table.backlash / capacity.backlash_quantum
         missed.append(capacity.backlash_quantum * abs(count - round(count)))

@@ -1,7 +1,9 @@
-"""One curve as a chain: neighbouring node values are coupled, nothing else is. Its optimum without whole numbers, and lower bounds.
+"""One curve as a chain: neighbouring node values are coupled, nothing else is. Its optimum without
+whole numbers, and lower bounds.
 
-The mean square of held minus wanted is a quadratic whose matrix H is tridiagonal (linear interpolation) or diagonal
-(steps). With v0 its minimum and a constant c beside the curve (the reversal value; c0 at the minimum):
+The mean square of held minus wanted is a quadratic whose matrix H is tridiagonal (linear
+interpolation) or diagonal (steps). With v0 its minimum and a constant c beside the curve (the
+reversal value; c0 at the minimum):
 
     f(v, c) = least + (v - v0)'H(v - v0)/2 + (c - c0) r'(v - v0) + stiffness (c - c0)^2 / 2
 
@@ -20,7 +22,8 @@ from compwright.fitting.problem import IntArray, Rows
 from compwright.records.axis import FloatArray
 
 BoolArray = NDArray[np.bool_]
-#: A node that the travel sees less than this (against the one that it sees most) counts as not seen.
+#: A node that the travel sees less than this (against the one that it sees most) counts as not
+#: seen.
 _UNSEEN: Final = 1e-12
 #: Keeps the least eigenvalue on the safe side of its rounding error.
 _SAFE: Final = 1e-9
@@ -28,11 +31,13 @@ _SAFE: Final = 1e-9
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Chain:
-    """A curve's values at the nodes that matter, as module docstring; arrays (m,) unless said otherwise.
+    """A curve's values at the nodes that matter, as module docstring; arrays (m,) unless said
+    otherwise.
 
-    ``kept``: which of the ``size`` nodes these are: those that the travel sees and those that are bound. ``span`` (m-1,): sections
-    between neighbours. ``off`` (m-1,): coupling. ``fixed``: values that are zero. ``closed``: the last value equals the first.
-    ``inverse``: diagonal of the inverse of H; ``share``: H - share * diag(H) is positive semidefinite.
+    ``kept``: which of the ``size`` nodes these are: those that the travel sees and those that are
+    bound. ``span`` (m-1,): sections between neighbours. ``off`` (m-1,): coupling. ``fixed``: values
+    that are zero. ``closed``: the last value equals the first. ``inverse``: diagonal of the inverse
+    of H; ``share``: H - share * diag(H) is positive semidefinite.
     """
 
     size: int
@@ -72,22 +77,33 @@ class Chain:
     def value(self, v: FloatArray, constant: float) -> float:
         """Return f."""
         e, c = v - self.optimum, constant - self.constant
-        return self.least + self.excess(e) + c * float(self.coupling @ e) + 0.5 * self.stiffness * c * c
+        return (
+            self.least
+            + self.excess(e)
+            + c * float(self.coupling @ e)
+            + 0.5 * self.stiffness * c * c
+        )
 
     def expanded(self, totals: IntArray) -> IntArray:
-        """Return whole totals (size,) at all nodes: where the travel sees none, even steps, and the end values held."""
+        """Return whole totals (size,) at all nodes: where the travel sees none, even steps, and the
+        end values held.
+        """
         full = np.empty(self.size, dtype=np.int64)
         full[: self.kept[0]], full[self.kept[-1] :] = totals[0], totals[-1]
         for index, span in enumerate(self.span):
             step = np.arange(int(span), dtype=np.int64)
-            # Whole numbers throughout: the steps are then the mean step rounded up or down, which the limits hold.
-            full[self.kept[index] + step] = totals[index] + (2 * (totals[index + 1] - totals[index]) * step + span) // (2 * span)
+            # Whole numbers throughout: the steps are then the mean step rounded up or down, which
+            # the limits hold.
+            full[self.kept[index] + step] = totals[index] + (
+                2 * (totals[index + 1] - totals[index]) * step + span
+            ) // (2 * span)
         return full
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wish:
-    """What is wanted of a curve: at points with ``rows``, ``weights`` (p,) and ``aims`` (p,) in mm or deg.
+    """What is wanted of a curve: at points with ``rows``, ``weights`` (p,) and ``aims`` (p,) in mm
+    or deg.
 
     ``constant``: whether the constant acts at these points.
     """
@@ -98,12 +114,26 @@ class Wish:
     constant: bool = False
 
 
-def build_chain(wishes: tuple[Wish, ...], size: int, *, fixed: tuple[int, ...], kept: tuple[int, ...], closed: bool) -> Chain:
-    """Return the chain of a curve with ``size`` nodes whose mean square is half the sum over ``wishes``.
+def build_chain(
+    wishes: tuple[Wish, ...],
+    size: int,
+    *,
+    fixed: tuple[int, ...],
+    kept: tuple[int, ...],
+    closed: bool,
+) -> Chain:
+    """Return the chain of a curve with ``size`` nodes whose mean square is half the sum over
+    ``wishes``.
 
-    ``fixed``: nodes at which the value is zero; ``kept``: further nodes that have limits of their own.
+    ``fixed``: nodes at which the value is zero; ``kept``: further nodes that have limits of their
+    own.
     """
-    diagonal, off, linear, coupling = np.zeros(size), np.zeros(size - 1), np.zeros(size), np.zeros(size)
+    diagonal, off, linear, coupling = (
+        np.zeros(size),
+        np.zeros(size - 1),
+        np.zeros(size),
+        np.zeros(size),
+    )
     stiffness = pull = 0.0
     for wish in wishes:
         left, lower, upper, weights = wish.rows.left, wish.rows.lower, wish.rows.upper, wish.weights
@@ -127,8 +157,11 @@ def build_chain(wishes: tuple[Wish, ...], size: int, *, fixed: tuple[int, ...], 
         size=size,
         kept=nodes,
         span=span,
-        # A kept node that no part of the travel sees pulls at nothing: any small stiffness makes it follow its neighbours' limits.
-        diagonal=np.where(is_fixed, np.max(diagonal), np.maximum(diagonal[nodes], _UNSEEN * np.max(diagonal))),
+        # A kept node that no part of the travel sees pulls at nothing: any small stiffness makes it
+        # follow its neighbours' limits.
+        diagonal=np.where(
+            is_fixed, np.max(diagonal), np.maximum(diagonal[nodes], _UNSEEN * np.max(diagonal))
+        ),
         off=np.where(is_fixed[1:] | is_fixed[:-1] | (span > 1), 0.0, off[nodes[:-1]]),
         fixed=is_fixed,
         closed=closed,
@@ -144,7 +177,9 @@ def build_chain(wishes: tuple[Wish, ...], size: int, *, fixed: tuple[int, ...], 
 
 
 def _solved(chain: Chain, wishes: tuple[Wish, ...]) -> Chain:
-    """Return the chain with its optimum; ``chain`` still holds the linear terms in the place of optimum and constant."""
+    """Return the chain with its optimum; ``chain`` still holds the linear terms in the place of
+    optimum and constant.
+    """
     linear, pull = chain.optimum, chain.constant
     constant = 0.0
     if chain.stiffness:
@@ -155,15 +190,26 @@ def _solved(chain: Chain, wishes: tuple[Wish, ...]) -> Chain:
     least = 0.0
     for wish in wishes:
         rows = wish.rows
-        held = rows.lower * full[rows.left] + rows.upper * full[rows.left + 1] + (constant if wish.constant else 0.0)
+        held = (
+            rows.lower * full[rows.left]
+            + rows.upper * full[rows.left + 1]
+            + (constant if wish.constant else 0.0)
+        )
         least += 0.5 * float(wish.weights @ (held - wish.aims) ** 2)
     return replace(
-        chain, optimum=optimum, constant=constant, least=least, inverse=_inverse_diagonal(chain), share=_diagonal_share(chain)
+        chain,
+        optimum=optimum,
+        constant=constant,
+        least=least,
+        inverse=_inverse_diagonal(chain),
+        share=_diagonal_share(chain),
     )
 
 
 def _inverse_diagonal(chain: Chain) -> FloatArray:
-    """Return diag(H^-1) from the pivots of the elimination from both ends: 1 / (forward + backward - H_ii)."""
+    """Return diag(H^-1) from the pivots of the elimination from both ends: 1 / (forward + backward
+    - H_ii).
+    """
     forward, backward = chain.diagonal.copy(), chain.diagonal.copy()
     for index, off in enumerate(chain.off):
         forward[index + 1] -= off * off / forward[index]
@@ -179,18 +225,22 @@ def _diagonal_share(chain: Chain) -> float:
     if chain.diagonal.size == 1:
         return 1.0
     scaled = chain.off / np.sqrt(chain.diagonal[1:] * chain.diagonal[:-1])
-    least = eigvalsh_tridiagonal(np.ones(chain.diagonal.size), scaled, select="i", select_range=(0, 0))[0]
+    least = eigvalsh_tridiagonal(
+        np.ones(chain.diagonal.size), scaled, select="i", select_range=(0, 0)
+    )[0]
     return max(0.0, float(least) - _SAFE)
 
 
-# --- limits and lower bounds ------------------------------------------------------------------------------------------
+# --- limits and lower bounds
+# ------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limits:
     """What binds a chain: values are whole multiples of ``step`` (mm or deg) plus a shift.
 
-    ``increments``: least and largest number of steps between nodes; ``low``, ``high`` (m,): the value range, mm or deg.
+    ``increments``: least and largest number of steps between nodes; ``low``, ``high`` (m,): the
+    value range, mm or deg.
     """
 
     step: float
@@ -201,10 +251,11 @@ class Limits:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Push:
-    """Multipliers of the limits: any are allowed, each gives a valid bound (weak duality; Boyd and Vandenberghe, section 5.2.2).
+    """Multipliers of the limits: any are allowed, each gives a valid bound (weak duality; Boyd and
+    Vandenberghe, section 5.2.2).
 
-    ``climb`` (m-1,) of the increments and ``bound`` (m,) of the range, > 0 at the upper, < 0 at the lower limit; ``close`` of
-    "the last value equals the first".
+    ``climb`` (m-1,) of the increments and ``bound`` (m,) of the range, > 0 at the upper, < 0 at the
+    lower limit; ``close`` of "the last value equals the first".
     """
 
     climb: FloatArray
@@ -224,7 +275,11 @@ class Push:
     def price(self, chain: Chain, limits: Limits) -> float:
         """Return the sum of multiplier times limit."""
         least, largest = limits.increments
-        climb = np.where(self.climb > 0.0, self.climb * largest, self.climb * least) * chain.span * limits.step
+        climb = (
+            np.where(self.climb > 0.0, self.climb * largest, self.climb * least)
+            * chain.span
+            * limits.step
+        )
         reach = np.where(self.bound > 0.0, limits.high, limits.low)
         return float(np.sum(climb) + self.bound @ np.where(self.bound == 0.0, 0.0, reach))
 
@@ -233,8 +288,9 @@ class Push:
 class Relaxation:
     """A lower bound of f over all real values within the limits, for each value c of the constant.
 
-    L(v, c) = f + y'(Av - limits) <= f has its minimum ``base - tilt (c - c0) + curve (c - c0)^2 / 2`` at v = ``centre -
-    (c - c0) follow``, and f >= that minimum + (v - centre)'H(v - centre)/2 for every v within the limits.
+    L(v, c) = f + y'(Av - limits) <= f has its minimum ``base - tilt (c - c0) + curve (c - c0)^2 /
+    2`` at v = ``centre - (c - c0) follow``, and f >= that minimum + (v - centre)'H(v - centre)/2
+    for every v within the limits.
     """
 
     base: float
@@ -265,7 +321,9 @@ def no_push(chain: Chain) -> Push:
 
 
 def relax(chain: Chain, push: Push) -> Relaxation:
-    """Return the lower bound that ``push`` gives, but for the price of the limits (`priced`), which alone depends on them."""
+    """Return the lower bound that ``push`` gives, but for the price of the limits (`priced`), which
+    alone depends on them.
+    """
     force = push.force(chain)
     moved, follow = chain.solve(force), chain.solve(chain.coupling)
     return Relaxation(
@@ -283,7 +341,9 @@ def priced(relaxation: Relaxation, push: Push, chain: Chain, limits: Limits) -> 
 
 
 def limiting_push(chain: Chain, limits: Limits, constant_range: tuple[float, float]) -> Push:
-    """Return multipliers near the best ones, from OSQP. They need not be exact: every push gives a valid bound."""
+    """Return multipliers near the best ones, from OSQP. They need not be exact: every push gives a
+    valid bound.
+    """
     import osqp
     from scipy import sparse
 
@@ -294,17 +354,25 @@ def limiting_push(chain: Chain, limits: Limits, constant_range: tuple[float, flo
     upper = [sparse.diags([chain.diagonal, chain.off], [0, 1])]
     P = sparse.csc_matrix(upper[0])
     if beside:
-        P = sparse.bmat([[P, chain.coupling[:, np.newaxis]], [None, np.array([[chain.stiffness]])]], format="csc")
+        P = sparse.bmat(
+            [[P, chain.coupling[:, np.newaxis]], [None, np.array([[chain.stiffness]])]],
+            format="csc",
+        )
     centre = np.append(chain.optimum, [chain.constant] * beside) / step
     whole = P + sparse.triu(P, 1).T
-    rows = [sparse.diags([-np.ones(m - 1), np.ones(m - 1)], [0, 1], shape=(m - 1, m + beside)), sparse.eye(m + beside)]
+    rows = [
+        sparse.diags([-np.ones(m - 1), np.ones(m - 1)], [0, 1], shape=(m - 1, m + beside)),
+        sparse.eye(m + beside),
+    ]
     low = [limits.increments[0] * chain.span, np.where(chain.fixed, 0.0, limits.low / step)]
     high = [limits.increments[1] * chain.span, np.where(chain.fixed, 0.0, limits.high / step)]
     if beside:
         low.append(np.array([constant_range[0] / step]))
         high.append(np.array([constant_range[1] / step]))
     if chain.closed:
-        ends = sparse.csc_matrix((np.array([1.0, -1.0]), (np.array([0, 0]), np.array([0, m - 1]))), shape=(1, m + beside))
+        ends = sparse.csc_matrix(
+            (np.array([1.0, -1.0]), (np.array([0, 0]), np.array([0, m - 1]))), shape=(1, m + beside)
+        )
         rows.append(ends)
         low.append(np.zeros(1))
         high.append(np.zeros(1))
@@ -327,4 +395,8 @@ def limiting_push(chain: Chain, limits: Limits, constant_range: tuple[float, flo
         return no_push(chain)
     bound = y[m - 1 : 2 * m - 1]
     unbounded = ~np.isfinite(np.where(bound > 0.0, limits.high, limits.low))
-    return Push(climb=y[: m - 1], bound=np.where(chain.fixed | unbounded, 0.0, bound), close=float(y[-1]) if chain.closed else 0.0)
+    return Push(
+        climb=y[: m - 1],
+        bound=np.where(chain.fixed | unbounded, 0.0, bound),
+        close=float(y[-1]) if chain.closed else 0.0,
+    )

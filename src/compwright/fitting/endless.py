@@ -11,9 +11,11 @@ from compwright.records.estimate import WantedCorrection
 
 
 def over_one_period(wanted: WantedCorrection, period: float) -> WantedCorrection:
-    """Return ``wanted`` from its reference over one ``period`` (mm or deg), with the same value at both ends.
+    """Return ``wanted`` from its reference over one ``period`` (mm or deg), with the same value at
+    both ends.
 
-    Several turns are averaged, position by position; what none covers is bridged by a straight line.
+    Several turns are averaged, position by position; what none covers is bridged by a straight
+    line.
     """
     begin = wanted.reference
     inside = begin + np.mod(wanted.positions - begin, period)
@@ -26,7 +28,9 @@ def over_one_period(wanted: WantedCorrection, period: float) -> WantedCorrection
     )
 
 
-def _averaged(where: FloatArray, positions: FloatArray, values: FloatArray, period: float) -> FloatArray:
+def _averaged(
+    where: FloatArray, positions: FloatArray, values: FloatArray, period: float
+) -> FloatArray:
     first = int(np.floor((positions[0] - where[-1]) / period))
     last = int(np.ceil((positions[-1] - where[0]) / period))
     total, turns = np.zeros(where.size), np.zeros(where.size)
@@ -37,5 +41,7 @@ def _averaged(where: FloatArray, positions: FloatArray, values: FloatArray, peri
         total += np.where(covered, np.interp(here, positions, values), 0.0)
         turns += covered
     known = turns > 0
-    averaged: FloatArray = np.interp(where, where[known], total[known] / turns[known], period=period)
+    averaged: FloatArray = np.interp(
+        where, where[known], total[known] / turns[known], period=period
+    )
     return averaged

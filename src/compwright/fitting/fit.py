@@ -1,4 +1,6 @@
-"""The table of one axis: nodes, best values under the control's limits, whole quanta, and what each limit costs."""
+"""The table of one axis: nodes, best values under the control's limits, whole quanta, and what each
+limit costs.
+"""
 
 from __future__ import annotations
 
@@ -39,26 +41,44 @@ from compwright.records.fitted import FittedTable, Goal, Limit, TableRequest
 STRONG: Final = 3.0
 
 
-def fit_table(wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str) -> FittedTable:
-    """Return the table that brings the control closest to ``wanted`` (totals, mm or deg) under its limits.
+def fit_table(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str
+) -> FittedTable:
+    """Return the table that brings the control closest to ``wanted`` (totals, mm or deg) under its
+    limits.
 
-    Goal ``expected``: least mean square of held minus wanted over the travel and both directions, which is the expected squared
-    deviation but for a constant that no table changes. Goals ``A``, ``E``: least range over both directions (A adds the same
-    noise everywhere, so that its best table is that of E); ``M``: least range of the mean of both. Zero in the
-    zero state. Whole increments and a single slope take ``expected`` whatever the goal, and say so. Raises CapacityError
-    where the control cannot hold what is asked or no certified solution was found.
+    Goal ``expected``: least mean square of held minus wanted over the travel and both directions,
+    which is the expected squared deviation but for a constant that no table changes. Goals ``A``,
+    ``E``: least range over both directions (A adds the same noise everywhere, so that its best
+    table is that of E); ``M``: least range of the mean of both. Zero in the zero state. Whole
+    increments and a single slope take ``expected`` whatever the goal, and say so. Raises
+    CapacityError where the control cannot hold what is asked or no certified solution was found.
     """
     _refuse(capacity, request)
     if capacity.line is not None:
         line = fit_line(wanted, capacity, request, capacity.line, address=address)
-        return replace(line, findings=(*line.findings, *goal_finding(request.goal, "a control that holds one slope")))
+        return replace(
+            line,
+            findings=(
+                *line.findings,
+                *goal_finding(request.goal, "a control that holds one slope"),
+            ),
+        )
     if capacity.period is not None:
         wanted = over_one_period(wanted, capacity.period)
     shape, reason = _shape(wanted, capacity, request)
     grid = choose_grid(wanted, capacity, request)
     aim, datum_findings = _with_datum(grid.wanted, grid.nodes, capacity)
     if capacity.lattice is not None:
-        fitted = whole_table(grid, aim, (shape, reason), capacity, capacity.lattice, address=address, goal=request.goal)
+        fitted = whole_table(
+            grid,
+            aim,
+            (shape, reason),
+            capacity,
+            capacity.lattice,
+            address=address,
+            goal=request.goal,
+        )
         return replace(fitted, findings=(*datum_findings, *fitted.findings))
     layout = _layout(grid.nodes, shape, capacity, wanted.reference_return)
     fit = _Fit(sampled(aim, grid.nodes, capacity), layout, capacity, wanted.reference)
@@ -103,26 +123,50 @@ def _refuse(capacity: Capacity, request: TableRequest) -> None:
         raise CapacityError(*faults)
 
 
-def _shape(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> tuple[Shape, str]:
+def _shape(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest
+) -> tuple[Shape, str]:
     odds = wanted.reversal_log_odds
     if request.mode == "bidirectional":
         return "bidirectional", "two tables, as the job asks"
     if request.mode == "single":
         return "single", "one table and one reversal value, as the job asks"
     if capacity.curves == 1:
-        return "single", "one table and one reversal value: the control holds one table for both directions"
+        return (
+            "single",
+            "one table and one reversal value: the control holds one table for both directions",
+        )
     if capacity.second_curve == "asked":
-        return "single", "one table and one reversal value: two tables only where the job asks for them (mode: bidirectional)"
+        return (
+            "single",
+            (
+                "one table and one reversal value: two tables only where the job asks for them"
+                " (mode: bidirectional)"
+            ),
+        )
     says = f"log odds {odds:.1f}, strong from {STRONG:g} on"
     if odds > STRONG:
         return "bidirectional", f"two tables: the reversal varies with position ({says})"
-    # What is wanted of the reversal is what the control did already plus what the test says. Both may vary: the table of an
-    # earlier visit, or a variation that the evidence favours without being strong.
+    # What is wanted of the reversal is what the control did already plus what the test says. Both
+    # may vary: the table of an earlier visit, or a variation that the evidence favours without
+    # being strong.
     cost = 0.5 * float(np.std(wanted.positive - wanted.negative))
     if cost > max(capacity.quantum, NOISE_SHARE * wanted.noise):
         factor, small = (1e3, "µm") if wanted.kind.unit == "mm" else (3600.0, "arcsec")
-        return "bidirectional", f"two tables: a constant between the directions would cost {cost * factor:.2g} {small} rms"
-    return "single", f"one table and a constant between the directions: what is wanted does not vary more ({says})"
+        return (
+            "bidirectional",
+            (
+                f"two tables: a constant between the directions would cost {cost * factor:.2g}"
+                f" {small} rms"
+            ),
+        )
+    return (
+        "single",
+        (
+            "one table and a constant between the directions: what is wanted does not vary more"
+            f" ({says})"
+        ),
+    )
 
 
 def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction) -> Layout:
@@ -133,11 +177,15 @@ def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction
     return Layout(nodes=nodes, shape=shape, reversal="backlash", home=home)
 
 
-def _with_datum(wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity) -> tuple[WantedCorrection, tuple[Finding, ...]]:
-    """Return ``wanted`` shifted to zero where the control's table must be zero, and what to say about it.
+def _with_datum(
+    wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity
+) -> tuple[WantedCorrection, tuple[Finding, ...]]:
+    """Return ``wanted`` shifted to zero where the control's table must be zero, and what to say
+    about it.
 
-    A constant is free: it moves the datum of the axis, not its errors. Where the reference lies outside the table and the
-    control holds its end value there, it is the end node that must be zero.
+    A constant is free: it moves the datum of the axis, not its errors. Where the reference lies
+    outside the table and the control holds its end value there, it is the end node that must be
+    zero.
     """
     reference = wanted.reference
     outside = "below" if reference < nodes[0] else "above" if reference > nodes[-1] else None
@@ -148,14 +196,18 @@ def _with_datum(wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity)
         acts = "its end value, which is therefore zero" if holds else "nothing"
         unit = wanted.kind.unit
         message = (
-            f"The reference position ({reference:g} {unit}) lies outside the table ({nodes[0]:g} to {nodes[-1]:g} {unit}): "
-            f"there the control applies {acts}, and the error between them is not corrected"
+            f"The reference position ({reference:g} {unit}) lies outside the table ({nodes[0]:g} to"
+            f" {nodes[-1]:g} {unit}): there the control applies {acts}, and the error between them"
+            " is not corrected"
         )
         findings = (Finding("CW-F003", "warning", message),)
         if not holds:
             place = reference
     shift = float(np.interp(place, wanted.positions, wanted.total(wanted.reference_return)))
-    return replace(wanted, positive=wanted.positive - shift, negative=wanted.negative - shift), findings
+    return (
+        replace(wanted, positive=wanted.positive - shift, negative=wanted.negative - shift),
+        findings,
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,7 +235,9 @@ class _Fit:
         return _Best(solution.x, solution.certificate)
 
     def least_range(self, wanted: WantedCorrection, goal: Goal) -> _Best:
-        """Return the table of least range of the deviations that remain, at the positions of ``wanted`` and the nodes."""
+        """Return the table of least range of the deviations that remain, at the positions of
+        ``wanted`` and the nodes.
+        """
         nodes, where = self.layout.nodes, wanted.positions
         inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]
         points = np.union1d(where, inside)
@@ -192,7 +246,9 @@ class _Fit:
             middles = bends(nodes, rule)[1:-1]
             within = middles[(middles > where[0]) & (middles < where[-1])]
             points = np.union1d(points, np.concatenate([within, np.nextafter(within, -np.inf)]))
-        table = hat_matrix(points, nodes, below=self.capacity.below, above=self.capacity.above, interpolation=rule)
+        table = hat_matrix(
+            points, nodes, below=self.capacity.below, above=self.capacity.above, interpolation=rule
+        )
         rows = [self.layout.columns(table, direction) for direction in BOTH]
         aims = [np.interp(points, where, wanted.total(direction)) for direction in BOTH]
         if goal == "M":
@@ -203,9 +259,15 @@ class _Fit:
     def rms(self, x: FloatArray) -> float:
         return float(np.sqrt(self.data.mean_square(self.layout, x)))
 
-    def unlimited(self, *, shape: Shape | None = None, reversal: Literal["free"] | None = None) -> float:
-        """Return the rms left without limits of value and increment, with another shape or reversal where named."""
-        layout = replace(self.layout, shape=shape or self.layout.shape, reversal=reversal or self.layout.reversal)
+    def unlimited(
+        self, *, shape: Shape | None = None, reversal: Literal["free"] | None = None
+    ) -> float:
+        """Return the rms left without limits of value and increment, with another shape or reversal
+        where named.
+        """
+        layout = replace(
+            self.layout, shape=shape or self.layout.shape, reversal=reversal or self.layout.reversal
+        )
         other = replace(self, layout=layout)
         return other.rms(other.expected(_BOUNDS).x)
 
@@ -226,17 +288,31 @@ def _rounded(x: FloatArray, fit: _Fit, address: str, wanted: WantedCorrection) -
     backlash = constant = 0.0
     if layout.shape == "single" and layout.reversal == "free":
         constant = float(to_quanta(x[k:], capacity.quantum)[0]) * capacity.quantum
-    elif layout.shape == "single" and layout.reversal == "backlash" and capacity.backlash_quantum is not None:
+    elif (
+        layout.shape == "single"
+        and layout.reversal == "backlash"
+        and capacity.backlash_quantum is not None
+    ):
         value = home.opposite.sign * x[k:]
         backlash = float(
-            round_curve(value, capacity.backlash_quantum, value_range=capacity.backlash_range, max_increment=None, anchor=0)[0]
+            round_curve(
+                value,
+                capacity.backlash_quantum,
+                value_range=capacity.backlash_range,
+                max_increment=None,
+                anchor=0,
+            )[0]
         )
     # Both curves keep the range: the constant between them narrows it.
     narrowed = (max(low, low - constant), min(high, high - constant))
-    own = round_curve(x[:k], capacity.quantum, value_range=narrowed, max_increment=increment, anchor=anchor)
+    own = round_curve(
+        x[:k], capacity.quantum, value_range=narrowed, max_increment=increment, anchor=anchor
+    )
     other = own + constant
     if layout.shape == "bidirectional":
-        other = round_curve(x[k:], capacity.quantum, value_range=(low, high), max_increment=increment, anchor=anchor)
+        other = round_curve(
+            x[k:], capacity.quantum, value_range=(low, high), max_increment=increment, anchor=anchor
+        )
     elif constant:
         other = to_quanta(other, capacity.quantum) * capacity.quantum
     positive, negative = (own, other) if home is Direction.POSITIVE else (other, own)
@@ -262,14 +338,18 @@ def _as_unknowns(table: AxisCompensation, layout: Layout) -> FloatArray:
         return np.concatenate([own, other])
     if layout.reversal == "none":
         return own
-    constant = other[0] - own[0] if layout.reversal == "free" else table.backlash_at(layout.home.opposite)
+    constant = (
+        other[0] - own[0] if layout.reversal == "free" else table.backlash_at(layout.home.opposite)
+    )
     return np.append(own, constant)
 
 
 def _limits(fit: _Fit, best: _Best, table: AxisCompensation, grid: Grid) -> tuple[Limit, ...]:
-    """Return what each limit of the control costs: the rms (mm or deg) over the travel and both directions that it adds.
+    """Return what each limit of the control costs: the rms (mm or deg) over the travel and both
+    directions that it adds.
 
-    Costs add as squares: each is the root of the difference of two mean squares, with and without the limit.
+    Costs add as squares: each is the root of the difference of two mean squares, with and without
+    the limit.
     """
     capacity, layout = fit.capacity, fit.layout
     costs: list[tuple[str, float]] = [("spacing too wide for the period", grid.left_out)]
@@ -286,13 +366,17 @@ def _limits(fit: _Fit, best: _Best, table: AxisCompensation, grid: Grid) -> tupl
         costs.append(("value range", added(free_steps, this_shape)))
         costs.append(("largest increment", added(limited, free_steps)))
     shift = _as_unknowns(table, layout) - best.x
-    zero = replace(fit.data, wanted={direction: np.zeros_like(fit.data.points) for direction in BOTH})
+    zero = replace(
+        fit.data, wanted={direction: np.zeros_like(fit.data.points) for direction in BOTH}
+    )
     costs.append(("quantum", float(np.sqrt(zero.mean_square(layout, shift)))))
     return worth_saying(costs, capacity.quantum)
 
 
 def _rounding_error(table: AxisCompensation, x: FloatArray, layout: Layout) -> float:
-    """Return the largest change of a table value by rounding (mm or deg); the backlash value is not a table value."""
+    """Return the largest change of a table value by rounding (mm or deg); the backlash value is not
+    a table value.
+    """
     k = layout.nodes.size
     values = 2 * k if layout.shape == "bidirectional" else k
     return float(np.max(np.abs(_as_unknowns(table, layout)[:values] - x[:values])))

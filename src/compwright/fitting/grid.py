@@ -1,6 +1,8 @@
-"""Choice of the nodes: positions that the control can say exactly, as few as the error needs, as many as the control allows.
+"""Choice of the nodes: positions that the control can say exactly, as few as the error needs, as
+many as the control allows.
 
-All arithmetic on positions is in whole quanta of the position, so that start + i * step is exact for every i.
+All arithmetic on positions is in whole quanta of the position, so that start + i * step is exact
+for every i.
 """
 
 from __future__ import annotations
@@ -33,9 +35,11 @@ NOISE_SHARE: Final = 0.1
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grid:
-    """``nodes`` (k,) mm or deg; ``wanted``: what is left to fit, without periods that the nodes cannot hold.
+    """``nodes`` (k,) mm or deg; ``wanted``: what is left to fit, without periods that the nodes
+    cannot hold.
 
-    ``left_out``: rms of those. ``points_loss``: rms that more points would save, 0 where the number of points is no limit.
+    ``left_out``: rms of those. ``points_loss``: rms that more points would save, 0 where the number
+    of points is no limit.
     """
 
     nodes: FloatArray
@@ -58,14 +62,18 @@ class _Span:
 def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> Grid:
     """Return the nodes for a table.
 
-    Raises CapacityError where the control cannot hold the asked grid (which limit, what would fit), UsageError where
-    start does not lie below end.
+    Raises CapacityError where the control cannot hold the asked grid (which limit, what would fit),
+    UsageError where start does not lie below end.
     """
     if request.spacing is not None and not request.spacing > 0.0:
         found = f"{request.spacing:g} {wanted.kind.unit}"
-        raise UsageError(Fault(message="the spacing must be positive", place="table.spacing", found=found))
+        raise UsageError(
+            Fault(message="the spacing must be positive", place="table.spacing", found=found)
+        )
     if capacity.nodes is not None:
-        return _explicit_grid(_given_nodes(np.array(capacity.nodes), request, wanted.kind.unit), wanted)
+        return _explicit_grid(
+            _given_nodes(np.array(capacity.nodes), request, wanted.kind.unit), wanted
+        )
     if capacity.anchored or capacity.period is not None:
         _check_order(wanted, request)
         grids = anchored_grids(wanted, capacity, request, _most(capacity))
@@ -85,12 +93,19 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
 def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatArray:
     """Return the nodes that the control's own table has; the job may name them, but no others."""
     step = float(np.max(np.diff(nodes)))
-    asked = (("start", request.start, float(nodes[0])), ("end", request.end, float(nodes[-1])), ("spacing", request.spacing, step))
+    asked = (
+        ("start", request.start, float(nodes[0])),
+        ("end", request.end, float(nodes[-1])),
+        ("spacing", request.spacing, step),
+    )
     raise_all(
         CapacityError,
         [
             Fault(
-                message="the points of the control's own table have to stay, because other axes' columns depend on them",
+                message=(
+                    "the points of the control's own table have to stay, because other axes'"
+                    " columns depend on them"
+                ),
                 place=f"table.{name}",
                 expected=f"{there:.10g} {unit}, or nothing",
                 found=f"{given:.10g} {unit}",
@@ -103,14 +118,22 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
 
 
 def _covering(grid: Grid, span: _Span, capacity: Capacity) -> Grid:
-    """Return the grid with the spacings beyond the travel that the control should have where the job left the ends open."""
+    """Return the grid with the spacings beyond the travel that the control should have where the
+    job left the ends open.
+    """
     nodes = grid.nodes
     below = 0 if span.low_fixed else capacity.cover
     above = 0 if span.high_fixed else capacity.cover
     if not below + above or nodes.size + below + above > _most(capacity):
         return grid
     first, last = float(nodes[1] - nodes[0]), float(nodes[-1] - nodes[-2])
-    reaching = np.concatenate([nodes[0] - first * np.arange(below, 0, -1), nodes, nodes[-1] + last * np.arange(1, above + 1)])
+    reaching = np.concatenate(
+        [
+            nodes[0] - first * np.arange(below, 0, -1),
+            nodes,
+            nodes[-1] + last * np.arange(1, above + 1),
+        ]
+    )
     return replace(grid, nodes=np.round(reaching, 10))
 
 
@@ -123,7 +146,12 @@ def _check_order(wanted: WantedCorrection, request: TableRequest) -> tuple[float
     high = float(wanted.positions[-1]) if request.end is None else request.end
     if not low < high:
         raise UsageError(
-            Fault(message="the table is empty", place="table", expected="start below end", found=f"{low:g} to {high:g}")
+            Fault(
+                message="the table is empty",
+                place="table",
+                expected="start below end",
+                found=f"{low:g} to {high:g}",
+            )
         )
     return low, high
 
@@ -139,7 +167,9 @@ def _span(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -
                 Fault(
                     message=f"the control cannot hold the table's {name} exactly",
                     place=f"table.{name}",
-                    expected=f"a multiple of {quantum:.10g} {wanted.kind.unit}, such as {nearest:.10g}",
+                    expected=(
+                        f"a multiple of {quantum:.10g} {wanted.kind.unit}, such as {nearest:.10g}"
+                    ),
                     found=f"{value:.12g}",
                 )
             )
@@ -153,10 +183,13 @@ def _span(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -
     )
 
 
-# --- a spacing that the job names -------------------------------------------------------------------------------------
+# --- a spacing that the job names
+# -------------------------------------------------------------------------------------
 
 
-def _explicit(span: _Span, spacing: float, capacity: Capacity, wanted: WantedCorrection) -> FloatArray:
+def _explicit(
+    span: _Span, spacing: float, capacity: Capacity, wanted: WantedCorrection
+) -> FloatArray:
     quantum, unit = capacity.position_quantum, wanted.kind.unit
     length = span.high - span.low
     step = round(spacing / quantum)
@@ -165,18 +198,36 @@ def _explicit(span: _Span, spacing: float, capacity: Capacity, wanted: WantedCor
     if capacity.spacings is not None and not (span.low_fixed and span.high_fixed):
         return _reaching_grid(span, named_step(spacing, capacity, unit), capacity, wanted)
     if not (step > 0 and whole(spacing / quantum)):
-        raise _refused(span, spacing, capacity, f"the step must be a multiple of {quantum:.10g} {unit}", unit)
+        raise _refused(
+            span, spacing, capacity, f"the step must be a multiple of {quantum:.10g} {unit}", unit
+        )
     if length % step:
         pieces = length / step
-        raise _refused(span, spacing, capacity, f"the table is {pieces:.6g} steps long, not a whole number", unit)
+        raise _refused(
+            span,
+            spacing,
+            capacity,
+            f"the table is {pieces:.6g} steps long, not a whole number",
+            unit,
+        )
     named_step(spacing, capacity, unit)
     _check_count(length // step + 1, span, capacity, unit)
     return nodes_at(span.low, step, length // step + 1, quantum)
 
 
-def _reaching_grid(span: _Span, step: int, capacity: Capacity, wanted: WantedCorrection) -> FloatArray:
-    """Return nodes of a control that has only certain spacings: through the reference or the job's end, over the open ends."""
-    anchor = span.low if span.low_fixed else span.high if span.high_fixed else round(wanted.reference / capacity.position_quantum)
+def _reaching_grid(
+    span: _Span, step: int, capacity: Capacity, wanted: WantedCorrection
+) -> FloatArray:
+    """Return nodes of a control that has only certain spacings: through the reference or the job's
+    end, over the open ends.
+    """
+    anchor = (
+        span.low
+        if span.low_fixed
+        else span.high
+        if span.high_fixed
+        else round(wanted.reference / capacity.position_quantum)
+    )
     start = anchor - -(-(anchor - span.low) // step) * step
     count = -(-(span.high - start) // step) + 1
     _check_count(count, span, capacity, wanted.kind.unit)
@@ -184,7 +235,9 @@ def _reaching_grid(span: _Span, step: int, capacity: Capacity, wanted: WantedCor
 
 
 def _freely_spaced(span: _Span, spacing: float, capacity: Capacity, unit: str) -> FloatArray:
-    """Return nodes that the control lists one by one: each the nearest that it can say, the last section perhaps shorter."""
+    """Return nodes that the control lists one by one: each the nearest that it can say, the last
+    section perhaps shorter.
+    """
     quantum = capacity.position_quantum
     sections = int(np.ceil((span.high - span.low) * quantum / spacing - 1e-9))
     _check_count(sections + 1, span, capacity, unit)
@@ -197,7 +250,10 @@ def _freely_spaced(span: _Span, spacing: float, capacity: Capacity, unit: str) -
 
 def _check_count(count: int, span: _Span, capacity: Capacity, unit: str) -> None:
     length = (span.high - span.low) * capacity.position_quantum
-    most = min((limit for limit in (capacity.max_points, capacity.most_points) if limit is not None), default=None)
+    most = min(
+        (limit for limit in (capacity.max_points, capacity.most_points) if limit is not None),
+        default=None,
+    )
     if most is not None and count > most:
         least = _nearest_steps(span, 0.0, capacity)[1]
         fits = f"; from {least:.10g} {unit} on a spacing fits" if least else ""
@@ -212,7 +268,10 @@ def _check_count(count: int, span: _Span, capacity: Capacity, unit: str) -> None
     if count < capacity.min_points:
         raise CapacityError(
             Fault(
-                message=f"too few points for the table of {length:.10g} {unit}; a smaller spacing would help",
+                message=(
+                    f"too few points for the table of {length:.10g} {unit}; a smaller spacing would"
+                    " help"
+                ),
                 place="table.spacing",
                 expected=f"at least {capacity.min_points} points",
                 found=f"{count} points",
@@ -227,17 +286,30 @@ def _refused(span: _Span, spacing: float, capacity: Capacity, why: str, unit: st
         Fault(
             message=f"the control cannot hold this spacing exactly: {why}",
             place="table.spacing",
-            expected=f"{' or '.join(near)} {unit} (from {span.low * quantum:.10g} to {span.high * quantum:.10g} {unit})",
+            expected=(
+                f"{' or '.join(near)} {unit} (from {span.low * quantum:.10g} to"
+                f" {span.high * quantum:.10g} {unit})"
+            ),
             found=f"{spacing:.12g} {unit}",
         )
     )
 
 
-def _nearest_steps(span: _Span, spacing: float, capacity: Capacity) -> tuple[float | None, float | None]:
-    """Return the largest step below and the smallest above ``spacing`` that divides the table and keeps the number of points."""
+def _nearest_steps(
+    span: _Span, spacing: float, capacity: Capacity
+) -> tuple[float | None, float | None]:
+    """Return the largest step below and the smallest above ``spacing`` that divides the table and
+    keeps the number of points.
+    """
     length = span.high - span.low
-    most = min(limit for limit in (capacity.max_points, capacity.most_points, 100_000) if limit is not None)
-    fitting = [length // pieces for pieces in range(max(1, capacity.min_points - 1), min(most, length + 1)) if length % pieces == 0]
+    most = min(
+        limit for limit in (capacity.max_points, capacity.most_points, 100_000) if limit is not None
+    )
+    fitting = [
+        length // pieces
+        for pieces in range(max(1, capacity.min_points - 1), min(most, length + 1))
+        if length % pieces == 0
+    ]
     steps = [step * capacity.position_quantum for step in taken_steps(fitting, capacity)]
     below = [step for step in steps if step < spacing]
     above = [step for step in steps if step > spacing]
@@ -250,8 +322,12 @@ def _explicit_grid(nodes: FloatArray, wanted: WantedCorrection, *, loss: float =
     return _leaving_out(nodes, wanted, lost, loss)
 
 
-def _leaving_out(nodes: FloatArray, wanted: WantedCorrection, periods: list[float], loss: float = 0.0) -> Grid:
-    """Return the grid with the part of ``periods`` left out, and a finding where that is more than nothing."""
+def _leaving_out(
+    nodes: FloatArray, wanted: WantedCorrection, periods: list[float], loss: float = 0.0
+) -> Grid:
+    """Return the grid with the part of ``periods`` left out, and a finding where that is more than
+    nothing.
+    """
     if not periods:
         return Grid(nodes=nodes, wanted=wanted, points_loss=loss)
     smooth, rms = without_periods(wanted, periods)
@@ -261,27 +337,38 @@ def _leaving_out(nodes: FloatArray, wanted: WantedCorrection, periods: list[floa
     found = Finding(
         "CW-F002",
         "info",
-        f"The spacing of {float(np.max(np.diff(nodes))):g} {unit} cannot hold an error of period {named} {unit} "
-        f"(a third of the period is needed): it is left out of the table, {rms * factor:.2g} {small} rms",
+        f"The spacing of {float(np.max(np.diff(nodes))):g} {unit} cannot hold an error of period"
+        f" {named} {unit} (a third of the period is needed): it is left out of the table,"
+        f" {rms * factor:.2g} {small} rms",
     )
     return Grid(nodes=nodes, wanted=smooth, left_out=rms, points_loss=loss, findings=(found,))
 
 
-# --- the automatic choice ---------------------------------------------------------------------------------------------
+# --- the automatic choice
+# ---------------------------------------------------------------------------------------------
 
 
 def _automatic(
-    pool: list[Candidate], others: list[Candidate], ends: tuple[float, float], capacity: Capacity, wanted: WantedCorrection
+    pool: list[Candidate],
+    others: list[Candidate],
+    ends: tuple[float, float],
+    capacity: Capacity,
+    wanted: WantedCorrection,
 ) -> Grid:
     quantum = capacity.position_quantum
     if not (pool or others):
         unit = wanted.kind.unit
-        least = f", at least {capacity.min_spacing:.10g} {unit} apart" if capacity.min_spacing else ""
+        least = (
+            f", at least {capacity.min_spacing:.10g} {unit} apart" if capacity.min_spacing else ""
+        )
         raise CapacityError(
             Fault(
                 message="no equally spaced grid fits the table's ends",
                 place="table",
-                expected=f"{capacity.min_points} to {_most(capacity)} points at multiples of {quantum:.10g} {unit}{least}",
+                expected=(
+                    f"{capacity.min_points} to {_most(capacity)} points at multiples of"
+                    f" {quantum:.10g} {unit}{least}"
+                ),
                 found=f"{ends[0]:.10g} to {ends[1]:.10g} {unit}",
             )
         )
@@ -290,7 +377,9 @@ def _automatic(
         return Grid(nodes=chosen, wanted=wanted)
     if capacity.lattice is not None:
         compromise = _least_left([*pool, *others], wanted, capacity, capacity.lattice)
-        return _explicit_grid(compromise, wanted, loss=_loss(compromise, wanted, capacity.interpolation))
+        return _explicit_grid(
+            compromise, wanted, loss=_loss(compromise, wanted, capacity.interpolation)
+        )
     finest = _with_most_points(pool, others).nodes(quantum)
     step = float(np.max(np.diff(finest)))
     lost = [period for period in wanted.periods if step * POINTS_PER_PERIOD > period * (1 + 1e-9)]
@@ -299,18 +388,29 @@ def _automatic(
         enough = _coarsest(pool, others, kept, capacity)
         if enough is not None:
             return _leaving_out(enough, wanted, lost)
-    return _leaving_out(finest, wanted, lost, 0.0 if capacity.max_points is None else _loss(finest, kept, capacity.interpolation))
+    return _leaving_out(
+        finest,
+        wanted,
+        lost,
+        0.0 if capacity.max_points is None else _loss(finest, kept, capacity.interpolation),
+    )
 
 
 def _with_most_points(pool: list[Candidate], others: list[Candidate]) -> Candidate:
-    """Return the finest grid; one without a node at the reference only where it has half as many points again."""
+    """Return the finest grid; one without a node at the reference only where it has half as many
+    points again.
+    """
     best = max(pool or others, key=lambda candidate: candidate.count)
     spare = max(others, key=lambda candidate: candidate.count, default=best)
     return spare if spare.count > 1.5 * best.count else best
 
 
-def _candidates(span: _Span, capacity: Capacity, wanted: WantedCorrection, most: int) -> tuple[list[Candidate], list[Candidate]]:
-    """Return grids, coarsest first: those with the reference at a node (or on the continued grid), and the others."""
+def _candidates(
+    span: _Span, capacity: Capacity, wanted: WantedCorrection, most: int
+) -> tuple[list[Candidate], list[Candidate]]:
+    """Return grids, coarsest first: those with the reference at a node (or on the continued grid),
+    and the others.
+    """
     in_quanta = wanted.reference / capacity.position_quantum
     reference = round(in_quanta) if whole(in_quanta) else None
     length = span.high - span.low
@@ -323,15 +423,19 @@ def _candidates(span: _Span, capacity: Capacity, wanted: WantedCorrection, most:
     off = [one for one in exact if one not in on]
     anchor = span.low if span.low_fixed else span.high if span.high_fixed else reference
     reaching = list(_reaching_out(span, span.low if anchor is None else anchor, capacity, most))
-    same = [one for one in reaching if reference is not None and (reference - one.start) % one.step == 0]
-    # A grid that ends with the travel is the better one; one that reaches out only where there is none nearly as coarse.
+    same = [
+        one for one in reaching if reference is not None and (reference - one.start) % one.step == 0
+    ]
+    # A grid that ends with the travel is the better one; one that reaches out only where there is
+    # none nearly as coarse.
     on += [one for one in same if not any(0.5 * one.step <= other.step <= one.step for other in on)]
     off += [one for one in reaching if one not in same]
     return sorted(on, key=lambda one: one.count), sorted(off, key=lambda one: one.count)
 
 
 def _reaching_out(span: _Span, anchor: int, capacity: Capacity, most: int) -> Iterator[Candidate]:
-    """Yield grids of round steps through ``anchor`` that reach beyond the travel where the job left the end open.
+    """Yield grids of round steps through ``anchor`` that reach beyond the travel where the job left
+    the end open.
 
     With free spacing, an end that the job fixed cuts the last section short.
     """
@@ -348,19 +452,30 @@ def _reaching_out(span: _Span, anchor: int, capacity: Capacity, most: int) -> It
         yield Candidate(start, step, count)
 
 
-def _coarsest(pool: list[Candidate], others: list[Candidate], wanted: WantedCorrection, capacity: Capacity) -> FloatArray | None:
-    """Return the nodes of the coarsest grid that is good enough, preferably with the reference at a node; None: there is none."""
+def _coarsest(
+    pool: list[Candidate], others: list[Candidate], wanted: WantedCorrection, capacity: Capacity
+) -> FloatArray | None:
+    """Return the nodes of the coarsest grid that is good enough, preferably with the reference at a
+    node; None: there is none.
+    """
     on, off = _first_good(pool, wanted, capacity), _first_good(others, wanted, capacity)
     if on is None or (off is not None and off.count * 3 < on.count):
         on = off
     return None if on is None else on.nodes(capacity.position_quantum)
 
 
-def _first_good(candidates: list[Candidate], wanted: WantedCorrection, capacity: Capacity) -> Candidate | None:
-    """Return a grid that loses no more than the tolerance: the coarsest, or one nearly as coarse with a rounder step."""
+def _first_good(
+    candidates: list[Candidate], wanted: WantedCorrection, capacity: Capacity
+) -> Candidate | None:
+    """Return a grid that loses no more than the tolerance: the coarsest, or one nearly as coarse
+    with a rounder step.
+    """
     quantum = capacity.position_quantum
-    # Steps are cheap to make finer, and their loss is a range as wide as a step: no more than rounding costs anyway.
-    resolution = capacity.quantum / np.sqrt(12.0) if capacity.interpolation == "step" else capacity.quantum
+    # Steps are cheap to make finer, and their loss is a range as wide as a step: no more than
+    # rounding costs anyway.
+    resolution = (
+        capacity.quantum / np.sqrt(12.0) if capacity.interpolation == "step" else capacity.quantum
+    )
     tolerance = max(resolution, NOISE_SHARE * wanted.noise)
     best: Candidate | None = None
     first = 0
@@ -370,14 +485,18 @@ def _first_good(candidates: list[Candidate], wanted: WantedCorrection, capacity:
         if best is not None and candidate.digits(quantum) >= best.digits(quantum):
             continue
         nodes = candidate.nodes(quantum)
-        if _loss(nodes, wanted, capacity.interpolation) <= tolerance and _climbs(nodes, wanted, capacity):
+        if _loss(nodes, wanted, capacity.interpolation) <= tolerance and _climbs(
+            nodes, wanted, capacity
+        ):
             first = candidate.count if best is None else first
             best = candidate
     return best
 
 
 def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
-    """Return whether the control's increments, at the smallest magnification, follow what is wanted."""
+    """Return whether the control's increments, at the smallest magnification, follow what is
+    wanted.
+    """
     if capacity.lattice is not None:
         return _needed(nodes, wanted, capacity.lattice) <= capacity.lattice.magnifications[0]
     limit = limited_increment(capacity)
@@ -385,36 +504,52 @@ def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> 
 
 
 def _needed(nodes: FloatArray, wanted: WantedCorrection, lattice: Lattice) -> float:
-    """Return the magnification at which the increments follow what is wanted (not a whole number)."""
+    """Return the magnification at which the increments follow what is wanted (not a whole
+    number).
+    """
     least, largest = (limit * lattice.unit for limit in lattice.increments)
-    steps = np.concatenate([np.diff(np.interp(nodes, wanted.positions, wanted.total(direction))) for direction in BOTH])
+    steps = np.concatenate(
+        [np.diff(np.interp(nodes, wanted.positions, wanted.total(direction))) for direction in BOTH]
+    )
     up, down = float(np.max(steps, initial=0.0)), float(np.min(steps, initial=0.0))
     nothing_up, nothing_down = (np.inf if up > 0.0 else 0.0), (np.inf if down < 0.0 else 0.0)
-    return max(up / largest if largest > 0.0 else nothing_up, down / least if least < 0.0 else nothing_down)
+    return max(
+        up / largest if largest > 0.0 else nothing_up, down / least if least < 0.0 else nothing_down
+    )
 
 
-def _least_left(candidates: list[Candidate], wanted: WantedCorrection, capacity: Capacity, lattice: Lattice) -> FloatArray:
-    """Return the grid that is expected to leave least where none is good enough: finer spacing, smaller increments, but a
-    coarser magnification where those do not suffice. The coarsest of those that are nearly as good.
+def _least_left(
+    candidates: list[Candidate], wanted: WantedCorrection, capacity: Capacity, lattice: Lattice
+) -> FloatArray:
+    """Return the grid that is expected to leave least where none is good enough: finer spacing,
+    smaller increments, but a coarser magnification where those do not suffice. The coarsest of
+    those that are nearly as good.
 
-    Rounding leaves about step / sqrt(18) rms between straight lines; increments that are too small leave about what they lack.
+    Rounding leaves about step / sqrt(18) rms between straight lines; increments that are too small
+    leave about what they lack.
     """
     scored = []
     for candidate in candidates:
         nodes = candidate.nodes(capacity.position_quantum)
         needed = _needed(nodes, wanted, lattice)
-        enough = next((one for one in lattice.magnifications if one >= needed), lattice.magnifications[-1])
+        enough = next(
+            (one for one in lattice.magnifications if one >= needed), lattice.magnifications[-1]
+        )
         share = 1.0 - enough / needed if needed > enough else 0.0
         lacking = share * float(np.std(np.concatenate([wanted.positive, wanted.negative])))
         rounding = enough * lattice.unit / np.sqrt(18.0)
-        left = float(np.sqrt(_loss(nodes, wanted, capacity.interpolation) ** 2 + rounding**2 + lacking**2))
+        left = float(
+            np.sqrt(_loss(nodes, wanted, capacity.interpolation) ** 2 + rounding**2 + lacking**2)
+        )
         scored.append((left, candidate.count, nodes))
     enough_left = 1.02 * min(left for left, _, _ in scored)
     return min((one for one in scored if one[0] <= enough_left), key=lambda one: one[1])[2]
 
 
 def _loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolation) -> float:
-    """Return the rms over the travel and both directions of what lies between the nodes and is lost there."""
+    """Return the rms over the travel and both directions of what lies between the nodes and is lost
+    there.
+    """
     where = wanted.positions
     rows = rows_at(where, nodes, below="hold", above="hold", interpolation=interpolation)
     square = []
@@ -426,4 +561,9 @@ def _loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolat
 
 
 def _steepest(nodes: FloatArray, wanted: WantedCorrection) -> float:
-    return float(max(np.max(np.abs(np.diff(np.interp(nodes, wanted.positions, wanted.total(direction))))) for direction in BOTH))
+    return float(
+        max(
+            np.max(np.abs(np.diff(np.interp(nodes, wanted.positions, wanted.total(direction)))))
+            for direction in BOTH
+        )
+    )

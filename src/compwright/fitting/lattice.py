@@ -1,15 +1,20 @@
-"""Whole increments: the exact optimum over the lattice, by dynamic programming within windows that are proved wide enough.
+"""Whole increments: the exact optimum over the lattice, by dynamic programming within windows that
+are proved wide enough.
 
-The unknowns are whole totals T[i] (magnification * unit each) with increments and values within the control's limits.
+The unknowns are whole totals T[i] (magnification * unit each) with increments and values within the
+control's limits.
 
-Why nothing better lies outside the windows. A `Relaxation` says f(v) >= g + (v - x)'H(v - x)/2 for every v within the limits.
-With any solution of value U at hand, a better one has (v - x)'H(v - x) <= 2 (U - g), and by Cauchy and Schwarz
-(v[i] - x[i])^2 <= (H^-1)[i, i] (v - x)'H(v - x). So node i need only be searched within sqrt(2 (U - g) (H^-1)[i, i])
-of x[i], and where the neighbours' windows reach. The value U is that of a solution which keeps all limits; it lies in every window.
-A poor U or a poor bound makes windows wide, never wrong; where the bound says nothing they end at the control's own limits.
+Why nothing better lies outside the windows. A `Relaxation` says f(v) >= g + (v - x)'H(v - x)/2 for
+every v within the limits. With any solution of value U at hand, a better one has (v - x)'H(v - x)
+<= 2 (U - g), and by Cauchy and Schwarz (v[i] - x[i])^2 <= (H^-1)[i, i] (v - x)'H(v - x). So node i
+need only be searched within sqrt(2 (U - g) (H^-1)[i, i]) of x[i], and where the neighbours' windows
+reach. The value U is that of a solution which keeps all limits; it lies in every window. A poor U
+or a poor bound makes windows wide, never wrong; where the bound says nothing they end at the
+control's own limits.
 
-What need not be searched. H - share * diag(H) is positive semidefinite, so that f(v) >= g + share * sum(H[i, i] (distance from
-x[i] to the lattice)^2) / 2. A magnification, a reversal value or a shift of the second table whose bound lies above U is left out.
+What need not be searched. H - share * diag(H) is positive semidefinite, so that f(v) >= g + share *
+sum(H[i, i] (distance from x[i] to the lattice)^2) / 2. A magnification, a reversal value or a shift
+of the second table whose bound lies above U is left out.
 """
 
 from __future__ import annotations
@@ -20,12 +25,22 @@ from typing import Final
 
 import numpy as np
 
-from compwright.fitting.chain import Chain, Limits, Push, Relaxation, limiting_push, no_push, priced, relax
+from compwright.fitting.chain import (
+    Chain,
+    Limits,
+    Push,
+    Relaxation,
+    limiting_push,
+    no_push,
+    priced,
+    relax,
+)
 from compwright.fitting.problem import IntArray
 from compwright.fitting.windows import cheapest, closed_lanes, reachable
 from compwright.records.axis import FloatArray
 
-#: Magnifications whose objectives differ by less than this share count as equal: the smallest is taken.
+#: Magnifications whose objectives differ by less than this share count as equal: the smallest is
+#: taken.
 EQUAL: Final = 1e-9
 #: Errors of this share of the unit do not count, whatever the objective.
 _NOTHING: Final = 1e-6
@@ -43,9 +58,10 @@ _MANY: Final = 200
 class Part:
     """One curve of the table.
 
-    ``constant``: the reversal value is ``sign * step * B`` with whole B between the limits: (sign * step, least, largest); None:
-    there is none. ``anchor``: index in the chain of the reference; ``offsets``: least and largest value there in units, of a second
-    table; None: the value there is zero. ``magnified``: the offset counts in magnified units.
+    ``constant``: the reversal value is ``sign * step * B`` with whole B between the limits: (sign *
+    step, least, largest); None: there is none. ``anchor``: index in the chain of the reference;
+    ``offsets``: least and largest value there in units, of a second table; None: the value there is
+    zero. ``magnified``: the offset counts in magnified units.
     """
 
     chain: Chain
@@ -66,7 +82,9 @@ class Part:
         return Limits(step=unit * magnification, increments=increments, low=low, high=high)
 
     def shifts(self, unit: float, magnification: int) -> FloatArray:
-        """Return by how much the second table's values may stand off multiples of magnification times unit (n,), mm or deg."""
+        """Return by how much the second table's values may stand off multiples of magnification
+        times unit (n,), mm or deg.
+        """
         if self.offsets is None or self.magnified:
             return np.zeros(1)
         return unit * np.arange(magnification, dtype=np.float64)
@@ -81,7 +99,9 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Variants:
-    """Ways to go through one part: reversal value ``count`` (n,), its distance from the optimum, the shift, a lower bound."""
+    """Ways to go through one part: reversal value ``count`` (n,), its distance from the optimum,
+    the shift, a lower bound.
+    """
 
     count: IntArray
     distance: FloatArray
@@ -90,12 +110,16 @@ class Variants:
 
     def take(self, chosen: IntArray | slice) -> Variants:
         """Return some of them."""
-        return Variants(self.count[chosen], self.distance[chosen], self.shift[chosen], self.bound[chosen])
+        return Variants(
+            self.count[chosen], self.distance[chosen], self.shift[chosen], self.bound[chosen]
+        )
 
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """Values of one part: whole ``totals`` (m,), the ``shift`` (mm or deg), the reversal's whole ``count``; ``objective`` f."""
+    """Values of one part: whole ``totals`` (m,), the ``shift`` (mm or deg), the reversal's whole
+    ``count``; ``objective`` f.
+    """
 
     totals: IntArray
     shift: float
@@ -105,9 +129,11 @@ class Found:
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """The best table: its parts, ``magnification``, ``objective`` (mean square), ``bound`` of it without whole numbers.
+    """The best table: its parts, ``magnification``, ``objective`` (mean square), ``bound`` of it
+    without whole numbers.
 
-    ``before``: the next smaller magnification and a lower bound of its objective; None where there is none.
+    ``before``: the next smaller magnification and a lower bound of its objective; None where there
+    is none.
     """
 
     parts: tuple[Found, ...]
@@ -118,16 +144,24 @@ class Solution:
 
 
 def best_totals(
-    parts: tuple[Part, ...], *, unit: float, increments: tuple[int, int], magnifications: tuple[int, ...]
+    parts: tuple[Part, ...],
+    *,
+    unit: float,
+    increments: tuple[int, int],
+    magnifications: tuple[int, ...],
 ) -> Solution | None:
-    """Return the exact optimum over whole totals, reversal values and magnifications; None: the limits allow no table.
+    """Return the exact optimum over whole totals, reversal values and magnifications; None: the
+    limits allow no table.
 
-    ``unit`` mm or deg; ``magnifications`` ascending. Of those that are equal within `EQUAL` the smallest is taken.
+    ``unit`` mm or deg; ``magnifications`` ascending. Of those that are equal within `EQUAL` the
+    smallest is taken.
     """
     search = _Search(parts, unit, increments)
     best: Solution | None = None
     ceiling = search.first_ceiling(magnifications)
-    bounds = [(-np.inf, one) for one in magnifications]  # a heap: the least bound first, of equal ones the smallest magnification
+    bounds = [
+        (-np.inf, one) for one in magnifications
+    ]  # a heap: the least bound first, of equal ones the smallest magnification
     while bounds:
         bound, chosen = bounds[0]
         known = search.bound(chosen, ceiling)
@@ -144,11 +178,17 @@ def best_totals(
     if best is None:
         return None
     before = max((one for one in magnifications if one < best.magnification), default=None)
-    return replace(best, before=None if before is None else (before, search.without_whole_numbers(before)))
+    return replace(
+        best, before=None if before is None else (before, search.without_whole_numbers(before))
+    )
 
 
-def relaxed_bound(parts: tuple[Part, ...], *, unit: float, increments: tuple[int, int], magnification: int) -> float:
-    """Return a lower bound of the objective under the limits, without whole numbers: the least value but for OSQP's accuracy."""
+def relaxed_bound(
+    parts: tuple[Part, ...], *, unit: float, increments: tuple[int, int], magnification: int
+) -> float:
+    """Return a lower bound of the objective under the limits, without whole numbers: the least
+    value but for OSQP's accuracy.
+    """
     return _Search(parts, unit, increments).without_whole_numbers(magnification)
 
 
@@ -156,8 +196,12 @@ def _tolerance(objective: float, unit: float) -> float:
     return EQUAL * objective + (_NOTHING * unit) ** 2
 
 
-def _worth_a_look(magnification: int, bound: float, ceiling: float, best: Solution | None, unit: float) -> bool:
-    """Return whether a magnification may be better than the best one so far; a larger one must be so by more than the tolerance."""
+def _worth_a_look(
+    magnification: int, bound: float, ceiling: float, best: Solution | None, unit: float
+) -> bool:
+    """Return whether a magnification may be better than the best one so far; a larger one must be
+    so by more than the tolerance.
+    """
     if best is None or magnification < best.magnification:
         return bound <= ceiling
     return bound < best.objective - _tolerance(best.objective, unit)
@@ -173,7 +217,9 @@ def _better(new: Solution, best: Solution | None, unit: float) -> bool:
 
 
 class _Search:
-    """Bounds and solutions of all parts. ``pushes`` grow as magnifications are looked at; each serves all magnifications."""
+    """Bounds and solutions of all parts. ``pushes`` grow as magnifications are looked at; each
+    serves all magnifications.
+    """
 
     def __init__(self, parts: tuple[Part, ...], unit: float, increments: tuple[int, int]) -> None:
         self.parts, self.unit, self.increments = parts, unit, increments
@@ -193,11 +239,15 @@ class _Search:
         """Return the best lower bound that the multipliers so far give."""
         part = self.parts[index]
         limits = self.limits(part, magnification)
-        relaxations = [priced(relaxation, push, part.chain, limits) for push, relaxation in self.pushes[index]]
+        relaxations = [
+            priced(relaxation, push, part.chain, limits) for push, relaxation in self.pushes[index]
+        ]
         return max(relaxations, key=lambda one: _continuous(part, one))
 
     def first_ceiling(self, magnifications: tuple[int, ...]) -> float:
-        """Return the value of some solution: the best of rounding at a few magnifications, each about twice the one before."""
+        """Return the value of some solution: the best of rounding at a few magnifications, each
+        about twice the one before.
+        """
         ceiling, last = np.inf, 0
         for one in magnifications:
             if one < 2 * last and one != magnifications[-1]:
@@ -213,7 +263,9 @@ class _Search:
         return ceiling
 
     def sharpen(self, magnification: int) -> bool:
-        """Return whether limits bind at ``magnification`` and better multipliers were sought for the first time."""
+        """Return whether limits bind at ``magnification`` and better multipliers were sought for
+        the first time.
+        """
         if magnification in self.sharpened:
             return False
         self.sharpened.add(magnification)
@@ -226,7 +278,9 @@ class _Search:
         return binds
 
     def bound(self, magnification: int, ceiling: float) -> float:
-        """Return a lower bound of the objective at one magnification; any number above ``ceiling`` where it lies above."""
+        """Return a lower bound of the objective at one magnification; any number above ``ceiling``
+        where it lies above.
+        """
         rests_on = (ceiling, *(len(pushes) for pushes in self.pushes))
         known = self.bounds.get(magnification)
         if known is None or known[0] != rests_on:
@@ -242,14 +296,23 @@ class _Search:
             counts = _counts(part, relaxations[index], room)
             if counts.size * part.shifts(self.unit, magnification).size > _MANY:
                 continue  # too rough a ceiling yet: the bound without whole numbers will do
-            variants = _variants(part, relaxations[index], self.limits(part, magnification), self.shifts(part, magnification), room)
+            variants = _variants(
+                part,
+                relaxations[index],
+                self.limits(part, magnification),
+                self.shifts(part, magnification),
+                room,
+            )
             total += float(np.min(variants.bound, initial=np.inf)) - least[index]
         return total
 
     def without_whole_numbers(self, magnification: int) -> float:
         """Return a lower bound of the objective from the limits alone."""
         self.sharpen(magnification)
-        return sum(_continuous(part, self.relaxation(index, magnification)) for index, part in enumerate(self.parts))
+        return sum(
+            _continuous(part, self.relaxation(index, magnification))
+            for index, part in enumerate(self.parts)
+        )
 
     def shifts(self, part: Part, magnification: int) -> FloatArray:
         return part.shifts(self.unit, magnification)
@@ -262,19 +325,27 @@ class _Search:
         return _first(part, relaxation, limits, variants.take(slice(0, 1)))
 
     def solve(self, magnification: int, ceiling: float) -> Solution | None:
-        """Return the best solution at one magnification; None: there is none of value ``ceiling`` or less."""
+        """Return the best solution at one magnification; None: there is none of value ``ceiling``
+        or less.
+        """
         relaxations = [self.relaxation(index, magnification) for index in range(len(self.parts))]
         least = [_continuous(part, one) for part, one in zip(self.parts, relaxations, strict=True)]
         found: list[Found] = []
         for index, part in enumerate(self.parts):
             others = sum(one.objective for one in found) + sum(least[index + 1 :])
             one = _solve_part(
-                part, relaxations[index], self.limits(part, magnification), self.shifts(part, magnification), ceiling - others
+                part,
+                relaxations[index],
+                self.limits(part, magnification),
+                self.shifts(part, magnification),
+                ceiling - others,
             )
             if one is None:
                 return None
             found.append(one)
-        return Solution(tuple(found), magnification, sum(one.objective for one in found), sum(least), None)
+        return Solution(
+            tuple(found), magnification, sum(one.objective for one in found), sum(least), None
+        )
 
 
 def _continuous(part: Part, relaxation: Relaxation) -> float:
@@ -294,37 +365,56 @@ def _best_distance(part: Part, relaxation: Relaxation) -> float:
 def _binding(part: Part, relaxation: Relaxation, limits: Limits) -> bool:
     values = relaxation.centres(np.array([_best_distance(part, relaxation)]))[0]
     steps, dust = np.diff(values) / (limits.step * part.chain.span), 1e-4
-    climbs = np.any(steps > limits.increments[1] + dust) or np.any(steps < limits.increments[0] - dust)
+    climbs = np.any(steps > limits.increments[1] + dust) or np.any(
+        steps < limits.increments[0] - dust
+    )
     free = ~part.chain.fixed
     outside = np.maximum(values - limits.high, limits.low - values)[free] > dust * limits.step
     return bool(climbs or np.any(outside))
 
 
 def _counts(part: Part, relaxation: Relaxation, room: float) -> IntArray:
-    """Return the whole reversal values whose bound may lie within ``room``; for infinite room those next to the best one."""
+    """Return the whole reversal values whose bound may lie within ``room``; for infinite room those
+    next to the best one.
+    """
     if part.constant is None:
         return np.zeros(1, dtype=np.int64)
     step, least, largest = part.constant
     middle, reach = part.chain.constant + _best_distance(part, relaxation), abs(step)
     if np.isfinite(room):
-        # The bound is a parabola in the reversal value: what is too high at its ends stays so beyond them.
+        # The bound is a parabola in the reversal value: what is too high at its ends stays so
+        # beyond them.
         top = relaxation.tilt / relaxation.curve
         spare = max(0.0, _roomy(room) - float(relaxation.bound(np.array([top]))[0]))
-        middle, reach = part.chain.constant + top, np.sqrt(2.0 * spare / relaxation.curve) + _DUST * abs(step)
+        middle, reach = (
+            part.chain.constant + top,
+            np.sqrt(2.0 * spare / relaxation.curve) + _DUST * abs(step),
+        )
     ends = sorted(((middle - reach) / step, (middle + reach) / step))
     low, high = np.clip(np.array([np.ceil(ends[0]), np.floor(ends[1])]), least - 1, largest + 1)
     return np.arange(max(least, int(low)), min(largest, int(high)) + 1, dtype=np.int64)
 
 
-def _variants(part: Part, relaxation: Relaxation, limits: Limits, shifts: FloatArray, room: float) -> Variants:
-    """Return what is to be tried where no solution may exceed ``room``, the most promising first."""
+def _variants(
+    part: Part, relaxation: Relaxation, limits: Limits, shifts: FloatArray, room: float
+) -> Variants:
+    """Return what is to be tried where no solution may exceed ``room``, the most promising
+    first.
+    """
     counts = _counts(part, relaxation, room)
     step = part.constant[0] if part.constant else 0.0
     distance = counts.astype(np.float64) * step - part.chain.constant
     bounds = relaxation.bound(distance)
     centres = relaxation.centres(distance)
-    whole = np.concatenate([bounds + _whole(part.chain, centres, shift, limits.step) for shift in shifts])
-    every = Variants(np.tile(counts, shifts.size), np.tile(distance, shifts.size), np.repeat(shifts, counts.size), whole)
+    whole = np.concatenate(
+        [bounds + _whole(part.chain, centres, shift, limits.step) for shift in shifts]
+    )
+    every = Variants(
+        np.tile(counts, shifts.size),
+        np.tile(distance, shifts.size),
+        np.repeat(shifts, counts.size),
+        whole,
+    )
     kept = np.flatnonzero(whole <= _roomy(room))
     return every.take(kept[np.argsort(whole[kept], kind="stable")])
 
@@ -341,7 +431,9 @@ def _whole(chain: Chain, centres: FloatArray, shift: float, step: float) -> Floa
     return cost
 
 
-def _solve_part(part: Part, relaxation: Relaxation, limits: Limits, shifts: FloatArray, ceiling: float) -> Found | None:
+def _solve_part(
+    part: Part, relaxation: Relaxation, limits: Limits, shifts: FloatArray, ceiling: float
+) -> Found | None:
     """Return the best solution of one part with value ``ceiling`` or less."""
     nearest = _variants(part, relaxation, limits, shifts, np.inf).take(slice(0, 1))
     best = _first(part, relaxation, limits, nearest)
@@ -358,7 +450,9 @@ def _solve_part(part: Part, relaxation: Relaxation, limits: Limits, shifts: Floa
 
 
 def _first(part: Part, relaxation: Relaxation, limits: Limits, variant: Variants) -> Found | None:
-    """Return a solution for one variant: its relaxed values rounded and swept into the limits, else the best near them."""
+    """Return a solution for one variant: its relaxed values rounded and swept into the limits, else
+    the best near them.
+    """
     if not variant.count.size:
         return None
     chain = part.chain
@@ -370,7 +464,9 @@ def _first(part: Part, relaxation: Relaxation, limits: Limits, variant: Variants
     totals = _swept(chain, limits, np.clip(totals, low[0], high[0]), part.anchor)
     if _allowed(chain, limits, totals, low[0], high[0]):
         shift = float(variant.shift[0])
-        objective = chain.value(totals * limits.step + shift, chain.constant + float(variant.distance[0]))
+        objective = chain.value(
+            totals * limits.step + shift, chain.constant + float(variant.distance[0])
+        )
         return Found(totals.astype(np.int64), shift, int(variant.count[0]), objective)
     for half in _FIRST_WINDOWS:
         near_low = np.maximum(low, np.floor(counted - half)) if np.isfinite(half) else low
@@ -381,15 +477,21 @@ def _first(part: Part, relaxation: Relaxation, limits: Limits, variant: Variants
     return None
 
 
-def _allowed(chain: Chain, limits: Limits, totals: FloatArray, low: FloatArray, high: FloatArray) -> bool:
+def _allowed(
+    chain: Chain, limits: Limits, totals: FloatArray, low: FloatArray, high: FloatArray
+) -> bool:
     steps = np.diff(totals)
-    climbs = (steps >= limits.increments[0] * chain.span) & (steps <= limits.increments[1] * chain.span)
+    climbs = (steps >= limits.increments[0] * chain.span) & (
+        steps <= limits.increments[1] * chain.span
+    )
     closes = not chain.closed or totals[0] == totals[-1]
     return bool(closes and np.all(climbs) and np.all((totals >= low) & (totals <= high)))
 
 
 def _swept(chain: Chain, limits: Limits, totals: FloatArray, anchor: int) -> FloatArray:
-    """Return ``totals`` (m,) with every increment within its limits, from the reference outward; what is within them stays."""
+    """Return ``totals`` (m,) with every increment within its limits, from the reference outward;
+    what is within them stays.
+    """
     totals = totals.copy()
     if chain.closed:
         totals[-1] = totals[0]
@@ -412,8 +514,12 @@ def _ends(chain: Chain, limits: Limits, shift: FloatArray) -> tuple[FloatArray, 
     return np.where(chain.fixed, 0.0, low), np.where(chain.fixed, 0.0, high)
 
 
-def _within(part: Part, relaxation: Relaxation, limits: Limits, variants: Variants, ceiling: float) -> Found | None:
-    """Return the best solution of ``variants`` with value ``ceiling`` or less, from windows that hold every such one."""
+def _within(
+    part: Part, relaxation: Relaxation, limits: Limits, variants: Variants, ceiling: float
+) -> Found | None:
+    """Return the best solution of ``variants`` with value ``ceiling`` or less, from windows that
+    hold every such one.
+    """
     chain = part.chain
     spare = np.maximum(0.0, _roomy(ceiling) - relaxation.bound(variants.distance))
     radius = np.sqrt(2.0 * np.outer(spare, chain.inverse)) + _DUST * limits.step
@@ -425,8 +531,12 @@ def _within(part: Part, relaxation: Relaxation, limits: Limits, variants: Varian
     return _search_windows(part, limits, variants, low, high)
 
 
-def _search_windows(part: Part, limits: Limits, variants: Variants, low: FloatArray, high: FloatArray) -> Found | None:
-    """Return the best solution with totals between ``low`` and ``high`` (n, m), one lane for each variant."""
+def _search_windows(
+    part: Part, limits: Limits, variants: Variants, low: FloatArray, high: FloatArray
+) -> Found | None:
+    """Return the best solution with totals between ``low`` and ``high`` (n, m), one lane for each
+    variant.
+    """
     chain = part.chain
     low, high = reachable(chain, limits, low, high)
     lanes = np.flatnonzero(np.all(low <= high, axis=1))
@@ -438,12 +548,21 @@ def _search_windows(part: Part, limits: Limits, variants: Variants, low: FloatAr
     for start in range(0, lanes.size, _LANES):
         some = lanes[start : start + _LANES]
         distance, shift = variants.distance[some], variants.shift[some]
-        targets = (chain.optimum - np.outer(distance, chain.solve(chain.coupling)) - shift[:, np.newaxis]) / limits.step
+        targets = (
+            chain.optimum - np.outer(distance, chain.solve(chain.coupling)) - shift[:, np.newaxis]
+        ) / limits.step
         batch = slice(start, start + _LANES)
-        costs, totals = cheapest(chain, limits, targets, low[batch].astype(np.int64), high[batch].astype(np.int64))
+        costs, totals = cheapest(
+            chain, limits, targets, low[batch].astype(np.int64), high[batch].astype(np.int64)
+        )
         left = 0.5 * chain.left if chain.stiffness else 0.0
         values = chain.least + left * distance**2 + limits.step**2 * costs
         lane = int(np.argmin(values))
         if np.isfinite(values[lane]) and (best is None or values[lane] < best.objective):
-            best = Found(totals[lane], float(shift[lane]), int(variants.count[some[lane]]), float(values[lane]))
+            best = Found(
+                totals[lane],
+                float(shift[lane]),
+                int(variants.count[some[lane]]),
+                float(values[lane]),
+            )
     return best

@@ -17,18 +17,28 @@ from compwright.records.fitted import FittedTable, Limit, TableRequest
 _HAIR: Final = 1e-6
 
 
-def fit_line(wanted: WantedCorrection, capacity: Capacity, request: TableRequest, quantum: float, *, address: str) -> FittedTable:
-    """Return the slope, a whole multiple of ``quantum`` (mm/mm, deg/deg), and the backlash of least mean square over the travel.
+def fit_line(
+    wanted: WantedCorrection,
+    capacity: Capacity,
+    request: TableRequest,
+    quantum: float,
+    *,
+    address: str,
+) -> FittedTable:
+    """Return the slope, a whole multiple of ``quantum`` (mm/mm, deg/deg), and the backlash of least
+    mean square over the travel.
 
-    Both together are the exact optimum over whole multiples within their ranges. Raises CapacityError where the job asks
-    for the grid of a table.
+    Both together are the exact optimum over whole multiples within their ranges. Raises
+    CapacityError where the job asks for the grid of a table.
     """
     _refuse_grid(request, capacity)
     line = _Line(wanted)
     slope, backlash = line.best(quantum, capacity)
     home = wanted.reference_return
     reversal = home.opposite.sign * backlash
-    bound = line.mean_square(*line.relaxed(capacity.value_range, reversal_range(capacity, home.opposite.sign)))
+    bound = line.mean_square(
+        *line.relaxed(capacity.value_range, reversal_range(capacity, home.opposite.sign))
+    )
     empty = np.empty(0)
     table = AxisCompensation(
         address=address,
@@ -47,7 +57,10 @@ def fit_line(wanted: WantedCorrection, capacity: Capacity, request: TableRequest
         compensation=table,
         mode="single",
         mode_reason="one slope and one reversal value: the control holds no table",
-        certificate={"objective": float(np.sqrt(line.mean_square(slope, reversal))), "lower_bound": float(np.sqrt(bound))},
+        certificate={
+            "objective": float(np.sqrt(line.mean_square(slope, reversal))),
+            "lower_bound": float(np.sqrt(bound)),
+        },
         limits=limits,
         findings=loss_findings(limits, wanted),
     )
@@ -71,53 +84,82 @@ def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
 
 
 class _Line:
-    """The mean square of datum + slope * x + reversal - wanted; the datum is free: it moves the axis' zero, not its errors."""
+    """The mean square of datum + slope * x + reversal - wanted; the datum is free: it moves the
+    axis' zero, not its errors.
+    """
 
     def __init__(self, wanted: WantedCorrection) -> None:
         self.wanted = wanted
         points, self.weights = quadrature(wanted.positions, wanted.positions)
         self.x = points - float(self.weights @ points)
         home = wanted.reference_return
-        self.own, self.other = (np.interp(points, wanted.positions, wanted.total(direction)) for direction in (home, home.opposite))
+        self.own, self.other = (
+            np.interp(points, wanted.positions, wanted.total(direction))
+            for direction in (home, home.opposite)
+        )
 
     def mean_square(self, slope: float, reversal: float) -> float:
-        """Return the mean over the travel and both directions; ``reversal`` acts against the return direction."""
+        """Return the mean over the travel and both directions; ``reversal`` acts against the return
+        direction.
+        """
         straight = slope * self.x
         left = straight - self.own, straight + reversal - self.other
         datum = 0.5 * float(sum(self.weights @ one for one in left))
         return 0.5 * float(sum(self.weights @ (one - datum) ** 2 for one in left))
 
-    def relaxed(self, slopes: tuple[float, float], reversals: tuple[float, float]) -> tuple[float, float]:
-        """Return the best slope and reversal between their ends, not whole: with a free datum neither needs the other."""
-        slope = 0.5 * float(self.weights @ (self.x * (self.own + self.other))) / float(self.weights @ self.x**2)
+    def relaxed(
+        self, slopes: tuple[float, float], reversals: tuple[float, float]
+    ) -> tuple[float, float]:
+        """Return the best slope and reversal between their ends, not whole: with a free datum
+        neither needs the other.
+        """
+        slope = (
+            0.5
+            * float(self.weights @ (self.x * (self.own + self.other)))
+            / float(self.weights @ self.x**2)
+        )
         reversal = float(self.weights @ (self.other - self.own))
         return float(np.clip(slope, *slopes)), float(np.clip(reversal, *reversals))
 
     def best(self, quantum: float, capacity: Capacity) -> tuple[float, float]:
-        """Return the best whole slope and backlash (as the record counts it): each the nearest to its best within its range.
+        """Return the best whole slope and backlash (as the record counts it): each the nearest to
+        its best within its range.
 
-        With a free datum the mean square is the sum of a parabola of the slope and one of the reversal, so that this is exact.
+        With a free datum the mean square is the sum of a parabola of the slope and one of the
+        reversal, so that this is exact.
         """
-        low, high = np.ceil(capacity.value_range[0] / quantum - _HAIR), np.floor(capacity.value_range[1] / quantum + _HAIR)
+        low, high = (
+            np.ceil(capacity.value_range[0] / quantum - _HAIR),
+            np.floor(capacity.value_range[1] / quantum + _HAIR),
+        )
         sign = self.wanted.reference_return.opposite.sign
-        slope, reversal = self.relaxed((low * quantum, high * quantum), reversal_range(capacity, sign))
+        slope, reversal = self.relaxed(
+            (low * quantum, high * quantum), reversal_range(capacity, sign)
+        )
         whole = float(np.clip(np.round(slope / quantum), low, high)) * quantum
         if capacity.backlash_quantum is None:
             return whole + 0.0, 0.0
         step = capacity.backlash_quantum
-        ends = np.ceil(capacity.backlash_range[0] / step - _HAIR), np.floor(capacity.backlash_range[1] / step + _HAIR)
+        ends = (
+            np.ceil(capacity.backlash_range[0] / step - _HAIR),
+            np.floor(capacity.backlash_range[1] / step + _HAIR),
+        )
         return whole + 0.0, float(np.clip(np.round(sign * reversal / step), *ends)) * step + 0.0
 
 
 def reversal_range(capacity: Capacity, sign: int) -> tuple[float, float]:
-    """Return the range of the correction against the return direction, whose ``sign`` is that of the backlash's effect."""
+    """Return the range of the correction against the return direction, whose ``sign`` is that of
+    the backlash's effect.
+    """
     if capacity.backlash_quantum is None:
         return 0.0, 0.0
     ends = (sign * capacity.backlash_range[0], sign * capacity.backlash_range[1])
     return min(ends), max(ends)
 
 
-def _limits(line: _Line, capacity: Capacity, quantum: float, held: tuple[float, float]) -> tuple[Limit, ...]:
+def _limits(
+    line: _Line, capacity: Capacity, quantum: float, held: tuple[float, float]
+) -> tuple[Limit, ...]:
     anything = (-np.inf, np.inf)
     own = reversal_range(capacity, line.wanted.reference_return.opposite.sign)
     straight, open_, ranged, reached = (

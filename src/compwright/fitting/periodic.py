@@ -17,11 +17,15 @@ _HARMONICS: Final = (1, 2)
 _POINTS_PER_CYCLE: Final = 2.5
 
 
-def without_periods(wanted: WantedCorrection, periods: Sequence[float]) -> tuple[WantedCorrection, float]:
-    """Return ``wanted`` without the harmonics 1 and 2 of ``periods``, and the rms (mm or deg) of what was taken out.
+def without_periods(
+    wanted: WantedCorrection, periods: Sequence[float]
+) -> tuple[WantedCorrection, float]:
+    """Return ``wanted`` without the harmonics 1 and 2 of ``periods``, and the rms (mm or deg) of
+    what was taken out.
 
-    The harmonics are fitted to the mean of both directions together with a piecewise straight curve whose nodes lie further
-    apart than the longest period, so that a smooth error is not mistaken for a periodic one.
+    The harmonics are fitted to the mean of both directions together with a piecewise straight curve
+    whose nodes lie further apart than the longest period, so that a smooth error is not mistaken
+    for a periodic one.
     """
     where = wanted.positions
     waves = _waves(where, periods)
@@ -29,11 +33,15 @@ def without_periods(wanted: WantedCorrection, periods: Sequence[float]) -> tuple
         return wanted, 0.0
     span = float(where[-1] - where[0])
     pieces = int(np.clip(span / (2.0 * max(periods)), 1, 60))
-    beneath = hat_matrix(where, np.linspace(where[0], where[-1], pieces + 1), below="hold", above="hold")
+    beneath = hat_matrix(
+        where, np.linspace(where[0], where[-1], pieces + 1), below="hold", above="hold"
+    )
     middle = 0.5 * (wanted.positive + wanted.negative)
     solution = np.linalg.lstsq(np.hstack([beneath, waves]), middle, rcond=None)[0]
     periodic = waves @ solution[beneath.shape[1] :]
-    smooth = replace(wanted, positive=wanted.positive - periodic, negative=wanted.negative - periodic)
+    smooth = replace(
+        wanted, positive=wanted.positive - periodic, negative=wanted.negative - periodic
+    )
     return smooth, float(np.sqrt(np.mean(periodic**2)))
 
 

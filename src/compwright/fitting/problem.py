@@ -1,4 +1,6 @@
-"""The fit as a quadratic problem: what the control does between its nodes, what is wanted, and the control's limits."""
+"""The fit as a quadratic problem: what the control does between its nodes, what is wanted, and the
+control's limits.
+"""
 
 from __future__ import annotations
 
@@ -18,15 +20,19 @@ from compwright.records.estimate import WantedCorrection
 Shape = Literal["single", "bidirectional"]
 IntArray = NDArray[np.int64]
 BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
-#: Weight of the differences of neighbouring values against the fit: decides only nodes that no part of the travel sees.
+#: Weight of the differences of neighbouring values against the fit: decides only nodes that no part
+#: of the travel sees.
 _TIE: Final = 1e-10
-#: From so many unknowns on the matrices are multiplied sparse; below, the dense product is quick and symmetric to the last bit.
+#: From so many unknowns on the matrices are multiplied sparse; below, the dense product is quick
+#: and symmetric to the last bit.
 _MANY: Final = 800
 
 
 @dataclass(frozen=True, slots=True)
 class Rows:
-    """A control between its nodes: at each position ``lower * value[left] + upper * value[left + 1]``, all (p,)."""
+    """A control between its nodes: at each position ``lower * value[left] + upper * value[left +
+    1]``, all (p,).
+    """
 
     left: IntArray
     lower: FloatArray
@@ -34,30 +40,49 @@ class Rows:
 
 
 def rows_at(
-    positions: FloatArray, nodes: FloatArray, *, below: Beyond, above: Beyond, interpolation: Interpolation = "linear"
+    positions: FloatArray,
+    nodes: FloatArray,
+    *,
+    below: Beyond,
+    above: Beyond,
+    interpolation: Interpolation = "linear",
 ) -> Rows:
-    """Return how ``positions`` (p,) depend on the values at ``nodes`` (k,), strictly ascending, k >= 2.
+    """Return how ``positions`` (p,) depend on the values at ``nodes`` (k,), strictly ascending, k
+    >= 2.
 
-    Linear: straight lines. Step: the nearest node's value; exactly in the middle that of the upper node, as the record
-    `AxisCompensation` has it. Outside, the end value is held or nothing acts.
+    Linear: straight lines. Step: the nearest node's value; exactly in the middle that of the upper
+    node, as the record `AxisCompensation` has it. Outside, the end value is held or nothing acts.
     """
     right = np.clip(np.searchsorted(nodes, positions, side="right"), 1, nodes.size - 1)
     if interpolation == "step":
         share = np.where(positions >= 0.5 * (nodes[right - 1] + nodes[right]), 1.0, 0.0)
     else:
-        share = np.clip((positions - nodes[right - 1]) / (nodes[right] - nodes[right - 1]), 0.0, 1.0)
+        share = np.clip(
+            (positions - nodes[right - 1]) / (nodes[right] - nodes[right - 1]), 0.0, 1.0
+        )
     outside = np.zeros(positions.shape, dtype=bool)
     if below == "zero":
         outside |= positions < nodes[0]
     if above == "zero":
         outside |= positions > nodes[-1]
-    return Rows(left=right - 1, lower=np.where(outside, 0.0, 1.0 - share), upper=np.where(outside, 0.0, share))
+    return Rows(
+        left=right - 1,
+        lower=np.where(outside, 0.0, 1.0 - share),
+        upper=np.where(outside, 0.0, share),
+    )
 
 
 def hat_matrix(
-    positions: FloatArray, nodes: FloatArray, *, below: Beyond, above: Beyond, interpolation: Interpolation = "linear"
+    positions: FloatArray,
+    nodes: FloatArray,
+    *,
+    below: Beyond,
+    above: Beyond,
+    interpolation: Interpolation = "linear",
 ) -> FloatArray:
-    """Return `rows_at` as the matrix (p, k) that turns values at ``nodes`` (k,) into the control's value at ``positions`` (p,)."""
+    """Return `rows_at` as the matrix (p, k) that turns values at ``nodes`` (k,) into the control's
+    value at ``positions`` (p,).
+    """
     rows = rows_at(positions, nodes, below=below, above=above, interpolation=interpolation)
     matrix = np.zeros((positions.size, nodes.size))
     index = np.arange(positions.size)
@@ -67,16 +92,22 @@ def hat_matrix(
 
 
 def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
-    """Return where the control's curve bends or jumps: the nodes, or the middles between them and the ends."""
+    """Return where the control's curve bends or jumps: the nodes, or the middles between them and
+    the ends.
+    """
     if interpolation == "linear":
         return nodes
     return np.concatenate([nodes[:1], 0.5 * (nodes[1:] + nodes[:-1]), nodes[-1:]])
 
 
-def quadrature(positions: FloatArray, nodes: FloatArray, interpolation: Interpolation = "linear") -> tuple[FloatArray, FloatArray]:
-    """Return points (q,) and weights (q,) with sum 1 of the mean over the travel ``positions[0]`` to ``positions[-1]``.
+def quadrature(
+    positions: FloatArray, nodes: FloatArray, interpolation: Interpolation = "linear"
+) -> tuple[FloatArray, FloatArray]:
+    """Return points (q,) and weights (q,) with sum 1 of the mean over the travel ``positions[0]``
+    to ``positions[-1]``.
 
-    Two Gauss points in every piece between positions and bends: exact for the squared difference of two piecewise straight curves.
+    Two Gauss points in every piece between positions and bends: exact for the squared difference of
+    two piecewise straight curves.
     """
     breaks = bends(nodes, interpolation)
     inside = breaks[(breaks > positions[0]) & (breaks < positions[-1])]
@@ -89,7 +120,8 @@ def quadrature(positions: FloatArray, nodes: FloatArray, interpolation: Interpol
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Layout:
-    """Where the unknowns stand: the curve of the return direction first, then the other's curve or the constant between them.
+    """Where the unknowns stand: the curve of the return direction first, then the other's curve or
+    the constant between them.
 
     ``reversal``: what the single constant may be: ``free`` (two tables), ``backlash``, or ``none``.
     """
@@ -107,7 +139,9 @@ class Layout:
         return self.nodes.size + (0 if self.reversal == "none" else 1)
 
     def columns(self, matrix: FloatArray, direction: Direction) -> FloatArray:
-        """Return the matrix (p, size) of the correction in ``direction``, from the table's own ``matrix`` (p, k)."""
+        """Return the matrix (p, size) of the correction in ``direction``, from the table's own
+        ``matrix`` (p, k).
+        """
         k = self.nodes.size
         full = np.zeros((matrix.shape[0], self.size))
         if self.shape == "bidirectional":
@@ -125,8 +159,9 @@ class Layout:
 class QuadraticProblem:
     """Minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper; mm or deg.
 
-    The objective is the mean square of (held - wanted) over the travel and both directions. ``groups`` names rows of A:
-    ``reference`` and ``period`` (equalities), ``value range``, ``increments``, ``backlash range``.
+    The objective is the mean square of (held - wanted) over the travel and both directions.
+    ``groups`` names rows of A: ``reference`` and ``period`` (equalities), ``value range``,
+    ``increments``, ``backlash range``.
     """
 
     P: FloatArray
@@ -140,7 +175,9 @@ class QuadraticProblem:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sampled:
-    """The wanted correction at points with weights, and the control's matrices there, by direction."""
+    """The wanted correction at points with weights, and the control's matrices there, by
+    direction.
+    """
 
     points: FloatArray
     weights: FloatArray
@@ -148,9 +185,15 @@ class Sampled:
     wanted: Mapping[Direction, FloatArray]
 
     def mean_square(self, layout: Layout, x: FloatArray) -> float:
-        """Return the mean over points and directions of (held - wanted)^2 for the unknowns ``x``."""
+        """Return the mean over points and directions of (held - wanted)^2 for the unknowns
+        ``x``.
+        """
         return 0.5 * float(
-            sum(self.weights @ (layout.columns(self.matrix, direction) @ x - self.wanted[direction]) ** 2 for direction in BOTH)
+            sum(
+                self.weights
+                @ (layout.columns(self.matrix, direction) @ x - self.wanted[direction]) ** 2
+                for direction in BOTH
+            )
         )
 
 
@@ -160,8 +203,17 @@ def sampled(wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity) -> 
     return Sampled(
         points=points,
         weights=weights,
-        matrix=hat_matrix(points, nodes, below=capacity.below, above=capacity.above, interpolation=capacity.interpolation),
-        wanted={direction: np.interp(points, wanted.positions, wanted.total(direction)) for direction in BOTH},
+        matrix=hat_matrix(
+            points,
+            nodes,
+            below=capacity.below,
+            above=capacity.above,
+            interpolation=capacity.interpolation,
+        ),
+        wanted={
+            direction: np.interp(points, wanted.positions, wanted.total(direction))
+            for direction in BOTH
+        },
     )
 
 
@@ -169,7 +221,10 @@ def limited_range(capacity: Capacity) -> tuple[float, float]:
     """Return the value range on the lattice of the quantum."""
     quantum = capacity.quantum
     low, high = capacity.value_range
-    return float(np.ceil(low / quantum - 1e-9)) * quantum, float(np.floor(high / quantum + 1e-9)) * quantum
+    return (
+        float(np.ceil(low / quantum - 1e-9)) * quantum,
+        float(np.floor(high / quantum + 1e-9)) * quantum,
+    )
 
 
 def limited_increment(capacity: Capacity) -> float | None:
@@ -180,11 +235,22 @@ def limited_increment(capacity: Capacity) -> float | None:
 
 
 def state_problem(
-    data: Sampled, layout: Layout, capacity: Capacity, reference: float, *, without: tuple[str, ...] = ()
+    data: Sampled,
+    layout: Layout,
+    capacity: Capacity,
+    reference: float,
+    *,
+    without: tuple[str, ...] = (),
 ) -> QuadraticProblem:
-    """Return the quadratic problem of the table; ``without`` leaves out groups of limits, to learn what they cost."""
+    """Return the quadratic problem of the table; ``without`` leaves out groups of limits, to learn
+    what they cost.
+    """
     P, q, constant = _objective(data, layout)
-    blocks = [block for block in _limits(layout, capacity, reference) if block[0] not in without and block[1].shape[0]]
+    blocks = [
+        block
+        for block in _limits(layout, capacity, reference)
+        if block[0] not in without and block[1].shape[0]
+    ]
     groups: dict[str, slice] = {}
     start = 0
     for name, rows, _, _ in blocks:
@@ -195,14 +261,20 @@ def state_problem(
         q=q,
         constant=constant,
         A=np.vstack([np.empty((0, layout.size)), *(rows for _, rows, _, _ in blocks)]),
-        lower=np.concatenate([np.empty(0), *(np.full(rows.shape[0], low) for _, rows, low, _ in blocks)]),
-        upper=np.concatenate([np.empty(0), *(np.full(rows.shape[0], high) for _, rows, _, high in blocks)]),
+        lower=np.concatenate(
+            [np.empty(0), *(np.full(rows.shape[0], low) for _, rows, low, _ in blocks)]
+        ),
+        upper=np.concatenate(
+            [np.empty(0), *(np.full(rows.shape[0], high) for _, rows, _, high in blocks)]
+        ),
         groups=groups,
     )
 
 
 def _product(one: FloatArray, other: FloatArray) -> FloatArray:
-    """Return one' other; of thousands of nodes only the two or three numbers in a row that are not zero are multiplied."""
+    """Return one' other; of thousands of nodes only the two or three numbers in a row that are not
+    zero are multiplied.
+    """
     if one.shape[1] < _MANY:
         dense: FloatArray = one.T @ other
         return dense
@@ -226,11 +298,17 @@ def _objective(data: Sampled, layout: Layout) -> tuple[FloatArray, FloatArray, f
     return P, q, constant
 
 
-def _limits(layout: Layout, capacity: Capacity, reference: float) -> list[tuple[str, FloatArray, float, float]]:
+def _limits(
+    layout: Layout, capacity: Capacity, reference: float
+) -> list[tuple[str, FloatArray, float, float]]:
     """Return name, rows, lower and upper bound of every group of limits."""
     k = layout.nodes.size
     at_reference = hat_matrix(
-        np.array([reference]), layout.nodes, below=capacity.below, above=capacity.above, interpolation=capacity.interpolation
+        np.array([reference]),
+        layout.nodes,
+        below=capacity.below,
+        above=capacity.above,
+        interpolation=capacity.interpolation,
     )
     zero = layout.columns(at_reference, layout.home)
     blocks = [("reference", zero[np.any(zero != 0.0, axis=1)], 0.0, 0.0)]
@@ -240,16 +318,27 @@ def _limits(layout: Layout, capacity: Capacity, reference: float) -> list[tuple[
         curves.append(layout.columns(np.eye(k), layout.home.opposite))
     if capacity.period is not None:
         closing = curves if layout.shape == "bidirectional" else curves[:1]
-        blocks.append(("period", np.vstack([curve[:1] - curve[-1:] for curve in closing]), 0.0, 0.0))
+        blocks.append(
+            ("period", np.vstack([curve[:1] - curve[-1:] for curve in closing]), 0.0, 0.0)
+        )
     low, high = limited_range(capacity)
     if np.isfinite(low) or np.isfinite(high):
         blocks.append(("value range", np.vstack(curves), low, high))
     increment = limited_increment(capacity)
     if increment is not None:
         distinct = curves if layout.shape == "bidirectional" else curves[:1]
-        blocks.append(("increments", np.vstack([np.diff(curve, axis=0) for curve in distinct]), -increment, increment))
+        blocks.append(
+            (
+                "increments",
+                np.vstack([np.diff(curve, axis=0) for curve in distinct]),
+                -increment,
+                increment,
+            )
+        )
     if layout.shape == "single" and layout.reversal == "backlash":
         row = np.zeros((1, layout.size))
-        row[0, k] = layout.home.opposite.sign  # from the correction in the other direction to the backlash
+        row[0, k] = (
+            layout.home.opposite.sign
+        )  # from the correction in the other direction to the backlash
         blocks.append(("backlash range", row, *capacity.backlash_range))
     return blocks

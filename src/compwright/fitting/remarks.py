@@ -1,4 +1,6 @@
-"""What the user should know about a table: where it acts, where it does not, and what the control's limits cost."""
+"""What the user should know about a table: where it acts, where it does not, and what the control's
+limits cost.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +37,9 @@ def added(larger: float, smaller: float) -> float:
 
 
 def edge_findings(table: AxisCompensation, wanted: WantedCorrection) -> tuple[Finding, ...]:
-    """Return what acts where the table does not cover the travel, and where it reaches beyond. An endless table has no edges."""
+    """Return what acts where the table does not cover the travel, and where it reaches beyond. An
+    endless table has no edges.
+    """
     if table.period is not None:
         return ()
     unit, nodes, where = wanted.kind.unit, table.positions, wanted.positions
@@ -54,18 +58,29 @@ def edge_findings(table: AxisCompensation, wanted: WantedCorrection) -> tuple[Fi
                 if rule == "hold"
                 else f"the table gives nothing: a step of {step * factor:.3g} {name_small}"
             )
-            message = f"The table leaves {uncovered:g} {unit} of the travel uncovered, {name} {nodes[edge]:g} {unit}: there {acts}"
+            message = (
+                f"The table leaves {uncovered:g} {unit} of the travel uncovered, {name}"
+                f" {nodes[edge]:g} {unit}: there {acts}"
+            )
             findings.append(Finding("CW-F001", "warning", message))
     beyond = max(float(where[0] - nodes[0]), float(nodes[-1] - where[-1]))
     extra = int(np.count_nonzero((nodes < where[0] - hair) | (nodes > where[-1] + hair)))
-    if beyond > hair and not where[0] - hair <= wanted.reference <= where[-1] + hair and extra >= _MANY:
+    if (
+        beyond > hair
+        and not where[0] - hair <= wanted.reference <= where[-1] + hair
+        and extra >= _MANY
+    ):
         message = (
-            f"The control counts from the reference position ({wanted.reference:g} {unit}), which lies outside the travel: "
-            f"{extra} of the table's {nodes.size} points lie beyond the travel"
+            f"The control counts from the reference position ({wanted.reference:g} {unit}), which"
+            f" lies outside the travel: {extra} of the table's {nodes.size} points lie beyond the"
+            " travel"
         )
         findings.append(Finding("CW-F006", "info", message))
     elif beyond > hair:
-        message = f"The table reaches up to {beyond:g} {unit} beyond the travel, so that its points lie at round positions"
+        message = (
+            f"The table reaches up to {beyond:g} {unit} beyond the travel, so that its points lie"
+            " at round positions"
+        )
         findings.append(Finding("CW-F006", "info", message))
     return tuple(findings)
 
@@ -74,13 +89,26 @@ def loss_findings(limits: tuple[Limit, ...], wanted: WantedCorrection) -> tuple[
     """Return warnings for limits that cost much."""
     factor, unit = small(wanted.kind)
     says = {
-        "number of points": ("CW-F004", "The control holds too few points for this error: {} rms remain between them"),
-        "no backlash value": ("CW-F005", "The control cannot correct the reversal beside one table: {} rms remain"),
+        "number of points": (
+            "CW-F004",
+            "The control holds too few points for this error: {} rms remain between them",
+        ),
+        "no backlash value": (
+            "CW-F005",
+            "The control cannot correct the reversal beside one table: {} rms remain",
+        ),
         "value range": ("CW-F007", "The error exceeds the control's value range: {} rms remain"),
-        "largest increment": ("CW-F008", "The error is steeper than the control's largest increment: {} rms remain"),
+        "largest increment": (
+            "CW-F008",
+            "The error is steeper than the control's largest increment: {} rms remain",
+        ),
     }
     return tuple(
-        Finding(says[limit.cause][0], "warning", says[limit.cause][1].format(f"{limit.value * factor:.2g} {unit}"))
+        Finding(
+            says[limit.cause][0],
+            "warning",
+            says[limit.cause][1].format(f"{limit.value * factor:.2g} {unit}"),
+        )
         for limit in limits
         if limit.cause in says
     )

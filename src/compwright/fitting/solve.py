@@ -1,4 +1,5 @@
-"""Solving: OSQP for the quadratic problem, refined to machine accuracy by its active set; cvxpy for the smallest range.
+"""Solving: OSQP for the quadratic problem, refined to machine accuracy by its active set; cvxpy for
+the smallest range.
 
 A solver that was cut off or calls its result inaccurate has failed.
 """
@@ -17,7 +18,8 @@ from compwright.fitting.problem import QuadraticProblem
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import FloatArray
 
-#: A solution whose certificate misses by more than this (mm or deg) does not count: a thousandth of a nanometre.
+#: A solution whose certificate misses by more than this (mm or deg) does not count: a thousandth of
+#: a nanometre.
 CERTIFIED: Final = 1e-9
 #: The same for the least range, which rests on an interior-point solver: one nanometre.
 CERTIFIED_RANGE: Final = 1e-6
@@ -39,8 +41,12 @@ class Solution:
 
 
 def solve_quadratic(problem: QuadraticProblem) -> Solution:
-    """Return the certified optimum. Raises CapacityError where there is none or the certificate fails."""
-    limited = (problem.lower < problem.upper) & (np.isfinite(problem.lower) | np.isfinite(problem.upper))
+    """Return the certified optimum. Raises CapacityError where there is none or the certificate
+    fails.
+    """
+    limited = (problem.lower < problem.upper) & (
+        np.isfinite(problem.lower) | np.isfinite(problem.upper)
+    )
     if not np.any(limited):
         return _certified(problem, *_with_equations(problem, np.ones_like(limited), problem.lower))
     x, y = _with_equations(problem, *_active_set(problem, _osqp_multipliers(problem)))
@@ -53,18 +59,23 @@ def _certified(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> Solut
     proof = certificate(problem, x, y)
     worst = max(proof, key=lambda name: proof[name])
     if not proof[worst] <= CERTIFIED:
-        raise _no_solution("the solution does not pass its certificate", f"{worst} missed by {proof[worst]:.3g}")
+        raise _no_solution(
+            "the solution does not pass its certificate", f"{worst} missed by {proof[worst]:.3g}"
+        )
     return Solution(x=x, y=y, certificate=proof)
 
 
 def _no_solution(message: str, found: str) -> CapacityError:
-    return CapacityError(Fault(message=f"no certified solution: {message}", expected="an exact optimum", found=found))
+    return CapacityError(
+        Fault(message=f"no certified solution: {message}", expected="an exact optimum", found=found)
+    )
 
 
 def _osqp_multipliers(problem: QuadraticProblem) -> FloatArray:
     """Return OSQP's multipliers; they name the limits in touch.
 
-    Scaled to a wanted correction of size 1 and a stiffness of size 1, so that OSQP's absolute tolerances mean something.
+    Scaled to a wanted correction of size 1 and a stiffness of size 1, so that OSQP's absolute
+    tolerances mean something.
     """
     import osqp
     from scipy import sparse
@@ -92,17 +103,20 @@ def _osqp_multipliers(problem: QuadraticProblem) -> FloatArray:
 
 
 def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, FloatArray]:
-    """Return which limits are in touch (c,) and at which bound, by Newton steps from the multipliers ``y``.
+    """Return which limits are in touch (c,) and at which bound, by Newton steps from the
+    multipliers ``y``.
 
-    The limits in touch are taken as equations; one that pulls is let go, one that is broken is taken in (Hintermüller, Ito and
-    Kunisch, SIAM J. Optim. 13, 2002).
+    The limits in touch are taken as equations; one that pulls is let go, one that is broken is
+    taken in (Hintermüller, Ito and Kunisch, SIAM J. Optim. 13, 2002).
     """
     equal = problem.lower == problem.upper
     stiffness = float(np.mean(np.diag(problem.P)))
     small = 1e-7 * max(float(np.max(np.abs(y), initial=0.0)), 1e-300)
     upper, lower = (y > small) & ~equal, (y < -small) & ~equal
     for _ in range(_ACTIVE_SET_ROUNDS):
-        x, y = _with_equations(problem, equal | upper | lower, np.where(upper, problem.upper, problem.lower))
+        x, y = _with_equations(
+            problem, equal | upper | lower, np.where(upper, problem.upper, problem.lower)
+        )
         held = problem.A @ x
         new_upper = (y + stiffness * (held - problem.upper) > stiffness * 1e-12) & ~equal
         new_lower = (y + stiffness * (held - problem.lower) < -stiffness * 1e-12) & ~equal
@@ -115,10 +129,11 @@ def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, Fl
 def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArray]:
     """Return the limits in touch (c,) and their bounds by an active-set method that cannot cycle.
 
-    Limits are whole quanta, so that several often meet in one point (a ramp of largest increments that ends at the end of the
-    range); which of them push is then not unique, and Newton's steps may go in circles. As a least-distance problem solved by
-    non-negative least squares the set grows one independent limit at a time (Lawson and Hanson, Solving Least Squares
-    Problems, chapter 23, algorithms NNLS and LDP).
+    Limits are whole quanta, so that several often meet in one point (a ramp of largest increments
+    that ends at the end of the range); which of them push is then not unique, and Newton's steps
+    may go in circles. As a least-distance problem solved by non-negative least squares the set
+    grows one independent limit at a time (Lawson and Hanson, Solving Least Squares Problems,
+    chapter 23, algorithms NNLS and LDP).
     """
     from scipy.optimize import nnls
 
@@ -129,7 +144,9 @@ def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArra
     h = np.concatenate([-problem.upper[up], problem.lower[down]]) - G @ centre
     size = max(float(np.max(np.abs(h))), 1e-300)
     try:
-        push, _ = nnls(np.vstack([G.T, h / size]), np.append(np.zeros(centre.size), 1.0), maxiter=50 * h.size)
+        push, _ = nnls(
+            np.vstack([G.T, h / size]), np.append(np.zeros(centre.size), 1.0), maxiter=50 * h.size
+        )
     except RuntimeError as error:
         raise _no_solution("the solver gave up", str(error)) from error
     pushing = push > 0.0
@@ -139,8 +156,12 @@ def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArra
     return equal | upper | lower, np.where(upper, problem.upper, problem.lower)
 
 
-def _with_equations(problem: QuadraticProblem, active: BoolArray, bound: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the optimum with the ``active`` limits as equations, and the multipliers (0 for the rest)."""
+def _with_equations(
+    problem: QuadraticProblem, active: BoolArray, bound: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Return the optimum with the ``active`` limits as equations, and the multipliers (0 for the
+    rest).
+    """
     rows = problem.A[active]
     n, c = problem.q.size, rows.shape[0]
     matrix = np.zeros((n + c, n + c))
@@ -150,9 +171,14 @@ def _with_equations(problem: QuadraticProblem, active: BoolArray, bound: FloatAr
     matrix[:n, n:] = scale * rows.T
     matrix[n:, :n] = scale * rows
     right = np.concatenate([-problem.q, scale * bound[active]])
-    factors = lu_factor(matrix - np.diag(np.concatenate([np.zeros(n), np.full(c, scale * _DUAL_SHIFT)])), check_finite=False)
+    factors = lu_factor(
+        matrix - np.diag(np.concatenate([np.zeros(n), np.full(c, scale * _DUAL_SHIFT)])),
+        check_finite=False,
+    )
     both = lu_solve(factors, right, check_finite=False)
-    for _ in range(_REFINEMENTS):  # against the exact matrix: the shift only decides between limits that say the same
+    for _ in range(
+        _REFINEMENTS
+    ):  # against the exact matrix: the shift only decides between limits that say the same
         both = both + lu_solve(factors, right - matrix @ both, check_finite=False)
     y = np.zeros(problem.lower.size)
     y[active] = scale * both[n:]
@@ -161,7 +187,9 @@ def _with_equations(problem: QuadraticProblem, active: BoolArray, bound: FloatAr
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RangeProblem:
-    """Minimise the range (largest minus smallest) of Dx - d over its rows, under the limits of ``limits``; mm or deg."""
+    """Minimise the range (largest minus smallest) of Dx - d over its rows, under the limits of
+    ``limits``; mm or deg.
+    """
 
     D: FloatArray
     d: FloatArray
@@ -169,10 +197,12 @@ class RangeProblem:
 
 
 def solve_range(problem: RangeProblem, *, slack: float) -> tuple[FloatArray, dict[str, float]]:
-    """Return unknowns of least range, and the certificate. Raises CapacityError where none is certified.
+    """Return unknowns of least range, and the certificate. Raises CapacityError where none is
+    certified.
 
-    Among all unknowns within ``slack`` (mm or deg) of the least range, those of least mean square are taken. The
-    certificate's ``gap`` is the distance to a lower bound that holds whatever the solver did.
+    Among all unknowns within ``slack`` (mm or deg) of the least range, those of least mean square
+    are taken. The certificate's ``gap`` is the distance to a lower bound that holds whatever the
+    solver did.
     """
     size = max(float(np.max(np.abs(problem.d))), 10.0 * slack)
     cost, G, h = _linear_program(problem, size)
@@ -182,34 +212,54 @@ def solve_range(problem: RangeProblem, *, slack: float) -> tuple[FloatArray, dic
     scale = float(np.mean(np.diag(P)))
     G2 = np.vstack([G, cost])
     h2 = np.concatenate([h, [least + 0.5 * slack / size]])
-    second, _ = _cvxpy(np.concatenate([problem.limits.q / (scale * size), [0.0, 0.0]]), G2, h2, P / scale, problem.limits.q.size)
+    second, _ = _cvxpy(
+        np.concatenate([problem.limits.q / (scale * size), [0.0, 0.0]]),
+        G2,
+        h2,
+        P / scale,
+        problem.limits.q.size,
+    )
     x = second[:-2] * size
     deviation = problem.D @ x - problem.d
     reached = float(np.ptp(deviation))
     held = problem.limits.A @ x
-    primal = float(np.max(np.concatenate([[0.0], held - problem.limits.upper, problem.limits.lower - held])))
-    # A least-range table stays within the range of what is wanted about zero: ten times that is ample.
+    primal = float(
+        np.max(np.concatenate([[0.0], held - problem.limits.upper, problem.limits.lower - held]))
+    )
+    # A least-range table stays within the range of what is wanted about zero: ten times that is
+    # ample.
     gap = size * range_gap(cost, G, h, multipliers, reached / size, 10.0)
     proof = {"primal": primal, "gap": gap}
     if not (primal <= CERTIFIED_RANGE and gap <= slack + CERTIFIED_RANGE):
-        raise _no_solution("the least range does not pass its certificate", f"gap {gap:.3g}, limits broken by {primal:.3g}")
+        raise _no_solution(
+            "the least range does not pass its certificate",
+            f"gap {gap:.3g}, limits broken by {primal:.3g}",
+        )
     return x, proof
 
 
-def _linear_program(problem: RangeProblem, size: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return c, G, h of: minimise c'z subject to Gz <= h, z = (x, top, bottom) in units of ``size``."""
+def _linear_program(
+    problem: RangeProblem, size: float
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return c, G, h of: minimise c'z subject to Gz <= h, z = (x, top, bottom) in units of
+    ``size``.
+    """
     limits = problem.limits
     n, rows = limits.q.size, problem.D.shape[0]
     one, none = np.ones((rows, 1)), np.zeros((rows, 1))
     up, down = np.isfinite(limits.upper), np.isfinite(limits.lower)
     pad = np.zeros((limits.A.shape[0], 2))
     A = np.hstack([limits.A, pad])
-    G = np.vstack([np.hstack([problem.D, -one, none]), np.hstack([-problem.D, none, one]), A[up], -A[down]])
+    G = np.vstack(
+        [np.hstack([problem.D, -one, none]), np.hstack([-problem.D, none, one]), A[up], -A[down]]
+    )
     h = np.concatenate([problem.d, -problem.d, limits.upper[up], -limits.lower[down]]) / size
     return np.concatenate([np.zeros(n), [1.0, -1.0]]), G, h
 
 
-def _cvxpy(cost: FloatArray, G: FloatArray, h: FloatArray, P: FloatArray | None, n: int) -> tuple[FloatArray, FloatArray]:
+def _cvxpy(
+    cost: FloatArray, G: FloatArray, h: FloatArray, P: FloatArray | None, n: int
+) -> tuple[FloatArray, FloatArray]:
     import cvxpy as cp
     from scipy import sparse
 

@@ -21,21 +21,31 @@ def whole(ratio: float) -> bool:
 
 
 def nodes_at(start: int, step: int, count: int, quantum: float, origin: float = 0.0) -> FloatArray:
-    """Return ``count`` nodes in mm or deg: ``origin`` plus whole ``quantum``. ``start`` and ``step`` count quanta."""
+    """Return ``count`` nodes in mm or deg: ``origin`` plus whole ``quantum``. ``start`` and
+    ``step`` count quanta.
+    """
     # Rounded to 10 decimals: the number that a file says, not the product's last bits.
-    nodes: FloatArray = np.round(origin + (start + step * np.arange(count, dtype=np.int64)) * quantum, 10)
+    nodes: FloatArray = np.round(
+        origin + (start + step * np.arange(count, dtype=np.int64)) * quantum, 10
+    )
     return nodes
 
 
 def round_steps(most: int) -> list[int]:
     """Return steps of few digits up to ``most``, in quanta, ascending."""
     return [
-        step for step in sorted({int(digit * 10**exponent / 10) for exponent in range(1, 11) for digit in _NICE}) if step <= most
+        step
+        for step in sorted(
+            {int(digit * 10**exponent / 10) for exponent in range(1, 11) for digit in _NICE}
+        )
+        if step <= most
     ]
 
 
 def taken_steps(steps: Iterable[int], capacity: Capacity) -> list[int]:
-    """Return those of ``steps`` (quanta, > 0) that the control takes: none below its least spacing, only those that it has."""
+    """Return those of ``steps`` (quanta, > 0) that the control takes: none below its least spacing,
+    only those that it has.
+    """
     quantum = capacity.position_quantum
     long_enough = [step for step in steps if step * quantum >= capacity.min_spacing * (1 - _HAIR)]
     if capacity.spacings is None:
@@ -46,12 +56,16 @@ def taken_steps(steps: Iterable[int], capacity: Capacity) -> list[int]:
 
 def own_steps(capacity: Capacity) -> frozenset[int]:
     """Return the steps in quanta of a control that has only certain ones."""
-    return frozenset(round(spacing / capacity.position_quantum) for spacing in capacity.spacings or ())
+    return frozenset(
+        round(spacing / capacity.position_quantum) for spacing in capacity.spacings or ()
+    )
 
 
 @dataclass(frozen=True, slots=True)
 class Candidate:
-    """An equally spaced grid in quanta of the position from ``origin`` (mm or deg); ``last`` cuts the last section short."""
+    """An equally spaced grid in quanta of the position from ``origin`` (mm or deg); ``last`` cuts
+    the last section short.
+    """
 
     start: int
     step: int

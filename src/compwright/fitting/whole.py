@@ -1,4 +1,6 @@
-"""The table of a control that stores whole increments: the best on its lattice, what that costs, and why this magnification."""
+"""The table of a control that stores whole increments: the best on its lattice, what that costs,
+and why this magnification.
+"""
 
 from __future__ import annotations
 
@@ -63,7 +65,13 @@ class WholeFit:
 
     def home_curve(self) -> Chain:
         """Return the curve of the return direction alone."""
-        return build_chain((self.wish(self.aim.reference_return),), self.nodes.size, fixed=self.fixed, kept=(), closed=False)
+        return build_chain(
+            (self.wish(self.aim.reference_return),),
+            self.nodes.size,
+            fixed=self.fixed,
+            kept=(),
+            closed=False,
+        )
 
     def other_curve(self, *, free: bool) -> Chain:
         """Return the other direction's curve; its value at the reference is free, or zero."""
@@ -77,16 +85,22 @@ class WholeFit:
         """Return the curves with the control's limits."""
         if self.shape == "single":
             constant = self._constant()
-            return (replace(self._part(self.single(reversal=constant is not None)), constant=constant),)
+            return (
+                replace(self._part(self.single(reversal=constant is not None)), constant=constant),
+            )
         other = self._part(self.other_curve(free=self.lattice.offset_range is not None))
         return (
             self._part(self.home_curve()),
-            replace(other, offsets=self.lattice.offset_range, magnified=self.lattice.offset_magnified),
+            replace(
+                other, offsets=self.lattice.offset_range, magnified=self.lattice.offset_magnified
+            ),
         )
 
     def _part(self, chain: Chain) -> Part:
         low, high = self.capacity.value_range
-        return Part(chain=chain, low=low, high=high, anchor=int(np.searchsorted(chain.kept, self.anchor)))
+        return Part(
+            chain=chain, low=low, high=high, anchor=int(np.searchsorted(chain.kept, self.anchor))
+        )
 
     def _constant(self) -> tuple[float, int, int] | None:
         quantum = self.capacity.backlash_quantum
@@ -94,7 +108,11 @@ class WholeFit:
             return None
         low, high = self.capacity.backlash_range
         sign = self.aim.reference_return.opposite.sign
-        return sign * quantum, int(np.ceil(low / quantum - _HAIR)), int(np.floor(high / quantum + _HAIR))
+        return (
+            sign * quantum,
+            int(np.ceil(low / quantum - _HAIR)),
+            int(np.floor(high / quantum + _HAIR)),
+        )
 
     def free_bounds(self) -> dict[str, float]:
         """Return the mean squares without whole numbers and limits, by what the table may be."""
@@ -102,7 +120,11 @@ class WholeFit:
         with_constant = _free(self.single(reversal=True))
         own = free
         if self.shape == "single":
-            own = with_constant if self.capacity.backlash_quantum is not None else _free(self.single(reversal=False))
+            own = (
+                with_constant
+                if self.capacity.backlash_quantum is not None
+                else _free(self.single(reversal=False))
+            )
         elif self.lattice.offset_range is None:
             own = _free(self.home_curve()) + _free(self.other_curve(free=False))
         return {"two tables": free, "one table": with_constant, "own": own}
@@ -113,20 +135,45 @@ def _free(chain: Chain) -> float:
 
 
 def fit_whole(
-    grid: Grid, aim: WantedCorrection, shape: Shape, capacity: Capacity, lattice: Lattice, *, address: str
+    grid: Grid,
+    aim: WantedCorrection,
+    shape: Shape,
+    capacity: Capacity,
+    lattice: Lattice,
+    *,
+    address: str,
 ) -> tuple[AxisCompensation, dict[str, float], tuple[Limit, ...], tuple[Finding, ...]]:
-    """Return the table, its certificate, what limits cost (rms, mm or deg) and the magnification's finding.
+    """Return the table, its certificate, what limits cost (rms, mm or deg) and the magnification's
+    finding.
 
-    ``aim``: totals, zero in the zero state. The table is the exact optimum of the mean square over the travel and both directions.
-    Raises CapacityError where the limits allow no table at all.
+    ``aim``: totals, zero in the zero state. The table is the exact optimum of the mean square over
+    the travel and both directions. Raises CapacityError where the limits allow no table at all.
     """
     points, weights = quadrature(aim.positions, grid.nodes, capacity.interpolation)
-    rows = rows_at(points, grid.nodes, below=capacity.below, above=capacity.above, interpolation=capacity.interpolation)
+    rows = rows_at(
+        points,
+        grid.nodes,
+        below=capacity.below,
+        above=capacity.above,
+        interpolation=capacity.interpolation,
+    )
     fit = WholeFit(
-        aim=aim, nodes=grid.nodes, shape=shape, capacity=capacity, lattice=lattice, points=points, weights=weights, rows=rows
+        aim=aim,
+        nodes=grid.nodes,
+        shape=shape,
+        capacity=capacity,
+        lattice=lattice,
+        points=points,
+        weights=weights,
+        rows=rows,
     )
     parts = fit.parts()
-    solution = best_totals(parts, unit=lattice.unit, increments=lattice.increments, magnifications=lattice.magnifications)
+    solution = best_totals(
+        parts,
+        unit=lattice.unit,
+        increments=lattice.increments,
+        magnifications=lattice.magnifications,
+    )
     if solution is None:
         raise CapacityError(
             Fault(
@@ -137,11 +184,20 @@ def fit_whole(
             )
         )
     table = _table(fit, parts, solution, address)
-    proof = lattice_certificate(table, aim, capacity, solution.magnification, (solution.objective, solution.bound))
-    return table, proof, _limits(fit, parts, solution, grid), _magnification_finding(solution, lattice, aim)
+    proof = lattice_certificate(
+        table, aim, capacity, solution.magnification, (solution.objective, solution.bound)
+    )
+    return (
+        table,
+        proof,
+        _limits(fit, parts, solution, grid),
+        _magnification_finding(solution, lattice, aim),
+    )
 
 
-def _table(fit: WholeFit, parts: tuple[Part, ...], solution: Solution, address: str) -> AxisCompensation:
+def _table(
+    fit: WholeFit, parts: tuple[Part, ...], solution: Solution, address: str
+) -> AxisCompensation:
     step = solution.magnification * fit.lattice.unit
     curves = [
         part.chain.expanded(found.totals).astype(np.float64) * step + found.shift + 0.0
@@ -157,7 +213,11 @@ def _table(fit: WholeFit, parts: tuple[Part, ...], solution: Solution, address: 
         positions=fit.nodes,
         positive=positive,
         negative=negative,
-        backlash=solution.parts[0].count * quantum + 0.0 if fit.shape == "single" and quantum is not None else 0.0,
+        backlash=(
+            solution.parts[0].count * quantum + 0.0
+            if fit.shape == "single" and quantum is not None
+            else 0.0
+        ),
         reference_return=home,
         below=fit.capacity.below,
         above=fit.capacity.above,
@@ -166,8 +226,12 @@ def _table(fit: WholeFit, parts: tuple[Part, ...], solution: Solution, address: 
     )
 
 
-def _limits(fit: WholeFit, parts: tuple[Part, ...], solution: Solution, grid: Grid) -> tuple[Limit, ...]:
-    """Return what each limit costs; costs add as squares, each is the root of a difference of two mean squares."""
+def _limits(
+    fit: WholeFit, parts: tuple[Part, ...], solution: Solution, grid: Grid
+) -> tuple[Limit, ...]:
+    """Return what each limit costs; costs add as squares, each is the root of a difference of two
+    mean squares.
+    """
     unit, magnification = fit.lattice.unit, solution.magnification
     free = {name: float(np.sqrt(max(0.0, value))) for name, value in fit.free_bounds().items()}
     bound, reached = np.sqrt(max(0.0, solution.bound)), np.sqrt(solution.objective)
@@ -176,17 +240,23 @@ def _limits(fit: WholeFit, parts: tuple[Part, ...], solution: Solution, grid: Gr
         ("number of points" if grid.points_loss else "spacing of the points", free["two tables"]),
     ]
     if fit.shape == "single":
-        costs.append(("one table for both directions", added(free["one table"], free["two tables"])))
+        costs.append(
+            ("one table for both directions", added(free["one table"], free["two tables"]))
+        )
         costs.append(("no backlash value", added(free["own"], free["one table"])))
     if bound > free["own"] * (1.0 + _HAIR):
-        ranged = np.sqrt(max(0.0, relaxed_bound(parts, unit=unit, increments=_ANY, magnification=magnification)))
+        ranged = np.sqrt(
+            max(0.0, relaxed_bound(parts, unit=unit, increments=_ANY, magnification=magnification))
+        )
         costs.append(("value range", added(ranged, free["own"])))
         costs.append(("largest increment", added(bound, ranged)))
     costs.append(("quantum", added(reached, bound)))
     return worth_saying(costs, unit * magnification)
 
 
-def _magnification_finding(solution: Solution, lattice: Lattice, aim: WantedCorrection) -> tuple[Finding, ...]:
+def _magnification_finding(
+    solution: Solution, lattice: Lattice, aim: WantedCorrection
+) -> tuple[Finding, ...]:
     if len(lattice.magnifications) < 2:
         return ()
     factor, unit = small(aim.kind)
@@ -196,30 +266,50 @@ def _magnification_finding(solution: Solution, lattice: Lattice, aim: WantedCorr
     says = f"{left:.2g} {unit} rms" if left > _NOTHING else "nothing"
     if solution.before is None:
         one = lattice.unit * factor
-        message = f"Magnification {chosen}, the smallest: increments of {span} times {one:.4g} {unit} leave {says}"
+        message = (
+            f"Magnification {chosen}, the smallest: increments of {span} times {one:.4g} {unit}"
+            f" leave {says}"
+        )
     else:
         before, bound = solution.before
         reach = f"{span} times {before * lattice.unit * factor:.4g} {unit}"
         at_least = f"{np.sqrt(max(0.0, bound)) * factor:.2g} {unit}"
         message = (
-            f"Magnification {chosen}: with {before} increments of {reach} would leave at least {at_least} rms, with {chosen} {says}"
+            f"Magnification {chosen}: with {before} increments of {reach} would leave at least"
+            f" {at_least} rms, with {chosen} {says}"
         )
     return (Finding("CW-F009", "info", message),)
 
 
 def goal_finding(goal: Goal, what: str) -> tuple[Finding, ...]:
-    """Return what to say where a goal other than the expected square is asked of a control with few numbers."""
+    """Return what to say where a goal other than the expected square is asked of a control with few
+    numbers.
+    """
     if goal == "expected":
         return ()
-    message = f"The job asks for the least {goal}; for {what} the table of least expected square is taken instead"
+    message = (
+        f"The job asks for the least {goal}; for {what} the table of least expected square is taken"
+        " instead"
+    )
     return (Finding("CW-F010", "info", message),)
 
 
 def whole_table(
-    grid: Grid, aim: WantedCorrection, mode: tuple[Shape, str], capacity: Capacity, lattice: Lattice, *, address: str, goal: Goal
+    grid: Grid,
+    aim: WantedCorrection,
+    mode: tuple[Shape, str],
+    capacity: Capacity,
+    lattice: Lattice,
+    *,
+    address: str,
+    goal: Goal,
 ) -> FittedTable:
-    """Return the fitted table with everything that is to be said about it; ``mode`` is the choice made and its reason."""
-    table, proof, limits, findings = fit_whole(grid, aim, mode[0], capacity, lattice, address=address)
+    """Return the fitted table with everything that is to be said about it; ``mode`` is the choice
+    made and its reason.
+    """
+    table, proof, limits, findings = fit_whole(
+        grid, aim, mode[0], capacity, lattice, address=address
+    )
     return FittedTable(
         compensation=table,
         mode=mode[0],

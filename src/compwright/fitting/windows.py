@@ -1,7 +1,8 @@
-"""Dynamic programming over whole totals within given windows: the cheapest way along a chain, several lanes at once.
+"""Dynamic programming over whole totals within given windows: the cheapest way along a chain,
+several lanes at once.
 
-A lane is one way to put the lattice (a reversal value, a shift, a value at which an endless curve begins). Everything is counted in
-steps of the lattice.
+A lane is one way to put the lattice (a reversal value, a shift, a value at which an endless curve
+begins). Everything is counted in steps of the lattice.
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ from compwright.fitting.problem import IntArray
 from compwright.records.axis import FloatArray
 
 
-def reachable(chain: Chain, limits: Limits, low: FloatArray, high: FloatArray) -> tuple[FloatArray, FloatArray]:
+def reachable(
+    chain: Chain, limits: Limits, low: FloatArray, high: FloatArray
+) -> tuple[FloatArray, FloatArray]:
     """Return the windows without totals that no increments reach from the neighbours' windows."""
     along = np.append(0.0, np.cumsum(chain.span.astype(np.float64)))
     down, up = limits.increments[0] * along, limits.increments[1] * along
@@ -25,7 +28,9 @@ def reachable(chain: Chain, limits: Limits, low: FloatArray, high: FloatArray) -
     return low, high
 
 
-def closed_lanes(lanes: IntArray, low: FloatArray, high: FloatArray) -> tuple[IntArray, FloatArray, FloatArray]:
+def closed_lanes(
+    lanes: IntArray, low: FloatArray, high: FloatArray
+) -> tuple[IntArray, FloatArray, FloatArray]:
     """Return a lane for every value at which a curve may begin and end."""
     owners: list[int] = []
     starts: list[float] = []
@@ -41,11 +46,15 @@ def closed_lanes(lanes: IntArray, low: FloatArray, high: FloatArray) -> tuple[In
     return chosen, low, high
 
 
-def cheapest(chain: Chain, limits: Limits, targets: FloatArray, low: IntArray, high: IntArray) -> tuple[FloatArray, IntArray]:
-    """Return the least (T - target)'H(T - target)/2 (n,) over totals in the windows (n, m), and the totals (n, m).
+def cheapest(
+    chain: Chain, limits: Limits, targets: FloatArray, low: IntArray, high: IntArray
+) -> tuple[FloatArray, IntArray]:
+    """Return the least (T - target)'H(T - target)/2 (n,) over totals in the windows (n, m), and the
+    totals (n, m).
 
-    Forward over the nodes: the least cost of arriving at each total of the node. Backward: the totals that gave it.
-    All lanes share the widest window at each node; outside its own a lane's cost is infinite.
+    Forward over the nodes: the least cost of arriving at each total of the node. Backward: the
+    totals that gave it. All lanes share the widest window at each node; outside its own a lane's
+    cost is infinite.
     """
     first, last = np.min(low, axis=0), np.max(high, axis=0)
     costs = np.empty((targets.shape[0], 0))
@@ -57,7 +66,13 @@ def cheapest(chain: Chain, limits: Limits, targets: FloatArray, low: IntArray, h
         own[(totals < low[:, node, np.newaxis]) | (totals > high[:, node, np.newaxis])] = np.inf
         if node:
             arriving, steps = _arrive(
-                chain, limits, node, (int(first[node - 1]), int(first[node]), totals.size), costs, here, targets
+                chain,
+                limits,
+                node,
+                (int(first[node - 1]), int(first[node]), totals.size),
+                costs,
+                here,
+                targets,
             )
             came.append(steps)
             own += arriving
@@ -73,19 +88,29 @@ def cheapest(chain: Chain, limits: Limits, targets: FloatArray, low: IntArray, h
 
 
 def _arrive(
-    chain: Chain, limits: Limits, node: int, window: tuple[int, int, int], costs: FloatArray, here: FloatArray, targets: FloatArray
+    chain: Chain,
+    limits: Limits,
+    node: int,
+    window: tuple[int, int, int],
+    costs: FloatArray,
+    here: FloatArray,
+    targets: FloatArray,
 ) -> tuple[FloatArray, IntArray]:
-    """Return the least cost of arriving at each total of ``node`` (n, w), and by which increment (n, w).
+    """Return the least cost of arriving at each total of ``node`` (n, w), and by which increment
+    (n, w).
 
-    ``window``: first total before, first total here, their number. With the deviation e here and the increment d, that before
-    is e + target here - target before - d, so that the coupling's cost is linear in d.
+    ``window``: first total before, first total here, their number. With the deviation e here and
+    the increment d, that before is e + target here - target before - d, so that the coupling's cost
+    is linear in d.
     """
     before, now, count = window
     span = int(chain.span[node - 1])
     least = max(limits.increments[0] * span, now - (before + costs.shape[1] - 1))
     largest = min(limits.increments[1] * span, now + count - 1 - before)
     number = largest - least + 1
-    start = now - largest - before  # place of the total before for the first total here and the largest increment
+    start = (
+        now - largest - before
+    )  # place of the total before for the first total here and the largest increment
     length = count + number - 1
     padded = np.full((costs.shape[0], length), np.inf)
     inner = slice(max(0, start), min(costs.shape[1], start + length))
@@ -98,5 +123,7 @@ def _arrive(
     index = np.argmin(ways, axis=2)
     arriving = np.take_along_axis(ways, index[:, :, np.newaxis], axis=2)[:, :, 0]
     if off != 0.0:
-        arriving = arriving + rise * (here + (targets[:, node] - targets[:, node - 1])[:, np.newaxis])
+        arriving = arriving + rise * (
+            here + (targets[:, node] - targets[:, node - 1])[:, np.newaxis]
+        )
     return arriving, largest - index

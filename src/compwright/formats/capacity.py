@@ -1,4 +1,6 @@
-"""What one axis of the control can hold, from the definition, the options and the control's own files."""
+"""What one axis of the control can hold, from the definition, the options and the control's own
+files.
+"""
 
 from __future__ import annotations
 
@@ -35,17 +37,27 @@ def written_choices(definition: Definition, options: Mapping[str, object]) -> di
 
 def written_text(binding: Choice, options: Mapping[str, object]) -> str:
     """Return the text of a choice as it will be written."""
-    return str(options[binding.writes.option]) if isinstance(binding.writes, OptionValue) else binding.writes
+    return (
+        str(options[binding.writes.option])
+        if isinstance(binding.writes, OptionValue)
+        else binding.writes
+    )
 
 
 def capacity_for(
-    definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None, *, one_curve: bool = False
+    definition: Definition,
+    axis: Axis,
+    options: Mapping[str, object],
+    state: ControlState | None,
+    *,
+    one_curve: bool = False,
 ) -> Capacity:
     """Return the limits of one axis' table in mm or deg.
 
-    ``one_curve``: the job asks for one table and a backlash value, even where the control could hold a pair. Where the control's
-    own files (``state``) answer an option, their answer counts. Raises UsageError for a wrong option, a value that contradicts the
-    files, or an address that the control cannot have.
+    ``one_curve``: the job asks for one table and a backlash value, even where the control could
+    hold a pair. Where the control's own files (``state``) answer an option, their answer counts.
+    Raises UsageError for a wrong option, a value that contradicts the files, or an address that the
+    control cannot have.
     """
     resolved = resolve_options(definition, options, state)
     if definition.layout.shape == "section_increments":
@@ -59,7 +71,9 @@ def capacity_for(
     facts = state.facts.get(address, {}) if state is not None else {}
     assumed += _turn_unsaid(definition, axis, facts)
     value, node = curves(definition)[0], grid(definition)[0]
-    beside = "backlash" in definition.bindings and definition.limit("no_backlash_beside_table") is None
+    beside = (
+        "backlash" in definition.bindings and definition.limit("no_backlash_beside_table") is None
+    )
     capacity = Capacity(
         format=definition.id,
         curves=1 if definition.layout.pairing == "none" else 2,
@@ -84,23 +98,43 @@ def capacity_for(
 
 
 def _period(definition: Definition, axis: Axis) -> float | None:
-    """Return the turn of an endless axis whose table repeats; on a linear axis modulo has no meaning."""
-    if definition.layout.shape != "values_by_index" or definition.limit("no_endless_axis") is not None:
+    """Return the turn of an endless axis whose table repeats; on a linear axis modulo has no
+    meaning.
+    """
+    if (
+        definition.layout.shape != "values_by_index"
+        or definition.limit("no_endless_axis") is not None
+    ):
         return None
     return axis.modulo if axis.kind is AxisKind.ROTARY else None
 
 
-def _turn_unsaid(definition: Definition, axis: Axis, facts: Mapping[str, object]) -> list[Assumption]:
-    """Return what is taken for granted of the turn of an endless axis: that the control wraps it, and where its turn begins."""
-    if _period(definition, axis) is None or RANGE_QUANTITY not in definition.bindings or facts.get(RANGE_START_SAID):
+def _turn_unsaid(
+    definition: Definition, axis: Axis, facts: Mapping[str, object]
+) -> list[Assumption]:
+    """Return what is taken for granted of the turn of an endless axis: that the control wraps it,
+    and where its turn begins.
+    """
+    if (
+        _period(definition, axis) is None
+        or RANGE_QUANTITY not in definition.bindings
+        or facts.get(RANGE_START_SAID)
+    ):
         return []
     unsaid = [] if RANGE_START in facts else [("that the control wraps it (MD30310)", "yes")]
     unsaid.append(("where its turn begins (MD30340)", f"{MODULO_START:g} deg"))
-    return [Assumption(f"axis {axis.name}: {fact}", value, "unconfirmed: in no file") for fact, value in unsaid]
+    return [
+        Assumption(f"axis {axis.name}: {fact}", value, "unconfirmed: in no file")
+        for fact, value in unsaid
+    ]
 
 
-def _spacings(definition: Definition, axis: Axis, quantum: float, facts: Mapping[str, object]) -> tuple[float, ...] | None:
-    """Return the spacings of an endless axis whose reference is not where its range begins; None: no such rule."""
+def _spacings(
+    definition: Definition, axis: Axis, quantum: float, facts: Mapping[str, object]
+) -> tuple[float, ...] | None:
+    """Return the spacings of an endless axis whose reference is not where its range begins; None:
+    no such rule.
+    """
     period = _period(definition, axis)
     if period is None or RANGE_QUANTITY not in definition.bindings:
         return None
@@ -110,15 +144,25 @@ def _spacings(definition: Definition, axis: Axis, quantum: float, facts: Mapping
 
 
 def _max_points(
-    definition: Definition, axis: Axis, options: Mapping[str, object], fact: object, assumed: list[Assumption]
+    definition: Definition,
+    axis: Axis,
+    options: Mapping[str, object],
+    fact: object,
+    assumed: list[Assumption],
 ) -> int | None:
     hard = definition.limit_number("max_points")
     if definition.limit("points_reserved") is None:
         return hard
-    name = next(name for name, option in definition.options.items() if option.settled_by == "max_points")
+    name = next(
+        name for name, option in definition.options.items() if option.settled_by == "max_points"
+    )
     reserved = settled_number(definition, name, options, fact)
     if reserved is None:
-        what = "the control has reserved none yet" if fact == 0 else "the control's files do not say it"
+        what = (
+            "the control has reserved none yet"
+            if fact == 0
+            else "the control's files do not say it"
+        )
         assumed.append(
             Assumption(
                 fact=f"axis {axis.name}: number of points the control can hold",

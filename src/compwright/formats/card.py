@@ -50,36 +50,59 @@ class CardStep:
     rows: tuple[tuple[str, ...], ...] = ()
 
 
-def card_steps(definition: Definition, axis: Axis, values: Mapping[str, str]) -> tuple[CardStep, ...]:
+def card_steps(
+    definition: Definition, axis: Axis, values: Mapping[str, str]
+) -> tuple[CardStep, ...]:
     """Return the steps for one axis, as `card_steps_of_all`."""
     return card_steps_of_all(definition, [(axis, values)])
 
 
-def card_steps_of_all(definition: Definition, axes: Sequence[tuple[Axis, Mapping[str, str]]]) -> tuple[CardStep, ...]:
+def card_steps_of_all(
+    definition: Definition, axes: Sequence[tuple[Axis, Mapping[str, str]]]
+) -> tuple[CardStep, ...]:
     """Return the steps for these axes, in the order of the definition.
 
-    The values of each axis fill the fields of the text (see `card_values`); a missing one reads "(not known)". What is the same for
-    all axes stands once; where short values differ, they stand in a table with a row per axis.
+    The values of each axis fill the fields of the text (see `card_values`); a missing one reads
+    "(not known)". What is the same for all axes stands once; where short values differ, they stand
+    in a table with a row per axis.
     """
     known = [{**_axis_values(definition, axis), **values} for axis, values in axes]
     return tuple(
         CardStep(rule.title, text, rule.evidence.state, rule.evidence.source, heads, rows)
         for rule in definition.card
-        for text, heads, rows in (_for_all([rule.two_curves if of.get(CURVES) == "2" else rule.text for of in known], known),)
+        for text, heads, rows in (
+            _for_all(
+                [rule.two_curves if of.get(CURVES) == "2" else rule.text for of in known], known
+            ),
+        )
     )
 
 
-def _for_all(forms: Sequence[str], known: Sequence[Mapping[str, str]]) -> tuple[str, tuple[str, ...], tuple[tuple[str, ...], ...]]:
+def _for_all(
+    forms: Sequence[str], known: Sequence[Mapping[str, str]]
+) -> tuple[str, tuple[str, ...], tuple[tuple[str, ...], ...]]:
     """Return the text of a step for all axes, with the heads and rows of what differs."""
-    filled = [{name: of.get(name, UNKNOWN) for name in field_names(form)} for form, of in zip(forms, known, strict=True)]
+    filled = [
+        {name: of.get(name, UNKNOWN) for name in field_names(form)}
+        for form, of in zip(forms, known, strict=True)
+    ]
     if len(set(forms)) == 1:
-        differing = [name for name in dict.fromkeys(field_names(forms[0])) if len({of[name] for of in filled}) > 1]
+        differing = [
+            name
+            for name in dict.fromkeys(field_names(forms[0]))
+            if len({of[name] for of in filled}) > 1
+        ]
         if differing and all(len(of[name]) <= _LONGEST_CELL for of in filled for name in differing):
             heads = [name.rstrip("0123456789").strip("_").replace("_", " ") for name in differing]
             named = {name: f"‹{head}›" for name, head in zip(differing, heads, strict=True)}
-            rows = tuple((of["name"], *(values[name] for name in differing)) for of, values in zip(known, filled, strict=True))
+            rows = tuple(
+                (of["name"], *(values[name] for name in differing))
+                for of, values in zip(known, filled, strict=True)
+            )
             return print_form(forms[0], {**filled[0], **named}), (AXIS_COLUMN, *heads), rows
-    lines = dict.fromkeys(print_form(form, values) for form, values in zip(forms, filled, strict=True))
+    lines = dict.fromkeys(
+        print_form(form, values) for form, values in zip(forms, filled, strict=True)
+    )
     return "\n".join(lines), (), ()
 
 
@@ -91,21 +114,29 @@ def card_values(
     facts: Mapping[str, Fact] | None = None,
     check_at: FloatArray | None = None,
 ) -> dict[str, str]:
-    """Return what the card says about a table: points, start, end, spacing, backlash (in the control's unit), check of the sign.
+    """Return what the card says about a table: points, start, end, spacing, backlash (in the
+    control's unit), check of the sign.
 
-    ``facts``: what the files that hold the table say of the axis (`ControlState.facts`), such as its point numbers. ``check_at``:
-    positions at which the axis can be measured, mm or deg, ascending (default: the nodes).
+    ``facts``: what the files that hold the table say of the axis (`ControlState.facts`), such as
+    its point numbers. ``check_at``: positions at which the axis can be measured, mm or deg,
+    ascending (default: the nodes).
     """
     resolved = resolve_options(definition, options)
     if definition.layout.shape == "section_increments":
         own = axis_options(definition, resolved, axis)
         where = compensation.positions if check_at is None else check_at
-        return _increment_values(axis, compensation, definition, own, facts or {}) | _sign_check(compensation, where)
+        return _increment_values(axis, compensation, definition, own, facts or {}) | _sign_check(
+            compensation, where
+        )
     scale = scale_for_writing(definition, axis, resolved)
     node = "table_start" if "table_start" in definition.bindings else "node_position"
     factor = float(scale.factor(node))
     positions = compensation.positions
-    values = {"points": str(positions.size), "unit": scale.unit(node), "backlash": _typed(compensation.backlash / factor)}
+    values = {
+        "points": str(positions.size),
+        "unit": scale.unit(node),
+        "backlash": _typed(compensation.backlash / factor),
+    }
     if has_cross(definition) and not np.array_equal(compensation.positive, compensation.negative):
         values[CURVES] = "2"
     values |= _cross_values(facts or {})
@@ -125,14 +156,18 @@ def _typed(value: float) -> str:
 
 
 def file_names(definition: Definition, axis: Axis) -> list[str]:
-    """Return how the definition's files are called for an axis, in its order, whether they are written or not."""
+    """Return how the definition's files are called for an axis, in its order, whether they are
+    written or not.
+    """
     address, _ = normal_address(definition, axis)
     named = {"axis": address, "system": str(axis.encoder.system - 1)}
     return [print_form(file.name, named) for file in definition.writing]
 
 
 def loading_order(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
-    """Return the names of files in the order in which a control takes them all: values before the switches that protect them."""
+    """Return the names of files in the order in which a control takes them all: values before the
+    switches that protect them.
+    """
 
     def holds(file: ControlFile, quantity: str) -> bool:
         binding = definition.bindings.get(quantity)
@@ -142,14 +177,21 @@ def loading_order(definition: Definition, files: Sequence[ControlFile]) -> list[
         return re.search(re.escape(form) + rb"\s*\[", file.content) is not None
 
     def place(file: ControlFile) -> tuple[bool, bool]:
-        return any(holds(file, name) for name in _SWITCHES), not any(holds(file, name) for name in ("value", "cross_value"))
+        return any(holds(file, name) for name in _SWITCHES), not any(
+            holds(file, name) for name in ("value", "cross_value")
+        )
 
-    return [file.name for file in (sorted(files, key=place) if "enabled" in definition.bindings else files)]
+    return [
+        file.name
+        for file in (sorted(files, key=place) if "enabled" in definition.bindings else files)
+    ]
 
 
 def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
     address, _ = normal_address(definition, axis)
-    files = {f"file_{number}": name for number, name in enumerate(file_names(definition, axis), start=1)}
+    files = {
+        f"file_{number}": name for number, name in enumerate(file_names(definition, axis), start=1)
+    }
     return {
         "name": axis.name,
         "sheet": axis.name,
@@ -169,17 +211,20 @@ def gantry_words(axis: Axis) -> str:
     """Return what the card says of the synchronised axis of a gantry."""
     if axis.gantry is None:
         return (
-            f"Axis {axis.name} leads no gantry as far as the job says. If it does, stop: a table on the leading axis alone "
-            "racks the bridge. Name its synchronised axis in the job (gantry), so that it gets the same table."
+            f"Axis {axis.name} leads no gantry as far as the job says. If it does, stop: a table on"
+            " the leading axis alone racks the bridge. Name its synchronised axis in the job"
+            " (gantry), so that it gets the same table."
         )
     return (
-        f"Axis {axis.name} leads a gantry: do every step for the synchronised axis {axis.gantry} too, before anything moves. "
-        "A table on the leading axis alone racks the bridge."
+        f"Axis {axis.name} leads a gantry: do every step for the synchronised axis {axis.gantry}"
+        " too, before anything moves. A table on the leading axis alone racks the bridge."
     )
 
 
 def _cross_values(facts: Mapping[str, Fact]) -> dict[str, str]:
-    """Return which tables between axes hold the two directions, as far as the files that were written say it."""
+    """Return which tables between axes hold the two directions, as far as the files that were
+    written say it.
+    """
     pair = str(facts.get(CEC_PAIR, "")).split()
     return {"table_positive": pair[0], "table_negative": pair[1]} if len(pair) == 2 else {}
 
@@ -194,7 +239,9 @@ def _increment_values(
     scale = Scale(definition, axis.kind, options, {})
     unit = axis.kind.unit
     values = {
-        name: str(facts[name]) for name in ("reference_number", "first_number", "last_number", "magnification") if name in facts
+        name: str(facts[name])
+        for name in ("reference_number", "first_number", "last_number", "magnification")
+        if name in facts
     }
     values["unit"] = unit
     values["detection_unit"] = f"{scale.quantum('value'):g} {unit}"
@@ -210,11 +257,16 @@ def _increment_values(
 
 
 def _further(axis: Axis, facts: Mapping[str, Fact]) -> str:
-    """Return what has to be set beside the grid and 1851: second set, turn, backlash at rapid traverse."""
+    """Return what has to be set beside the grid and 1851: second set, turn, backlash at rapid
+    traverse.
+    """
     two = facts.get("bidirectional") == "yes"
     said = [f"3605#0 = {int(two)}"]
     if two:
-        said += [f"3626 = {facts.get('negative_first', UNKNOWN)}", f"3627 = {facts.get('negative_offset', UNKNOWN)}"]
+        said += [
+            f"3626 = {facts.get('negative_first', UNKNOWN)}",
+            f"3627 = {facts.get('negative_offset', UNKNOWN)}",
+        ]
     if axis.modulo is not None:
         said.append(f"3625 = {axis.modulo:g}")
     if facts.get("separate_rapid") == "yes" and "backlash_rapid" in facts:
@@ -224,14 +276,24 @@ def _further(axis: Axis, facts: Mapping[str, Fact]) -> str:
 
 #: What has to be done so that the control knows where the axis is, by the kind of encoder.
 _REFERENCING = {
-    "incremental": "Incremental encoder: reference the axis after the power cycle; nothing acts before that.",
-    "absolute": "Absolute encoder: no reference return. Leave its adjustment alone (FANUC 1815): machine zero would be lost.",
-    "distance_coded": "Distance-coded scale: move the axis over two marks after the power cycle; nothing acts before that.",
+    "incremental": (
+        "Incremental encoder: reference the axis after the power cycle; nothing acts before that."
+    ),
+    "absolute": (
+        "Absolute encoder: no reference return. Leave its adjustment alone (FANUC 1815): machine"
+        " zero would be lost."
+    ),
+    "distance_coded": (
+        "Distance-coded scale: move the axis over two marks after the power cycle; nothing acts"
+        " before that."
+    ),
 }
 
 
 def _sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, str]:
-    """Return the two of the positions between which the table changes the distance most: there the sign shows best."""
+    """Return the two of the positions between which the table changes the distance most: there the
+    sign shows best.
+    """
     if compensation.positions.size < 2:
         return {}
     curve = compensation.at(where, Direction.POSITIVE)

@@ -34,14 +34,22 @@ def cec_available(definition: Definition, options: Mapping[str, object]) -> bool
 
 
 def with_cec(
-    definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None, capacity: Capacity
+    definition: Definition,
+    axis: Axis,
+    options: Mapping[str, object],
+    state: ControlState | None,
+    capacity: Capacity,
 ) -> Capacity:
-    """Return ``capacity`` (that of one table and backlash) as it is with a pair of tables for the axis.
+    """Return ``capacity`` (that of one table and backlash) as it is with a pair of tables for the
+    axis.
 
-    A gantry needs a pair for each of its axes. Raises CapacityError when too few indices may be written.
+    A gantry needs a pair for each of its axes. Raises CapacityError when too few indices may be
+    written.
     """
     address, _ = normal_address(definition, axis)
-    addresses = [address] if axis.gantry is None else [address, normal_text(definition, axis.gantry)]
+    addresses = (
+        [address] if axis.gantry is None else [address, normal_text(definition, axis.gantry)]
+    )
     facts = state.facts if state is not None else {}
     tables = _tables(definition, axis, addresses, options, facts)
     scale = Scale(as_table(definition), axis.kind, with_some_sign(options), {})
@@ -49,7 +57,9 @@ def with_cec(
     for each in addresses:
         room = _room(each, state)
         low, high = max(low, -room), min(high, room)
-    reserved = [points for index, points in reserved_in(facts).items() if index in tables and points > 0]
+    reserved = [
+        points for index, points in reserved_in(facts).items() if index in tables and points > 0
+    ]
     fact = min(reserved) if len(reserved) == len(tables) else None
     points = settled_number(definition, _points_option(definition), options, fact)
     assumed = [note for note in capacity.assumed if "number of points" not in note.fact]
@@ -85,7 +95,9 @@ def with_cec(
 
 
 def _points_option(definition: Definition) -> str:
-    return next(name for name, option in definition.options.items() if option.settled_by == "max_points")
+    return next(
+        name for name, option in definition.options.items() if option.settled_by == "max_points"
+    )
 
 
 def _tables(
@@ -99,7 +111,9 @@ def _tables(
     allowed, in_use = allowed_tables(options), tables_in(facts)
     taken: list[int] = []
     for address in addresses:
-        taken += [index for index in free_tables(allowed, in_use, address) if index not in taken][:2]
+        taken += [index for index in free_tables(allowed, in_use, address) if index not in taken][
+            :2
+        ]
     needed = 2 * len(addresses)
     if len(taken) < needed:
         raise CapacityError(too_few(axis.name, definition.id, needed, len(taken), allowed))
@@ -109,15 +123,24 @@ def _tables(
 def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[int, ...]) -> Fault:
     """Return the fault of an axis that finds too few tables."""
     return Fault(
-        message=f"axis {name}: {format_id} needs {needed} CEC tables that are free or already the axis' own pair",
+        message=(
+            f"axis {name}: {format_id} needs {needed} CEC tables that are free or already the axis'"
+            " own pair"
+        ),
         place="option cec_tables",
         expected=f"{needed} such indices",
-        found=f"{found} among {', '.join(map(str, allowed))}" if allowed else "none: the option is not given",
+        found=(
+            f"{found} among {', '.join(map(str, allowed))}"
+            if allowed
+            else "none: the option is not given"
+        ),
     )
 
 
 def _room(address: str, state: ControlState | None) -> float:
-    """Return what CEC_MAX_SUM leaves beside the tables by which other axes correct this one, mm or deg."""
+    """Return what CEC_MAX_SUM leaves beside the tables by which other axes correct this one, mm or
+    deg.
+    """
     if state is None:
         return float("inf")
     limit = state.facts.get(address, {}).get(CEC_MAX_SUM)

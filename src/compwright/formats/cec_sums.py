@@ -1,4 +1,6 @@
-"""What the tables between axes (SINUMERIK's CEC) do together: sums by pair of axes, as curves, under the limit of the control."""
+"""What the tables between axes (SINUMERIK's CEC) do together: sums by pair of axes, as curves,
+under the limit of the control.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +17,8 @@ from compwright.records.correction import AxisCompensation, CrossCompensation
 
 
 def check_sums(cec: Cec, notes: Notes, wanted: Iterable[str] = ()) -> None:
-    """A control whose sum of corrections runs into its limit stands in alarm: such a state cannot be read as curves.
+    """A control whose sum of corrections runs into its limit stands in alarm: such a state cannot
+    be read as curves.
 
     ``wanted``: the axes that are asked for (none: all); others are left alone.
     """
@@ -23,7 +26,9 @@ def check_sums(cec: Cec, notes: Notes, wanted: Iterable[str] = ()) -> None:
     for output, limit in cec.max_sum.items():
         if asked and output not in asked:
             continue
-        pairs = dict.fromkeys(table.pair for table in cec.tables if table.output == output and table.active)
+        pairs = dict.fromkeys(
+            table.pair for table in cec.tables if table.output == output and table.active
+        )
         low = high = 0.0
         for pair in pairs:
             curves = [curve for _, _, *both in _merged(cec.acting(pair)) for curve in both]
@@ -32,17 +37,24 @@ def check_sums(cec: Cec, notes: Notes, wanted: Iterable[str] = ()) -> None:
         if max(high, -low) > limit * (1 + 1e-9):
             notes.faults.append(
                 Fault(
-                    message=f"axis {output}: its CEC tables together reach beyond CEC_MAX_SUM, where the control cuts them off",
+                    message=(
+                        f"axis {output}: its CEC tables together reach beyond CEC_MAX_SUM, where"
+                        " the control cuts them off"
+                    ),
                     expected=f"at most {limit:g}",
                     found=f"{low:g} .. {high:g}",
                 )
             )
 
 
-def _merged(tables: Sequence[CecTable]) -> list[tuple[float | None, FloatArray, FloatArray, FloatArray]]:
-    """Return period, nodes and the sum of all tables by direction, for tables without a period and for each period and start.
+def _merged(
+    tables: Sequence[CecTable],
+) -> list[tuple[float | None, FloatArray, FloatArray, FloatArray]]:
+    """Return period, nodes and the sum of all tables by direction, for tables without a period and
+    for each period and start.
 
-    The sum of curves that are straight between their nodes is straight between the nodes of all of them.
+    The sum of curves that are straight between their nodes is straight between the nodes of all of
+    them.
     """
     groups: dict[tuple[float | None, float | None], list[CecTable]] = {}
     for table in tables:
@@ -53,14 +65,20 @@ def _merged(tables: Sequence[CecTable]) -> list[tuple[float | None, FloatArray, 
         nodes: FloatArray = np.unique(np.concatenate([table.positions for table in members]))
         curves = []
         for direction in Direction:
-            acting = [np.interp(nodes, table.positions, table.values) for table in members if direction in table.directions]
+            acting = [
+                np.interp(nodes, table.positions, table.values)
+                for table in members
+                if direction in table.directions
+            ]
             curves.append(np.sum(acting, axis=0) if acting else np.zeros(nodes.size))
         merged.append((period, nodes, curves[0], curves[1]))
     return merged
 
 
 def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensation:
-    """Return what acts on an axis together with its tables over itself: they are its table where it has no other one."""
+    """Return what acts on an axis together with its tables over itself: they are its table where it
+    has no other one.
+    """
     own = [
         replace(
             compensation,
@@ -72,7 +90,9 @@ def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensatio
             below="hold",
             above="hold",
         )
-        for period, nodes, positive, negative in _merged(cec.acting((compensation.address, compensation.address)))
+        for period, nodes, positive, negative in _merged(
+            cec.acting((compensation.address, compensation.address))
+        )
     ]
     if not own:
         return compensation
@@ -82,10 +102,14 @@ def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensatio
 
 
 def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
-    """Return what one axis does to another, in the order of the indices; tables of one pair that repeat differently stand apart."""
+    """Return what one axis does to another, in the order of the indices; tables of one pair that
+    repeat differently stand apart.
+    """
     unknown = {(table.input, table.output) for table in cec.odd if table.largest}
     pairs = [
-        pair for pair in dict.fromkeys(table.pair for table in cec.tables if table.input != table.output) if pair not in unknown
+        pair
+        for pair in dict.fromkeys(table.pair for table in cec.tables if table.input != table.output)
+        if pair not in unknown
     ]
     return tuple(
         CrossCompensation(

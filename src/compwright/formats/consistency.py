@@ -1,4 +1,6 @@
-"""Whether the parts of a definition fit together: every name that one part uses has to exist in another."""
+"""Whether the parts of a definition fit together: every name that one part uses has to exist in
+another.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,16 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-from compwright.formats.schema import CHOICES, CROSS, PLAIN, Choice, Definition, Measure, OptionRule, OptionValue
+from compwright.formats.schema import (
+    CHOICES,
+    CROSS,
+    PLAIN,
+    Choice,
+    Definition,
+    Measure,
+    OptionRule,
+    OptionValue,
+)
 from compwright.formats.statements import field_names
 from compwright.foundations.errors import Fault
 from compwright.foundations.yaml_reader import KeyPath, YamlDocument
@@ -18,7 +29,11 @@ WORDS = {
     "rotary": {"linear", "rotary"},
     "length_unit": {"mm", "inch"},
     "angle_unit": {"deg"},
-    **{name: {"yes", "no"} for name in CHOICES if name not in ("rotary", "length_unit", "angle_unit", "table_form")},
+    **{
+        name: {"yes", "no"}
+        for name in CHOICES
+        if name not in ("rotary", "length_unit", "angle_unit", "table_form")
+    },
 }
 _SIGNS = {
     "backlash": {"lost_motion", "half_each_way"},
@@ -42,8 +57,12 @@ _FILE_NAME = re.compile(r"[A-Za-z0-9_.{}-]+")
 
 
 def curves(definition: Definition) -> tuple[str, ...]:
-    """Return the quantities of the table's values: one curve, or one for each direction (+ first)."""
-    return ("value",) if definition.layout.pairing == "none" else ("value_positive", "value_negative")
+    """Return the quantities of the table's values: one curve, or one for each direction (+
+    first).
+    """
+    return (
+        ("value",) if definition.layout.pairing == "none" else ("value_positive", "value_negative")
+    )
 
 
 def grid(definition: Definition) -> tuple[str, ...]:
@@ -56,7 +75,9 @@ def grid(definition: Definition) -> tuple[str, ...]:
 
 
 def has_cross(definition: Definition) -> bool:
-    """Return whether the control has tables by which one axis corrects another, or itself in one direction only."""
+    """Return whether the control has tables by which one axis corrects another, or itself in one
+    direction only.
+    """
     return any(name in definition.bindings for name in CROSS)
 
 
@@ -73,12 +94,23 @@ def contradictions(definition: Definition) -> tuple[Fault, ...]:
 def _texts(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
     for text in definition.texts.values():
         for key, name in (("recognised_by", text.recognised_by), ("sections", text.sections)):
-            if name is not None and (name not in definition.statements or definition.statements[name].text != text.name):
+            if name is not None and (
+                name not in definition.statements or definition.statements[name].text != text.name
+            ):
                 yield ("texts", text.name, key), f"no statement {name} in this kind of text"
-        if text.sections in definition.statements and "section" not in definition.statements[str(text.sections)].fields:
+        if (
+            text.sections in definition.statements
+            and "section" not in definition.statements[str(text.sections)].fields
+        ):
             yield ("texts", text.name, "sections"), "the statement has no field section"
     if not any(text.recognised_by is None for text in definition.texts.values()):
-        yield ("texts",), "one kind of text must take the files that no other one recognises (recognised_by: null)"
+        yield (
+            ("texts",),
+            (
+                "one kind of text must take the files that no other one recognises (recognised_by:"
+                " null)"
+            ),
+        )
 
 
 def _statements(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
@@ -104,7 +136,13 @@ def _layout(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
     singles = definition.layout.singles
     for single in singles:
         if single not in SINGLES:
-            yield ("layout", "singles"), f"{single} cannot stand alone; known are {', '.join(SINGLES)}"
+            yield (
+                (
+                    "layout",
+                    "singles",
+                ),
+                f"{single} cannot stand alone; known are {', '.join(SINGLES)}",
+            )
     needed = {*grid(definition), *curves(definition), *singles}
     if has_cross(definition):  # tables between axes come with all that they need, or not at all
         needed |= set(CROSS)
@@ -112,13 +150,21 @@ def _layout(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
         yield ("bindings",), f"the layout needs the quantity {name}"
     for name in sorted(set(definition.bindings) - needed):
         yield ("bindings", name), "the layout has no place for this quantity"
-    parts = [definition.bindings[name].statement for name in curves(definition) if name in definition.bindings]
+    parts = [
+        definition.bindings[name].statement
+        for name in curves(definition)
+        if name in definition.bindings
+    ]
     if definition.layout.shape == "rows_by_position" and "node_position" in definition.bindings:
         parts.append(definition.bindings["node_position"].statement)
     if len(set(parts)) > 1:
         yield ("bindings",), "position and values of a row must stand in one statement"
     row = definition.statements.get(parts[0]) if parts else None
-    if definition.layout.shape == "values_by_index" and row is not None and row.fields.get("index") != "integer":
+    if (
+        definition.layout.shape == "values_by_index"
+        and row is not None
+        and row.fields.get("index") != "integer"
+    ):
         yield ("statements", row.name, "fields"), "a value by index needs the field index: integer"
 
 
@@ -136,7 +182,9 @@ def _bindings(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
             yield from _choice(definition, binding, path)
 
 
-def _choice(definition: Definition, binding: Choice, path: KeyPath) -> Iterator[tuple[KeyPath, str]]:
+def _choice(
+    definition: Definition, binding: Choice, path: KeyPath
+) -> Iterator[tuple[KeyPath, str]]:
     words = WORDS.get(binding.quantity, set(binding.values.values()))
     for word in sorted(set(binding.values.values()) - words):
         yield (*path, "values"), f"{word} is not one of {', '.join(sorted(words))}"
@@ -147,13 +195,24 @@ def _choice(definition: Definition, binding: Choice, path: KeyPath) -> Iterator[
         if option is None:
             yield (*path, "writes"), f"no option is called {binding.writes.option}"
         elif set(option.choices) - set(binding.values):
-            yield (*path, "writes"), f"the option {option.name} has a choice that is not one of the values"
+            yield (
+                (
+                    *path,
+                    "writes",
+                ),
+                f"the option {option.name} has a choice that is not one of the values",
+            )
     elif binding.writes not in binding.values:
         yield (*path, "writes"), f"{binding.writes} is not one of the values"
 
 
-def _measure(definition: Definition, binding: Measure, path: KeyPath) -> Iterator[tuple[KeyPath, str]]:
-    if isinstance(binding.linear_unit, OptionValue) and binding.linear_unit.option not in definition.options:
+def _measure(
+    definition: Definition, binding: Measure, path: KeyPath
+) -> Iterator[tuple[KeyPath, str]]:
+    if (
+        isinstance(binding.linear_unit, OptionValue)
+        and binding.linear_unit.option not in definition.options
+    ):
         yield (*path, "unit"), f"no option is called {binding.linear_unit.option}"
     allowed = _SIGNS.get(binding.quantity, {"position"})
     signs: list[str] = [binding.sign] if binding.sign is not None else list(binding.signs.values())
@@ -164,14 +223,24 @@ def _measure(definition: Definition, binding: Measure, path: KeyPath) -> Iterato
             yield (*path, "sign"), f"no option with choices is called {binding.sign_option}"
     for sign in signs:
         if sign not in allowed:
-            yield (*path, "sign"), f"{sign} does not suit this quantity; it can be {', '.join(sorted(allowed))}"
+            yield (
+                (
+                    *path,
+                    "sign",
+                ),
+                f"{sign} does not suit this quantity; it can be {', '.join(sorted(allowed))}",
+            )
     if binding.sign_by is not None:
         choice = definition.bindings.get(binding.sign_by)
         if not isinstance(choice, Choice) or set(choice.values.values()) != set(binding.signs):
             yield (*path, "sign"), f"there must be one sign for each value of {binding.sign_by}"
     if "actual_position" in signs:
         position = definition.bindings.get("node_position")
-        if not isinstance(position, Measure) or position.digits != binding.digits or position.linear_unit != binding.linear_unit:
+        if (
+            not isinstance(position, Measure)
+            or position.digits != binding.digits
+            or position.linear_unit != binding.linear_unit
+        ):
             yield (*path, "digits"), "actual positions need the digits and the unit of the position"
 
 
@@ -198,7 +267,10 @@ def _default_suits(option: OptionRule) -> bool:
         return isinstance(value, tuple) and all(isinstance(item, int) for item in value)
     if option.type == "text":
         return value is None or isinstance(value, str)
-    return value is None or (isinstance(value, int if option.type == "integer" else (int, float)) and not isinstance(value, bool))
+    return value is None or (
+        isinstance(value, int if option.type == "integer" else (int, float))
+        and not isinstance(value, bool)
+    )
 
 
 def _limits(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
@@ -209,21 +281,46 @@ def _limits(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
             yield ("limits",), f"{predicate} is given {count} times"
     for index, rule in enumerate(definition.limits):
         if (rule.number is not None) != (rule.predicate in _NUMBERED):
-            yield ("limits", index, "number"), f"{rule.predicate} needs {'a number' if rule.number is None else 'null'}"
-        if rule.predicate == "points_reserved" and not any(o.settled_by == "max_points" for o in definition.options.values()):
+            yield (
+                (
+                    "limits",
+                    index,
+                    "number",
+                ),
+                f"{rule.predicate} needs {'a number' if rule.number is None else 'null'}",
+            )
+        if rule.predicate == "points_reserved" and not any(
+            o.settled_by == "max_points" for o in definition.options.values()
+        ):
             yield ("limits", index), "needs an option that is settled by max_points"
 
 
 def _writing(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
     table = definition.bindings.get(curves(definition)[0])
-    tables = [file for file in definition.writing if file.rows is not None and file.when in ("always", "one_curve")]
+    tables = [
+        file
+        for file in definition.writing
+        if file.rows is not None and file.when in ("always", "one_curve")
+    ]
     if len(tables) != 1 or (table is not None and tables[0].rows != table.statement):
         yield ("writing",), "exactly one file must hold the rows of the table"
     for when in ("two_curves", "cross"):
-        rows = [file.rows for file in definition.writing if file.when == when and file.rows is not None]
-        wanted = [definition.bindings["cross_value"].statement] if "cross_value" in definition.bindings else []
+        rows = [
+            file.rows for file in definition.writing if file.when == when and file.rows is not None
+        ]
+        wanted = (
+            [definition.bindings["cross_value"].statement]
+            if "cross_value" in definition.bindings
+            else []
+        )
         if rows != wanted:
-            yield ("writing",), f"one file of the set {when} must hold the rows of tables between axes, where the control has them"
+            yield (
+                ("writing",),
+                (
+                    f"one file of the set {when} must hold the rows of tables between axes, where"
+                    " the control has them"
+                ),
+            )
     for index, file in enumerate(definition.writing):
         path = ("writing", index)
         if file.text not in definition.texts:

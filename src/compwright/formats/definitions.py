@@ -1,6 +1,7 @@
 """Read a definition from YAML: exact keys, all faults at once with file, line and key path.
 
-A key that is absent is an error, never a default; an unknown key too. What the keys mean stands in docs/formats.md.
+A key that is absent is an error, never a default; an unknown key too. What the keys mean stands in
+docs/formats.md.
 """
 
 from __future__ import annotations
@@ -79,8 +80,9 @@ _TOP = (
 def load_definition(content: bytes, file: str) -> Definition:
     """Return the definition that YAML bytes describe.
 
-    ``file`` is the name for messages. Raises InputError with every fault: not YAML, newer schema, missing or unknown key, wrong
-    type, a value outside its closed list, parts that do not fit together.
+    ``file`` is the name for messages. Raises InputError with every fault: not YAML, newer schema,
+    missing or unknown key, wrong type, a value outside its closed list, parts that do not fit
+    together.
     """
     document = read_yaml(content, file)
     faults: list[Fault] = []
@@ -110,7 +112,14 @@ def definitions_from(files: Iterable[tuple[str, bytes]]) -> dict[str, Definition
         if definition.id in found:
             first = found[definition.id].file
             errors.append(
-                InputError(Fault(message="the id is given twice", file=name, place="id", found=f"{definition.id} in {first}"))
+                InputError(
+                    Fault(
+                        message="the id is given twice",
+                        file=name,
+                        place="id",
+                        found=f"{definition.id} in {first}",
+                    )
+                )
             )
         found[definition.id] = definition
     raise_all(InputError, collect(errors))
@@ -140,23 +149,40 @@ def _definition(part: Mapping[str, Node], document: YamlDocument, file: str) -> 
         file=file,
         sources={name: node.text() for name, node in part["sources"].entries()},
         proven=tuple(
-            {key: field.text() for key, field in node.keys("control", "machine", "date", "how").items()}
+            {
+                key: field.text()
+                for key, field in node.keys("control", "machine", "date", "how").items()
+            }
             for node in part["proven"].items()
         ),
         addresses=_addresses(part["addresses"]),
         dialect=_dialect(part["dialect"]),
-        texts=Required({name: _text(name, node) for name, node in part["texts"].entries()}, section="texts", file=file),
+        texts=Required(
+            {name: _text(name, node) for name, node in part["texts"].entries()},
+            section="texts",
+            file=file,
+        ),
         statements=Required(
-            {name: _statement(name, node) for name, node in part["statements"].entries()}, section="statements", file=file
+            {name: _statement(name, node) for name, node in part["statements"].entries()},
+            section="statements",
+            file=file,
         ),
         layout=_layout(part["layout"]),
         bindings=Required(
-            {name: binding for name, node in part["bindings"].entries() if (binding := _binding(name, node)) is not None},
+            {
+                name: binding
+                for name, node in part["bindings"].entries()
+                if (binding := _binding(name, node)) is not None
+            },
             section="bindings",
             file=file,
         ),
         limits=tuple(_limit(node) for node in part["limits"].items()),
-        options=Required({name: _option(name, node) for name, node in part["options"].entries()}, section="options", file=file),
+        options=Required(
+            {name: _option(name, node) for name, node in part["options"].entries()},
+            section="options",
+            file=file,
+        ),
         writing=tuple(_written(node) for node in part["writing"].items()),
         card=tuple(_card(node) for node in part["card"].items()),
         sample_files=sample_files,
@@ -182,11 +208,22 @@ def _addresses(node: Node) -> Addresses:
 
 
 def _dialect(node: Node) -> Dialect:
-    part = node.keys("encoding", "newline", "newlines_read", "case", "block_number", "line_checksum", "blanks", "evidence")
+    part = node.keys(
+        "encoding",
+        "newline",
+        "newlines_read",
+        "case",
+        "block_number",
+        "line_checksum",
+        "blanks",
+        "evidence",
+    )
     part["encoding"].one_of(("ascii",))
     return Dialect(
         newline=_NEWLINES[part["newline"].one_of(tuple(_NEWLINES))],
-        newlines_read=tuple(_NEWLINES[item.one_of(tuple(_NEWLINES))] for item in part["newlines_read"].items()),
+        newlines_read=tuple(
+            _NEWLINES[item.one_of(tuple(_NEWLINES))] for item in part["newlines_read"].items()
+        ),
         case=part["case"].literal(Case),
         block_number=part["block_number"].optional_text(),
         line_checksum=part["line_checksum"].optional_text(),
@@ -196,7 +233,16 @@ def _dialect(node: Node) -> Dialect:
 
 
 def _text(name: str, node: Node) -> TextKind:
-    part = node.keys("recognised_by", "sections", "comments", "blank_lines", "claims", "other_lines", "ends_with", "evidence")
+    part = node.keys(
+        "recognised_by",
+        "sections",
+        "comments",
+        "blank_lines",
+        "claims",
+        "other_lines",
+        "ends_with",
+        "evidence",
+    )
     comments = part["comments"].keys("marks", "where")
     claims = part["claims"].keys("at_start", "anywhere")
     others = part["other_lines"].keys("are", "because")
@@ -247,7 +293,9 @@ def _binding(name: str, node: Node) -> Binding | None:
     if name in MEASURES:
         return _measure(name, node)
     if name in CHOICES:
-        part = node.keys("statement", "field", "values", "writes", "repeated", "when_absent", "evidence")
+        part = node.keys(
+            "statement", "field", "values", "writes", "repeated", "when_absent", "evidence"
+        )
         return Choice(
             quantity=name,
             statement=part["statement"].text(),
@@ -268,12 +316,25 @@ def _binding(name: str, node: Node) -> Binding | None:
             when_absent=_absent(part["when_absent"]),
             evidence=_evidence(part["evidence"]),
         )
-    node.fault("is not a quantity that compwright knows", expected=f"one of {', '.join((*MEASURES, *CHOICES, *PLAIN))}")
+    node.fault(
+        "is not a quantity that compwright knows",
+        expected=f"one of {', '.join((*MEASURES, *CHOICES, *PLAIN))}",
+    )
     return None
 
 
 def _measure(name: str, node: Node) -> Measure:
-    part = node.keys("statement", "field", "unit", "sign", "digits", "range", "repeated", "when_absent", "evidence")
+    part = node.keys(
+        "statement",
+        "field",
+        "unit",
+        "sign",
+        "digits",
+        "range",
+        "repeated",
+        "when_absent",
+        "evidence",
+    )
     unit = part["unit"].keys("linear", "rotary")
     option = part["sign"].data.get("option") if isinstance(part["sign"].data, dict) else None
     sign, sign_by, signs = (None, None, {}) if option is not None else _sign(part["sign"])
@@ -315,7 +376,10 @@ def _sign(node: Node) -> tuple[Sign | None, str | None, Mapping[str, Sign]]:
         return node.literal(Sign), None, {}
     choices = [name for name in node.data if name in CHOICES]
     if len(node.data) != 1 or not choices:
-        node.fault("has the wrong form", expected=f"a sign, or one of {', '.join(CHOICES)} with a sign for each of its values")
+        node.fault(
+            "has the wrong form",
+            expected=f"a sign, or one of {', '.join(CHOICES)} with a sign for each of its values",
+        )
         return None, None, {}
     inner = node.child(choices[0], node.data[choices[0]])
     return None, choices[0], {word: sign.literal(Sign) for word, sign in inner.entries()}
@@ -325,23 +389,41 @@ def _absent(node: Node) -> Absent | None:
     if node.is_null:
         return None
     part = node.keys("value", "say", "evidence")
-    return Absent(value=part["value"].text(), say=part["say"].literal(Say), evidence=_evidence(part["evidence"]))
+    return Absent(
+        value=part["value"].text(),
+        say=part["say"].literal(Say),
+        evidence=_evidence(part["evidence"]),
+    )
 
 
 def _limit(node: Node) -> LimitRule:
     part = node.keys("predicate", "number", "evidence")
     number = None if part["number"].is_null else part["number"].integer(1, 10**6)
-    return LimitRule(predicate=part["predicate"].literal(Predicate), number=number, evidence=_evidence(part["evidence"]))
+    return LimitRule(
+        predicate=part["predicate"].literal(Predicate),
+        number=number,
+        evidence=_evidence(part["evidence"]),
+    )
 
 
 def _option(name: str, node: Node) -> OptionRule:
     part = node.keys("type", "default", "choices", "not_built", "settled_by", "help", "evidence")
-    settled = None if part["settled_by"].is_null else part["settled_by"].keys("quantity", "contradiction")
-    contradiction = "refused" if settled is None else settled["contradiction"].one_of(("refused", "option_wins"))
+    settled = (
+        None if part["settled_by"].is_null else part["settled_by"].keys("quantity", "contradiction")
+    )
+    contradiction = (
+        "refused"
+        if settled is None
+        else settled["contradiction"].one_of(("refused", "option_wins"))
+    )
     return OptionRule(
         name=name,
         type=part["type"].literal(OptionType),
-        default=tuple(part["default"].data) if isinstance(part["default"].data, list) else part["default"].data,
+        default=(
+            tuple(part["default"].data)
+            if isinstance(part["default"].data, list)
+            else part["default"].data
+        ),
         choices=() if part["choices"].is_null else part["choices"].texts(),
         not_built={choice: what.text() for choice, what in part["not_built"].entries()},
         settled_by=None if settled is None else settled["quantity"].text(),
@@ -353,7 +435,9 @@ def _option(name: str, node: Node) -> OptionRule:
 
 def _written(node: Node) -> WrittenFile:
     part = node.keys("name", "text", "header", "rows", "footer", "set", "evidence")
-    belongs = part["set"].one_of(("complete", "optional", *(word for word in get_args(When) if word != "always")))
+    belongs = part["set"].one_of(
+        ("complete", "optional", *(word for word in get_args(When) if word != "always"))
+    )
     return WrittenFile(
         name=part["name"].text(),
         text=part["text"].text(),
@@ -368,11 +452,17 @@ def _written(node: Node) -> WrittenFile:
 
 def _card(node: Node) -> CardRule:
     part = node.keys("title", "text", "evidence")
-    by_curves = part["text"].keys("one_curve", "two_curves") if isinstance(part["text"].data, dict) else {}
+    by_curves = (
+        part["text"].keys("one_curve", "two_curves") if isinstance(part["text"].data, dict) else {}
+    )
     return CardRule(
         title=part["title"].text(),
         text=by_curves.get("one_curve", part["text"]).text(),
-        two_curves=by_curves.get("two_curves", part["text"]).text() if by_curves else part["text"].data or "",
+        two_curves=(
+            by_curves.get("two_curves", part["text"]).text()
+            if by_curves
+            else part["text"].data or ""
+        ),
         evidence=_evidence(part["evidence"]),
     )
 
@@ -382,10 +472,20 @@ def _expectation(node: Node, sample: Mapping[str, str]) -> Expectation:
     points = []
     for item in part["at"].items():
         at = item.keys("position", "positive", "negative")
-        points.append(Expected(at["position"].number(), at["positive"].number(), at["negative"].number()))
+        points.append(
+            Expected(at["position"].number(), at["positive"].number(), at["negative"].number())
+        )
     if len(points) < 3 and isinstance(part["at"].data, list):
-        part["at"].fault("has too few positions", expected="at least three, worked by hand", found=str(len(points)))
-    files = sample if part["files"].data == "sample" else {name: text.text() for name, text in part["files"].entries()}
+        part["at"].fault(
+            "has too few positions",
+            expected="at least three, worked by hand",
+            found=str(len(points)),
+        )
+    files = (
+        sample
+        if part["files"].data == "sample"
+        else {name: text.text() for name, text in part["files"].entries()}
+    )
     return Expectation(
         name=part["name"].text(),
         files=files,

@@ -1,8 +1,9 @@
-"""The typed-entry sheet: what an engineer types in at the control, as CSV that people and programs can read.
+"""The typed-entry sheet: what an engineer types in at the control, as CSV that people and programs
+can read.
 
-Comment lines ``# key: value``; columns point, position, value, unit; comma and decimal point. Point data have their number as
-point, parameters their name and no position. ``# value: error`` or ``# value: correction`` says what the control is assumed to
-expect.
+Comment lines ``# key: value``; columns point, position, value, unit; comma and decimal point. Point
+data have their number as point, parameters their name and no position. ``# value: error`` or ``#
+value: correction`` says what the control is assumed to expect.
 """
 
 from __future__ import annotations
@@ -41,13 +42,19 @@ class EntrySheet:
 
     @property
     def axis(self) -> str:
-        """The control's name of the axis: the comment ``address``, else ``axis``, else from the file's name; may be empty."""
+        """The control's name of the axis: the comment ``address``, else ``axis``, else from the
+        file's name; may be empty.
+        """
         named = re.fullmatch(r"entry_(.+)\.csv", self.name, re.IGNORECASE)
-        return self.comments.get("address") or self.comments.get("axis") or (named[1] if named else "")
+        return (
+            self.comments.get("address") or self.comments.get("axis") or (named[1] if named else "")
+        )
 
 
 def is_entry_sheet(file: ControlFile) -> bool:
-    """Return whether a file is a typed-entry sheet: its first line that is no comment is the sheet's header."""
+    """Return whether a file is a typed-entry sheet: its first line that is no comment is the
+    sheet's header.
+    """
     for line in file.content[:100_000].decode("latin-1").removeprefix("\xef\xbb\xbf").splitlines():
         if line.strip() and not line.lstrip().startswith("#"):
             return [cell.strip().lower() for cell in line.split(",")] == list(HEADER)
@@ -55,14 +62,20 @@ def is_entry_sheet(file: ControlFile) -> bool:
 
 
 def read_sheet(file: ControlFile, faults: list[Fault]) -> EntrySheet | None:
-    """Return a sheet; None when something is wrong with it, which goes to ``faults`` with its line."""
+    """Return a sheet; None when something is wrong with it, which goes to ``faults`` with its
+    line.
+    """
     try:
         text = file.content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        faults.append(Fault(message="is not UTF-8 text", file=file.name, place=f"byte {error.start}"))
+        faults.append(
+            Fault(message="is not UTF-8 text", file=file.name, place=f"byte {error.start}")
+        )
         return None
     reader = _SheetReader(file.name, faults)
-    for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), start=1):
+    for number, line in enumerate(
+        text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), start=1
+    ):
         if line.strip() and not reader.refused:
             reader.take(number, line)
     return reader.sheet()
@@ -79,7 +92,15 @@ class _SheetReader:
         self.header = self.refused = False
 
     def fault(self, message: str, line: int, expected: str = "", found: str = "") -> None:
-        self.faults.append(Fault(message=message, file=self.name, place=f"line {line}", expected=expected, found=found[:60]))
+        self.faults.append(
+            Fault(
+                message=message,
+                file=self.name,
+                place=f"line {line}",
+                expected=expected,
+                found=found[:60],
+            )
+        )
 
     def take(self, number: int, line: str) -> None:
         if line.lstrip().startswith("#"):
@@ -92,16 +113,32 @@ class _SheetReader:
         if not self.header:
             self.header = True
             if [cell.lower() for cell in cells] != list(HEADER):
-                self.fault("the header is not that of a typed-entry sheet", number, ",".join(HEADER), line)
+                self.fault(
+                    "the header is not that of a typed-entry sheet", number, ",".join(HEADER), line
+                )
                 self.refused = True
             return
         if len(cells) != len(HEADER):
-            self.fault("a row with another number of columns", number, f"{len(HEADER)} columns: {','.join(HEADER)}", line)
-        elif not cells[0] or not _NUMBER.fullmatch(cells[2]) or (cells[1] and not _NUMBER.fullmatch(cells[1])):
+            self.fault(
+                "a row with another number of columns",
+                number,
+                f"{len(HEADER)} columns: {','.join(HEADER)}",
+                line,
+            )
+        elif (
+            not cells[0]
+            or not _NUMBER.fullmatch(cells[2])
+            or (cells[1] and not _NUMBER.fullmatch(cells[1]))
+        ):
             expected = "a point, a position or nothing, a number with decimal point, a unit"
             self.fault("a row that cannot be read", number, expected, line)
         elif cells[0] in self.rows:
-            self.fault(f"point {cells[0]} stands here a second time", number, f"once, in line {self.rows[cells[0]].line}", line)
+            self.fault(
+                f"point {cells[0]} stands here a second time",
+                number,
+                f"once, in line {self.rows[cells[0]].line}",
+                line,
+            )
         else:
             point, position, value, unit = cells
             self.rows[point] = SheetRow(point, position, value, unit, number)
@@ -113,13 +150,20 @@ class _SheetReader:
         said = self.comments.get("value", "")
         if said not in VALUES:
             place = self.lines.get("value", 1)
-            self.fault("the sheet must say what its values are", place, "# value: error or # value: correction", said)
+            self.fault(
+                "the sheet must say what its values are",
+                place,
+                "# value: error or # value: correction",
+                said,
+            )
         if len(self.faults) > self.known:
             return None
         return EntrySheet(self.name, self.comments, tuple(self.rows.values()), self.lines)
 
 
-def write_sheet(name: str, comments: Sequence[tuple[str, str]], rows: Sequence[SheetRow]) -> ControlFile:
+def write_sheet(
+    name: str, comments: Sequence[tuple[str, str]], rows: Sequence[SheetRow]
+) -> ControlFile:
     """Return a sheet as bytes: ASCII with LF; letters beyond it are written as UTF-8."""
     head = "".join(f"# {key}: {value}\n" for key, value in comments)
     body = "".join(f"{row.point},{row.position},{row.value},{row.unit}\n" for row in rows)
@@ -127,7 +171,8 @@ def write_sheet(name: str, comments: Sequence[tuple[str, str]], rows: Sequence[S
 
 
 def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> bytes:
-    """Return the sheet of a control with numbered parameters (FANUC) as the lines that say the same; faults go to ``faults``.
+    """Return the sheet of a control with numbered parameters (FANUC) as the lines that say the
+    same; faults go to ``faults``.
 
     Line k of the result is line k of the sheet, so that messages name the right place.
     """
@@ -163,7 +208,9 @@ def _parameter_line(row: SheetRow, axis: str, file: str, faults: list[Fault]) ->
     if re.fullmatch(r"[0-9]{1,5}", row.point):
         number = int(row.point)
         if number >= 10000 or row.position:
-            return f"N{number if number >= 10000 else 10000 + number}Q0P{row.value.removeprefix('+')}"
+            return (
+                f"N{number if number >= 10000 else 10000 + number}Q0P{row.value.removeprefix('+')}"
+            )
         key = "M" if row.unit == "mm" else "P"
         return f"N{number:05d}Q1A{axis}{key}{row.value.removeprefix('+')}"
     if row.point == "3605#0" and row.value in ("0", "1"):

@@ -1,4 +1,6 @@
-"""The gate over a definition: its sample can be read, hand-worked corrections come out, what is written is read back."""
+"""The gate over a definition: its sample can be read, hand-worked corrections come out, what is
+written is read back.
+"""
 
 from __future__ import annotations
 
@@ -17,26 +19,35 @@ from compwright.foundations.units import TO_INSIDE
 from compwright.records.axis import Axis, Direction, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 
-#: Hand-worked corrections and decoded ones agree to this many µm or arcsec: far below every quantum in use (0.0001 µm), far above
-#: the rounding of double precision.
+#: Hand-worked corrections and decoded ones agree to this many µm or arcsec: far below every quantum
+#: in use (0.0001 µm), far above the rounding of double precision.
 AGREEMENT = 1e-6
 
 
 def check_definition(definition: Definition) -> tuple[Fault, ...]:
     """Return what a definition gets wrong; nothing when it passes.
 
-    Its keys were checked when it was loaded. Here: each hand-worked expectation holds; the sample can be read; its tables can be
-    written, give the same bytes twice and are read back as the same numbers; a table beyond any limit is refused; the card knows
-    all its fields.
+    Its keys were checked when it was loaded. Here: each hand-worked expectation holds; the sample
+    can be read; its tables can be written, give the same bytes twice and are read back as the same
+    numbers; a table beyond any limit is refused; the card knows all its fields.
     """
     faults: list[Fault] = []
     if not definition.expect:
-        faults.append(Fault(message="there is no hand-worked expectation", place="expect", expected="at least one"))
+        faults.append(
+            Fault(
+                message="there is no hand-worked expectation",
+                place="expect",
+                expected="at least one",
+            )
+        )
     for expectation in definition.expect:
         try:
             faults.extend(_expectation(definition, expectation))
         except CompwrightError as error:
-            faults.extend(Fault(message=str(fault), place=f"expect, {expectation.name}") for fault in error.faults)
+            faults.extend(
+                Fault(message=str(fault), place=f"expect, {expectation.name}")
+                for fault in error.faults
+            )
     try:
         faults.extend(_round_trip(definition))
     except CompwrightError as error:
@@ -61,11 +72,17 @@ def _expectation(definition: Definition, expectation: Expectation) -> Iterator[F
     compensation = next(iter(state.axes.values()))
     factor = TO_INSIDE[expectation.unit][1]
     for point in expectation.at:
-        for direction, expected in ((Direction.POSITIVE, point.positive), (Direction.NEGATIVE, point.negative)):
+        for direction, expected in (
+            (Direction.POSITIVE, point.positive),
+            (Direction.NEGATIVE, point.negative),
+        ):
             found = float(compensation.at(np.array([point.position]), direction)[0]) / factor
             if not abs(found - expected) <= AGREEMENT:
                 yield Fault(
-                    message=f"the correction at {point.position:g} arriving in {direction.value} is not the one worked by hand",
+                    message=(
+                        f"the correction at {point.position:g} arriving in {direction.value} is not"
+                        " the one worked by hand"
+                    ),
                     place=f"expect, {expectation.name}",
                     expected=f"{expected:g} {expectation.unit}",
                     found=f"{found:.9g} {expectation.unit}",
@@ -73,13 +90,17 @@ def _expectation(definition: Definition, expectation: Expectation) -> Iterator[F
 
 
 def _system(definition: Definition, expectation: Expectation) -> int:
-    state = read_state(definition, _files(expectation.files), expectation.options, address=expectation.axis)
+    state = read_state(
+        definition, _files(expectation.files), expectation.options, address=expectation.axis
+    )
     return int(next(iter(state.facts.values())).get(ENCODER_SYSTEM, 1))
 
 
 def _round_trip(definition: Definition) -> Iterator[Fault]:
     state = read_state(definition, _files(definition.sample_files), definition.sample_options)
-    compensations = [compensation for compensation in state.axes.values() if compensation.positions.size >= 2]
+    compensations = [
+        compensation for compensation in state.axes.values() if compensation.positions.size >= 2
+    ]
     axes = [_axis_of(state, compensation) for compensation in compensations]
     files = write_tables(definition, compensations, axes, definition.sample_options)
     if files != write_tables(definition, compensations, axes, definition.sample_options):
@@ -87,13 +108,21 @@ def _round_trip(definition: Definition) -> Iterator[Fault]:
     again = read_state(definition, files, definition.sample_options, axes)
     for address, compensation in ((one.address, one) for one in compensations):
         if not same_compensation(compensation, again.axes[address]):
-            yield Fault(message=f"axis {address}: what is written is not what was read", place="sample")
+            yield Fault(
+                message=f"axis {address}: what is written is not what was read", place="sample"
+            )
     for axis, compensation in zip(axes, compensations, strict=True):
         yield from unenforced_limits(definition, axis, compensation, definition.sample_options)
-        values = card_values(definition, axis, compensation, definition.sample_options, again.facts[axis.address])
+        values = card_values(
+            definition, axis, compensation, definition.sample_options, again.facts[axis.address]
+        )
         for step in card_steps(definition, axis, values):
             if UNKNOWN in step.text:
-                yield Fault(message=f"the step {step.title!r} uses a field that does not exist", place="card", found=step.text)
+                yield Fault(
+                    message=f"the step {step.title!r} uses a field that does not exist",
+                    place="card",
+                    found=step.text,
+                )
 
 
 def _axis_of(state: ControlState, compensation: AxisCompensation) -> Axis:
@@ -115,6 +144,8 @@ def same_compensation(one: AxisCompensation, other: AxisCompensation) -> bool:
         and np.array_equal(one.positive, other.positive)
         and np.array_equal(one.negative, other.negative)
         and one.backlash == other.backlash
-        and (one.kind, one.below, one.above, one.period) == (other.kind, other.below, other.above, other.period)
-        and (one.interpolation, one.slope, one.origin) == (other.interpolation, other.slope, other.origin)
+        and (one.kind, one.below, one.above, one.period)
+        == (other.kind, other.below, other.above, other.period)
+        and (one.interpolation, one.slope, one.origin)
+        == (other.interpolation, other.slope, other.origin)
     )

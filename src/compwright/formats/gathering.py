@@ -36,7 +36,9 @@ class Found:
 
 @dataclass(slots=True)
 class Gathered:
-    """Everything by its key. ``singles[key][quantity]`` and ``rows[key]`` in the order of the files."""
+    """Everything by its key. ``singles[key][quantity]`` and ``rows[key]`` in the order of the
+    files.
+    """
 
     definition: Definition
     singles: dict[Key, dict[str, list[Found]]] = field(default_factory=dict)
@@ -61,18 +63,29 @@ class Gathered:
     def addresses(self) -> list[str]:
         """Return the addresses that the files name, in the order of their first appearance.
 
-        Where the control counts measuring systems, what is said of the axis as a whole (that it is rotary) does not name it.
+        Where the control counts measuring systems, what is said of the axis as a whole (that it is
+        rotary) does not name it.
         """
-        counted = any("system" in statement.fields for statement in self.definition.statements.values())
+        counted = any(
+            "system" in statement.fields for statement in self.definition.statements.values()
+        )
         keys = (key for key in (*self.singles, *self.rows) if key[1] is not None or not counted)
         return list(dict.fromkeys(address for address, _ in keys if address is not None))
 
     def systems(self, address: str) -> list[str]:
         """Return the measuring systems that the files name for an address, in order."""
-        return sorted({system for found, system in (*self.singles, *self.rows) if found == address and system is not None})
+        return sorted(
+            {
+                system
+                for found, system in (*self.singles, *self.rows)
+                if found == address and system is not None
+            }
+        )
 
     def found(self, quantity: str, address: str, system: str | None) -> list[Found]:
-        """Return every place where a quantity stands: for this system, else for the axis, else for the whole machine."""
+        """Return every place where a quantity stands: for this system, else for the axis, else for
+        the whole machine.
+        """
         for key in ((address, system), (address, None), (None, None)):
             places = self.singles.get(key, {}).get(quantity)
             if places:
@@ -80,7 +93,9 @@ class Gathered:
         return []
 
 
-def gather(definition: Definition, texts: Iterable[ReadText], asked: Sequence[str] = ()) -> Gathered:
+def gather(
+    definition: Definition, texts: Iterable[ReadText], asked: Sequence[str] = ()
+) -> Gathered:
     """Sort the statements of all files by axis and measuring system.
 
     ``asked``: the addresses under which axes are asked for; see `axis_names` for what it raises.
@@ -131,8 +146,16 @@ def _text(definition: Definition, binding: Binding, occurrence: Occurrence) -> s
     return text
 
 
-def the_one(binding: Binding, places: Sequence[Found], label: str, faults: list[Fault], findings: list[Finding]) -> Found | None:
-    """Return the value that counts among several, by the rule of its binding; several files have to agree."""
+def the_one(
+    binding: Binding,
+    places: Sequence[Found],
+    label: str,
+    faults: list[Fault],
+    findings: list[Finding],
+) -> Found | None:
+    """Return the value that counts among several, by the rule of its binding; several files have to
+    agree.
+    """
     if not places:
         return None
     by_file: dict[int, list[Found]] = {}
@@ -157,7 +180,8 @@ def the_one(binding: Binding, places: Sequence[Found], label: str, faults: list[
             Finding(
                 "CW-S003",
                 "info",
-                f"{label} is given several times; the {binding.repeated} value counts: {chosen[0].text} ({chosen[0].where})",
+                f"{label} is given several times; the {binding.repeated} value counts:"
+                f" {chosen[0].text} ({chosen[0].where})",
             )
         )
     return chosen[0]
@@ -165,7 +189,11 @@ def the_one(binding: Binding, places: Sequence[Found], label: str, faults: list[
 
 def first_set(places: Sequence[Found]) -> list[Found]:
     """Return the places of the first parameter set (0), where a quantity has several."""
-    return [place for place in places if "set" not in place.occurrence.tokens or int(place.occurrence.tokens["set"].text) == 0]
+    return [
+        place
+        for place in places
+        if "set" not in place.occurrence.tokens or int(place.occurrence.tokens["set"].text) == 0
+    ]
 
 
 def same_value(one: str, other: str) -> bool:

@@ -22,10 +22,14 @@ from compwright.records.correction import Assumption, ControlState
 MIN_SECTIONS = 2
 
 
-def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None) -> Capacity:
-    """Return the limits of one axis' table in mm or deg; ``options`` are the controller's, resolved.
+def increments_capacity(
+    definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None
+) -> Capacity:
+    """Return the limits of one axis' table in mm or deg; ``options`` are the controller's,
+    resolved.
 
-    Raises UsageError for a wrong option of the axis, or where nobody says its detection unit or which numbers are free.
+    Raises UsageError for a wrong option of the axis, or where nobody says its detection unit or
+    which numbers are free.
     """
     own = axis_options(definition, options, axis)
     address, assumption = normal_address(definition, axis)
@@ -53,7 +57,8 @@ def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str
         backlash_quantum=scale.quantum("backlash"),
         backlash_range=scale.range("backlash"),
         min_points=definition.limit_number("min_points") or 2,
-        # sections, not nodes, have numbers; one more is needed where the table starts or ends at the reference
+        # sections, not nodes, have numbers; one more is needed where the table starts or ends at
+        # the reference
         max_points=max(2, gap + (axis.travel[0] < axis.reference < axis.travel[1])),
         shared_points=True,
         lattice=Lattice(
@@ -75,40 +80,70 @@ def increments_capacity(definition: Definition, axis: Axis, options: Mapping[str
 
 
 def _check_free(axis: Axis, gap: int, unread: str, assumed: list[Assumption]) -> None:
-    """Numbers of which no file says what they hold are not free: say how many are left, or ask where there are none.
+    """Numbers of which no file says what they hold are not free: say how many are left, or ask
+    where there are none.
 
     Raises UsageError.
     """
     if gap >= MIN_SECTIONS:
-        evidence = f"no file says what the numbers {unread} hold; give all of the control's pitch data, or first_point"
-        assumed.append(Assumption(f"axis {axis.name}: point numbers for its table", f"at most {gap} in a row", evidence))
+        evidence = (
+            f"no file says what the numbers {unread} hold; give all of the control's pitch data, or"
+            " first_point"
+        )
+        assumed.append(
+            Assumption(
+                f"axis {axis.name}: point numbers for its table",
+                f"at most {gap} in a row",
+                evidence,
+            )
+        )
         return
     raise UsageError(
         Fault(
-            message=f"axis {axis.name}: no file says which point numbers are free for its table; nobody knows what the numbers "
-            f"{unread} hold",
+            message=(
+                f"axis {axis.name}: no file says which point numbers are free for its table; nobody"
+                f" knows what the numbers {unread} hold"
+            ),
             place="first_point",
-            expected="the control's whole pitch data among the files of the state, or the first free number "
-            "(look at 3621 and 3622 of all axes)",
+            expected=(
+                "the control's whole pitch data among the files of the state, or the first free"
+                " number (look at 3621 and 3622 of all axes)"
+            ),
             found="nothing",
         )
     )
 
 
 def _least_spacing(
-    definition: Definition, axis: Axis, options: Mapping[str, object], said: Mapping[str, Fact], assumed: list[Assumption]
+    definition: Definition,
+    axis: Axis,
+    options: Mapping[str, object],
+    said: Mapping[str, Fact],
+    assumed: list[Assumption],
 ) -> tuple[float, str]:
-    """Return the smallest interval for the largest feed: that of the option, and the rapid traverse of the control's files."""
+    """Return the smallest interval for the largest feed: that of the option, and the rapid traverse
+    of the control's files.
+    """
     rule = definition.limit("feed_per_spacing")
     if rule is None or rule.number is None:
         return 0.0, ""
-    named = {"option max_feed": options.get("max_feed"), "rapid traverse 1420": said.get("rapid_feed")}
-    feeds = {name: float(feed) for name, feed in named.items() if isinstance(feed, (int, float)) and feed > 0}
+    named = {
+        "option max_feed": options.get("max_feed"),
+        "rapid traverse 1420": said.get("rapid_feed"),
+    }
+    feeds = {
+        name: float(feed)
+        for name, feed in named.items()
+        if isinstance(feed, (int, float)) and feed > 0
+    }
     if not feeds:
         assumed.append(
             Assumption(
                 fact=f"axis {axis.name}: smallest interval for its feed",
-                value="not checked: the option max_feed is not given, and no file says the rapid traverse (1420)",
+                value=(
+                    "not checked: the option max_feed is not given, and no file says the rapid"
+                    " traverse (1420)"
+                ),
                 evidence=str(rule.evidence),
             )
         )
@@ -116,7 +151,7 @@ def _least_spacing(
     name = max(feeds, key=lambda one: feeds[one])
     least = feeds[name] / rule.number
     reason = (
-        f"at {feeds[name]:g} {axis.kind.unit}/min ({name}) the control needs at least {least:g}: feed / {rule.number} "
-        f"({rule.evidence.state})"
+        f"at {feeds[name]:g} {axis.kind.unit}/min ({name}) the control needs at least {least:g}:"
+        f" feed / {rule.number} ({rule.evidence.state})"
     )
     return least, reason

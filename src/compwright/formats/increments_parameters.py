@@ -1,8 +1,10 @@
-"""Parameters of a control with increments by section (FANUC) beside those that are written: what acts, points or decides.
+"""Parameters of a control with increments by section (FANUC) beside those that are written: what
+acts, points or decides.
 
-A backup holds thousands of parameters. Those listed here act on an axis, point to the point numbers that all axes share, or decide
-a unit, a kind or a direction; they are read and never changed. Values belong to an axis (A), to a path (L) or to the machine. What
-acts and how sure that is: docs/controllers/fanuc.md.
+A backup holds thousands of parameters. Those listed here act on an axis, point to the point numbers
+that all axes share, or decide a unit, a kind or a direction; they are read and never changed.
+Values belong to an axis (A), to a path (L) or to the machine. What acts and how sure that is:
+docs/controllers/fanuc.md.
 """
 
 from __future__ import annotations
@@ -31,7 +33,19 @@ CYCLIC_FIRST, CYCLIC_LAST, CYCLIC_INTERVAL = 14985, 14986, 14987
 
 _WATCHED = frozenset(
     {
-        *(PATH_OF_AXIS, INCH, SYSTEM_OF_MACHINE, KIND, SYSTEM, NAME, TURN, RAPID, BACKLASH_BITS, BACKLASH_RAPID, MULTIPLIER),
+        *(
+            PATH_OF_AXIS,
+            INCH,
+            SYSTEM_OF_MACHINE,
+            KIND,
+            SYSTEM,
+            NAME,
+            TURN,
+            RAPID,
+            BACKLASH_BITS,
+            BACKLASH_RAPID,
+            MULTIPLIER,
+        ),
         *(TOTALS, PITCH_BITS, CYCLIC_FIRST, CYCLIC_LAST, CYCLIC_INTERVAL),
         *SMOOTH_BACKLASH,
         *STRAIGHTNESS_MOVING,
@@ -54,7 +68,9 @@ _BITS = re.compile("[01]{8}")
 
 @dataclass(frozen=True, slots=True)
 class Value:
-    """One value: ``owner`` A (axis), L (path) or empty (the machine), ``index`` its number; ``key`` P, M (metric) or I (inch)."""
+    """One value: ``owner`` A (axis), L (path) or empty (the machine), ``index`` its number; ``key``
+    P, M (metric) or I (inch).
+    """
 
     number: int
     owner: str
@@ -90,7 +106,13 @@ class Value:
 
     def fault(self, message: str, expected: str = "") -> Fault:
         """Return a fault at this line."""
-        return Fault(message=message, file=self.file, place=f"line {self.line}", expected=expected, found=self.label)
+        return Fault(
+            message=message,
+            file=self.file,
+            place=f"line {self.line}",
+            expected=expected,
+            found=self.label,
+        )
 
 
 class Parameters:
@@ -107,10 +129,12 @@ class Parameters:
         return [value for number in numbers for value in self.values.get(number, ())]
 
     def axis(self, number: int, address: str) -> Value | None:
-        """Return the value that holds for an axis: its own, else that of its path, else the machine's; None where nothing says it.
+        """Return the value that holds for an axis: its own, else that of its path, else the
+        machine's; None where nothing says it.
 
-        Without 981 the axis is taken to be in the first path, as in a control that has only one; where the paths differ in what an
-        axis' table hangs on, `rivals` tells it and the axis is refused.
+        Without 981 the axis is taken to be in the first path, as in a control that has only one;
+        where the paths differ in what an axis' table hangs on, `rivals` tells it and the axis is
+        refused.
         """
         values = self.values.get(number, [])
         for owner, index in (("A", _index(address)), ("L", self.path(address) or 1), ("", 0)):
@@ -120,7 +144,9 @@ class Parameters:
         return None
 
     def contradictions(self, address: str) -> Iterator[Fault]:
-        """Yield a fault for each parameter that holds for an axis and stands in the files twice with different values."""
+        """Yield a fault for each parameter that holds for an axis and stands in the files twice
+        with different values.
+        """
         owners = {("A", _index(address)), ("L", self.path(address) or 1), ("", 0)}
         for values in self.values.values():
             first: dict[tuple[str, int], Value] = {}
@@ -130,33 +156,58 @@ class Parameters:
                     yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
 
     def rivals(self, number: int, bits: Sequence[int], address: str) -> list[Value]:
-        """Return the values of paths that could hold for an axis whose path nobody says (981) and whose ``bits`` differ."""
+        """Return the values of paths that could hold for an axis whose path nobody says (981) and
+        whose ``bits`` differ.
+        """
         values = {value.index: value for value in self.values.get(number, []) if value.owner == "L"}
-        own = any(value.owner == "A" and value.index == _index(address) for value in self.values.get(number, []))
-        if own or self.path(address) is not None or len({tuple(map(value.bit, bits)) for value in values.values()}) < 2:
+        own = any(
+            value.owner == "A" and value.index == _index(address)
+            for value in self.values.get(number, [])
+        )
+        if (
+            own
+            or self.path(address) is not None
+            or len({tuple(map(value.bit, bits)) for value in values.values()}) < 2
+        ):
             return []
         return [values[index] for index in sorted(values)]
 
     def path(self, address: str) -> int | None:
         """Return the path that an axis belongs to (981); None where the files do not say it."""
-        values = [value for value in self.values.get(PATH_OF_AXIS, []) if value.owner == "A" and value.index == _index(address)]
+        values = [
+            value
+            for value in self.values.get(PATH_OF_AXIS, [])
+            if value.owner == "A" and value.index == _index(address)
+        ]
         return (values[-1].whole or None) if values else None
 
     def names(self, value: Value, address: str) -> bool:
-        """Whether an axis number that stands in ``value`` means the axis: counted over the machine, or within its own path.
+        """Whether an axis number that stands in ``value`` means the axis: counted over the machine,
+        or within its own path.
 
-        Whose path a further one is stands in 981 only: without it what the path says may mean any axis.
+        Whose path a further one is stands in 981 only: without it what the path says may mean any
+        axis.
         """
         if value.whole == _index(address):
             return True
         path = value.index if value.owner == "L" else None
         if path is not None and path > 1 and PATH_OF_AXIS not in self.values:
             return True
-        mates = sorted(one.index for one in self.values.get(PATH_OF_AXIS, []) if one.owner == "A" and one.whole == path)
-        return path is not None and 0 < value.whole <= len(mates) and mates[value.whole - 1] == _index(address)
+        mates = sorted(
+            one.index
+            for one in self.values.get(PATH_OF_AXIS, [])
+            if one.owner == "A" and one.whole == path
+        )
+        return (
+            path is not None
+            and 0 < value.whole <= len(mates)
+            and mates[value.whole - 1] == _index(address)
+        )
 
     def _read(self, file: ControlFile) -> None:
-        for number, line in enumerate(file.content.decode("latin-1").replace("\r", "").split("\n"), start=1):
+        for number, line in enumerate(
+            file.content.decode("latin-1").replace("\r", "").split("\n"), start=1
+        ):
             match = _LINE.match(line)
             if match is None or int(match[1]) not in _WATCHED:
                 continue
@@ -169,7 +220,9 @@ def _index(address: str) -> int:
 
 
 def _values(number: int, rest: str, file: str, line: int) -> list[Value]:
-    """Return the values of one line; pitch data (Q0, or a large number with neither Q1 nor owner) and spindles have none here."""
+    """Return the values of one line; pitch data (Q0, or a large number with neither Q1 nor owner)
+    and spindles have none here.
+    """
     owner, index = "", 0
     plain = number >= _POINTS_FROM
     values = []

@@ -1,7 +1,8 @@
-"""Compensation -> whole increments by section (FANUC): into the user's own backup where one was given, else minimal files.
+"""Compensation -> whole increments by section (FANUC): into the user's own backup where one was
+given, else minimal files.
 
-Only what belongs to the axis under work is written: its groups in lines that axes share, single bits, its own point numbers. Every
-other byte of a backup stays.
+Only what belongs to the axis under work is written: its groups in lines that axes share, single
+bits, its own point numbers. Every other byte of a backup stays.
 """
 
 from __future__ import annotations
@@ -31,7 +32,8 @@ def write_increments(
     state: ControlState | None,
     files: Sequence[ControlFile],
 ) -> tuple[ControlFile, ...]:
-    """Return the files that put the compensations (address, axis, table) into the control; ``files``: its own, to be patched.
+    """Return the files that put the compensations (address, axis, table) into the control;
+    ``files``: its own, to be patched.
 
     Raises CapacityError with everything that the control cannot hold.
     """
@@ -40,7 +42,11 @@ def write_increments(
     own = [file for file in files if not is_entry_sheet(file)]
     patched = _Patcher(definition, own)
     names = {file.name for file in own}
-    fresh = [file for entry in entries for file in _fresh(definition, entry, patched.put(entry, faults), names)]
+    fresh = [
+        file
+        for entry in entries
+        for file in _fresh(definition, entry, patched.put(entry, faults), names)
+    ]
     raise_all(CapacityError, faults)
     return (*patched.files(entries), *fresh)
 
@@ -64,16 +70,28 @@ class _Patcher:
 
     def put(self, entry: Entries, faults: list[Fault]) -> Entries:
         """Note the changes for one axis and return what has no place in the user's files."""
-        left = {name: text for name, text in entry.parameters.items() if not self._parameter(entry, name, text)}
+        left = {
+            name: text
+            for name, text in entry.parameters.items()
+            if not self._parameter(entry, name, text)
+        }
         if left.pop("bidirectional", "0") == "1":
             faults.append(
                 Fault(
-                    message=f"axis {entry.name} ({entry.address}): two tables need bit 3605#0, which is changed only in "
-                    "content that was read from the control",
-                    expected="the control's own parameter file with 3605 among the files of the state",
+                    message=(
+                        f"axis {entry.name} ({entry.address}): two tables need bit 3605#0, which is"
+                        " changed only in content that was read from the control"
+                    ),
+                    expected=(
+                        "the control's own parameter file with 3605 among the files of the state"
+                    ),
                 )
             )
-        missing = {number: value for number, value in entry.points.items() if not self._point(number, value)}
+        missing = {
+            number: value
+            for number, value in entry.points.items()
+            if not self._point(number, value)
+        }
         for number in entry.cleared:
             self._point(number, 0)
         if missing and self.rows:
@@ -97,7 +115,9 @@ class _Patcher:
         return bool(places)
 
     def _length_there(self, place: Found, entry: Entries, text: str) -> str:
-        """Return a length as the letter that stands there counts it: M mm, I inch, P the machine's unit, deg for rotary axes."""
+        """Return a length as the letter that stands there counts it: M mm, I inch, P the machine's
+        unit, deg for rotary axes.
+        """
         value = millimetres(text)
         key = place.occurrence.tokens["key"].text.upper()
         inch = entry.kind is AxisKind.LINEAR and (key == "I" or (key == "P" and entry.inch))
@@ -114,26 +134,42 @@ class _Patcher:
         return bool(rows)
 
     def _insert(self, missing: Mapping[int, int]) -> None:
-        """Put points that the files do not hold behind the nearest lower one, in the style of that line."""
+        """Put points that the files do not hold behind the nearest lower one, in the style of that
+        line.
+        """
         known = sorted(self.rows)
         for number, value in sorted(missing.items()):
             below = [one for one in known if one < number]
             neighbour = self.rows[below[-1] if below else known[0]][-1]
             content = self.own[neighbour.number].content
-            start, end = _line_of(content, neighbour.occurrence.tokens["number"].start, self.definition.dialect.newlines_read)
+            start, end = _line_of(
+                content,
+                neighbour.occurrence.tokens["number"].start,
+                self.definition.dialect.newlines_read,
+            )
             tokens = neighbour.occurrence.tokens
             line = apply_changes(
                 content[start:end],
                 [
-                    Change(tokens["number"].start - start, tokens["number"].end - start, str(POINTS_FROM + number).encode()),
-                    Change(tokens["value"].start - start, tokens["value"].end - start, str(value).encode()),
+                    Change(
+                        tokens["number"].start - start,
+                        tokens["number"].end - start,
+                        str(POINTS_FROM + number).encode(),
+                    ),
+                    Change(
+                        tokens["value"].start - start,
+                        tokens["value"].end - start,
+                        str(value).encode(),
+                    ),
                 ],
             )
             where = end if below else start
             self.changes[neighbour.number].append(Change(where, where, line))
 
     def files(self, entries: Sequence[Entries]) -> tuple[ControlFile, ...]:
-        """Return the user's files that say something of the axes or hold point data, with all changes made."""
+        """Return the user's files that say something of the axes or hold point data, with all
+        changes made.
+        """
         if self.gathered is None:
             return ()
         addresses = {entry.address for entry in entries}
@@ -149,7 +185,9 @@ class _Patcher:
 
 
 def _changed(place: Found, field: str, text: str) -> tuple[Change, ...]:
-    """Return the change of a field, none where it says the same already: a value that stays keeps its bytes."""
+    """Return the change of a field, none where it says the same already: a value that stays keeps
+    its bytes.
+    """
     token = place.occurrence.tokens[field]
     same = token.text == text or _equal(token.text, text)
     return () if same else set_field(place.occurrence, field, text)
@@ -172,12 +210,20 @@ def _line_of(content: bytes, place: int, newlines: Sequence[str]) -> tuple[int, 
     return start, end + next((len(mark) for mark in ends if content.startswith(mark, end)), 1)
 
 
-def _fresh(definition: Definition, entry: Entries, left: Entries, taken: Collection[str]) -> Iterator[ControlFile]:
-    """Yield minimal files with what found no place in the user's own; they do not take the names of those (``taken``)."""
+def _fresh(
+    definition: Definition, entry: Entries, left: Entries, taken: Collection[str]
+) -> Iterator[ControlFile]:
+    """Yield minimal files with what found no place in the user's own; they do not take the names of
+    those (``taken``).
+    """
     for file in definition.writing:
         if file.optional:
             continue
-        lines = list(_point_lines(definition, left)) if file.rows else list(_parameter_lines(definition, left))
+        lines = (
+            list(_point_lines(definition, left))
+            if file.rows
+            else list(_parameter_lines(definition, left))
+        )
         if lines:
             fresh = _file(definition, file, entry, lines)
             name = fresh.name
@@ -187,11 +233,15 @@ def _fresh(definition: Definition, entry: Entries, left: Entries, taken: Collect
             yield replace(fresh, name=name)
 
 
-def _file(definition: Definition, file: WrittenFile, entry: Entries, lines: Sequence[str]) -> ControlFile:
+def _file(
+    definition: Definition, file: WrittenFile, entry: Entries, lines: Sequence[str]
+) -> ControlFile:
     newline = definition.dialect.newline
     # Each axis' program has a number of its own: of two with one number the control keeps one.
     named = {"axis": entry.address, "name": entry.name, "program": f"91{int(entry.address):02d}"}
-    text = "".join(print_form(line, named) + newline for line in (*file.header, *lines, *file.footer))
+    text = "".join(
+        print_form(line, named) + newline for line in (*file.header, *lines, *file.footer)
+    )
     return ControlFile(print_form(file.name, named), text.encode("ascii", "replace"))
 
 
@@ -203,12 +253,18 @@ def _parameter_lines(definition: Definition, entry: Entries) -> Iterator[str]:
 
 def _parameter_line(definition: Definition, quantity: str, entry: Entries, text: str) -> str:
     binding = definition.bindings[quantity]
-    # Where the control's own files say its unit, a fresh line has the letter that they have; else M says that it is in mm.
-    key = "P" if thousandths(definition) or entry.kind is AxisKind.ROTARY or entry.unit_known else "M"
+    # Where the control's own files say its unit, a fresh line has the letter that they have; else M
+    # says that it is in mm.
+    key = (
+        "P" if thousandths(definition) or entry.kind is AxisKind.ROTARY or entry.unit_known else "M"
+    )
     if quantity in ("table_spacing", "turn") and entry.inch and entry.kind is AxisKind.LINEAR:
         value = millimetres(text) / Decimal("25.4")
         text = str(int(value / Decimal("0.0001"))) if thousandths(definition) else real_text(value)
-    return print_form(definition.statements[binding.statement].form, {"axis": entry.address, "key": key, binding.field: text})
+    return print_form(
+        definition.statements[binding.statement].form,
+        {"axis": entry.address, "key": key, binding.field: text},
+    )
 
 
 def millimetres(text: str) -> Decimal:
@@ -223,7 +279,9 @@ def _point_lines(definition: Definition, entry: Entries) -> Iterator[str]:
 
 
 def write_programs(definition: Definition, entries: Sequence[Entries]) -> tuple[ControlFile, ...]:
-    """Return one program per axis that enters the same values while it runs (G10), as the definition's optional files say."""
+    """Return one program per axis that enters the same values while it runs (G10), as the
+    definition's optional files say.
+    """
     files = []
     for file in definition.writing:
         if not file.optional:
@@ -232,7 +290,8 @@ def write_programs(definition: Definition, entries: Sequence[Entries]) -> tuple[
             lines = [
                 f"N{number}P{entry.address}R{text}"
                 for quantity, text in entry.parameters.items()
-                if quantity != "bidirectional" and (number := parameter_number(definition, quantity))
+                if quantity != "bidirectional"
+                and (number := parameter_number(definition, quantity))
             ]
             lines += _program_bit(definition, file, entry)
             lines += [f"N{POINTS_FROM + number}R{value}" for number, value in entry.points.items()]
@@ -241,7 +300,9 @@ def write_programs(definition: Definition, entries: Sequence[Entries]) -> tuple[
 
 
 def _program_bit(definition: Definition, file: WrittenFile, entry: Entries) -> list[str]:
-    """Return the line that switches to one or two sets: single bits are known under G10 L52 only; else the engineer does it."""
+    """Return the line that switches to one or two sets: single bits are known under G10 L52 only;
+    else the engineer does it.
+    """
     if not entry.switches:
         return []
     number, value = parameter_number(definition, "bidirectional"), entry.parameters["bidirectional"]
@@ -254,11 +315,15 @@ def parameter_number(definition: Definition, quantity: str) -> str:
     """Return the number of a parameter, without leading zeros."""
     form = definition.statements[definition.bindings[quantity].statement].form
     digits = form.split("#", 1)[1]
-    return digits[: next((place for place, letter in enumerate(digits) if not letter.isdigit()), len(digits))].lstrip("0")
+    return digits[
+        : next((place for place, letter in enumerate(digits) if not letter.isdigit()), len(digits))
+    ].lstrip("0")
 
 
 def sheet_rows(definition: Definition, entry: Entries) -> tuple[SheetRow, ...]:
-    """Return what an engineer types in: the parameters, then every point with the position of the section's upper end."""
+    """Return what an engineer types in: the parameters, then every point with the position of the
+    section's upper end.
+    """
     unit = {"table_spacing": entry.kind.unit, "turn": entry.kind.unit}
     rows = []
     for quantity, text in entry.parameters.items():
@@ -273,7 +338,18 @@ def sheet_rows(definition: Definition, entry: Entries) -> tuple[SheetRow, ...]:
     first = entry.place.negative_first
     count = entry.place.last - entry.place.first
     for point, increment in entry.points.items():
-        shift = first - entry.place.first if first is not None and first <= point <= first + count else 0
+        shift = (
+            first - entry.place.first
+            if first is not None and first <= point <= first + count
+            else 0
+        )
         step = point - shift - entry.place.reference
-        rows.append(SheetRow(str(POINTS_FROM + point), f"{entry.reference + step * entry.interval:.10g}", str(increment), "pulse"))
+        rows.append(
+            SheetRow(
+                str(POINTS_FROM + point),
+                f"{entry.reference + step * entry.interval:.10g}",
+                str(increment),
+                "pulse",
+            )
+        )
     return tuple(rows)

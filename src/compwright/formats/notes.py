@@ -1,4 +1,6 @@
-"""What is collected while files are read, and the sentences that several readers say: each finding code is made in one place."""
+"""What is collected while files are read, and the sentences that several readers say: each finding
+code is made in one place.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +21,8 @@ class Notes:
     assumed: list[Assumption] = field(default_factory=list)
     #: What only the user can answer: nothing is done with the files without it.
     questions: list[Fault] = field(default_factory=list)
-    #: Answers of the job that the files contradict; they are questions where no table needed the answer.
+    #: Answers of the job that the files contradict; they are questions where no table needed the
+    #: answer.
     contradictions: list[Fault] = field(default_factory=list)
     open_answers: int = 0
 
@@ -67,9 +70,21 @@ class Notes:
 
     def taken_for(self, axis: str, address: str) -> None:
         """Note which axis of the control an axis of the job was taken for."""
-        self.find("CW-S010", "warning", f"axis {axis} is taken as {address} of the control: check it, or give its address")
+        self.find(
+            "CW-S010",
+            "warning",
+            f"axis {axis} is taken as {address} of the control: check it, or give its address",
+        )
 
-    def refuse(self, label: str, message: str, place: Found | None, *, expected: str, found: str | None = None) -> None:
+    def refuse(
+        self,
+        label: str,
+        message: str,
+        place: Found | None,
+        *,
+        expected: str,
+        found: str | None = None,
+    ) -> None:
         """Note, once, what keeps files from being worked with, at the line of ``place``."""
         fault = Fault(
             message=f"{label}: {message}",

@@ -1,4 +1,6 @@
-"""Point numbers in an array that all axes share: an axis keeps its own, or gets the first block that is free."""
+"""Point numbers in an array that all axes share: an axis keeps its own, or gets the first block
+that is free.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,9 @@ class NoRoom(ValueError):  # noqa: N818 - it says what is the matter, and never 
 
 @dataclass(frozen=True, slots=True)
 class Place:
-    """Numbers of the reference, of the first and the last section, and of the first of the set for travel in -, if there is one."""
+    """Numbers of the reference, of the first and the last section, and of the first of the set for
+    travel in -, if there is one.
+    """
 
     reference: int
     first: int
@@ -28,12 +32,22 @@ class Place:
         return own, range(self.negative_first, self.negative_first + len(own))
 
 
-def find_place(low: int, high: int, *, highest: int, used: Sequence[range], two: bool, reference: int | None, start: int) -> Place:
-    """Return where a table of nodes ``low`` to ``high`` (whole spacings from the reference, low <= 0 <= high) goes.
+def find_place(
+    low: int,
+    high: int,
+    *,
+    highest: int,
+    used: Sequence[range],
+    two: bool,
+    reference: int | None,
+    start: int,
+) -> Place:
+    """Return where a table of nodes ``low`` to ``high`` (whole spacings from the reference, low <=
+    0 <= high) goes.
 
-    ``reference``: the number that the axis has now, kept where the table still fits there; ``used``: numbers of other axes;
-    ``two``: a second set of the same length follows. The first number lies at or below the reference's, the last above it.
-    Raises NoRoom.
+    ``reference``: the number that the axis has now, kept where the table still fits there;
+    ``used``: numbers of other axes; ``two``: a second set of the same length follows. The first
+    number lies at or below the reference's, the last above it. Raises NoRoom.
     """
     first, last = min(low + 1, 0), max(high, 1)
     length = last - first + 1
@@ -47,13 +61,16 @@ def find_place(low: int, high: int, *, highest: int, used: Sequence[range], two:
             return place
     gap = longest_gap(highest, used, start)
     raise NoRoom(
-        f"the table needs {length * (2 if two else 1)} point numbers in a row; the longest row that no other axis uses has {gap} "
-        f"(numbers {start} to {highest}); a wider spacing or a shorter table would help, or files that say what more numbers hold"
+        f"the table needs {length * (2 if two else 1)} point numbers in a row; the longest row that"
+        f" no other axis uses has {gap} (numbers {start} to {highest}); a wider spacing or a"
+        " shorter table would help, or files that say what more numbers hold"
     )
 
 
 def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
-    """Return the length of the longest row of numbers from ``start`` to ``highest`` that nobody uses."""
+    """Return the length of the longest row of numbers from ``start`` to ``highest`` that nobody
+    uses.
+    """
     longest, place = 0, start
     for taken in sorted((one for one in used if len(one)), key=lambda one: one.start):
         longest = max(longest, min(taken.start, highest + 1) - place)

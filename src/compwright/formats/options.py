@@ -1,4 +1,6 @@
-"""Options of a control: defaults, values from a job or the command line, and what the control's own files already answer."""
+"""Options of a control: defaults, values from a job or the command line, and what the control's own
+files already answer.
+"""
 
 from __future__ import annotations
 
@@ -26,14 +28,19 @@ ENCODER_SYSTEM = "encoder_system"
 
 
 def resolve_options(
-    definition: Definition, given: Mapping[str, object], state: ControlState | None = None, *, strict: bool = False
+    definition: Definition,
+    given: Mapping[str, object],
+    state: ControlState | None = None,
+    *,
+    strict: bool = False,
 ) -> Mapping[str, object]:
     """Return a value for every option: the given one, converted, or the default.
 
-    ``given`` may hold text from the command line (``"0.001"``, ``"3,4"``). With a ``state``, an option that the control's own files
-    answer for all axes alike (such as the unit) takes that answer. ``strict``: every one of ``given`` was said
-    by somebody, not taken from defaults. Raises UsageError with every fault: unknown option, a value of
-    the wrong kind, a choice that is not built yet, a value that contradicts the control's files.
+    ``given`` may hold text from the command line (``"0.001"``, ``"3,4"``). With a ``state``, an
+    option that the control's own files answer for all axes alike (such as the unit) takes that
+    answer. ``strict``: every one of ``given`` was said by somebody, not taken from defaults. Raises
+    UsageError with every fault: unknown option, a value of the wrong kind, a choice that is not
+    built yet, a value that contradicts the control's files.
     """
     faults: list[Fault] = []
     known = [*definition.options, REFERENCE, REFERENCE_RETURN]
@@ -51,7 +58,9 @@ def resolve_options(
         name: _value(rule, given[name], definition, faults) if name in given else rule.default
         for name, rule in definition.options.items()
     }
-    values[REFERENCE] = _number(REFERENCE, given.get(REFERENCE, 0.0), definition, faults, whole=False)
+    values[REFERENCE] = _number(
+        REFERENCE, given.get(REFERENCE, 0.0), definition, faults, whole=False
+    )
     values[REFERENCE_RETURN] = str(given.get(REFERENCE_RETURN, "+"))
     if values[REFERENCE_RETURN] not in ("+", "-"):
         faults.append(_wrong(REFERENCE_RETURN, definition, "+ or -", values[REFERENCE_RETURN]))
@@ -62,13 +71,20 @@ def resolve_options(
 
 
 def axis_options(
-    definition: Definition, resolved: Mapping[str, object], axis: Axis | None, *, unit_needed: bool = True
+    definition: Definition,
+    resolved: Mapping[str, object],
+    axis: Axis | None,
+    *,
+    unit_needed: bool = True,
 ) -> Mapping[str, object]:
-    """Return the options of one axis: its own go over the controller's (``resolved``); None: an axis without a job.
+    """Return the options of one axis: its own go over the controller's (``resolved``); None: an
+    axis without a job.
 
-    ``unit_needed``: False while files of the control that may say the detection unit are not read yet.
+    ``unit_needed``: False while files of the control that may say the detection unit are not read
+    yet.
 
-    Raises UsageError with every fault: unknown option, wrong value, and the detection unit where nobody says it.
+    Raises UsageError with every fault: unknown option, wrong value, and the detection unit where
+    nobody says it.
     """
     faults: list[Fault] = []
     values = dict(resolved)
@@ -76,23 +92,49 @@ def axis_options(
         rule = definition.options.get(name)
         if rule is None:
             known = ", ".join(definition.options)
-            faults.append(Fault(message=f"{definition.id} has no such option", place=name, expected=f"one of {known}"))
+            faults.append(
+                Fault(
+                    message=f"{definition.id} has no such option",
+                    place=name,
+                    expected=f"one of {known}",
+                )
+            )
         elif name in WHOLE_CONTROL:
-            message = f"this option of {definition.id} holds for the whole control, not for one axis"
-            faults.append(Fault(message=message, place=name, expected=f"controller.options.{name}", found="an axis' own"))
+            message = (
+                f"this option of {definition.id} holds for the whole control, not for one axis"
+            )
+            faults.append(
+                Fault(
+                    message=message,
+                    place=name,
+                    expected=f"controller.options.{name}",
+                    found="an axis' own",
+                )
+            )
         else:
             values[name] = _value(rule, given, definition, faults)
     silent = not unit_needed and values.get(DETECTION_UNIT) is None
-    if DETECTION_UNIT in definition.options and not faults and not silent and not _positive(values[DETECTION_UNIT]):
+    if (
+        DETECTION_UNIT in definition.options
+        and not faults
+        and not silent
+        and not _positive(values[DETECTION_UNIT])
+    ):
         faults.append(
             Fault(
-                message=f"{definition.id}: the detection unit of the axis must be given; no file that was given says it",
+                message=(
+                    f"{definition.id}: the detection unit of the axis must be given; no file that"
+                    " was given says it"
+                ),
                 place=DETECTION_UNIT,
                 expected="mm or deg, such as 0.001, or a parameter file with 1820 and 1013 (1004)",
                 found="nothing" if values[DETECTION_UNIT] is None else str(values[DETECTION_UNIT]),
             )
         )
-    raise_all(UsageError, faults if axis is None else [fault.within(f"axis {axis.name}") for fault in faults])
+    raise_all(
+        UsageError,
+        faults if axis is None else [fault.within(f"axis {axis.name}") for fault in faults],
+    )
     return Required(values, section="options", file=definition.file)
 
 
@@ -108,13 +150,22 @@ def describe_options(definition: Definition) -> tuple[str, ...]:
         choices = f"; one of {', '.join(rule.choices)}" if rule.choices else ""
         later = "".join(f"; {choice} is not built yet" for choice in rule.not_built)
         lines.append(f"{name} (default {default}{choices}{later}): {rule.help} [{rule.evidence}]")
-    lines.append(f"{REFERENCE} (default 0): position at which the correction is zero, for reading files without a job")
-    lines.append(f"{REFERENCE_RETURN} (default +): direction in which the reference is approached, for reading files without a job")
+    lines.append(
+        f"{REFERENCE} (default 0): position at which the correction is zero, for reading files"
+        " without a job"
+    )
+    lines.append(
+        f"{REFERENCE_RETURN} (default +): direction in which the reference is approached, for"
+        " reading files without a job"
+    )
     return tuple(lines)
 
 
-def settled_number(definition: Definition, name: str, options: Mapping[str, object], fact: object) -> int | None:
-    """Return a whole-number option, or what the control's files say (``fact``, None: nothing) where the option is not given.
+def settled_number(
+    definition: Definition, name: str, options: Mapping[str, object], fact: object
+) -> int | None:
+    """Return a whole-number option, or what the control's files say (``fact``, None: nothing) where
+    the option is not given.
 
     A fact of 0 says that nothing is reserved yet, which is no limit: it has to be set anyway.
     """
@@ -137,7 +188,9 @@ def _settle_shared(
     for name, rule in definition.options.items():
         if rule.settled_by is None or rule.option_wins:
             continue
-        said = {facts[rule.settled_by] for facts in state.facts.values() if rule.settled_by in facts}
+        said = {
+            facts[rule.settled_by] for facts in state.facts.values() if rule.settled_by in facts
+        }
         if len(said) != 1:
             continue
         fact = said.pop()
@@ -161,9 +214,13 @@ def _value(rule: OptionRule, value: object, definition: Definition, faults: list
         if text in rule.not_built:
             faults.append(
                 Fault(
-                    message=f"this choice of {definition.id} is not built yet: {rule.not_built[text]}",
+                    message=(
+                        f"this choice of {definition.id} is not built yet: {rule.not_built[text]}"
+                    ),
                     place=rule.name,
-                    expected=", ".join(choice for choice in rule.choices if choice not in rule.not_built),
+                    expected=", ".join(
+                        choice for choice in rule.choices if choice not in rule.not_built
+                    ),
                     found=text,
                 )
             )
@@ -177,16 +234,30 @@ def _value(rule: OptionRule, value: object, definition: Definition, faults: list
     return _number(rule.name, value, definition, faults, whole=rule.type == "integer")
 
 
-def _integers(name: str, value: object, definition: Definition, faults: list[Fault]) -> tuple[int, ...]:
-    items = value.split(",") if isinstance(value, str) else value if isinstance(value, (list, tuple)) else [value]
+def _integers(
+    name: str, value: object, definition: Definition, faults: list[Fault]
+) -> tuple[int, ...]:
+    items = (
+        value.split(",")
+        if isinstance(value, str)
+        else value
+        if isinstance(value, (list, tuple))
+        else [value]
+    )
     numbers = [_number(name, item, definition, faults, whole=True) for item in items if item != ""]
     return tuple(int(number) for number in numbers)
 
 
-def _number(name: str, value: object, definition: Definition, faults: list[Fault], *, whole: bool) -> float | int:
+def _number(
+    name: str, value: object, definition: Definition, faults: list[Fault], *, whole: bool
+) -> float | int:
     kind = "a whole number, 0 or more" if whole else "a number with a decimal point"
     try:
-        number = float(value) if isinstance(value, (str, int, float)) and not isinstance(value, bool) else math.nan
+        number = (
+            float(value)
+            if isinstance(value, (str, int, float)) and not isinstance(value, bool)
+            else math.nan
+        )
     except (ValueError, OverflowError):
         number = math.nan
     if not math.isfinite(number) or (whole and (number != int(number) or not 0 <= number <= 10**9)):
@@ -196,7 +267,12 @@ def _number(name: str, value: object, definition: Definition, faults: list[Fault
 
 
 def _wrong(name: str, definition: Definition, expected: str, found: object) -> Fault:
-    return Fault(message=f"the option of {definition.id} has a wrong value", place=name, expected=expected, found=repr(found)[:60])
+    return Fault(
+        message=f"the option of {definition.id} has a wrong value",
+        place=name,
+        expected=expected,
+        found=repr(found)[:60],
+    )
 
 
 def _shown(value: object) -> str:

@@ -1,4 +1,6 @@
-"""Sections of a definition whose entries the code asks for by name: one that is not there is a fault of the definition."""
+"""Sections of a definition whose entries the code asks for by name: one that is not there is a
+fault of the definition.
+"""
 
 from __future__ import annotations
 
@@ -11,9 +13,17 @@ _T = TypeVar("_T")
 
 
 class Required(dict[str, _T]):
-    """A section by name. Asking for an entry that is not there raises InputError with its key path; ``get`` and ``in`` do not."""
+    """A section by name. Asking for an entry that is not there raises InputError with its key path;
+    ``get`` and ``in`` do not.
+    """
 
-    def __init__(self, entries: Mapping[str, _T] | Iterable[tuple[str, _T]] = (), *, section: str = "", file: str = "") -> None:
+    def __init__(
+        self,
+        entries: Mapping[str, _T] | Iterable[tuple[str, _T]] = (),
+        *,
+        section: str = "",
+        file: str = "",
+    ) -> None:
         super().__init__(entries)
         self._section, self._file = section, file
 
@@ -21,5 +31,11 @@ class Required(dict[str, _T]):
         """Raise InputError."""
         message = "the definition lacks an entry that files of this shape need"
         raise InputError(
-            Fault(message=message, file=self._file, place=f"{self._section}.{name}", expected="an entry", found="none")
+            Fault(
+                message=message,
+                file=self._file,
+                place=f"{self._section}.{name}",
+                expected="an entry",
+                found="none",
+            )
         )

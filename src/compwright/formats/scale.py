@@ -1,7 +1,7 @@
 """Numbers in the control's text <-> neutral quantities: unit, sign and decimal places, exactly.
 
-Decimal arithmetic on the way in, whole counts of the last decimal place on the way out: what is written is read back as the same
-number.
+Decimal arithmetic on the way in, whole counts of the last decimal place on the way out: what is
+written is read back as the same number.
 """
 
 from __future__ import annotations
@@ -23,8 +23,9 @@ _FACTORS = {
     "inch": Decimal("25.4"),
     "mm/m": Decimal("0.001"),
 }
-#: A number counts as a multiple of the quantum when it misses one by less than this part of it. Doubles of 5 000 mm with a quantum
-#: of 1e-7 mm are good to 1e-5 of it; a value that was not rounded misses by up to one half.
+#: A number counts as a multiple of the quantum when it misses one by less than this part of it.
+#: Doubles of 5 000 mm with a quantum of 1e-7 mm are good to 1e-5 of it; a value that was not
+#: rounded misses by up to one half.
 EXACTNESS = 1e-3
 
 
@@ -34,7 +35,9 @@ class NotHeld(ValueError):  # noqa: N818 - it says what is the matter, and never
 
 @dataclass(frozen=True, slots=True)
 class Scale:
-    """How the numbers of one axis are written: ``choices`` are the neutral values on which signs depend."""
+    """How the numbers of one axis are written: ``choices`` are the neutral values on which signs
+    depend.
+    """
 
     definition: Definition
     kind: AxisKind
@@ -59,7 +62,9 @@ class Scale:
         return float(self._step(quantity) * self.factor(quantity))
 
     def range(self, quantity: str) -> tuple[float, float]:
-        """Return the range of the neutral quantity in mm or deg; of an error, with the sign of the correction."""
+        """Return the range of the neutral quantity in mm or deg; of an error, with the sign of the
+        correction.
+        """
         binding = self.definition.measure(quantity)
         factor = float(self.factor(quantity))
         low, high = binding.range[0] * factor, binding.range[1] * factor
@@ -92,7 +97,9 @@ class Scale:
         low, high = self.range(quantity)
         slack = EXACTNESS * self.quantum(quantity)
         if not low - slack <= value <= high + slack:
-            raise NotHeld(f"{value:.9g} {self.kind.unit} is outside {low:g} .. {high:g} {self.kind.unit}")
+            raise NotHeld(
+                f"{value:.9g} {self.kind.unit} is outside {low:g} .. {high:g} {self.kind.unit}"
+            )
         sign = self.sign(quantity)
         if sign == "error":
             count = -count
@@ -108,7 +115,9 @@ class Scale:
         ratio = value / quantum
         count = round(ratio)
         if abs(ratio - count) > EXACTNESS:
-            raise NotHeld(f"{value:.9g} {self.kind.unit} is not a multiple of {quantum:.9g} {self.kind.unit}")
+            raise NotHeld(
+                f"{value:.9g} {self.kind.unit} is not a multiple of {quantum:.9g} {self.kind.unit}"
+            )
         return count
 
 

@@ -1,4 +1,6 @@
-"""What a definition of a control says, as records. `definitions` reads them from YAML; docs/formats.md explains each key."""
+"""What a definition of a control says, as records. `definitions` reads them from YAML;
+docs/formats.md explains each key.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,8 @@ from compwright.records.correction import Beyond, Evidence
 #: Version of the schema; a definition that names a newer one is refused.
 SCHEMA_VERSION = 1
 
-#: The quantities that a definition may bind: lengths and angles, choices between few values, and what is taken as it stands.
+#: The quantities that a definition may bind: lengths and angles, choices between few values, and
+#: what is taken as it stands.
 MEASURES = (
     "value",
     "value_positive",
@@ -83,7 +86,8 @@ PLAIN = (
     "cross_max_points",
     "cross_other",
 )
-#: What a control has or has not as a whole: tables by which one axis corrects another, or itself in one direction only.
+#: What a control has or has not as a whole: tables by which one axis corrects another, or itself in
+#: one direction only.
 CROSS = tuple(name for name in (*MEASURES, *CHOICES, *PLAIN) if name.startswith("cross_"))
 
 AddressType = Literal["integer", "name"]
@@ -123,7 +127,8 @@ Predicate = Literal[
     "feed_per_spacing",
     "spacing_per_step",
 ]
-#: When a file belongs to the set: always, with one table for both directions, with one for each, for tables between two axes.
+#: When a file belongs to the set: always, with one table for both directions, with one for each,
+#: for tables between two axes.
 When = Literal["always", "one_curve", "two_curves", "cross"]
 OptionType = Literal["integer", "number", "choice", "text", "integers"]
 
@@ -149,7 +154,9 @@ class OptionValue:
 
 @dataclass(frozen=True, slots=True)
 class Addresses:
-    """How the control names an axis. ``letters``: axis letters whose place in the row is assumed to be the number."""
+    """How the control names an axis. ``letters``: axis letters whose place in the row is assumed to
+    be the number.
+    """
 
     type: AddressType
     case: Case
@@ -159,7 +166,8 @@ class Addresses:
 
 @dataclass(frozen=True, slots=True)
 class Dialect:
-    """What holds for every line: line ends written and read, letters, a block number before and a checksum behind a line.
+    """What holds for every line: line ends written and read, letters, a block number before and a
+    checksum behind a line.
 
     ``blanks_anywhere``: blanks may stand between any two parts of a line when it is read.
     """
@@ -177,8 +185,9 @@ class Dialect:
 class TextKind:
     """How the lines of one kind of file are read.
 
-    ``recognised_by`` names a statement that such a file contains (None: any text). A line that contains a ``claims_anywhere``
-    word or begins with a ``claims_at_start`` word has to be readable. ``other_lines_refused``: every line has to.
+    ``recognised_by`` names a statement that such a file contains (None: any text). A line that
+    contains a ``claims_anywhere`` word or begins with a ``claims_at_start`` word has to be
+    readable. ``other_lines_refused``: every line has to.
     """
 
     name: str
@@ -197,7 +206,9 @@ class TextKind:
 
 @dataclass(frozen=True, slots=True)
 class Statement:
-    """A line with typed fields in braces. ``within``: the section in which it counts; ``rest``: what may follow on the line."""
+    """A line with typed fields in braces. ``within``: the section in which it counts; ``rest``:
+    what may follow on the line.
+    """
 
     name: str
     text: str
@@ -220,7 +231,9 @@ class Absent:
 
 @dataclass(frozen=True, slots=True)
 class Binding:
-    """Where a quantity stands in the text. ``repeated``: which one counts within a file; between files they must agree."""
+    """Where a quantity stands in the text. ``repeated``: which one counts within a file; between
+    files they must agree.
+    """
 
     quantity: str
     statement: str
@@ -232,7 +245,8 @@ class Binding:
 
 @dataclass(frozen=True, slots=True)
 class Measure(Binding):
-    """A length or an angle. ``sign`` may depend on a choice; ``range`` bounds position, correction or backlash in ``unit``.
+    """A length or an angle. ``sign`` may depend on a choice; ``range`` bounds position, correction
+    or backlash in ``unit``.
 
     ``sign_option``: the option whose value is the sign, where nothing in the files says it.
     """
@@ -249,7 +263,9 @@ class Measure(Binding):
 
 @dataclass(frozen=True, slots=True)
 class Choice(Binding):
-    """A quantity with few values: text in the file -> neutral word. ``writes``: the text that is written."""
+    """A quantity with few values: text in the file -> neutral word. ``writes``: the text that is
+    written.
+    """
 
     values: Mapping[str, str]
     writes: str | OptionValue
@@ -262,7 +278,9 @@ class Plain(Binding):
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """The shape of the table, from a closed list. ``singles``: quantities that stand alone, one value each."""
+    """The shape of the table, from a closed list. ``singles``: quantities that stand alone, one
+    value each.
+    """
 
     shape: Shape
     pairing: Pairing
@@ -283,7 +301,9 @@ class LimitRule:
 
 @dataclass(frozen=True, slots=True)
 class OptionRule:
-    """An option. ``settled_by``: the quantity in the control's files that answers it; ``option_wins`` where both differ."""
+    """An option. ``settled_by``: the quantity in the control's files that answers it;
+    ``option_wins`` where both differ.
+    """
 
     name: str
     type: OptionType
@@ -298,9 +318,11 @@ class OptionRule:
 
 @dataclass(frozen=True, slots=True)
 class WrittenFile:
-    """One file of the complete set: its name, the lines around the table, the statement of a table row (None: no table).
+    """One file of the complete set: its name, the lines around the table, the statement of a table
+    row (None: no table).
 
-    ``optional``: no part of the set but a second form of the same values, on request. ``when``: the tables that it is for.
+    ``optional``: no part of the set but a second form of the same values, on request. ``when``: the
+    tables that it is for.
     """
 
     name: str
@@ -315,7 +337,9 @@ class WrittenFile:
 
 @dataclass(frozen=True, slots=True)
 class CardRule:
-    """One step of the commissioning card, with ``{name}`` fields. ``two_curves``: its text where each direction has its table."""
+    """One step of the commissioning card, with ``{name}`` fields. ``two_curves``: its text where
+    each direction has its table.
+    """
 
     title: str
     text: str
@@ -334,7 +358,9 @@ class Expected:
 
 @dataclass(frozen=True, slots=True)
 class Expectation:
-    """Control files and what the control does with them at some positions: worked by hand, never computed here."""
+    """Control files and what the control does with them at some positions: worked by hand, never
+    computed here.
+    """
 
     name: str
     files: Mapping[str, str]
@@ -371,7 +397,9 @@ class Definition:
     lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict)
 
     def measure(self, quantity: str) -> Measure:
-        """Return the binding of a length or an angle. Raises KeyError where the definition has none."""
+        """Return the binding of a length or an angle. Raises KeyError where the definition has
+        none.
+        """
         binding = self.bindings[quantity]
         if not isinstance(binding, Measure):
             raise KeyError(quantity)

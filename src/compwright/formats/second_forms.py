@@ -1,4 +1,6 @@
-"""What stands beside the tables: the sheet to type in where a file's form is unconfirmed, a program that enters the same values."""
+"""What stands beside the tables: the sheet to type in where a file's form is unconfirmed, a program
+that enters the same values.
+"""
 
 from __future__ import annotations
 
@@ -23,16 +25,21 @@ def second_forms(
     options: Mapping[str, object],
     state: ControlState | None,
 ) -> tuple[ControlFile, ...]:
-    """Return the typed-entry sheets of compensations that were written already, and programs where the options ask for them.
+    """Return the typed-entry sheets of compensations that were written already, and programs where
+    the options ask for them.
 
-    Controls whose text form is confirmed have none. ``compensations`` belong to ``axes`` one by one.
+    Controls whose text form is confirmed have none. ``compensations`` belong to ``axes`` one by
+    one.
     """
     if definition.layout.shape == "user_tables":
         return write_tables(definition, compensations, axes, options, state)
     if definition.layout.shape != "section_increments":
         return ()
     resolved = resolve_options(definition, options, state)
-    own = [(normal_address(definition, axis)[0], axis, table) for axis, table in zip(axes, compensations, strict=True)]
+    own = [
+        (normal_address(definition, axis)[0], axis, table)
+        for axis, table in zip(axes, compensations, strict=True)
+    ]
     pairs = with_partners(definition, own)
     names = {address: axis.name for address, axis, _ in own}
     leaders = {axis.gantry: axis.name for _, axis, _ in own if axis.gantry is not None}
@@ -45,7 +52,13 @@ def second_forms(
                 ("address", entry.address),
                 ("format", definition.id),
                 ("value", "correction"),
-                ("unit pulse", "whole detection units, before the magnification 3623; position: upper end of the point's section"),
+                (
+                    "unit pulse",
+                    (
+                        "whole detection units, before the magnification 3623; position: upper end"
+                        " of the point's section"
+                    ),
+                ),
             ),
             sheet_rows(definition, entry),
         )
@@ -53,10 +66,15 @@ def second_forms(
     ]
     if resolved.get("program") != "g10":
         return tuple(sheets)
-    if state is not None and any(said.get("length_unit") == "inch" for said in state.facts.values()):
+    if state is not None and any(
+        said.get("length_unit") == "inch" for said in state.facts.values()
+    ):
         raise UsageError(
             Fault(
-                message="a program has no letter for the unit, and the intervals in mm are not whole on an inch machine (1001#0)",
+                message=(
+                    "a program has no letter for the unit, and the intervals in mm are not whole on"
+                    " an inch machine (1001#0)"
+                ),
                 place="program",
                 expected="none: load the files or type in the sheet",
                 found="g10",

@@ -1,9 +1,10 @@
 """Controls that store whole increments by section (FANUC): what the files say -> compensation.
 
-Every axis claims a range of numbers in one array that all axes share. Number n owns the section ((n - r - 1) b, (n - r) b), r the
-number of the reference position, b the interval; the total at a node is the sum of the increments from the reference, positive to
-the right and with the opposite sign to the left (FANUC 0i-PB parameter manual B-63980EN/01 p100; numbering inferred from its
-listing). What is unconfirmed about it stands in the definition.
+Every axis claims a range of numbers in one array that all axes share. Number n owns the section ((n
+- r - 1) b, (n - r) b), r the number of the reference position, b the interval; the total at a node
+  is the sum of the increments from the reference, positive to
+the right and with the opposite sign to the left (FANUC 0i-PB parameter manual B-63980EN/01 p100;
+numbering inferred from its listing). What is unconfirmed about it stands in the definition.
 """
 
 from __future__ import annotations
@@ -41,7 +42,8 @@ def read_increments(
 ) -> ControlState:
     """Return what a control does with ``files``; arguments and errors as `reading.read_state`.
 
-    ``facts`` hold, for every axis that the files name, its numbers (``first_number``, ``last_number``, ...) and what else they say.
+    ``facts`` hold, for every axis that the files name, its numbers (``first_number``,
+    ``last_number``, ...) and what else they say.
     """
     resolved = resolve_options(definition, options)
     notes = Notes()
@@ -62,7 +64,17 @@ def read_increments(
             notes.faults.append(_unnamed(one, named, files))
             continue
         own = notes if asked else Notes()
-        reader = IncrementReader(definition, gathered, points, parameters, one, wanted.get(one), resolved, own, asked=asked)
+        reader = IncrementReader(
+            definition,
+            gathered,
+            points,
+            parameters,
+            one,
+            wanted.get(one),
+            resolved,
+            own,
+            asked=asked,
+        )
         facts[one] = reader.facts()
         compensation = reader.read() if asked or points else None
         if asked and compensation is not None:
@@ -90,13 +102,20 @@ def read_increments(
 
 
 def _reserved(points: Mapping[int, Found], parameters: Parameters) -> frozenset[int]:
-    """Return the numbers that hold data, or to which another function points: none of them is free for a new table."""
-    filled = {number for number, row in points.items() if row.occurrence.tokens["value"].text.strip("-0")}
+    """Return the numbers that hold data, or to which another function points: none of them is free
+    for a new table.
+    """
+    filled = {
+        number for number, row in points.items() if row.occurrence.tokens["value"].text.strip("-0")
+    }
     return pointed_numbers(parameters) | filled
 
 
-def _unknown(points: Mapping[int, Found], highest: int, options: Mapping[str, object], axes: Sequence[Axis]) -> frozenset[int]:
-    """Return the numbers of which no file says what they hold, below the first free one that the user states.
+def _unknown(
+    points: Mapping[int, Found], highest: int, options: Mapping[str, object], axes: Sequence[Axis]
+) -> frozenset[int]:
+    """Return the numbers of which no file says what they hold, below the first free one that the
+    user states.
 
     A pitch file that was cut, or not given, does not make numbers free.
     """
@@ -115,13 +134,30 @@ def _left_alone(address: str, said: Mapping[str, Fact], notes: Notes) -> list[Fi
     """Return what is odd about an axis that nobody asked for: it stops no work on another one."""
     odd = [finding for finding in notes.findings if finding.code == "CW-S041"]
     if notes.faults and said.get("enabled"):
-        what = "; ".join(dict.fromkeys(f"{fault.message} ({fault.place}: {fault.found})" for fault in notes.faults))
-        odd.append(Finding("CW-S042", "warning", f"axis {address} is odd and left alone, with all its point numbers: {what}"))
+        what = "; ".join(
+            dict.fromkeys(
+                f"{fault.message} ({fault.place}: {fault.found})" for fault in notes.faults
+            )
+        )
+        odd.append(
+            Finding(
+                "CW-S042",
+                "warning",
+                f"axis {address} is odd and left alone, with all its point numbers: {what}",
+            )
+        )
     return odd
 
 
-def _check_partners(axes: Sequence[Axis], facts: Mapping[str, Mapping[str, Fact]], parameters: Parameters, notes: Notes) -> None:
-    """What acts on the synchronised axis of a gantry refuses it too; its detection unit has to be that of the leading axis."""
+def _check_partners(
+    axes: Sequence[Axis],
+    facts: Mapping[str, Mapping[str, Fact]],
+    parameters: Parameters,
+    notes: Notes,
+) -> None:
+    """What acts on the synchronised axis of a gantry refuses it too; its detection unit has to be
+    that of the leading axis.
+    """
     for axis in axes:
         if axis.gantry is None or axis.gantry not in facts:
             continue
@@ -130,17 +166,25 @@ def _check_partners(axes: Sequence[Axis], facts: Mapping[str, Mapping[str, Fact]
         if rotary is not None and rotary != axis.kind.value:
             notes.faults.append(
                 Fault(
-                    message=f"axis {axis.gantry} is no partner of a gantry with axis {axis.address}: their kinds differ (1006#0)",
+                    message=(
+                        f"axis {axis.gantry} is no partner of a gantry with axis {axis.address}:"
+                        " their kinds differ (1006#0)"
+                    ),
                     place=f"axes.{axis.name}.gantry",
                     expected=f"a {axis.kind.value} axis",
                     found=f"{axis.gantry}, {rotary}",
                 )
             )
-        own, partner = (facts.get(one, {}).get(DETECTION_UNIT) for one in (axis.address, axis.gantry))
+        own, partner = (
+            facts.get(one, {}).get(DETECTION_UNIT) for one in (axis.address, axis.gantry)
+        )
         if own is not None and partner is not None and own != partner:
             notes.faults.append(
                 Fault(
-                    message=f"axes {axis.address} and {axis.gantry} of a gantry have different detection units (1820, 1013)",
+                    message=(
+                        f"axes {axis.address} and {axis.gantry} of a gantry have different"
+                        " detection units (1820, 1013)"
+                    ),
                     place=f"axes.{axis.name}.gantry",
                     expected=f"{own:g}",
                     found=f"{partner:g}",
@@ -148,8 +192,12 @@ def _check_partners(axes: Sequence[Axis], facts: Mapping[str, Mapping[str, Fact]
             )
 
 
-def _check_names(facts: Mapping[str, Mapping[str, Fact]], wanted: Mapping[str, Axis | None], notes: Notes) -> None:
-    """An axis of the job whose letter belongs to another axis of the control (1020) is not the one that is meant."""
+def _check_names(
+    facts: Mapping[str, Mapping[str, Fact]], wanted: Mapping[str, Axis | None], notes: Notes
+) -> None:
+    """An axis of the job whose letter belongs to another axis of the control (1020) is not the one
+    that is meant.
+    """
     letters: dict[Fact, list[str]] = {}
     for address, said in facts.items():
         if "axis_name" in said:
@@ -159,7 +207,9 @@ def _check_names(facts: Mapping[str, Mapping[str, Fact]], wanted: Mapping[str, A
         if axis is not None and own is not None and own != axis.name and axis.name in letters:
             notes.faults.append(
                 Fault(
-                    message=f"axis {address} of the control is called {own} (1020), not {axis.name}",
+                    message=(
+                        f"axis {address} of the control is called {own} (1020), not {axis.name}"
+                    ),
                     place=f"axes.{axis.name}.address",
                     expected=" or ".join(letters[axis.name]),
                     found=address,
@@ -167,10 +217,16 @@ def _check_names(facts: Mapping[str, Mapping[str, Fact]], wanted: Mapping[str, A
             )
 
 
-def read_texts(definition: Definition, files: Sequence[ControlFile], faults: list[Fault]) -> list[ReadText]:
-    """Return the statements of all files, typed-entry sheets too; what cannot be read goes to ``faults``."""
+def read_texts(
+    definition: Definition, files: Sequence[ControlFile], faults: list[Fault]
+) -> list[ReadText]:
+    """Return the statements of all files, typed-entry sheets too; what cannot be read goes to
+    ``faults``.
+    """
     if not files:
-        raise UsageError("no file of the control was given; expected its own files, or the state `none`")
+        raise UsageError(
+            "no file of the control was given; expected its own files, or the state `none`"
+        )
     reader = TextReader(definition)
     texts = []
     for number, file in enumerate(files):
@@ -192,7 +248,9 @@ def read_texts(definition: Definition, files: Sequence[ControlFile], faults: lis
     return texts
 
 
-def _wanted(definition: Definition, axes: Sequence[Axis], address: str | None, notes: Notes) -> dict[str, Axis | None]:
+def _wanted(
+    definition: Definition, axes: Sequence[Axis], address: str | None, notes: Notes
+) -> dict[str, Axis | None]:
     wanted: dict[str, Axis | None] = {}
     if address is not None:
         wanted[normal_text(definition, address)] = None
@@ -237,28 +295,40 @@ def _overlaps(facts: Mapping[str, Mapping[str, Fact]], highest: int, notes: Note
         notes.find(
             "CW-S014",
             "warning",
-            f"axes {' and '.join(sharing)} share the point numbers {min(numbers)} to {max(numbers)}: a change for one would change "
-            "the other, so a new table gets numbers of its own",
+            f"axes {' and '.join(sharing)} share the point numbers {min(numbers)} to"
+            f" {max(numbers)}: a change for one would change the other, so a new table gets numbers"
+            " of its own",
         )
 
 
 def used_numbers(state: ControlState | None, without: Iterable[str]) -> list[range]:
     """Return the point numbers that are not free for the axes ``without``.
 
-    Those that other axes claim, a table that is switched off included; those that hold data or to which another function points,
-    whoever they belong to, unless the axes have them now.
+    Those that other axes claim, a table that is switched off included; those that hold data or to
+    which another function points, whoever they belong to, unless the axes have them now.
     """
     if state is None:
         return []
     left_out = set(without)
-    used = [numbers for address, said in state.facts.items() if address not in left_out for numbers in claimed_numbers(said)]
-    own = [numbers for address in left_out for numbers in claimed_numbers(state.facts.get(address, {}))]
-    others = sorted(number for number in state.reserved if not any(number in numbers for numbers in own))
+    used = [
+        numbers
+        for address, said in state.facts.items()
+        if address not in left_out
+        for numbers in claimed_numbers(said)
+    ]
+    own = [
+        numbers for address in left_out for numbers in claimed_numbers(state.facts.get(address, {}))
+    ]
+    others = sorted(
+        number for number in state.reserved if not any(number in numbers for numbers in own)
+    )
     return [*used, *(range(number, number + 1) for number in others)]
 
 
 def claimed_numbers(said: Mapping[str, Fact]) -> tuple[range, ...]:
-    """Return the numbers that one axis claims by its facts: one set, or two; none where its first is its last."""
+    """Return the numbers that one axis claims by its facts: one set, or two; none where its first
+    is its last.
+    """
     first, last = said.get("first_number"), said.get("last_number")
     if not (isinstance(first, int) and isinstance(last, int)) or first >= last:
         return ()

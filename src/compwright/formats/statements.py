@@ -1,7 +1,9 @@
-"""Line templates: one form gives a tolerant reader and a strict printer, every token with its place in the file.
+"""Line templates: one form gives a tolerant reader and a strict printer, every token with its place
+in the file.
 
-A form is literal text with ``{fields}``. A blank in it stands for blanks; beside brackets, commas and ``=`` blanks are tolerated
-anyway, between words and numbers at least one is needed. Printing writes the form as it stands.
+A form is literal text with ``{fields}``. A blank in it stands for blanks; beside brackets, commas
+and ``=`` blanks are tolerated anyway, between words and numbers at least one is needed. Printing
+writes the form as it stands.
 """
 
 from __future__ import annotations
@@ -28,15 +30,22 @@ _FIELD_PATTERNS: Mapping[FieldType, str] = {
     "system_word": r"METRIC|INCH",
 }
 _REST = {"none": r"[ \t]*", "after_blank": r"(?:[ \t][^\r\n]*)?", "anything": r"[^\r\n]*"}
-_PIECE = re.compile(r"\{(?P<field>[a-z_][a-z0-9_]*)\}|(?P<blank> +)|#(?P<padded>[0-9]+)|(?P<word>[\w$%.]+)|(?P<mark>.)")
+_PIECE = re.compile(
+    r"\{(?P<field>[a-z_][a-z0-9_]*)\}|(?P<blank>"
+    r" +)|#(?P<padded>[0-9]+)|(?P<word>[\w$%.]+)|(?P<mark>.)"
+)
 #: A form that ends in a group which stands once or several times: ``N#03620Q1(A{axis}P{value})*``.
 _GROUPED = re.compile(r"(?P<before>.*)\((?P<group>[^()]*)\)\*")
-_LINE_NUMBER = re.compile(r"[ \t\r]*[A-Za-z][ \t]*0*([0-9]+)")  # a stray carriage return does not hide a line
+_LINE_NUMBER = re.compile(
+    r"[ \t\r]*[A-Za-z][ \t]*0*([0-9]+)"
+)  # a stray carriage return does not hide a line
 
 
 @dataclass(frozen=True, slots=True)
 class Token:
-    """A piece of a file: its text and its place in bytes, ``start`` counted from 0 and ``end`` behind it."""
+    """A piece of a file: its text and its place in bytes, ``start`` counted from 0 and ``end``
+    behind it.
+    """
 
     text: str
     start: int
@@ -45,10 +54,11 @@ class Token:
 
 @dataclass(frozen=True, slots=True)
 class Occurrence:
-    """A statement as it stands in a file. ``tokens`` by field name, those of the section too; ``line`` counts from 1.
+    """A statement as it stands in a file. ``tokens`` by field name, those of the section too;
+    ``line`` counts from 1.
 
-    ``form``: which of the statement's forms it has, 0 the one that is written, then those that are only read. ``checksum``: a line
-    checksum with the blanks before it.
+    ``form``: which of the statement's forms it has, 0 the one that is written, then those that are
+    only read. ``checksum``: a line checksum with the blanks before it.
     """
 
     statement: str
@@ -71,7 +81,9 @@ class Occurrence:
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """A compiled form. ``group``: the part that repeats on the line, each time a statement of its own; None: nothing repeats."""
+    """A compiled form. ``group``: the part that repeats on the line, each time a statement of its
+    own; None: nothing repeats.
+    """
 
     pattern: re.Pattern[str]
     group: re.Pattern[str] | None = None
@@ -83,9 +95,11 @@ class Form:
 
 @dataclass(frozen=True, slots=True)
 class Matcher:
-    """A compiled statement: its own form first, then the forms that are only read; ``section`` matches the section's name.
+    """A compiled statement: its own form first, then the forms that are only read; ``section``
+    matches the section's name.
 
-    ``number``: the number with which such a line begins (``N03620``), without leading zeros; None where the form has none.
+    ``number``: the number with which such a line begins (``N03620``), without leading zeros; None
+    where the form has none.
     """
 
     statement: Statement
@@ -96,7 +110,9 @@ class Matcher:
 
 
 def line_number(text: str) -> str | None:
-    """Return the number after the first letter of a line, without leading zeros (``N03620Q1..`` -> ``3620``); None without one."""
+    """Return the number after the first letter of a line, without leading zeros (``N03620Q1..`` ->
+    ``3620``); None without one.
+    """
     match = _LINE_NUMBER.match(text)
     return match[1] if match else None
 
@@ -107,10 +123,15 @@ def field_names(form: str) -> tuple[str, ...]:
 
 
 def print_form(form: str, values: Mapping[str, str]) -> str:
-    """Return a form with its fields filled in; a repeating group stands once. Raises KeyError for a field without a value."""
+    """Return a form with its fields filled in; a repeating group stands once. Raises KeyError for a
+    field without a value.
+    """
     grouped = _GROUPED.fullmatch(form)
     text = f"{grouped['before']}{grouped['group']}" if grouped else form
-    return "".join(values[piece["field"]] if piece["field"] else piece["padded"] or piece[0] for piece in _PIECE.finditer(text))
+    return "".join(
+        values[piece["field"]] if piece["field"] else piece["padded"] or piece[0]
+        for piece in _PIECE.finditer(text)
+    )
 
 
 def field_matches(kind: FieldType, text: str) -> bool:
@@ -122,10 +143,15 @@ def compile_statement(statement: Statement, definition: Definition) -> Matcher:
     """Return the compiled reader of one statement."""
     dialect = definition.dialect
     flags = re.IGNORECASE if dialect.case == "ignored" else re.RegexFlag(0)
-    forms = tuple(_compiled(form, statement, dialect, flags | re.ASCII) for form in (statement.form, *statement.also_read))
+    forms = tuple(
+        _compiled(form, statement, dialect, flags | re.ASCII)
+        for form in (statement.form, *statement.also_read)
+    )
     section = None
     if statement.within is not None:
-        kinds: dict[str, FieldType] = dict.fromkeys(field_names(statement.within), definition.addresses.type)
+        kinds: dict[str, FieldType] = dict.fromkeys(
+            field_names(statement.within), definition.addresses.type
+        )
         section = re.compile(_form_pattern(statement.within, kinds, dialect), flags | re.ASCII)
     pieces = list(_PIECE.finditer(statement.form))
     literal = "" if not pieces or pieces[0]["field"] else pieces[0][0]
@@ -142,18 +168,33 @@ def compile_statement(statement: Statement, definition: Definition) -> Matcher:
 def _compiled(form: str, statement: Statement, dialect: Dialect, flags: re.RegexFlag | int) -> Form:
     grouped = _GROUPED.fullmatch(form)
     if grouped is None:
-        return Form(re.compile(_line_pattern(_form_pattern(form, statement.fields, dialect), statement, dialect), flags))
+        return Form(
+            re.compile(
+                _line_pattern(_form_pattern(form, statement.fields, dialect), statement, dialect),
+                flags,
+            )
+        )
     before = _form_pattern(grouped["before"], statement.fields, dialect)
     group = _form_pattern(grouped["group"], statement.fields, dialect)
     gap = r"[ \t]*"
     unnamed = re.sub(r"\?P<[a-z_0-9]+>", "?:", group)
     line = f"{before}{gap}(?P<groups_>{unnamed}(?:{gap}{unnamed})*)"
-    return Form(re.compile(_line_pattern(line, statement, dialect), flags), re.compile(group, flags))
+    return Form(
+        re.compile(_line_pattern(line, statement, dialect), flags), re.compile(group, flags)
+    )
 
 
 def _line_pattern(pattern: str, statement: Statement, dialect: Dialect) -> str:
-    before = "" if dialect.block_number is None else f"(?:{re.escape(dialect.block_number)}[0-9]+[ \\t]+)?"
-    after = "" if dialect.line_checksum is None else f"(?P<checksum_>[ \\t]+{re.escape(dialect.line_checksum)}[0-9A-Fa-f]{{4}})?"
+    before = (
+        ""
+        if dialect.block_number is None
+        else f"(?:{re.escape(dialect.block_number)}[0-9]+[ \\t]+)?"
+    )
+    after = (
+        ""
+        if dialect.line_checksum is None
+        else f"(?P<checksum_>[ \\t]+{re.escape(dialect.line_checksum)}[0-9A-Fa-f]{{4}})?"
+    )
     return f"[ \\t]*{before}{pattern}{after}{_REST[statement.rest]}"
 
 
@@ -169,13 +210,19 @@ def _form_pattern(form: str, kinds: Mapping[str, FieldType], dialect: Dialect) -
         kind = "mark" if piece["mark"] else "word"
         if previous:
             both_words = previous == kind == "word"
-            gap = (r"[ \t]+" if blank else "") if both_words and not dialect.blanks_anywhere else r"[ \t]*"
+            gap = (
+                (r"[ \t]+" if blank else "")
+                if both_words and not dialect.blanks_anywhere
+                else r"[ \t]*"
+            )
             pattern += "" if "label" in (label, kinds.get(piece["field"] or "")) else gap
         field = piece["field"]
         label = kinds.get(field or "")
         if field:
             pattern += f"(?P<{field}>{_FIELD_PATTERNS[kinds[field]]})"
         else:
-            pattern += f"0*{piece['padded'].lstrip('0')}" if piece["padded"] else re.escape(piece[0])
+            pattern += (
+                f"0*{piece['padded'].lstrip('0')}" if piece["padded"] else re.escape(piece[0])
+            )
         previous, blank = kind, False
     return pattern

@@ -1,4 +1,6 @@
-"""The closed list of table shapes, each with its reading and its writing: values by index, rows by position."""
+"""The closed list of table shapes, each with its reading and its writing: values by index, rows by
+position.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,9 @@ SAME_TURN = 1e-6
 
 @dataclass(slots=True)
 class TableSource:
-    """What was found for one table. ``label`` names it in messages; ``singles``: start, end and spacing."""
+    """What was found for one table. ``label`` names it in messages; ``singles``: start, end and
+    spacing.
+    """
 
     label: str
     rows: Sequence[Found]
@@ -33,7 +37,9 @@ class TableSource:
     faults: list[Fault]
     findings: list[Finding]
 
-    def fault(self, message: str, found: Found | None = None, *, expected: str = "", what: str = "") -> None:
+    def fault(
+        self, message: str, found: Found | None = None, *, expected: str = "", what: str = ""
+    ) -> None:
         """Note a fault, at the line of ``found`` or else of the first thing that was found."""
         place = found or next(iter((*self.rows, *self.singles.values())), None)
         self.faults.append(
@@ -58,18 +64,24 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class WrittenTable:
-    """The fields of each row and the single values (by quantity) that belong to the table, as text."""
+    """The fields of each row and the single values (by quantity) that belong to the table, as
+    text.
+    """
 
     rows: tuple[Mapping[str, str], ...]
     singles: Mapping[str, str]
 
 
 def read_table(definition: Definition, source: TableSource, scale: Scale) -> Table | None:
-    """Return the table that was found; None when there is none, or when something is wrong with it (then ``source`` has faults)."""
+    """Return the table that was found; None when there is none, or when something is wrong with it
+    (then ``source`` has faults).
+    """
     return _READERS[definition.layout.shape](definition, source, scale)
 
 
-def write_table(definition: Definition, compensation: AxisCompensation, scale: Scale, faults: list[Fault]) -> WrittenTable:
+def write_table(
+    definition: Definition, compensation: AxisCompensation, scale: Scale, faults: list[Fault]
+) -> WrittenTable:
     """Return the text of a table; what the control's text cannot say exactly goes to ``faults``."""
     return _WRITERS[definition.layout.shape](definition, compensation, scale, faults)
 
@@ -95,14 +107,21 @@ def _read_values(
     return values[0], values[-1]
 
 
-def _read_position(definition: Definition, found: Found, quantity: str, scale: Scale, source: TableSource) -> Decimal | None:
+def _read_position(
+    definition: Definition, found: Found, quantity: str, scale: Scale, source: TableSource
+) -> Decimal | None:
     measure = definition.measure(quantity)
     text = found.occurrence.tokens[measure.field].text
     value = scale.read(quantity, text)
     if in_range(measure, scale, value):
         return value
     low, high = scale.range(quantity)
-    source.fault("a position this large is not plausible", found, expected=f"{low:g} .. {high:g} {scale.kind.unit}", what=text)
+    source.fault(
+        "a position this large is not plausible",
+        found,
+        expected=f"{low:g} .. {high:g} {scale.kind.unit}",
+        what=text,
+    )
     return None
 
 
@@ -115,26 +134,41 @@ def _table(positions: Sequence[Decimal], values: Sequence[tuple[Decimal, Decimal
 
 
 def _read_by_index(definition: Definition, source: TableSource, scale: Scale) -> Table | None:
-    grid = {name: source.singles.get(name) for name in ("table_start", "table_end", "table_spacing")}
+    grid = {
+        name: source.singles.get(name) for name in ("table_start", "table_end", "table_spacing")
+    }
     if not source.rows and not any(grid.values()):
         return None
     if is_blank(definition, source):
-        source.findings.append(Finding("CW-S032", "info", f"{source.label}: values and grid are all zero, which means no table"))
+        source.findings.append(
+            Finding(
+                "CW-S032",
+                "info",
+                f"{source.label}: values and grid are all zero, which means no table",
+            )
+        )
         return None
     forms = {name: definition.statements[definition.bindings[name].statement].form for name in grid}
     missing = [forms[name] for name, found in grid.items() if found is None]
     if missing:
-        source.fault("the table has no grid", expected=", ".join(missing).replace("{", "<").replace("}", ">"), what="no such line")
+        source.fault(
+            "the table has no grid",
+            expected=", ".join(missing).replace("{", "<").replace("}", ">"),
+            what="no such line",
+        )
         return None
     if not source.rows:
-        source.fault("the files name a grid but hold no values: this is contradictory, not an empty table")
+        source.fault(
+            "the files name a grid but hold no values: this is contradictory, not an empty table"
+        )
         return None
     values = _indexed(definition, source)
     count = _steps(definition, source, scale)
     if values is None or count is None:
         return None
     start, step, steps = count
-    # one of the first len(values) + 1 indices is free; a few more make the message useful, however wild the grid is
+    # one of the first len(values) + 1 indices is free; a few more make the message useful, however
+    # wild the grid is
     absent = [str(index) for index in range(min(steps + 1, len(values) + 8)) if index not in values]
     if absent:
         source.fault(
@@ -146,13 +180,18 @@ def _read_by_index(definition: Definition, source: TableSource, scale: Scale) ->
     if not _unused(definition, source, values, steps):
         return None
     positions = [start + index * step for index in range(steps + 1)]
-    pairs = [_read_values(definition, values[index], scale, source, positions[index]) for index in range(steps + 1)]
+    pairs = [
+        _read_values(definition, values[index], scale, source, positions[index])
+        for index in range(steps + 1)
+    ]
     whole = [pair for pair in pairs if pair is not None]
     return _table(positions, whole) if len(whole) == len(pairs) else None
 
 
 def is_blank(definition: Definition, source: TableSource) -> bool:
-    """Return whether everything that was found is zero, the grid too: memory that nobody has written."""
+    """Return whether everything that was found is zero, the grid too: memory that nobody has
+    written.
+    """
     fields = [definition.bindings[quantity].field for quantity in curves(definition)]
     values = [row.occurrence.tokens[name].text for row in source.rows for name in fields]
     grid = [found.text for found in source.singles.values()]
@@ -178,7 +217,9 @@ def _indexed(definition: Definition, source: TableSource) -> dict[int, Found] | 
     return values if clean else None
 
 
-def _steps(definition: Definition, source: TableSource, scale: Scale) -> tuple[Decimal, Decimal, int] | None:
+def _steps(
+    definition: Definition, source: TableSource, scale: Scale
+) -> tuple[Decimal, Decimal, int] | None:
     """Return start, spacing and the number of spacings."""
     read = [
         _read_position(definition, source.singles[name], name, scale, source)
@@ -188,10 +229,20 @@ def _steps(definition: Definition, source: TableSource, scale: Scale) -> tuple[D
     if start is None or end is None or step is None:
         return None
     if step <= 0:
-        source.fault("the spacing is not positive", source.singles["table_spacing"], expected="more than 0", what=str(step))
+        source.fault(
+            "the spacing is not positive",
+            source.singles["table_spacing"],
+            expected="more than 0",
+            what=str(step),
+        )
         return None
     if end <= start:
-        source.fault("the end is not above the start", source.singles["table_end"], expected=f"more than {start}", what=str(end))
+        source.fault(
+            "the end is not above the start",
+            source.singles["table_end"],
+            expected=f"more than {start}",
+            what=str(end),
+        )
         return None
     ratio = (end - start) / step
     steps = int(ratio.to_integral_value())
@@ -206,8 +257,12 @@ def _steps(definition: Definition, source: TableSource, scale: Scale) -> tuple[D
     return start, step, steps
 
 
-def _unused(definition: Definition, source: TableSource, values: Mapping[int, Found], steps: int) -> bool:
-    """Values behind the end are memory that the control does not use; they must be zero to be believed."""
+def _unused(
+    definition: Definition, source: TableSource, values: Mapping[int, Found], steps: int
+) -> bool:
+    """Values behind the end are memory that the control does not use; they must be zero to be
+    believed.
+    """
     fields = [definition.bindings[quantity].field for quantity in curves(definition)]
     extra = [index for index in values if index > steps]
     for index in sorted(extra):
@@ -221,7 +276,12 @@ def _unused(definition: Definition, source: TableSource, values: Mapping[int, Fo
             return False
     if extra:
         source.findings.append(
-            Finding("CW-S004", "info", f"{source.label}: {len(extra)} values behind the end of the table are zero and not used")
+            Finding(
+                "CW-S004",
+                "info",
+                f"{source.label}: {len(extra)} values behind the end of the table are zero and not"
+                " used",
+            )
         )
     return True
 
@@ -234,7 +294,12 @@ def _read_by_position(definition: Definition, source: TableSource, scale: Scale)
         if position is None:
             return None
         if positions and position <= positions[-1]:
-            source.fault("the positions do not ascend", row, expected=f"more than {positions[-1]}", what=str(position))
+            source.fault(
+                "the positions do not ascend",
+                row,
+                expected=f"more than {positions[-1]}",
+                what=str(position),
+            )
             return None
         pair = _read_values(definition, row, scale, source, position)
         if pair is None:
@@ -244,11 +309,17 @@ def _read_by_position(definition: Definition, source: TableSource, scale: Scale)
     return _table(positions, pairs) if positions else None
 
 
-def _write_by_index(definition: Definition, compensation: AxisCompensation, scale: Scale, faults: list[Fault]) -> WrittenTable:
+def _write_by_index(
+    definition: Definition, compensation: AxisCompensation, scale: Scale, faults: list[Fault]
+) -> WrittenTable:
     positions = compensation.positions
     spacing = float(positions[-1] - positions[0]) / (positions.size - 1)
     singles = {}
-    for quantity, value in (("table_start", positions[0]), ("table_end", positions[-1]), ("table_spacing", spacing)):
+    for quantity, value in (
+        ("table_start", positions[0]),
+        ("table_end", positions[-1]),
+        ("table_spacing", spacing),
+    ):
         singles[quantity] = _text(scale, quantity, float(value), 0.0, compensation, faults)
     even = positions[0] + spacing * np.arange(positions.size)
     worst = float(np.max(np.abs(positions - even)))
@@ -261,12 +332,15 @@ def _write_by_index(definition: Definition, compensation: AxisCompensation, scal
             )
         )
     rows = [
-        {"index": str(index), **_value_texts(definition, compensation, index, scale, faults)} for index in range(positions.size)
+        {"index": str(index), **_value_texts(definition, compensation, index, scale, faults)}
+        for index in range(positions.size)
     ]
     return WrittenTable(tuple(rows), singles)
 
 
-def _write_by_position(definition: Definition, compensation: AxisCompensation, scale: Scale, faults: list[Fault]) -> WrittenTable:
+def _write_by_position(
+    definition: Definition, compensation: AxisCompensation, scale: Scale, faults: list[Fault]
+) -> WrittenTable:
     field = definition.bindings["node_position"].field
     rows = [
         {
@@ -279,21 +353,41 @@ def _write_by_position(definition: Definition, compensation: AxisCompensation, s
 
 
 def _value_texts(
-    definition: Definition, compensation: AxisCompensation, index: int, scale: Scale, faults: list[Fault]
+    definition: Definition,
+    compensation: AxisCompensation,
+    index: int,
+    scale: Scale,
+    faults: list[Fault],
 ) -> dict[str, str]:
     position = float(compensation.positions[index])
     sides = (compensation.positive, compensation.negative)
     return {
-        definition.bindings[quantity].field: _text(scale, quantity, float(sides[side][index]), position, compensation, faults)
+        definition.bindings[quantity].field: _text(
+            scale, quantity, float(sides[side][index]), position, compensation, faults
+        )
         for side, quantity in enumerate(curves(definition))
     }
 
 
-def _text(scale: Scale, quantity: str, value: float, position: float, compensation: AxisCompensation, faults: list[Fault]) -> str:
+def _text(
+    scale: Scale,
+    quantity: str,
+    value: float,
+    position: float,
+    compensation: AxisCompensation,
+    faults: list[Fault],
+) -> str:
     try:
         return scale.write(quantity, value, position)
     except NotHeld as error:
-        faults.append(Fault(message=f"axis {compensation.address}, {quantity.replace('_', ' ')} at {position:.9g}: {error}"))
+        faults.append(
+            Fault(
+                message=(
+                    f"axis {compensation.address}, {quantity.replace('_', ' ')} at {position:.9g}:"
+                    f" {error}"
+                )
+            )
+        )
         return "0"
 
 
@@ -301,7 +395,9 @@ _READERS: Mapping[Shape, Callable[[Definition, TableSource, Scale], Table | None
     "values_by_index": _read_by_index,
     "rows_by_position": _read_by_position,
 }
-_WRITERS: Mapping[Shape, Callable[[Definition, AxisCompensation, Scale, list[Fault]], WrittenTable]] = {
+_WRITERS: Mapping[
+    Shape, Callable[[Definition, AxisCompensation, Scale, list[Fault]], WrittenTable]
+] = {
     "values_by_index": _write_by_index,
     "rows_by_position": _write_by_position,
 }

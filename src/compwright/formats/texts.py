@@ -1,7 +1,8 @@
 """Bytes of a control's file -> the statements in it, each token with its byte span.
 
-Characters are taken one for one as bytes, so that comments in any 8-bit character set survive and spans fit the original. A line
-that claims to be one of ours but cannot be read is a fault; where the definition says so, every line has to be read.
+Characters are taken one for one as bytes, so that comments in any 8-bit character set survive and
+spans fit the original. A line that claims to be one of ours but cannot be read is a fault; where
+the definition says so, every line has to be read.
 """
 
 from __future__ import annotations
@@ -19,14 +20,17 @@ from compwright.records.correction import ControlFile
 _BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]")
 _OPEN = "("
 _ENCLOSED = re.compile(r"\([^()]*\)")
-#: Stands behind a comment mark, before a statement that compwright leaves to somebody at the control: it counts as said.
+#: Stands behind a comment mark, before a statement that compwright leaves to somebody at the
+#: control: it counts as said.
 BY_HAND = " by hand: "
 _UTF8_MARK = "\xef\xbb\xbf"  # the byte order mark, seen as single bytes
 
 
 @dataclass(frozen=True, slots=True)
 class Line:
-    """One line without its end; ``start`` is its place in bytes, ``ended`` whether a line end follows."""
+    """One line without its end; ``start`` is its place in bytes, ``ended`` whether a line end
+    follows.
+    """
 
     number: int
     text: str
@@ -36,7 +40,9 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class ReadText:
-    """What a file says: ``number`` is its place among the files that were given; ``sections`` the names of all sections in it."""
+    """What a file says: ``number`` is its place among the files that were given; ``sections`` the
+    names of all sections in it.
+    """
 
     number: int
     file: str
@@ -51,18 +57,28 @@ class TextReader:
 
     def __init__(self, definition: Definition) -> None:
         self.definition = definition
-        self.matchers = {name: compile_statement(statement, definition) for name, statement in definition.statements.items()}
-        ends = "|".join(re.escape(end) for end in sorted(definition.dialect.newlines_read, key=len, reverse=True))
+        self.matchers = {
+            name: compile_statement(statement, definition)
+            for name, statement in definition.statements.items()
+        }
+        ends = "|".join(
+            re.escape(end)
+            for end in sorted(definition.dialect.newlines_read, key=len, reverse=True)
+        )
         self.newline = re.compile(ends)
 
     def read(self, file: ControlFile, faults: list[Fault], number: int = 0) -> ReadText | None:
-        """Return the statements of a file, or None when it cannot be read at all; what is wrong goes to ``faults``."""
+        """Return the statements of a file, or None when it cannot be read at all; what is wrong
+        goes to ``faults``.
+        """
         if _BINARY.search(file.content):
             faults.append(
                 Fault(
                     message="is not a text file (a binary archive?)",
                     file=file.name,
-                    expected="text as the control exports it, in ASCII or another 8-bit character set",
+                    expected=(
+                        "text as the control exports it, in ASCII or another 8-bit character set"
+                    ),
                 )
             )
             return None
@@ -78,7 +94,9 @@ class TextReader:
             result.append(Line(len(result) + 1, text[start : match.start()], start, ended=True))
             start = match.end()
         if start < len(text):
-            result.append(Line(len(result) + 1, text[start:].removesuffix("\x1a"), start, ended=False))
+            result.append(
+                Line(len(result) + 1, text[start:].removesuffix("\x1a"), start, ended=False)
+            )
         return result
 
     def _kind(self, lines: Sequence[Line]) -> TextKind:
@@ -99,10 +117,16 @@ class _KindReader:
         self.file = file
         self.faults = faults
         self.ignores_case = reader.definition.dialect.case == "ignored"
-        self.matchers = [m for m in reader.matchers.values() if m.statement.text == kind.name and m.statement.name != kind.sections]
+        self.matchers = [
+            m
+            for m in reader.matchers.values()
+            if m.statement.text == kind.name and m.statement.name != kind.sections
+        ]
         self.sections = reader.matchers.get(kind.sections) if kind.sections is not None else None
         self.numbered = any(matcher.number is not None for matcher in self.matchers)
-        self.max_line = reader.definition.limit_number("line_length_read") if kind.other_lines_refused else None
+        self.max_line = (
+            reader.definition.limit_number("line_length_read") if kind.other_lines_refused else None
+        )
         self.section = ""
         self.section_start = 0
         self.seen_sections: list[str] = []
@@ -113,11 +137,19 @@ class _KindReader:
         for line in lines:
             code = self._code(line)
             if not code.strip(" \t"):
-                if line.number < last and self.kind.other_lines_refused and not self.kind.blank_lines_anywhere:
+                if (
+                    line.number < last
+                    and self.kind.other_lines_refused
+                    and not self.kind.blank_lines_anywhere
+                ):
                     self._refuse(line, "a blank line in the middle of the rows")
                 continue
             if self.max_line is not None and len(line.text) > self.max_line:
-                self._refuse(line, f"a line of {len(line.text)} characters", expected=f"at most {self.max_line} characters")
+                self._refuse(
+                    line,
+                    f"a line of {len(line.text)} characters",
+                    expected=f"at most {self.max_line} characters",
+                )
             elif not self._open_section(line, code):
                 occurrences.extend(self._statement(line, code))
         return ReadText(
@@ -138,7 +170,9 @@ class _KindReader:
                 return line.text.replace(mark + BY_HAND, " " * len(mark + BY_HAND), 1)
         if not self.kind.comments_anywhere:
             return "" if line.text.lstrip(" \t").startswith(self.kind.comment_marks) else line.text
-        if self.kind.comment_marks == (_OPEN,):  # such a comment has an end; places stay as they are
+        if self.kind.comment_marks == (
+            _OPEN,
+        ):  # such a comment has an end; places stay as they are
             return _ENCLOSED.sub(lambda comment: " " * len(comment[0]), line.text)
         places = [place for mark in self.kind.comment_marks if (place := line.text.find(mark)) >= 0]
         return line.text[: min(places)] if places else line.text
@@ -149,19 +183,36 @@ class _KindReader:
             return False
         self.section = match["section"]
         self.section_start = line.start + match.start("section")
-        if self.section in self.seen_sections and any(m.section and m.section.fullmatch(self.section) for m in self.matchers):
-            self._fault(line, f"the section [{self.section}] stands here a second time; the control reads only the first")
+        if self.section in self.seen_sections and any(
+            m.section and m.section.fullmatch(self.section) for m in self.matchers
+        ):
+            self._fault(
+                line,
+                f"the section [{self.section}] stands here a second time; the control reads only"
+                " the first",
+            )
         self.seen_sections.append(self.section)
         return True
 
     def _statement(self, line: Line, code: str) -> Iterator[Occurrence]:
-        if self.numbered and "\r" in code and any(self._ours(piece) for piece in code.split("\r")[1:]):
-            self._fault(line, "cannot be read" + _hint(code), expected="a line end of the control", found=_shown(code))
+        if (
+            self.numbered
+            and "\r" in code
+            and any(self._ours(piece) for piece in code.split("\r")[1:])
+        ):
+            self._fault(
+                line,
+                "cannot be read" + _hint(code),
+                expected="a line end of the control",
+                found=_shown(code),
+            )
             return
         probe = code.upper() if self.ignores_case else code
         number = line_number(code) if self.numbered else None
         for matcher in self.matchers:
-            if matcher.head not in probe or (matcher.number is not None and matcher.number != number):
+            if matcher.head not in probe or (
+                matcher.number is not None and matcher.number != number
+            ):
                 continue
             for place, form in enumerate(matcher.forms):
                 match = form.fullmatch(code)
@@ -169,7 +220,12 @@ class _KindReader:
                     yield from self._occurrences(line, matcher, place, match)
                     return
             if matcher.number is not None and matcher.number in self.kind.claims_at_start:
-                self._fault(line, "cannot be read" + _hint(code), expected=_readable(matcher.statement), found=_shown(code))
+                self._fault(
+                    line,
+                    "cannot be read" + _hint(code),
+                    expected=_readable(matcher.statement),
+                    found=_shown(code),
+                )
                 return
         claimed = self._claimed(probe) if self._concerns_us(probe) else None
         if claimed is not None:
@@ -185,9 +241,13 @@ class _KindReader:
     def _ours(self, piece: str) -> bool:
         """Whether a piece of a line would be a statement if it stood alone."""
         known = line_number(piece) in self.kind.claims_at_start
-        return known or any(form.fullmatch(piece) for matcher in self.matchers for form in matcher.forms)
+        return known or any(
+            form.fullmatch(piece) for matcher in self.matchers for form in matcher.forms
+        )
 
-    def _occurrences(self, line: Line, matcher: Matcher, place: int, match: re.Match[str]) -> Iterator[Occurrence]:
+    def _occurrences(
+        self, line: Line, matcher: Matcher, place: int, match: re.Match[str]
+    ) -> Iterator[Occurrence]:
         repeating = matcher.forms[place].group
         if repeating is None:
             yield from self._occurrence(line, matcher, place, (match,))
@@ -195,7 +255,9 @@ class _KindReader:
         for group in repeating.finditer(match.string, match.start("groups_"), match.end("groups_")):
             yield from self._occurrence(line, matcher, place, (match, group))
 
-    def _occurrence(self, line: Line, matcher: Matcher, place: int, matches: tuple[re.Match[str], ...]) -> Iterator[Occurrence]:
+    def _occurrence(
+        self, line: Line, matcher: Matcher, place: int, matches: tuple[re.Match[str], ...]
+    ) -> Iterator[Occurrence]:
         def token(name: str) -> Token:
             match = next(found for found in matches if name in found.re.groupindex)
             return Token(match[name], line.start + match.start(name), line.start + match.end(name))
@@ -206,14 +268,23 @@ class _KindReader:
             if within is None:
                 return
             for name, text in within.groupdict().items():
-                tokens[name] = Token(text, self.section_start + within.start(name), self.section_start + within.end(name))
+                tokens[name] = Token(
+                    text,
+                    self.section_start + within.start(name),
+                    self.section_start + within.end(name),
+                )
         checksum = token("checksum_") if matches[0].groupdict().get("checksum_") else None
         yield Occurrence(matcher.statement.name, self.file, line.number, tokens, place, checksum)
 
     def _concerns_us(self, probe: str) -> bool:
-        """Whether the line could be a statement here: a key of the same name in another section is not ours."""
+        """Whether the line could be a statement here: a key of the same name in another section is
+        not ours.
+        """
         similar = [matcher for matcher in self.matchers if matcher.head and matcher.head in probe]
-        return not similar or any(matcher.section is None or matcher.section.fullmatch(self.section) for matcher in similar)
+        return not similar or any(
+            matcher.section is None or matcher.section.fullmatch(self.section)
+            for matcher in similar
+        )
 
     def _claimed(self, probe: str) -> str | None:
         for claim in self.kind.claims_anywhere:
@@ -222,13 +293,21 @@ class _KindReader:
         start = probe.lstrip(" \t")
         return next((claim for claim in self.kind.claims_at_start if start.startswith(claim)), None)
 
-    def _ending(self, lines: Sequence[Line], last: int, occurrences: Sequence[Occurrence]) -> Iterator[Finding]:
-        """A file that stops without its end mark may have been cut short; in the middle of a number it cannot be trusted."""
+    def _ending(
+        self, lines: Sequence[Line], last: int, occurrences: Sequence[Occurrence]
+    ) -> Iterator[Finding]:
+        """A file that stops without its end mark may have been cut short; in the middle of a number
+        it cannot be trusted.
+        """
         final = lines[last - 1] if last else None
         marked = final is not None and self._code(final).strip(" \t").upper() in self.kind.ends_with
         if final is None or not (occurrences and self.kind.ends_with):
             if final is not None and not final.ended:
-                yield Finding("CW-S001", "warning", f"{self.file}: the last line has no line end; check that the file is complete")
+                yield Finding(
+                    "CW-S001",
+                    "warning",
+                    f"{self.file}: the last line has no line end; check that the file is complete",
+                )
             return
         # Checked first: an archive of several programs holds end marks before its last line.
         if not final.ended and occurrences[-1].line == final.number:
@@ -238,25 +317,45 @@ class _KindReader:
                 expected=f"a line end, then {self.kind.ends_with[0]}",
             )
             return
-        # Where one mark both opens and closes a file, the first line is no end; behind an end that was cut away nothing is sure.
+        # Where one mark both opens and closes a file, the first line is no end; behind an end that
+        # was cut away nothing is sure.
         if (final.ended or marked) and any(
             self._code(line).strip(" \t").upper() in self.kind.ends_with for line in lines[1:][-20:]
         ):
             return
-        yield Finding("CW-S002", "warning", f"{self.file}: no {self.kind.ends_with[0]} at the end; check that the file is complete")
+        yield Finding(
+            "CW-S002",
+            "warning",
+            f"{self.file}: no {self.kind.ends_with[0]} at the end; check that the file is complete",
+        )
 
     def _refuse(self, line: Line, message: str, expected: str = "") -> None:
         rows = " or ".join(_readable(matcher.statement) for matcher in self.matchers)
-        self._fault(line, f"{message}; {self.kind.because}", expected=expected or rows, found=_shown(line.text))
+        self._fault(
+            line,
+            f"{message}; {self.kind.because}",
+            expected=expected or rows,
+            found=_shown(line.text),
+        )
 
     def _fault(self, line: Line, message: str, *, expected: str = "", found: str = "") -> None:
-        self.faults.append(Fault(message=message, file=self.file, place=f"line {line.number}", expected=expected, found=found))
+        self.faults.append(
+            Fault(
+                message=message,
+                file=self.file,
+                place=f"line {line.number}",
+                expected=expected,
+                found=found,
+            )
+        )
 
 
 def _nearest(matchers: Sequence[Matcher], probe: str) -> str:
     """Return the form whose first word fits the line best."""
     fitting = [matcher for matcher in matchers if matcher.head and matcher.head in probe]
-    return _readable(max(fitting, key=lambda matcher: len(matcher.head)).statement) if fitting else ""
+    return (
+        _readable(max(fitting, key=lambda matcher: len(matcher.head)).statement) if fitting else ""
+    )
 
 
 def _readable(statement: Statement) -> str:

@@ -1,4 +1,6 @@
-"""The limits of an axis in the control's files against the job's travel: both in machine coordinates, or the table lies wrong."""
+"""The limits of an axis in the control's files against the job's travel: both in machine
+coordinates, or the table lies wrong.
+"""
 
 from __future__ import annotations
 
@@ -9,17 +11,24 @@ from compwright.formats.gathering import Gathered
 from compwright.formats.notes import Notes
 from compwright.records.axis import Axis
 
-#: Part of the travel that may lie outside the control's limits without a word, and that is not enough inside: travels are rounded.
+#: Part of the travel that may lie outside the control's limits without a word, and that is not
+#: enough inside: travels are rounded.
 _OUTSIDE = 0.05
 
 
 def check_travel(
-    axis: Axis, limits: tuple[float, float], label: str, names: str, notes: Notes, refuse: Callable[[str, str, str], None]
+    axis: Axis,
+    limits: tuple[float, float],
+    label: str,
+    names: str,
+    notes: Notes,
+    refuse: Callable[[str, str, str], None],
 ) -> None:
-    """Hold the job's travel against the ``limits`` of the axis (low, high; mm or deg), which the control calls ``names``.
+    """Hold the job's travel against the ``limits`` of the axis (low, high; mm or deg), which the
+    control calls ``names``.
 
-    A travel outside them goes to ``refuse`` (message, expected, found), one that reaches beyond them is a doubt; where the upper
-    one is not above the lower one none are set.
+    A travel outside them goes to ``refuse`` (message, expected, found), one that reaches beyond
+    them is a doubt; where the upper one is not above the lower one none are set.
     """
     low, high = limits
     if not low < high:
@@ -35,27 +44,42 @@ def check_travel(
         notes.find(
             "CW-S045",
             "warning",
-            f"{label}: {outside:g} {axis.kind.unit} of the travel lie outside its limits of {low:g} to {high:g} ({names}): "
-            "are travel and targets in machine coordinates?",
+            f"{label}: {outside:g} {axis.kind.unit} of the travel lie outside its limits of {low:g}"
+            f" to {high:g} ({names}): are travel and targets in machine coordinates?",
         )
 
 
 def check_limits(
-    gathered: Gathered, address: str, axis: Axis | None, facts: Mapping[str, Fact], partners: Mapping[str, str], notes: Notes
+    gathered: Gathered,
+    address: str,
+    axis: Axis | None,
+    facts: Mapping[str, Fact],
+    partners: Mapping[str, str],
+    notes: Notes,
 ) -> None:
     """Hold the limits among the ``facts`` of an axis against its travel; an endless axis has none.
 
-    A gantry goes as far as its leading axis may: the limits of its partner (``partners``: by leading axis) are not asked.
+    A gantry goes as far as its leading axis may: the limits of its partner (``partners``: by
+    leading axis) are not asked.
     """
     if address in partners.values():
         return
     low, high = (facts.get(name) for name in ("limit_low", "limit_high"))
-    if axis is None or axis.modulo is not None or "modulo_range" in facts or low is None or high is None:
+    if (
+        axis is None
+        or axis.modulo is not None
+        or "modulo_range" in facts
+        or low is None
+        or high is None
+    ):
         return
     places = gathered.found("limit_high", address, None)
     bindings = [gathered.definition.bindings[name] for name in ("limit_low", "limit_high")]
     forms = [gathered.definition.statements[binding.statement].form for binding in bindings]
-    label, names = f"axis {address}", ", ".join(form.split("{", 1)[0].rstrip(" =[") for form in forms)
+    label, names = (
+        f"axis {address}",
+        ", ".join(form.split("{", 1)[0].rstrip(" =[") for form in forms),
+    )
 
     def refuse(message: str, expected: str, found: str) -> None:
         notes.refuse(label, message, places[-1] if places else None, expected=expected, found=found)

@@ -1,4 +1,6 @@
-"""The table of an endless axis over the control's own modulo range: the same turn, told from where that range begins."""
+"""The table of an endless axis over the control's own modulo range: the same turn, told from where
+that range begins.
+"""
 
 from __future__ import annotations
 
@@ -13,15 +15,19 @@ from compwright.records.correction import AxisCompensation
 
 #: The quantity by which a control says where its modulo range begins.
 RANGE_QUANTITY = "modulo_start"
-#: A node counts as lying on the beginning of the range when it misses it by less than this part of a spacing.
+#: A node counts as lying on the beginning of the range when it misses it by less than this part of
+#: a spacing.
 _SAME_NODE = 1e-6
 
 
-def in_range_of(compensation: AxisCompensation, start: float, name: str, faults: list[Fault]) -> AxisCompensation:
-    """Return a table that repeats, told from ``start`` (deg): every node keeps its place on the circle and its values.
+def in_range_of(
+    compensation: AxisCompensation, start: float, name: str, faults: list[Fault]
+) -> AxisCompensation:
+    """Return a table that repeats, told from ``start`` (deg): every node keeps its place on the
+    circle and its values.
 
-    Whether the control would find its way into a table that lies elsewhere is not known. Where no node lies on ``start`` that is a
-    fault, which names a spacing that would do.
+    Whether the control would find its way into a table that lies elsewhere is not known. Where no
+    node lies on ``start`` that is a fault, which names a spacing that would do.
     """
     period, positions = compensation.period, compensation.positions
     if period is None or positions.size < 2:
@@ -33,8 +39,11 @@ def in_range_of(compensation: AxisCompensation, start: float, name: str, faults:
         common = _common(period, float(np.mod(positions[0] - start, period)))
         faults.append(
             Fault(
-                message=f"axis {name}: its table must begin at {start:g} deg, where the modulo range of the control begins "
-                f"(MD30340), and no node lies there: the reference at {positions[0]:g} deg is one",
+                message=(
+                    f"axis {name}: its table must begin at {start:g} deg, where the modulo range of"
+                    " the control begins (MD30340), and no node lies there: the reference at"
+                    f" {positions[0]:g} deg is one"
+                ),
                 expected=f"a table.spacing that divides {common:g} deg",
                 found=f"{step:g} deg",
             )
@@ -64,8 +73,12 @@ def _common(period: float, offset: float) -> float:
     return float(one)
 
 
-def spacings_from(reference: float, start: float, period: float, quantum: float) -> tuple[float, ...] | None:
-    """Return the spacings (deg) with which nodes lie on the reference and on the beginning of the range; None: any that divides."""
+def spacings_from(
+    reference: float, start: float, period: float, quantum: float
+) -> tuple[float, ...] | None:
+    """Return the spacings (deg) with which nodes lie on the reference and on the beginning of the
+    range; None: any that divides.
+    """
     offset = float(np.mod(reference - start, period))
     if min(offset, period - offset) <= quantum / 2:
         return None

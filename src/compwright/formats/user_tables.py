@@ -1,8 +1,10 @@
-"""Controls whose tables stand in files of the user's own making (HEIDENHAIN): what the files say -> compensation.
+"""Controls whose tables stand in files of the user's own making (HEIDENHAIN): what the files say ->
+compensation.
 
-A table belongs to the axis that moves; each of its columns is what that motion does to one axis: its own column to itself, another
-axis' column to that one (facts of the manuals: TNC 407 technical manual p153, MANUALplus 620 p716 and p718). What is typed in at
-the control stands in entry sheets. Parameters (backlash, linear error, which of line and table acts) stand in sheets or lines.
+A table belongs to the axis that moves; each of its columns is what that motion does to one axis:
+its own column to itself, another axis' column to that one (facts of the manuals: TNC 407 technical
+manual p153, MANUALplus 620 p716 and p718). What is typed in at the control stands in entry sheets.
+Parameters (backlash, linear error, which of line and table acts) stand in sheets or lines.
 """
 
 from __future__ import annotations
@@ -19,12 +21,23 @@ from compwright.formats.notes import Notes
 from compwright.formats.options import REFERENCE, REFERENCE_RETURN, TABLE_VALUES, resolve_options
 from compwright.formats.scale import Scale, in_range
 from compwright.formats.schema import Definition
-from compwright.formats.user_tables_sources import PARAMETERS, Given, Sources, find_sources, parameter_name
+from compwright.formats.user_tables_sources import (
+    PARAMETERS,
+    Given,
+    Sources,
+    find_sources,
+    parameter_name,
+)
 from compwright.formats.user_tables_text import POSITION, SECOND, is_number
 from compwright.formats.user_tables_values import TableValues
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState, CrossCompensation
+from compwright.records.correction import (
+    AxisCompensation,
+    ControlFile,
+    ControlState,
+    CrossCompensation,
+)
 
 
 def read_user_tables(
@@ -38,12 +51,16 @@ def read_user_tables(
 ) -> ControlState:
     """Return what a control does with ``files``; arguments and errors as `reading.read_state`.
 
-    ``facts`` hold, for every axis of the result: ``enabled`` (its table acts), ``own_column`` and ``second_column`` (its own table
-    among the files has a column for it, and one for travel in -).
+    ``facts`` hold, for every axis of the result: ``enabled`` (its table acts), ``own_column`` and
+    ``second_column`` (its own table among the files has a column for it, and one for travel in -).
     """
     if not files:
-        raise UsageError("no file of the control was given; expected its own files, or the state `none`")
-    return _StateReader(definition, files, resolve_options(definition, options), axes, address, activity).read()
+        raise UsageError(
+            "no file of the control was given; expected its own files, or the state `none`"
+        )
+    return _StateReader(
+        definition, files, resolve_options(definition, options), axes, address, activity
+    ).read()
 
 
 class _StateReader:
@@ -84,7 +101,9 @@ class _StateReader:
         cross = self._cross()
         if not compensations and not cross and not sources.idle and not self.notes.faults:
             names = ", ".join(file.name for file in self.files)
-            self.notes.faults.append(Fault(message="the files say nothing about the compensation of an axis", file=names))
+            self.notes.faults.append(
+                Fault(message="the files say nothing about the compensation of an axis", file=names)
+            )
         self.notes.ask_contradicted()
         raise_all(InputError, self.notes.faults)
         raise_all(UsageError, self.notes.questions)
@@ -106,11 +125,19 @@ class _StateReader:
             for name in table.others(own, POSITION, SECOND):
                 positions = self.values.positions(table, moving)
                 output = self.sources.axis_of(name)
-                values = None if positions is None else self.values.values(table, name, positions, output, moving)
+                values = (
+                    None
+                    if positions is None
+                    else self.values.values(table, name, positions, output, moving)
+                )
                 if positions is None or values is None:
                     continue
-                nodes, curve, period = self.values.turned(moving, np.array([float(one) for one in positions]), values, table.file)
-                if self._off(output):  # no table acts on this axis; the column is there all the same
+                nodes, curve, period = self.values.turned(
+                    moving, np.array([float(one) for one in positions]), values, table.file
+                )
+                if self._off(
+                    output
+                ):  # no table acts on this axis; the column is there all the same
                     curve = np.zeros(nodes.size)
                 found.append(
                     CrossCompensation(
@@ -129,28 +156,45 @@ class _StateReader:
         return tuple(found)
 
     def _off(self, address: str) -> bool:
-        """Whether the files, or the job where these leave it open, say that no table acts on an axis."""
+        """Whether the files, or the job where these leave it open, say that no table acts on an
+        axis.
+        """
         bits = self.sources.given.get((address, "enabled"), [])
         if bits:
             return bits[0].text == "0" and self.activity.said is not True
         return self.activity.said is False and not self.sources.starred
 
     def _general(self, compensations: Mapping[str, AxisCompensation]) -> None:
-        """Note what concerns all axes: what was not given, what is not active, and what had to be assumed."""
+        """Note what concerns all axes: what was not given, what is not active, and what had to be
+        assumed.
+        """
         sources = self.sources
         for file, address in sources.assumed.items():
-            self.notes.assume(f"{file}: moving axis", address, "inferred from its name: no table of assignments (.CMA) was given")
+            self.notes.assume(
+                f"{file}: moving axis",
+                address,
+                "inferred from its name: no table of assignments (.CMA) was given",
+            )
         for table in sources.idle:
-            self.notes.idle_file(f"{table.file} is not named by the active line of assignments: it does not act")
+            self.notes.idle_file(
+                f"{table.file} is not named by the active line of assignments: it does not act"
+            )
         for address, name in sources.missing.items():
             if address not in self.asked:
-                message = f"{name}, active for the motion of {address}, was not given: what it does to other axes is not known"
+                message = (
+                    f"{name}, active for the motion of {address}, was not given: what it does to"
+                    " other axes is not known"
+                )
                 self.notes.idle_file(message)
         if any(one.positions.size for one in compensations.values()):
-            self.notes.assume("outside the tables", "the end values hold", str(self.definition.layout.evidence))
+            self.notes.assume(
+                "outside the tables", "the end values hold", str(self.definition.layout.evidence)
+            )
         if any(address not in self.axes for address in compensations):
             self.notes.assume(REFERENCE, f"{self.options[REFERENCE]:g}", "option or its default")
-            self.notes.assume(REFERENCE_RETURN, str(self.options[REFERENCE_RETURN]), "option or its default")
+            self.notes.assume(
+                REFERENCE_RETURN, str(self.options[REFERENCE_RETURN]), "option or its default"
+            )
 
 
 class _AxisReader:
@@ -171,7 +215,9 @@ class _AxisReader:
         self.column = self.sources.own_column(address)
         self.points = self.sources.points.get(address, ())
         self.facts: dict[str, Fact] = {"enabled": False, "own_column": self.column is not None}
-        self.facts["second_column"] = self.table is not None and self.table.column(SECOND) is not None
+        self.facts["second_column"] = (
+            self.table is not None and self.table.column(SECOND) is not None
+        )
         if address in self.sources.sheets:
             self.facts[TABLE_VALUES] = self.sources.sheets[address].comments["value"]
         self.curves = self._curves()
@@ -180,7 +226,12 @@ class _AxisReader:
     def spoken_of(self) -> bool:
         """Whether a file says what the control does to this axis by itself."""
         given = any((self.address, name) in self.sources.given for name in ("backlash", "slope"))
-        return given or self.address in self.sources.sheets or self.curves is not None or self._switched_on_alone()
+        return (
+            given
+            or self.address in self.sources.sheets
+            or self.curves is not None
+            or self._switched_on_alone()
+        )
 
     def _switched_on_alone(self) -> bool:
         bits = self.sources.given.get((self.address, "enabled"), [])
@@ -193,14 +244,20 @@ class _AxisReader:
         scale = Scale(self.definition, kind, options, {"table_form": str(options["table_values"])})
         enabled = self._enabled()
         self.facts["enabled"] = enabled
-        returns = self.axis.reference_return if self.axis else Direction(str(self.zero[REFERENCE_RETURN]))
+        returns = (
+            self.axis.reference_return if self.axis else Direction(str(self.zero[REFERENCE_RETURN]))
+        )
         none = np.empty(0)
-        positions, positive, negative, period = self.curves if self.curves is not None and enabled else (none, none, none, None)
+        positions, positive, negative, period = (
+            self.curves if self.curves is not None and enabled else (none, none, none, None)
+        )
         backlash = self._parameter("backlash", scale)
         if backlash:
             evidence = self.definition.bindings["backlash"].evidence
             name = parameter_name(self.definition, "backlash")
-            self.notes.assume(f"{self.label}: {name}", f"nothing is added arriving in {returns}", str(evidence))
+            self.notes.assume(
+                f"{self.label}: {name}", f"nothing is added arriving in {returns}", str(evidence)
+            )
         return AxisCompensation(
             address=self.address,
             kind=kind,
@@ -219,18 +276,28 @@ class _AxisReader:
     # --- the table
 
     def _curves(self) -> tuple[FloatArray, FloatArray, FloatArray, float | None] | None:
-        """Return nodes, the curve of each direction and the period; None where the axis has no table, or a faulty one."""
+        """Return nodes, the curve of each direction and the period; None where the axis has no
+        table, or a faulty one.
+        """
         missing = self.sources.missing.get(self.address)
         if missing is not None and (self.address in self.asked or not self.asked):
             file = self.sources.assignments.file if self.sources.assignments is not None else ""
             self.notes.faults.append(
-                Fault(message=f"{self.label}: the table that acts was not given", file=file, expected=missing, found="no such file")
+                Fault(
+                    message=f"{self.label}: the table that acts was not given",
+                    file=file,
+                    expected=missing,
+                    found="no such file",
+                )
             )
         own = self._own_column() if self.table is not None and self.column is not None else None
         if own is not None and self.points:
             self.notes.faults.append(
                 Fault(
-                    message=f"{self.label}: two tables, an entry sheet and a column of {self.table.file if self.table else ''}",
+                    message=(
+                        f"{self.label}: two tables, an entry sheet and a column of"
+                        f" {self.table.file if self.table else ''}"
+                    ),
                     file=self.sources.sheets[self.address].name,
                     expected="one of them",
                 )
@@ -242,7 +309,12 @@ class _AxisReader:
             return None
         sheet = self.sources.sheets[self.address]
         kind = self.values.kind(self.address)
-        scale = Scale(self.definition, kind, self.values.own_options(self.address), {"table_form": sheet.comments["value"]})
+        scale = Scale(
+            self.definition,
+            kind,
+            self.values.own_options(self.address),
+            {"table_form": sheet.comments["value"]},
+        )
         known = len(self.notes.faults)
         values = []
         for point in self.points:
@@ -250,19 +322,31 @@ class _AxisReader:
             position = scale.read("node_position", str(point.position))
             for quantity, number in (("value", value), ("node_position", position)):
                 if not in_range(self.definition.measure(quantity), scale, number):
-                    message = f"{self.label}: a {'value' if quantity == 'value' else 'position'} this large is not plausible"
-                    self.values.fault(sheet.name, f"line {point.line}", message, "see formats show", str(number))
+                    message = (
+                        f"{self.label}: a {'value' if quantity == 'value' else 'position'} this"
+                        " large is not plausible"
+                    )
+                    self.values.fault(
+                        sheet.name, f"line {point.line}", message, "see formats show", str(number)
+                    )
             values.append(float(value) + 0.0)
         most = self.definition.limit_number("max_points")
         if most is not None and len(values) > most:
             place = f"line {self.points[most].line}"
             self.values.fault(
-                sheet.name, place, f"{self.label}: more points than the control takes", f"at most {most}", str(len(values))
+                sheet.name,
+                place,
+                f"{self.label}: more points than the control takes",
+                f"at most {most}",
+                str(len(values)),
             )
         if len(self.notes.faults) > known:
             return None
         nodes, curve, period = self.values.turned(
-            self.address, np.array([float(point.position) for point in self.points]), np.array(values), sheet.name
+            self.address,
+            np.array([float(point.position) for point in self.points]),
+            np.array(values),
+            sheet.name,
         )
         return nodes, curve, curve, period
 
@@ -272,7 +356,9 @@ class _AxisReader:
         positions = self.values.positions(self.table, self.address)
         if positions is None:
             return None
-        positive = self.values.values(self.table, self.column, positions, self.address, self.address)
+        positive = self.values.values(
+            self.table, self.column, positions, self.address, self.address
+        )
         second = None
         if self.facts["second_column"]:
             second = self.values.values(self.table, SECOND, positions, self.address, self.address)
@@ -281,7 +367,8 @@ class _AxisReader:
                 self.table.file,
                 "",
                 f"{self.label}: what the column {SECOND} means is not confirmed",
-                f"a column that is blank or equal to {self.column}, or the option backlash_column=second_curve",
+                f"a column that is blank or equal to {self.column}, or the option"
+                " backlash_column=second_curve",
                 "other values",
             )
             return None
@@ -289,7 +376,11 @@ class _AxisReader:
             return None
         where = np.array([float(position) for position in positions])
         nodes, curve, period = self.values.turned(self.address, where, positive, self.table.file)
-        negative = curve if second is None else self.values.turned(self.address, where, second, self.table.file)[1]
+        negative = (
+            curve
+            if second is None
+            else self.values.turned(self.address, where, second, self.table.file)[1]
+        )
         return nodes, curve, negative, period
 
     def _second_refused(self, second: FloatArray, positive: FloatArray) -> bool:
@@ -303,14 +394,24 @@ class _AxisReader:
         given = self.sources.given.get((self.address, quantity), [])
         for other in given[1:]:
             if not same_value(other.text, given[0].text):
-                message = f"{self.label}: {parameter_name(self.definition, quantity)} contradicts {given[0].file}, {given[0].place}"
+                message = (
+                    f"{self.label}: {parameter_name(self.definition, quantity)} contradicts"
+                    f" {given[0].file}, {given[0].place}"
+                )
                 self.values.fault(other.file, other.place, message, given[0].text, other.text)
         return given[0] if given else None
 
     def _enabled(self) -> bool:
-        """Return whether the table acts: by the parameter or the active line, else by what the job says of it."""
+        """Return whether the table acts: by the parameter or the active line, else by what the job
+        says of it.
+        """
         found = self._found("enabled") if "enabled" in self.definition.bindings else None
-        if found is not None and found.text == "1" and self.curves is None and not self.notes.faults:
+        if (
+            found is not None
+            and found.text == "1"
+            and self.curves is None
+            and not self.notes.faults
+        ):
             message = f"{self.label}: {self._switch} says that a table acts, but no file holds it"
             self.values.fault(found.file, found.place, message, "the table too", "none")
         if found is not None and found.text == "0" and self.activity.said is not True:
@@ -325,17 +426,33 @@ class _AxisReader:
             return self.activity.said is not False  # a sheet is what was typed in
         if not (np.any(self.curves[1]) or np.any(self.curves[2]) or self._others_act()):
             return True  # zeros: nothing hangs on it
-        word = "yes" if self.sources.starred else None if found is None else "yes" if found.text == "1" else "no"
+        word = (
+            "yes"
+            if self.sources.starred
+            else None
+            if found is None
+            else "yes"
+            if found.text == "1"
+            else "no"
+        )
         return self._answer(word, found)
 
     @property
     def _switch(self) -> str:
         known = "enabled" in self.definition.bindings
-        return parameter_name(self.definition, "enabled") if known else "the active line of the .CMA"
+        return (
+            parameter_name(self.definition, "enabled") if known else "the active line of the .CMA"
+        )
 
     def _answer(self, word: str | None, found: Given | None) -> bool:
-        """Return whether tables that are not zero act: what the files say (``word``), else the job; listed where nobody does."""
-        place = Found(found.text, found.occurrence, 0) if found is not None and found.occurrence is not None else None
+        """Return whether tables that are not zero act: what the files say (``word``), else the job;
+        listed where nobody does.
+        """
+        place = (
+            Found(found.text, found.occurrence, 0)
+            if found is not None and found.occurrence is not None
+            else None
+        )
         acts = self.activity.settle(self.label, self._switch, word, place, self.notes)
         if acts is None:
             evidence = f"{self._switch} is not in the files: a table that was given counts"
@@ -343,7 +460,9 @@ class _AxisReader:
         return acts is not False
 
     def _others_act(self) -> bool:
-        """Whether the motion of another axis corrects this one: the same bit selects such a column."""
+        """Whether the motion of another axis corrects this one: the same bit selects such a
+        column.
+        """
         column = self.sources.column_of(self.address)
         cells = [
             row.cells[column].text
@@ -352,7 +471,9 @@ class _AxisReader:
             for row in table.rows
             if column in row.cells
         ]
-        return self.address in self.asked and any(not is_number(text) or float(text) != 0 for text in cells)
+        return self.address in self.asked and any(
+            not is_number(text) or float(text) != 0 for text in cells
+        )
 
     def _parameter(self, quantity: str, scale: Scale) -> float:
         found = self._found(quantity)
@@ -366,13 +487,30 @@ class _AxisReader:
         value = scale.read(quantity, found.text)
         if not in_range(self.definition.measure(quantity), scale, value):
             low, high = self.definition.measure(quantity).range
-            message = f"{self.label}: {parameter_name(self.definition, quantity)} is outside what the control takes"
-            self.values.fault(found.file, found.place, message, f"{low:g} .. {high:g} {scale.unit(quantity)}", found.text)
+            message = (
+                f"{self.label}: {parameter_name(self.definition, quantity)} is outside what the"
+                " control takes"
+            )
+            self.values.fault(
+                found.file,
+                found.place,
+                message,
+                f"{low:g} .. {high:g} {scale.unit(quantity)}",
+                found.text,
+            )
         return float(value) + 0.0
 
     def _slope(self, scale: Scale, kind: AxisKind, *, enabled: bool) -> float:
-        slope = self._parameter("slope", Scale(self.definition, AxisKind.LINEAR, scale.options, scale.choices))
-        why = "it has a table" if enabled else "it is a rotary axis" if kind is AxisKind.ROTARY else ""
+        slope = self._parameter(
+            "slope", Scale(self.definition, AxisKind.LINEAR, scale.options, scale.choices)
+        )
+        why = (
+            "it has a table"
+            if enabled
+            else "it is a rotary axis"
+            if kind is AxisKind.ROTARY
+            else ""
+        )
         if not why and self._found("slope") is None:
             self.notes.counted_as(self.label, parameter_name(self.definition, "slope"), "0")
         if slope and why:

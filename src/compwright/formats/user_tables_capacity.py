@@ -1,4 +1,6 @@
-"""What one axis of a control with tables of the user's own making (HEIDENHAIN) can hold, and what breaks its limits."""
+"""What one axis of a control with tables of the user's own making (HEIDENHAIN) can hold, and what
+breaks its limits.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,9 @@ def by_line(options: Mapping[str, object]) -> bool:
 
 
 def user_scale(definition: Definition, axis: Axis, options: Mapping[str, object]) -> Scale:
-    """Return how numbers of an axis are written: table values as the option ``table_values`` says."""
+    """Return how numbers of an axis are written: table values as the option ``table_values``
+    says.
+    """
     return Scale(definition, axis.kind, options, {"table_form": str(options["table_values"])})
 
 
@@ -34,10 +38,13 @@ def slope_scale(definition: Definition, options: Mapping[str, object]) -> Scale:
     return Scale(definition, AxisKind.LINEAR, options, {"table_form": str(options["table_values"])})
 
 
-def user_tables_capacity(definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None) -> Capacity:
+def user_tables_capacity(
+    definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None
+) -> Capacity:
     """Return the limits of one axis in mm or deg; ``options`` are the controller's, resolved.
 
-    Raises UsageError for a wrong option of the axis, CapacityError where the control has no such table or parameter at all.
+    Raises UsageError for a wrong option of the axis, CapacityError where the control has no such
+    table or parameter at all.
     """
     own = axis_options(definition, options, axis)
     address, _ = normal_address(definition, axis)
@@ -65,7 +72,9 @@ def user_tables_capacity(definition: Definition, axis: Axis, options: Mapping[st
         period=TURN if endless else None,
         line=step if line else None,
         nodes=None if fixed is None else tuple(float(node) for node in fixed),
-        cover=0 if endless or line or axis.kind is AxisKind.ROTARY else 1,  # of a turn only 0 to 360 degrees are used
+        cover=(
+            0 if endless or line or axis.kind is AxisKind.ROTARY else 1
+        ),  # of a turn only 0 to 360 degrees are used
         below=definition.layout.below,
         above=definition.layout.above,
         assumed=tuple(_assumed(definition, axis, own, second=second)),
@@ -85,7 +94,9 @@ def _max_points(definition: Definition, options: Mapping[str, object]) -> int | 
     return min(known) if known else None
 
 
-def _impossible(definition: Definition, axis: Axis, options: Mapping[str, object]) -> Iterator[Fault]:
+def _impossible(
+    definition: Definition, axis: Axis, options: Mapping[str, object]
+) -> Iterator[Fault]:
     rotary = axis.kind is AxisKind.ROTARY
     if by_line(options) and rotary:
         yield Fault(
@@ -103,14 +114,18 @@ def _impossible(definition: Definition, axis: Axis, options: Mapping[str, object
         )
     if axis.modulo is not None and options.get("spacing_rule") == "power_of_two":
         yield Fault(
-            message="no spacing of 2^n steps of 0.0001 degrees divides a turn in 256 points or less",
+            message=(
+                "no spacing of 2^n steps of 0.0001 degrees divides a turn in 256 points or less"
+            ),
             place="spacing_rule",
             expected="free, or a table typed in by hand",
             found="power_of_two",
         )
 
 
-def _assumed(definition: Definition, axis: Axis, options: Mapping[str, object], *, second: bool) -> Iterator[Assumption]:
+def _assumed(
+    definition: Definition, axis: Axis, options: Mapping[str, object], *, second: bool
+) -> Iterator[Assumption]:
     if options.get("backlash_column") == "second_curve" and not second:
         yield Assumption(
             fact=f"axis {axis.name}: curve for travel in -",
@@ -120,25 +135,46 @@ def _assumed(definition: Definition, axis: Axis, options: Mapping[str, object], 
     if not by_line(options):
         yield Assumption(
             fact=f"axis {axis.name}: outside the table",
-            value="the end values hold; let the table reach one spacing beyond the travel on each side",
+            value=(
+                "the end values hold; let the table reach one spacing beyond the travel on each"
+                " side"
+            ),
             evidence=str(definition.layout.evidence),
         )
 
 
-def broken_limits(definition: Definition, axis: Axis, compensation: AxisCompensation, capacity: Capacity) -> Iterator[Fault]:
-    """Yield what keeps the control from holding a compensation beside numbers of points, curves and ends."""
+def broken_limits(
+    definition: Definition, axis: Axis, compensation: AxisCompensation, capacity: Capacity
+) -> Iterator[Fault]:
+    """Yield what keeps the control from holding a compensation beside numbers of points, curves and
+    ends.
+    """
     label, unit = f"axis {axis.name} ({compensation.address})", axis.kind.unit
     nodes, values = compensation.positions, compensation.positive
     if compensation.interpolation != "linear" or compensation.others:
-        yield Fault(message=f"{label}: the control has one table with straight lines between its points")
+        yield Fault(
+            message=f"{label}: the control has one table with straight lines between its points"
+        )
     if capacity.line is not None and nodes.size:
-        yield Fault(message=f"{label}: the linear parameter and a table exclude each other", expected="no table", found="a table")
+        yield Fault(
+            message=f"{label}: the linear parameter and a table exclude each other",
+            expected="no table",
+            found="a table",
+        )
     if capacity.line is None and compensation.slope:
         found = f"{compensation.slope * 1000:g} mm/m"
-        yield Fault(message=f"{label}: beside a table the linear parameter has no effect", expected="0 mm/m", found=found)
+        yield Fault(
+            message=f"{label}: beside a table the linear parameter has no effect",
+            expected="0 mm/m",
+            found=found,
+        )
     if capacity.line is not None and compensation.slope and compensation.origin != axis.reference:
         expected = f"{axis.reference:g} {unit}"
-        yield Fault(message=f"{label}: the line is zero at the reference", expected=expected, found=f"{compensation.origin:g}")
+        yield Fault(
+            message=f"{label}: the line is zero at the reference",
+            expected=expected,
+            found=f"{compensation.origin:g}",
+        )
     if nodes.size < 2:
         return
     steps = np.diff(nodes)
@@ -149,7 +185,10 @@ def broken_limits(definition: Definition, axis: Axis, compensation: AxisCompensa
         step = float(abs(values[worst + 1] - values[worst]))
         if step > float(steps[worst]) / rule * (1 + 1e-9):
             yield Fault(
-                message=f"{label}: neighbouring values at {nodes[worst]:g} {unit} differ too much; a wider spacing would help",
+                message=(
+                    f"{label}: neighbouring values at {nodes[worst]:g} {unit} differ too much; a"
+                    " wider spacing would help"
+                ),
                 expected=f"at most the spacing / {rule}, {float(steps[worst]) / rule:.6g} {unit}",
                 found=f"{step:.6g} {unit}",
             )
@@ -161,12 +200,19 @@ def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -
     slack = EXACTNESS * capacity.position_quantum
     if capacity.spacing == "equidistant" and np.ptp(steps) > slack:
         found = f"{np.min(steps):.10g} to {np.max(steps):.10g} {unit}"
-        yield Fault(message=f"{label}: the points are not equally spaced", expected="one spacing", found=found)
+        yield Fault(
+            message=f"{label}: the points are not equally spaced",
+            expected="one spacing",
+            found=found,
+        )
     elif capacity.spacings is not None and capacity.nodes is None:
         near = min(capacity.spacings, key=lambda one: abs(one - float(steps[0])))
         if abs(near - float(steps[0])) > slack:
             yield Fault(
-                message=f"{label}: the spacing is not a power of two of 0.0001 {unit} (option spacing_rule)",
+                message=(
+                    f"{label}: the spacing is not a power of two of 0.0001 {unit} (option"
+                    " spacing_rule)"
+                ),
                 expected=f"such as {near:.10g} {unit}",
                 found=f"{steps[0]:.10g} {unit}",
             )
@@ -177,24 +223,37 @@ def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity)
     if capacity.period is None:
         if nodes[0] < 0 or nodes[-1] > TURN:
             yield Fault(
-                message=f"{label}: of a rotary axis the control uses only the entries from 0 to 360 degrees",
+                message=(
+                    f"{label}: of a rotary axis the control uses only the entries from 0 to 360"
+                    " degrees"
+                ),
                 expected="a travel within 0 to 360, or modulo: 360 in the job",
                 found=f"a table from {nodes[0]:g} to {nodes[-1]:g}",
             )
         return
     ends = [(curve[0], curve[-1]) for curve in (compensation.positive, compensation.negative)]
-    if abs(nodes[-1] - nodes[0] - TURN) > EXACTNESS * capacity.position_quantum or any(first != last for first, last in ends):
+    if abs(nodes[-1] - nodes[0] - TURN) > EXACTNESS * capacity.position_quantum or any(
+        first != last for first, last in ends
+    ):
         yield Fault(
-            message=f"{label}: the table of an endless axis spans one turn and ends with the value with which it begins",
+            message=(
+                f"{label}: the table of an endless axis spans one turn and ends with the value with"
+                " which it begins"
+            ),
             expected=f"{TURN:g} degrees, equal ends",
             found=f"{nodes[-1] - nodes[0]:g} degrees, {ends[0][0]:g} and {ends[0][1]:g}",
         )
 
 
 def user_card_values(
-    definition: Definition, axis: Axis, compensation: AxisCompensation, options: Mapping[str, object]
+    definition: Definition,
+    axis: Axis,
+    compensation: AxisCompensation,
+    options: Mapping[str, object],
 ) -> dict[str, str]:
-    """Return what the card says beside the general values: the table in words, the axis' number, its bit, its parameters."""
+    """Return what the card says beside the general values: the table in words, the axis' number,
+    its bit, its parameters.
+    """
     own = axis_options(definition, options, axis)
     address, _ = normal_address(definition, axis)
     number = AxisNumbers(definition, [axis]).number(address)
@@ -206,7 +265,11 @@ def user_card_values(
         "nonlinear": "1" if nodes.size else "0",
         "linear": slope_scale(definition, own).write("slope", compensation.slope),
         "table_values": str(own["table_values"]),
-        "table": "no table" if not nodes.size else f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g} {unit}",
+        "table": (
+            "no table"
+            if not nodes.size
+            else f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g} {unit}"
+        ),
     }
     if nodes.size > 1:
         values["table"] += f", every {(nodes[-1] - nodes[0]) / (nodes.size - 1):.10g} {unit}"

@@ -1,4 +1,6 @@
-"""The files of a control with tables of its own (HEIDENHAIN), sorted: entry sheets, tables, the line that is active, parameters."""
+"""The files of a control with tables of its own (HEIDENHAIN), sorted: entry sheets, tables, the
+line that is active, parameters.
+"""
 
 from __future__ import annotations
 
@@ -42,8 +44,16 @@ class AxisNumbers:
     """How the control counts its axes, from 1. A job's ``axis_number`` goes over the letters."""
 
     def __init__(self, definition: Definition, axes: Sequence[Axis]) -> None:
-        said = {axis.axis_number: normal_address(definition, axis)[0] for axis in axes if axis.axis_number is not None}
-        letters = {place: letter for place, letter in enumerate(LETTERS, start=1) if letter not in said.values()}
+        said = {
+            axis.axis_number: normal_address(definition, axis)[0]
+            for axis in axes
+            if axis.axis_number is not None
+        }
+        letters = {
+            place: letter
+            for place, letter in enumerate(LETTERS, start=1)
+            if letter not in said.values()
+        }
         self.by_number: Mapping[int, str] = {**letters, **said}
 
     def address(self, number: int) -> str:
@@ -57,7 +67,9 @@ class AxisNumbers:
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """A parameter of an axis as it was found: its text in the unit of its quantity. ``occurrence``: where it is in a text file."""
+    """A parameter of an axis as it was found: its text in the unit of its quantity. ``occurrence``:
+    where it is in a text file.
+    """
 
     text: str
     file: str
@@ -67,7 +79,9 @@ class Given:
 
 @dataclass(frozen=True, slots=True)
 class SheetPoint:
-    """A point of an entry sheet, position in mm or deg, value in mm or deg as it stands there (an error or a correction)."""
+    """A point of an entry sheet, position in mm or deg, value in mm or deg as it stands there (an
+    error or a correction).
+    """
 
     position: Decimal
     value: Decimal
@@ -76,9 +90,11 @@ class SheetPoint:
 
 @dataclass(slots=True)
 class Sources:
-    """What the files hold. ``tables``: by the moving axis, those that act; ``idle``: those that the active line does not name.
+    """What the files hold. ``tables``: by the moving axis, those that act; ``idle``: those that the
+    active line does not name.
 
-    ``missing``: the axis -> the table that the active line names and that was not given. ``active``: that line.
+    ``missing``: the axis -> the table that the active line names and that was not given.
+    ``active``: that line.
     """
 
     definition: Definition
@@ -97,12 +113,16 @@ class Sources:
 
     @property
     def numbered(self) -> bool:
-        """Whether columns are named by axis numbers on an equally spaced grid; else by axis names, with listed positions."""
+        """Whether columns are named by axis numbers on an equally spaced grid; else by axis names,
+        with listed positions.
+        """
         return "datum" in self.definition.statements[VALUES].fields
 
     @property
     def starred(self) -> bool:
-        """Whether a mark in the table of assignments says that its tables act; where axes have numbers a parameter says it."""
+        """Whether a mark in the table of assignments says that its tables act; where axes have
+        numbers a parameter says it.
+        """
         return not self.numbered and self.active is not None
 
     def column_of(self, address: str) -> str:
@@ -110,8 +130,12 @@ class Sources:
         return f"{self.numbers.number(address)}=F()" if self.numbered else address
 
     def axis_of(self, column: str, *, assigned: bool = False) -> str:
-        """Return the axis of a column in a table of values (or of assignments); its own name where it is no axis'."""
-        match = (_ASSIGNED_COLUMN if assigned else _COLUMN).fullmatch(column) if self.numbered else None
+        """Return the axis of a column in a table of values (or of assignments); its own name where
+        it is no axis'.
+        """
+        match = (
+            (_ASSIGNED_COLUMN if assigned else _COLUMN).fullmatch(column) if self.numbered else None
+        )
         return self.numbers.address(int(match[1])) if match else column
 
     def own_column(self, address: str) -> str | None:
@@ -122,18 +146,32 @@ class Sources:
 
     def mentioned(self) -> tuple[str, ...]:
         """Return every axis of which a file says something."""
-        moved = [self.axis_of(column.name) for table in self.tables.values() for column in table.columns]
-        known = (*self.sheets, *(address for address, _ in self.given), *self.tables, *self.missing, *moved)
+        moved = [
+            self.axis_of(column.name) for table in self.tables.values() for column in table.columns
+        ]
+        known = (
+            *self.sheets,
+            *(address for address, _ in self.given),
+            *self.tables,
+            *self.missing,
+            *moved,
+        )
         return tuple(name for name in dict.fromkeys(known) if name not in RESERVED)
 
 
 def parameter_name(definition: Definition, quantity: str) -> str:
-    """Return the control's name of a parameter (``MP710``): the first word of its line in the entry sheet."""
+    """Return the control's name of a parameter (``MP710``): the first word of its line in the entry
+    sheet.
+    """
     return definition.statements[definition.bindings[quantity].statement].form.split(",")[0]
 
 
-def find_sources(definition: Definition, files: Sequence[ControlFile], axes: Sequence[Axis], faults: list[Fault]) -> Sources:
-    """Return the files sorted; everything that is wrong with one of them, or between them, goes to ``faults``."""
+def find_sources(
+    definition: Definition, files: Sequence[ControlFile], axes: Sequence[Axis], faults: list[Fault]
+) -> Sources:
+    """Return the files sorted; everything that is wrong with one of them, or between them, goes to
+    ``faults``.
+    """
     sources = Sources(definition, AxisNumbers(definition, axes))
     reader = TextReader(definition)
     tables: list[UserTable] = []
@@ -165,9 +203,20 @@ def _take_sheet(sources: Sources, file: ControlFile, faults: list[Fault]) -> Non
         return
     if address in sources.sheets:
         other = sources.sheets[address].name
-        faults.append(Fault(message=f"axis {address} has two entry sheets", file=file.name, expected="one", found=other))
+        faults.append(
+            Fault(
+                message=f"axis {address} has two entry sheets",
+                file=file.name,
+                expected="one",
+                found=other,
+            )
+        )
         return
-    names = {parameter_name(sources.definition, name): name for name in PARAMETERS if name in sources.definition.bindings}
+    names = {
+        parameter_name(sources.definition, name): name
+        for name in PARAMETERS
+        if name in sources.definition.bindings
+    }
     points: list[SheetPoint] = []
     for row in sheet.rows:
         if row.point in names:
@@ -177,7 +226,9 @@ def _take_sheet(sources: Sources, file: ControlFile, faults: list[Fault]) -> Non
             sources.units.setdefault(address, set()).add(row.unit)
         else:
             expected = f"a point from 0 with its position, or {', '.join(names)} without one"
-            faults.append(_at(row, file.name, "no point and no parameter is called so", expected, row.point))
+            faults.append(
+                _at(row, file.name, "no point and no parameter is called so", expected, row.point)
+            )
     _check_count(sheet, len(points), faults)
     for before, after in itertools.pairwise(points):
         if after.position <= before.position:
@@ -196,46 +247,80 @@ def _take_sheet(sources: Sources, file: ControlFile, faults: list[Fault]) -> Non
 
 
 def _check_count(sheet: EntrySheet, found: int, faults: list[Fault]) -> None:
-    """A sheet that says how many points it has is checked: a lost last line would otherwise go unnoticed."""
+    """A sheet that says how many points it has is checked: a lost last line would otherwise go
+    unnoticed.
+    """
     said = sheet.comments.get("points")
     if said is not None and said != str(found):
         place = f"line {sheet.lines.get('points', 1)}"
         message = "the sheet does not hold as many points as it says; it may have been cut short"
-        faults.append(Fault(message=message, file=sheet.name, place=place, expected=said[:60], found=str(found)))
+        faults.append(
+            Fault(
+                message=message, file=sheet.name, place=place, expected=said[:60], found=str(found)
+            )
+        )
 
 
 def _points(row: SheetRow, expected: int, file: str, faults: list[Fault]) -> Iterator[SheetPoint]:
     if int(row.point) != expected:
-        faults.append(_at(row, file, "the points are not numbered one by one from 0", str(expected), row.point))
+        faults.append(
+            _at(
+                row, file, "the points are not numbered one by one from 0", str(expected), row.point
+            )
+        )
     elif row.unit not in ("mm", "um", "deg"):
-        faults.append(_at(row, file, "the unit of a point is not known", "mm, um or deg", row.unit or "nothing"))
+        faults.append(
+            _at(
+                row,
+                file,
+                "the unit of a point is not known",
+                "mm, um or deg",
+                row.unit or "nothing",
+            )
+        )
     else:
         yield SheetPoint(Decimal(row.position), Decimal(row.value) * _UNITS[row.unit], row.line)
 
 
-def _take_parameter_row(sources: Sources, address: str, quantity: str, row: SheetRow, file: str, faults: list[Fault]) -> None:
+def _take_parameter_row(
+    sources: Sources, address: str, quantity: str, row: SheetRow, file: str, faults: list[Fault]
+) -> None:
     units = {"slope": ("mm/m",), "enabled": ("", "-", "bit")}.get(quantity, ("mm", "um", "deg"))
     if row.position:
         faults.append(_at(row, file, "a parameter has no position", "an empty cell", row.position))
     elif row.unit not in units:
-        faults.append(_at(row, file, f"the unit of {row.point} is not known", " or ".join(units), row.unit or "nothing"))
+        faults.append(
+            _at(
+                row,
+                file,
+                f"the unit of {row.point} is not known",
+                " or ".join(units),
+                row.unit or "nothing",
+            )
+        )
     elif quantity == "enabled" and Decimal(row.value) not in (0, 1):
         faults.append(_at(row, file, f"{row.point} of one axis is one bit", "0 or 1", row.value))
     else:
         text = row.value if quantity == "enabled" else f"{Decimal(row.value) * _UNITS[row.unit]:f}"
-        sources.given.setdefault((address, quantity), []).append(Given(text, file, f"line {row.line}"))
+        sources.given.setdefault((address, quantity), []).append(
+            Given(text, file, f"line {row.line}")
+        )
         if quantity == "backlash":
             sources.units.setdefault(address, set()).add(row.unit)
 
 
 def _at(row: SheetRow, file: str, message: str, expected: str, found: str) -> Fault:
-    return Fault(message=message, file=file, place=f"line {row.line}", expected=expected, found=found[:60])
+    return Fault(
+        message=message, file=file, place=f"line {row.line}", expected=expected, found=found[:60]
+    )
 
 
 # --- parameters as lines of text
 
 
-def _take_parameters(sources: Sources, reader: TextReader, file: ControlFile, number: int, faults: list[Fault]) -> None:
+def _take_parameters(
+    sources: Sources, reader: TextReader, file: ControlFile, number: int, faults: list[Fault]
+) -> None:
     definition = sources.definition
     known = len(faults)
     text = reader.read(file, faults, number)
@@ -245,12 +330,19 @@ def _take_parameters(sources: Sources, reader: TextReader, file: ControlFile, nu
         for quantity in PARAMETERS
         if quantity in definition.bindings
         for statement in definition.statements.values()
-        if statement.text == "parameters" and statement.form.startswith(parameter_name(definition, quantity))
+        if statement.text == "parameters"
+        and statement.form.startswith(parameter_name(definition, quantity))
     }
-    found = [place for place in (text.occurrences if text is not None else ()) if place.statement in lines]
+    found = [
+        place
+        for place in (text.occurrences if text is not None else ())
+        if place.statement in lines
+    ]
     if not found and len(faults) == known:
         kinds = "an entry sheet, or a table that begins with BEGIN"
-        forms = [definition.statements[name].form.replace("{", "<").replace("}", ">") for name in lines]
+        forms = [
+            definition.statements[name].form.replace("{", "<").replace("}", ">") for name in lines
+        ]
         faults.append(
             Fault(
                 message=f"nothing in it is compensation data of {definition.id}",
@@ -273,28 +365,48 @@ def _take_mask(sources: Sources, place: Occurrence, faults: list[Fault]) -> None
     mask = mask_of(text)
     if ambiguous(text):
         name = parameter_name(sources.definition, "enabled")
-        message = f"{name} is a mask or a decimal number: with these digits it can be read in two ways"
+        message = (
+            f"{name} is a mask or a decimal number: with these digits it can be read in two ways"
+        )
         faults.append(
-            Fault(message=message, file=place.file, place=place.place, expected=f"%{text}, or %{int(text):b}", found=text[:60])
+            Fault(
+                message=message,
+                file=place.file,
+                place=place.place,
+                expected=f"%{text}, or %{int(text):b}",
+                found=text[:60],
+            )
         )
         return
     if mask is None:
         faults.append(
-            Fault(message="the bits cannot be read", file=place.file, place=place.place, expected="%00011, or 3", found=text[:60])
+            Fault(
+                message="the bits cannot be read",
+                file=place.file,
+                place=place.place,
+                expected="%00011, or 3",
+                found=text[:60],
+            )
         )
         return
     for number, address in sources.numbers.by_number.items():
         bit = str(mask >> (number - 1) & 1)
-        sources.given.setdefault((address, "enabled"), []).append(Given(bit, place.file, place.place, place))
+        sources.given.setdefault((address, "enabled"), []).append(
+            Given(bit, place.file, place.place, place)
+        )
 
 
 def ambiguous(text: str) -> bool:
-    """Whether bits without ``%`` could be meant as bits or as a decimal number, and these differ (``11``: 3 or 11)."""
+    """Whether bits without ``%`` could be meant as bits or as a decimal number, and these differ
+    (``11``: 3 or 11).
+    """
     return re.fullmatch("[01]{1,32}", text) is not None and int(text, 2) != int(text)
 
 
 def mask_of(text: str) -> int | None:
-    """Return a bit mask (``%00011`` or ``3``) as a number, bit 0 the first axis; None when it is none."""
+    """Return a bit mask (``%00011`` or ``3``) as a number, bit 0 the first axis; None when it is
+    none.
+    """
     match = _MASK.fullmatch(text)
     if match is None:
         return None
@@ -304,7 +416,9 @@ def mask_of(text: str) -> int | None:
 # --- which table acts
 
 
-def _activate(sources: Sources, tables: Sequence[UserTable], axes: Sequence[Axis], faults: list[Fault]) -> None:
+def _activate(
+    sources: Sources, tables: Sequence[UserTable], axes: Sequence[Axis], faults: list[Fault]
+) -> None:
     values = [table for table in tables if table.kind == "values"]
     lines = [table for table in tables if table.kind == "assignments"]
     if len(lines) > 1:
@@ -327,7 +441,14 @@ def _activate(sources: Sources, tables: Sequence[UserTable], axes: Sequence[Axis
             continue
         if address in sources.tables:
             other = sources.tables[address].file
-            faults.append(Fault(message=f"two tables for axis {address}", file=table.file, expected="one", found=other))
+            faults.append(
+                Fault(
+                    message=f"two tables for axis {address}",
+                    file=table.file,
+                    expected="one",
+                    found=other,
+                )
+            )
         sources.tables[address] = table
         sources.assumed[table.file] = address
 
@@ -337,15 +458,26 @@ def _active_row(sources: Sources, table: UserTable, faults: list[Fault]) -> Row 
     if column is None:
         if len(table.rows) == 1 and sources.numbered:
             return table.rows[0]
-        what = "a column ACTIVE" if not sources.numbered else "a single line, or a column ACTIVE or STATUS"
-        faults.append(Fault(message="nothing says which line is active", file=table.file, expected=what))
+        what = (
+            "a column ACTIVE"
+            if not sources.numbered
+            else "a single line, or a column ACTIVE or STATUS"
+        )
+        faults.append(
+            Fault(message="nothing says which line is active", file=table.file, expected=what)
+        )
         return None
     marks = ("*", "M") if sources.numbered else ("*",)
-    marked = [row for row in table.rows if column in row.cells and row.cells[column].text.upper() in marks]
+    marked = [
+        row for row in table.rows if column in row.cells and row.cells[column].text.upper() in marks
+    ]
     if len(marked) > 1:
         faults.append(
             Fault(
-                message="several lines are active", file=table.file, place=marked[1].place, expected=f"one {marks[0]} in {column}"
+                message="several lines are active",
+                file=table.file,
+                place=marked[1].place,
+                expected=f"one {marks[0]} in {column}",
             )
         )
     if not marked and sources.numbered and len(table.rows) == 1:
@@ -368,12 +500,25 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
         address = sources.axis_of(column, assigned=True)
         if address in sources.tables or address in sources.missing:
             file = sources.assignments.file if sources.assignments is not None else ""
-            faults.append(Fault(message=f"axis {address} stands in two columns", file=file, expected="one", found=column))
+            faults.append(
+                Fault(
+                    message=f"axis {address} stands in two columns",
+                    file=file,
+                    expected="one",
+                    found=column,
+                )
+            )
         exact = [table for table in values if bare_name(table.file) == wanted]
         fitting = exact or [table for table in values if bare_name(table.name) == wanted]
         if len(fitting) > 1:
             names = ", ".join(table.file for table in fitting)
-            faults.append(Fault(message=f"axis {address}: several tables are called {cell.text}", file=names, expected="one"))
+            faults.append(
+                Fault(
+                    message=f"axis {address}: several tables are called {cell.text}",
+                    file=names,
+                    expected="one",
+                )
+            )
         if fitting:
             sources.tables[address] = fitting[0]
             used.append(fitting[0])
@@ -382,12 +527,21 @@ def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]
     sources.idle = [table for table in values if table not in used]
 
 
-def _named_axis(sources: Sources, table: UserTable, axes: Sequence[Axis], faults: list[Fault]) -> str | None:
-    """Return the moving axis by the names of the table: that of its first line and that of its file must not contradict."""
+def _named_axis(
+    sources: Sources, table: UserTable, axes: Sequence[Axis], faults: list[Fault]
+) -> str | None:
+    """Return the moving axis by the names of the table: that of its first line and that of its file
+    must not contradict.
+    """
     definition = sources.definition
-    names = [name for name in (table.name, table.file.rpartition(".")[0]) if field_matches("name", name)]
+    names = [
+        name for name in (table.name, table.file.rpartition(".")[0]) if field_matches("name", name)
+    ]
     addresses = list(dict.fromkeys(normal_text(definition, name) for name in names))
-    axis_names = {*sources.numbers.by_number.values(), *(normal_address(definition, axis)[0] for axis in axes)}
+    axis_names = {
+        *sources.numbers.by_number.values(),
+        *(normal_address(definition, axis)[0] for axis in axes),
+    }
     if not sources.numbered:
         axis_names |= {column.name for column in table.columns if column.name not in RESERVED}
     fitting = [address for address in addresses if address in axis_names]

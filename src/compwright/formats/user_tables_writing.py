@@ -1,7 +1,9 @@
-"""Compensation -> the user's own exported tables and parameters, patched in place; what has no place there -> entry sheets.
+"""Compensation -> the user's own exported tables and parameters, patched in place; what has no
+place there -> entry sheets.
 
-No manual shows the text of these files, so none is invented: only cells of the axis' own column change, rows are added in the
-table's own style, and one bit of a mask that was read. Everything else keeps its bytes.
+No manual shows the text of these files, so none is invented: only cells of the axis' own column
+change, rows are added in the table's own style, and one bit of a mask that was read. Everything
+else keeps its bytes.
 """
 
 from __future__ import annotations
@@ -19,9 +21,30 @@ from compwright.formats.scale import EXACTNESS, NotHeld
 from compwright.formats.schema import Definition
 from compwright.formats.statements import Occurrence, print_form
 from compwright.formats.user_tables_capacity import by_line, slope_scale, spacings, user_scale
-from compwright.formats.user_tables_sources import PARAMETERS, Sources, ambiguous, find_sources, mask_of, parameter_name
-from compwright.formats.user_tables_text import POSITION, ROW_NUMBER, SECOND, Row, UserTable, cell_changes, is_number, set_cell
-from compwright.formats.user_tables_values import MOST_DOUBLINGS, SMALLEST_SPACING, TURN, TableValues
+from compwright.formats.user_tables_sources import (
+    PARAMETERS,
+    Sources,
+    ambiguous,
+    find_sources,
+    mask_of,
+    parameter_name,
+)
+from compwright.formats.user_tables_text import (
+    POSITION,
+    ROW_NUMBER,
+    SECOND,
+    Row,
+    UserTable,
+    cell_changes,
+    is_number,
+    set_cell,
+)
+from compwright.formats.user_tables_values import (
+    MOST_DOUBLINGS,
+    SMALLEST_SPACING,
+    TURN,
+    TableValues,
+)
 from compwright.foundations.errors import CapacityError, Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, FloatArray
 from compwright.records.correction import AxisCompensation, ControlFile
@@ -35,9 +58,10 @@ def write_user_tables(
 ) -> tuple[ControlFile, ...]:
     """Return the files that put the compensations (address, axis, table) into the control.
 
-    The user's own ``files`` come back patched, all of them but old entry sheets, so that the set is complete; for what they have no
-    place for there is one entry sheet per axis. Raises InputError for files that cannot be read, CapacityError with everything
-    that cannot be written exactly, UsageError where a value that would be replaced is in no file.
+    The user's own ``files`` come back patched, all of them but old entry sheets, so that the set is
+    complete; for what they have no place for there is one entry sheet per axis. Raises InputError
+    for files that cannot be read, CapacityError with everything that cannot be written exactly,
+    UsageError where a value that would be replaced is in no file.
     """
     if files:
         _refuse_unsaid_backlash(definition, pairs, options, files)
@@ -64,21 +88,31 @@ def _refuse_unsaid_backlash(
     options: Mapping[str, object],
     files: Sequence[ControlFile],
 ) -> None:
-    """A backlash is written over what stands in the control: where no file says that, it would be lost from the total."""
+    """A backlash is written over what stands in the control: where no file says that, it would be
+    lost from the total.
+    """
     given = find_sources(definition, files, [axis for _, axis, _ in pairs], []).given
     name = parameter_name(definition, "backlash")
     asked = [
         Fault(
-            message=f"axis {axis.name} ({address}): {name} is in no file of the state, and the new table writes it: a value that "
-            "stands in the control would be lost from the total",
+            message=(
+                f"axis {axis.name} ({address}): {name} is in no file of the state, and the new"
+                " table writes it: a value that stands in the control would be lost from the total"
+            ),
             place="states",
-            expected=f"{name} as it stands in the control among the files: an entry sheet of {address} with the line "
-            f"{name},,0.0000,{axis.kind.unit} where it is 0",
+            expected=(
+                f"{name} as it stands in the control among the files: an entry sheet of {address}"
+                f" with the line {name},,0.0000,{axis.kind.unit} where it is 0"
+            ),
             found="no value",
         )
         for address, axis, compensation in pairs
         if (address, "backlash") not in given
-        and Decimal(user_scale(definition, axis, axis_options(definition, options, axis)).write("backlash", compensation.backlash))
+        and Decimal(
+            user_scale(definition, axis, axis_options(definition, options, axis)).write(
+                "backlash", compensation.backlash
+            )
+        )
     ]
     raise_all(UsageError, asked)
 
@@ -87,7 +121,11 @@ class _Patcher:
     """Collects the changes to the user's own files."""
 
     def __init__(
-        self, definition: Definition, axes: Mapping[str, Axis], options: Mapping[str, object], own: Sequence[ControlFile]
+        self,
+        definition: Definition,
+        axes: Mapping[str, Axis],
+        options: Mapping[str, object],
+        own: Sequence[ControlFile],
     ) -> None:
         self.definition = definition
         self.options = options
@@ -104,22 +142,35 @@ class _Patcher:
         for (file, _), (place, text) in self.masks.items():
             self.changes[file].extend(set_field(place, "value", text))
         self.masks = {}
-        return tuple(ControlFile(name, apply_changes(content, self.changes[name])) for name, content in self.own.items())
+        return tuple(
+            ControlFile(name, apply_changes(content, self.changes[name]))
+            for name, content in self.own.items()
+        )
 
     def put(self, address: str, axis: Axis, compensation: AxisCompensation) -> ControlFile | None:
-        """Note the changes for one axis and return the sheet with what has no place in the user's files; None: nothing is left."""
-        entry = _Entry(self.definition, axis, compensation, axis_options(self.definition, self.options, axis))
+        """Note the changes for one axis and return the sheet with what has no place in the user's
+        files; None: nothing is left.
+        """
+        entry = _Entry(
+            self.definition, axis, compensation, axis_options(self.definition, self.options, axis)
+        )
         points: list[SheetRow] = []
         if not entry.line:
             if self.sources.own_column(address) is not None:
                 _TableFiller(self, address, entry).fill()
             else:
                 points = entry.points()
-        left = {name: text for name, text in entry.parameters().items() if not self._parameter(address, name, text)}
+        left = {
+            name: text
+            for name, text in entry.parameters().items()
+            if not self._parameter(address, name, text)
+        }
         rows = [*points, *entry.parameter_rows(left)]
         return self._sheet(address, entry, rows, len(points)) if rows else None
 
-    def _sheet(self, address: str, entry: _Entry, rows: Sequence[SheetRow], points: int) -> ControlFile:
+    def _sheet(
+        self, address: str, entry: _Entry, rows: Sequence[SheetRow], points: int
+    ) -> ControlFile:
         file = next(file for file in self.definition.writing if file.rows is not None)
         meaning = str(entry.options["table_values"])
         comments = [
@@ -128,14 +179,24 @@ class _Patcher:
             ("format", self.definition.id),
             ("value", meaning),
             ("points", str(points)),
-            ("note", f"values of points are {meaning}s as the control is assumed to expect them: check the sign, see the card"),
+            (
+                "note",
+                (
+                    f"values of points are {meaning}s as the control is assumed to expect them:"
+                    " check the sign, see the card"
+                ),
+            ),
             ("note", f"positions are machine coordinates in {entry.axis.kind.unit}"),
         ]
         return write_sheet(print_form(file.name, {"axis": address}), comments, rows)
 
     def _parameter(self, address: str, quantity: str, text: str) -> bool:
         """Note the change of a parameter in the user's files; False where it is not in them."""
-        found = [given for given in self.sources.given.get((address, quantity), []) if given.occurrence is not None]
+        found = [
+            given
+            for given in self.sources.given.get((address, quantity), [])
+            if given.occurrence is not None
+        ]
         for given in found:
             place = given.occurrence
             if place is None:
@@ -168,14 +229,15 @@ class _Patcher:
         others = [
             f"{table.file} ({address} over {moving})"
             for moving, table in self.sources.tables.items()
-            if moving != address and any(_not_zero(row.cells[column].text) for row in table.rows if column in row.cells)
+            if moving != address
+            and any(_not_zero(row.cells[column].text) for row in table.rows if column in row.cells)
         ]
         if others:
             name = parameter_name(self.definition, "enabled")
             what = "would wake what sleeps" if awake else "would switch off what acts"
             raise NotHeld(
-                f"the bit of {address} in {name} has to become {int(awake)}, which {what} in {', '.join(others)}; "
-                "empty that column first, or set the bit and measure again"
+                f"the bit of {address} in {name} has to become {int(awake)}, which {what} in"
+                f" {', '.join(others)}; empty that column first, or set the bit and measure again"
             )
 
 
@@ -186,7 +248,13 @@ def _not_zero(text: str) -> bool:
 class _Entry:
     """What is entered for one axis, as text."""
 
-    def __init__(self, definition: Definition, axis: Axis, compensation: AxisCompensation, options: Mapping[str, object]) -> None:
+    def __init__(
+        self,
+        definition: Definition,
+        axis: Axis,
+        compensation: AxisCompensation,
+        options: Mapping[str, object],
+    ) -> None:
         self.definition = definition
         self.axis = axis
         self.compensation = compensation
@@ -203,27 +271,43 @@ class _Entry:
         rows = []
         for number, (node, correction) in enumerate(zip(self.nodes, self.positive, strict=True)):
             position = self.scale.write("node_position", float(node))
-            rows.append(SheetRow(str(number), position, self.value(float(correction)), self.axis.kind.unit))
+            rows.append(
+                SheetRow(str(number), position, self.value(float(correction)), self.axis.kind.unit)
+            )
         return rows
 
     def parameters(self) -> dict[str, str]:
-        """Return the parameters by quantity. Beside a table the linear one is 0: nothing counts twice, whichever of them acts."""
+        """Return the parameters by quantity. Beside a table the linear one is 0: nothing counts
+        twice, whichever of them acts.
+        """
         texts = {
             "backlash": self.scale.write("backlash", self.compensation.backlash),
-            "slope": slope_scale(self.definition, self.options).write("slope", self.compensation.slope),
+            "slope": (
+                slope_scale(self.definition, self.options).write("slope", self.compensation.slope)
+            ),
             "enabled": "0" if self.line else "1",
         }
         if self.axis.kind is AxisKind.ROTARY:
             del texts["slope"]  # it has no effect there
-        return {name: texts[name] for name in PARAMETERS if name in texts and name in self.definition.bindings}
+        return {
+            name: texts[name]
+            for name in PARAMETERS
+            if name in texts and name in self.definition.bindings
+        }
 
     def parameter_rows(self, left: Mapping[str, str]) -> list[SheetRow]:
         units = {"backlash": self.axis.kind.unit, "slope": "mm/m", "enabled": ""}
-        return [SheetRow(parameter_name(self.definition, name), "", text, units[name]) for name, text in left.items()]
+        return [
+            SheetRow(parameter_name(self.definition, name), "", text, units[name])
+            for name, text in left.items()
+        ]
 
 
-def _one_turn(axis: Axis, compensation: AxisCompensation) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return nodes and curves as the table holds them: those of an endless axis from 0 to 360 degrees, wherever its reference is.
+def _one_turn(
+    axis: Axis, compensation: AxisCompensation
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return nodes and curves as the table holds them: those of an endless axis from 0 to 360
+    degrees, wherever its reference is.
 
     Raises NotHeld when no node lies at 0 degrees.
     """
@@ -233,9 +317,15 @@ def _one_turn(axis: Axis, compensation: AxisCompensation) -> tuple[FloatArray, F
     turned = np.round(np.mod(nodes[:-1], TURN), 9) % TURN
     order = np.argsort(turned)
     if turned[order[0]] != 0:
-        raise NotHeld(f"the table needs a point at 0 degrees; a spacing that divides the reference {axis.reference:g} would help")
+        raise NotHeld(
+            "the table needs a point at 0 degrees; a spacing that divides the reference"
+            f" {axis.reference:g} would help"
+        )
     where = np.concatenate([turned[order], [TURN]])
-    curves = [np.concatenate([curve[:-1][order], [curve[:-1][order[0]]]]) for curve in (positive, negative)]
+    curves = [
+        np.concatenate([curve[:-1][order], [curve[:-1][order[0]]]])
+        for curve in (positive, negative)
+    ]
     return where, curves[0], curves[1]
 
 
@@ -261,22 +351,36 @@ class _TableFiller:
             self._rows(np.array(positions), self._on_the_grid(positions, others))
             return
         nodes = self.entry.nodes
-        extra = max(0, len(self.table.rows) - nodes.size)  # rows that stay: the end value goes on over them
+        extra = max(
+            0, len(self.table.rows) - nodes.size
+        )  # rows that stay: the end value goes on over them
         step = float(nodes[-1] - nodes[-2]) if nodes.size > 1 else 1.0
         grid = np.concatenate([nodes, nodes[-1] + step * np.arange(1, extra + 1)])
-        if extra and self.entry.axis.kind is AxisKind.ROTARY and self.entry.axis.modulo is None and grid[-1] > TURN:
-            raise NotHeld(f"{self.table.file} has {extra} rows too many, and there is no room behind 360 degrees; delete them")
+        if (
+            extra
+            and self.entry.axis.kind is AxisKind.ROTARY
+            and self.entry.axis.modulo is None
+            and grid[-1] > TURN
+        ):
+            raise NotHeld(
+                f"{self.table.file} has {extra} rows too many, and there is no room behind 360"
+                " degrees; delete them"
+            )
         held = np.concatenate([np.arange(nodes.size), np.full(extra, nodes.size - 1)])
         self._head(grid)
         self._rows(grid, held)
 
     def _suits(self) -> None:
         if self.table.head["unit"].text.upper() != "MM":
-            raise NotHeld(f"{self.table.file} is in inch; export it with the control set to mm, or leave it out for an entry sheet")
+            raise NotHeld(
+                f"{self.table.file} is in inch; export it with the control set to mm, or leave it"
+                " out for an entry sheet"
+            )
         moving = [address for address, table in self.sources.tables.items() if table is self.table]
         if len(moving) > 1:
             raise NotHeld(
-                f"{self.table.file} acts for the motion of several axes ({', '.join(moving)}): a change for one changes all"
+                f"{self.table.file} acts for the motion of several axes ({', '.join(moving)}): a"
+                " change for one changes all"
             )
         second = self.table.column(SECOND)
         if second is None and not np.array_equal(self.entry.positive, self.entry.negative):
@@ -288,7 +392,9 @@ class _TableFiller:
         return [float(position) for position in positions or ()]
 
     def _on_the_grid(self, positions: Sequence[float], others: Sequence[str]) -> np.ndarray:
-        """Return, for every row, the node whose value it gets; the table's grid serves other axes and has to stay."""
+        """Return, for every row, the node whose value it gets; the table's grid serves other axes
+        and has to stay.
+        """
         nodes = self.entry.nodes
         slack = EXACTNESS * self.entry.scale.quantum("node_position")
         first = int(np.argmin(np.abs(np.array(positions) - nodes[0])))
@@ -300,10 +406,16 @@ class _TableFiller:
             spacing = f", spacing: {steps[0]:.10g}" if even else ""
             raise CapacityError(
                 Fault(
-                    message=f"axis {self.entry.axis.name} ({self.address}): the points of {self.table.file} have to stay, because "
-                    f"its columns {', '.join(others)} depend on them",
+                    message=(
+                        f"axis {self.entry.axis.name} ({self.address}): the points of"
+                        f" {self.table.file} have to stay, because its columns {', '.join(others)}"
+                        " depend on them"
+                    ),
                     place="table",
-                    expected=f"table: {{start: {positions[0]:.10g}, end: {positions[-1]:.10g}{spacing}}} in the job ({unit})",
+                    expected=(
+                        f"table: {{start: {positions[0]:.10g}, end: {positions[-1]:.10g}{spacing}}}"
+                        f" in the job ({unit})"
+                    ),
                     found=f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g}",
                 )
             )
@@ -317,7 +429,12 @@ class _TableFiller:
         known = spacings(self.entry.options)
         text = f"{Decimal(self.entry.scale.write('node_position', spacing)).normalize():f}"
         if known is not None:
-            text = str(min(range(MOST_DOUBLINGS + 1), key=lambda power: abs(float(2**power * SMALLEST_SPACING) - spacing)))
+            text = str(
+                min(
+                    range(MOST_DOUBLINGS + 1),
+                    key=lambda power: abs(float(2**power * SMALLEST_SPACING) - spacing),
+                )
+            )
         datum = f"{Decimal(self.entry.scale.write('node_position', float(grid[0]))).normalize():f}"
         for name, new in (("datum", datum), ("spacing", text)):
             cell = self.table.head[name]
@@ -326,23 +443,32 @@ class _TableFiller:
                 self.changes.append(Change(cell.start, cell.end, (plus + new).encode("ascii")))
 
     def _rows(self, grid: FloatArray, held: np.ndarray) -> None:
-        """Fill the rows that there are and add those that are missing; ``held`` (k,): the node whose value a row gets."""
+        """Fill the rows that there are and add those that are missing; ``held`` (k,): the node
+        whose value a row gets.
+        """
         rows = self.table.rows
         for row, position, node in zip(rows, grid, held, strict=False):
             line = self.content[row.start : row.end].decode("latin-1")
-            self.changes.extend(cell_changes(self.table, row, line, self._cells(float(position), int(node), row)))
+            self.changes.extend(
+                cell_changes(self.table, row, line, self._cells(float(position), int(node), row))
+            )
         last = rows[-1]
         line = self.content[last.start : last.end].decode("latin-1")
         end = self.content[last.end : last.next]
         for number in range(len(rows), len(grid)):
-            cells = {ROW_NUMBER: str(number), **self._cells(float(grid[number]), int(held[number]), None)}
+            cells = {
+                ROW_NUMBER: str(number),
+                **self._cells(float(grid[number]), int(held[number]), None),
+            }
             added = line
             for name, text in cells.items():
                 added = set_cell(self.table, added, name, text)
             self.changes.append(Change(last.next, last.next, added.encode("latin-1") + end))
 
     def _cells(self, position: float, node: int, row: Row | None) -> dict[str, str]:
-        """Return the cells of a row; a cell that says the same number already keeps its characters."""
+        """Return the cells of a row; a cell that says the same number already keeps its
+        characters.
+        """
         entry = self.entry
         cells = {self.column: self._signed(entry.value(float(entry.positive[node])), self.column)}
         if self._two_columns():
@@ -354,14 +480,20 @@ class _TableFiller:
         return {
             name: text
             for name, text in cells.items()
-            if name not in known or not is_number(known[name].text) or Decimal(known[name].text) != Decimal(text)
+            if name not in known
+            or not is_number(known[name].text)
+            or Decimal(known[name].text) != Decimal(text)
         }
 
     def _two_columns(self) -> bool:
-        """Whether the second curve is written: asked for, or filled already (then equal to the first: both readings agree)."""
+        """Whether the second curve is written: asked for, or filled already (then equal to the
+        first: both readings agree).
+        """
         if self.table.column(SECOND) is None:
             return False
-        return self.entry.options.get("backlash_column") == "second_curve" or any(SECOND in row.cells for row in self.table.rows)
+        return self.entry.options.get("backlash_column") == "second_curve" or any(
+            SECOND in row.cells for row in self.table.rows
+        )
 
     def _signed(self, text: str, column: str) -> str:
         """Return a number with a plus sign where the table writes one."""
@@ -370,5 +502,10 @@ class _TableFiller:
         texts = [row.cells[column].text for row in self.table.rows if column in row.cells]
         if not texts and column != POSITION:
             skipped = (ROW_NUMBER, POSITION)
-            texts = [cell.text for row in self.table.rows for name, cell in row.cells.items() if name not in skipped]
+            texts = [
+                cell.text
+                for row in self.table.rows
+                for name, cell in row.cells.items()
+                if name not in skipped
+            ]
         return f"+{text}" if any(one.startswith("+") for one in texts) else text

@@ -1,4 +1,6 @@
-"""Compensation -> the complete set of files that a control loads. Same input, same bytes: no dates, no order by chance."""
+"""Compensation -> the complete set of files that a control loads. Same input, same bytes: no dates,
+no order by chance.
+"""
 
 from __future__ import annotations
 
@@ -33,19 +35,27 @@ def write_tables(
     state: ControlState | None = None,
     files: Sequence[ControlFile] = (),
 ) -> tuple[ControlFile, ...]:
-    """Return exactly the files that put ``compensations`` into the control, in the order of the axes.
+    """Return exactly the files that put ``compensations`` into the control, in the order of the
+    axes.
 
-    ``axes`` holds the axis of every compensation. ``files``: the control's own, to be patched. With a ``state`` what the control's
-    own files answer (its unit, the points it has reserved, the numbers of other axes) counts. Raises UsageError for a compensation
-    without an axis, CapacityError with everything that the control cannot hold exactly: all limits are checked here again,
-    whatever was checked before.
+    ``axes`` holds the axis of every compensation. ``files``: the control's own, to be patched. With
+    a ``state`` what the control's own files answer (its unit, the points it has reserved, the
+    numbers of other axes) counts. Raises UsageError for a compensation without an axis,
+    CapacityError with everything that the control cannot hold exactly: all limits are checked here
+    again, whatever was checked before.
     """
     resolved = resolve_options(definition, options, state)
     pairs = _pairs(definition, compensations, axes)
-    if definition.layout.shape == "user_tables" and files:  # what they hold is the limit, whatever was known before
+    if (
+        definition.layout.shape == "user_tables" and files
+    ):  # what they hold is the limit, whatever was known before
         state = read_user_tables(definition, files, options, [axis for _, axis, _ in pairs])
     pairs = with_partners(definition, pairs)
-    faults = [fault for _, axis, compensation in pairs for fault in check_limits(definition, axis, compensation, resolved, state)]
+    faults = [
+        fault
+        for _, axis, compensation in pairs
+        for fault in check_limits(definition, axis, compensation, resolved, state)
+    ]
     sound = [pair for pair in pairs if pair[2].positions.size >= 2 and not _unsound(pair[2])]
     if definition.layout.shape == "section_increments":
         raise_all(CapacityError, list(dict.fromkeys(faults)))
@@ -59,12 +69,17 @@ def write_tables(
 
 
 def with_partners(definition: Definition, pairs: Sequence[AxisTable]) -> list[AxisTable]:
-    """Return the tables with those of gantry partners, which are the same: on one axis alone a table racks the bridge."""
+    """Return the tables with those of gantry partners, which are the same: on one axis alone a
+    table racks the bridge.
+    """
     result = {address: (address, axis, compensation) for address, axis, compensation in pairs}
     for _, axis, compensation in pairs:
         if axis.gantry is not None:
             partner = normal_text(definition, axis.gantry)
-            result.setdefault(partner, (partner, partner_of(axis, partner), replace(compensation, address=partner)))
+            result.setdefault(
+                partner,
+                (partner, partner_of(axis, partner), replace(compensation, address=partner)),
+            )
     return list(result.values())
 
 
@@ -76,9 +91,18 @@ def _pairs(
     pairs: dict[str, tuple[str, Axis, AxisCompensation]] = {}
     for compensation in compensations:
         found = next((axis for axis in axes if axis.address == compensation.address), None)
-        address = normal_address(definition, found)[0] if found is not None else normal_text(definition, compensation.address)
+        address = (
+            normal_address(definition, found)[0]
+            if found is not None
+            else normal_text(definition, compensation.address)
+        )
         if address not in by_address:
-            faults.append(Fault(message=f"no axis has the address {compensation.address}", expected=", ".join(by_address)))
+            faults.append(
+                Fault(
+                    message=f"no axis has the address {compensation.address}",
+                    expected=", ".join(by_address),
+                )
+            )
         elif address in pairs:
             faults.append(Fault(message=f"axis {address} has two tables"))
         else:
@@ -100,9 +124,14 @@ def _spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> 
 
 def _unsound(compensation: AxisCompensation) -> str:
     positions = compensation.positions
-    if not positions.shape == compensation.positive.shape == compensation.negative.shape or positions.ndim != 1:
+    if (
+        not positions.shape == compensation.positive.shape == compensation.negative.shape
+        or positions.ndim != 1
+    ):
         return "positions and values have different lengths"
-    numbers = np.concatenate([positions, compensation.positive, compensation.negative, [compensation.backlash]])
+    numbers = np.concatenate(
+        [positions, compensation.positive, compensation.negative, [compensation.backlash]]
+    )
     if not np.all(np.isfinite(numbers)):
         return "a value is not a finite number"
     if np.any(np.diff(positions) <= 0):
@@ -117,7 +146,8 @@ def check_limits(
     options: Mapping[str, object],
     state: ControlState | None = None,
 ) -> tuple[Fault, ...]:
-    """Return what keeps the control from holding a compensation, apart from single values that are not exact.
+    """Return what keeps the control from holding a compensation, apart from single values that are
+    not exact.
 
     Names the limit, by how much it is broken and what would help.
     """
@@ -127,16 +157,25 @@ def check_limits(
         return (Fault(message=f"{label}: {unsound}"),)
     options = axis_options(definition, resolve_options(definition, options, state), axis)
     if has_cross(definition) and not holds_two_curves(definition, options, compensation):
-        options = {**options, "cec": "absent"}  # one table and backlash are the better home for one curve
+        options = {
+            **options,
+            "cec": "absent",
+        }  # one table and backlash are the better home for one curve
     try:
         capacity = capacity_for(definition, replace(axis, options={}), options, state)
     except CapacityError as error:
         return error.faults
-    faults = [*_size(definition, capacity, compensation, label), *_curves(capacity, compensation, label)]
+    faults = [
+        *_size(definition, capacity, compensation, label),
+        *_curves(capacity, compensation, label),
+    ]
     if axis.modulo is not None and definition.limit("no_endless_axis") is not None:
         faults.append(
             Fault(
-                message=f"{label}: the control's table does not repeat, so an endless axis cannot have one",
+                message=(
+                    f"{label}: the control's table does not repeat, so an endless axis cannot"
+                    " have one"
+                ),
                 expected="an axis with ends",
                 found=f"modulo {axis.modulo:g}",
             )
@@ -145,19 +184,33 @@ def check_limits(
         faults.extend(_turn(capacity, compensation, label))
     faults.extend(_spacing(capacity, compensation, label))
     if compensation.kind is not axis.kind:
-        faults.append(Fault(message=f"{label}: the table and the axis differ in kind", expected=axis.kind, found=compensation.kind))
+        faults.append(
+            Fault(
+                message=f"{label}: the table and the axis differ in kind",
+                expected=axis.kind,
+                found=compensation.kind,
+            )
+        )
     if definition.layout.shape == "user_tables":
         faults.extend(broken_limits(definition, axis, compensation, capacity))
     return (*faults, *_ends(definition, compensation, label))
 
 
-def _size(definition: Definition, capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
+def _size(
+    definition: Definition, capacity: Capacity, compensation: AxisCompensation, label: str
+) -> list[Fault]:
     count = compensation.positions.size
     hard = definition.limit_number("max_points")
     most = min((limit for limit in (capacity.max_points, hard) if limit is not None), default=None)
     faults = []
     if count < capacity.min_points:
-        faults.append(Fault(message=f"{label}: too few points", expected=f"at least {capacity.min_points}", found=str(count)))
+        faults.append(
+            Fault(
+                message=f"{label}: too few points",
+                expected=f"at least {capacity.min_points}",
+                found=str(count),
+            )
+        )
     if most is not None and count > most:
         message = f"{label}: too many points; a wider spacing would help"
         faults.append(Fault(message=message, expected=f"at most {most}", found=str(count)))
@@ -167,10 +220,16 @@ def _size(definition: Definition, capacity: Capacity, compensation: AxisCompensa
 def _curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
     faults = []
     if capacity.curves == 1 and not np.array_equal(compensation.positive, compensation.negative):
-        message = f"{label}: the control holds one curve for both directions; put the reversal into the backlash"
+        message = (
+            f"{label}: the control holds one curve for both directions; put the reversal into the"
+            " backlash"
+        )
         faults.append(Fault(message=message, expected="one curve", found="two different curves"))
     if capacity.backlash_quantum is None and compensation.backlash != 0:
-        message = f"{label}: the control has no backlash value beside the table; put it into the two curves"
+        message = (
+            f"{label}: the control has no backlash value beside the table; put it into the two"
+            " curves"
+        )
         faults.append(Fault(message=message, expected="0", found=f"{compensation.backlash:g}"))
     return faults
 
@@ -181,19 +240,48 @@ def _turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> lis
     if period is None:
         if compensation.period is None:
             return []
-        return [Fault(message=f"{label}: the table repeats, the axis does not", expected="an axis with modulo")]
-    span = float(compensation.positions[-1] - compensation.positions[0]) if compensation.positions.size else 0.0
+        return [
+            Fault(
+                message=f"{label}: the table repeats, the axis does not",
+                expected="an axis with modulo",
+            )
+        ]
+    span = (
+        float(compensation.positions[-1] - compensation.positions[0])
+        if compensation.positions.size
+        else 0.0
+    )
     faults = []
-    if compensation.period is None or abs(compensation.period - period) > SAME_TURN or abs(span - period) > SAME_TURN:
+    if (
+        compensation.period is None
+        or abs(compensation.period - period) > SAME_TURN
+        or abs(span - period) > SAME_TURN
+    ):
         expected = f"a table that repeats, from end to end {period:g}"
-        faults.append(Fault(message=f"{label}: the axis is endless, its table not", expected=expected, found=f"{span:g}"))
-    if span and any(curve[0] != curve[-1] for curve in (compensation.positive, compensation.negative)):
-        faults.append(Fault(message=f"{label}: the table of an endless axis must have the same value at both ends"))
+        faults.append(
+            Fault(
+                message=f"{label}: the axis is endless, its table not",
+                expected=expected,
+                found=f"{span:g}",
+            )
+        )
+    if span and any(
+        curve[0] != curve[-1] for curve in (compensation.positive, compensation.negative)
+    ):
+        faults.append(
+            Fault(
+                message=(
+                    f"{label}: the table of an endless axis must have the same value at both ends"
+                )
+            )
+        )
     return faults
 
 
 def _ends(definition: Definition, compensation: AxisCompensation, label: str) -> list[Fault]:
-    """The table must mean the same outside its range as the control makes of it, or be zero at that end."""
+    """The table must mean the same outside its range as the control makes of it, or be zero at that
+    end.
+    """
     faults: list[Fault] = []
     if not compensation.positions.size:
         return faults
@@ -205,7 +293,10 @@ def _ends(definition: Definition, compensation: AxisCompensation, label: str) ->
         if meant != made and any(value != 0 for value in values):
             faults.append(
                 Fault(
-                    message=f"{label}: {side} the table the control does something else than was planned",
+                    message=(
+                        f"{label}: {side} the table the control does something else than was"
+                        " planned"
+                    ),
                     expected=made,
                     found=meant,
                 )

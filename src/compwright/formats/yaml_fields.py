@@ -1,6 +1,8 @@
-"""Walk a YAML document against a fixed set of keys: every fault is kept with its line, so that all are told at once.
+"""Walk a YAML document against a fixed set of keys: every fault is kept with its line, so that all
+are told at once.
 
-A reader that meets a fault notes it and returns a harmless value; the caller raises before that value is used.
+A reader that meets a fault notes it and returns a harmless value; the caller raises before that
+value is used.
 """
 
 from __future__ import annotations
@@ -16,7 +18,14 @@ from compwright.foundations.yaml_reader import KeyPath, YamlDocument
 
 Word = TypeVar("Word", bound=str)
 
-_NAMES = {dict: "a mapping", list: "a list", str: "text", bool: "true or false", int: "a whole number", float: "a number"}
+_NAMES = {
+    dict: "a mapping",
+    list: "a list",
+    str: "text",
+    bool: "true or false",
+    int: "a whole number",
+    float: "a number",
+}
 
 
 def _found(value: object) -> str:
@@ -40,7 +49,13 @@ class Node:
     def fault(self, message: str, *, expected: str = "", found: str = "") -> None:
         """Note a fault at this place."""
         self.faults.append(
-            Fault(message=message, file=self.file, place=self.document.place(self.path), expected=expected, found=found)
+            Fault(
+                message=message,
+                file=self.file,
+                place=self.document.place(self.path),
+                expected=expected,
+                found=found,
+            )
         )
 
     def child(self, part: str | int, data: object) -> Node:
@@ -67,17 +82,26 @@ class Node:
         """Return the places of exactly these keys. A missing and an unknown key are faults."""
         data = self.data
         if not isinstance(data, dict):
-            self.fault("has the wrong form", expected=f"a mapping with the keys {', '.join(names)}", found=_found(data))
+            self.fault(
+                "has the wrong form",
+                expected=f"a mapping with the keys {', '.join(names)}",
+                found=_found(data),
+            )
             data = {}
         else:
             for name in data:
                 if name not in names:
                     near = get_close_matches(name, names, 1)
-                    self.child(name, None).fault("unknown key", expected=near[0] if near else f"one of {', '.join(names)}")
+                    self.child(name, None).fault(
+                        "unknown key", expected=near[0] if near else f"one of {', '.join(names)}"
+                    )
             for name in names:
                 if name not in data:
                     self.child(name, None).fault("key is missing")
-        return {name: self.child(name, data[name]) if name in data else _silent(self, name) for name in names}
+        return {
+            name: self.child(name, data[name]) if name in data else _silent(self, name)
+            for name in names
+        }
 
     @property
     def is_null(self) -> bool:
@@ -88,7 +112,11 @@ class Node:
         """Return text."""
         if isinstance(self.data, str) and self.data:
             return self.data
-        self.fault("has the wrong type", expected="text (in quotation marks where it looks like a number)", found=_found(self.data))
+        self.fault(
+            "has the wrong type",
+            expected="text (in quotation marks where it looks like a number)",
+            found=_found(self.data),
+        )
         return ""
 
     def optional_text(self) -> str | None:
@@ -110,16 +138,26 @@ class Node:
 
     def integer(self, low: int, high: int) -> int:
         """Return a whole number from ``low`` to ``high``."""
-        if isinstance(self.data, int) and not isinstance(self.data, bool) and low <= self.data <= high:
+        if (
+            isinstance(self.data, int)
+            and not isinstance(self.data, bool)
+            and low <= self.data <= high
+        ):
             return self.data
-        self.fault("has the wrong value", expected=f"a whole number from {low} to {high}", found=_found(self.data))
+        self.fault(
+            "has the wrong value",
+            expected=f"a whole number from {low} to {high}",
+            found=_found(self.data),
+        )
         return low
 
     def one_of(self, words: Collection[str]) -> str:
         """Return one word of a closed list."""
         if isinstance(self.data, str) and self.data in words:
             return self.data
-        self.fault("is not known here", expected=f"one of {', '.join(words)}", found=_found(self.data))
+        self.fault(
+            "is not known here", expected=f"one of {', '.join(words)}", found=_found(self.data)
+        )
         return next(iter(words))
 
     def literal(self, kind: type[Word] | Any) -> Any:

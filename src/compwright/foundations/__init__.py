@@ -1,1 +1,3 @@
-"""The ground floor: errors, units, findings, provenance, storage, YAML. Imports nothing of the house."""
+"""The ground floor: errors, units, findings, provenance, storage, YAML. Imports nothing of the
+house.
+"""

@@ -1,7 +1,9 @@
-"""What the running command has read: its inputs, which it never overwrites or deletes, whatever name leads to them.
+"""What the running command has read: its inputs, which it never overwrites or deletes, whatever
+name leads to them.
 
-A file is known by its identity in the file system, so that a link, another case of the letters or a way around through ``..`` is
-still the same file. Only `storage` fills this memory, whenever it reads.
+A file is known by its identity in the file system, so that a link, another case of the letters or a
+way around through ``..`` is still the same file. Only `storage` fills this memory, whenever it
+reads.
 """
 
 from __future__ import annotations

@@ -1,8 +1,10 @@
-"""Options that take several values at once: ``--loaded a b c`` is ``--loaded a --loaded b --loaded c``.
+"""Options that take several values at once: ``--loaded a b c`` is ``--loaded a --loaded b --loaded
+c``.
 
-The words behind such an option are its values up to the next option. Three things hold words back from it: what does not look like
-a value of it (`Form.more`), ``--``, and the files that the command itself still lacks. Where these stand nowhere else, they are the
-last words behind the last such option: one word for one file, all but the first where the command takes many.
+The words behind such an option are its values up to the next option. Three things hold words back
+from it: what does not look like a value of it (`Form.more`), ``--``, and the files that the command
+itself still lacks. Where these stand nowhere else, they are the last words behind the last such
+option: one word for one file, all but the first where the command takes many.
 """
 
 from __future__ import annotations
@@ -13,15 +15,21 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Form:
-    """How an option is written. ``several``: it takes several values; ``more``: whether a word may follow a value of it."""
+    """How an option is written. ``several``: it takes several values; ``more``: whether a word may
+    follow a value of it.
+    """
 
     flag: bool = False
     several: bool = False
-    more: Callable[[str, str], bool] = lambda value, word: True  # noqa: ARG005 - any word is a value
+    # any word is a value
+    more: Callable[[str, str], bool] = lambda value, word: True  # noqa: ARG005
 
 
-def spread(words: Sequence[str], options: Mapping[str, Form], *, needed: int, many: bool) -> list[str]:
-    """Return ``words`` with the files of the command first and each value behind an option of its own.
+def spread(
+    words: Sequence[str], options: Mapping[str, Form], *, needed: int, many: bool
+) -> list[str]:
+    """Return ``words`` with the files of the command first and each value behind an option of its
+    own.
 
     ``needed``: how many files the command asks for at least; ``many``: it takes any number.
     """
@@ -35,8 +43,12 @@ def spread(words: Sequence[str], options: Mapping[str, Form], *, needed: int, ma
     return [*plain, *given, "--", *dashed] if dashed else [*plain, *given]
 
 
-def _sorted(words: Sequence[str], options: Mapping[str, Form]) -> tuple[list[str], list[str], range]:
-    """Return options with their values, the files, and the places of the further values behind the last option that has some."""
+def _sorted(
+    words: Sequence[str], options: Mapping[str, Form]
+) -> tuple[list[str], list[str], range]:
+    """Return options with their values, the files, and the places of the further values behind the
+    last option that has some.
+    """
     given: list[str] = []
     files: list[str] = []
     further = range(0)

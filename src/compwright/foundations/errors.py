@@ -1,7 +1,9 @@
-"""Errors by cause. Each carries every fault at once, one line per fault, and the exit code of its cause.
+"""Errors by cause. Each carries every fault at once, one line per fault, and the exit code of its
+cause.
 
-A fault names what is wrong, in which file, at which place (line, column or key path), what was expected and
-what was found. Nothing here prints; the command line turns an error into lines on standard error.
+A fault names what is wrong, in which file, at which place (line, column or key path), what was
+expected and what was found. Nothing here prints; the command line turns an error into lines on
+standard error.
 """
 
 from __future__ import annotations
@@ -10,7 +12,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-#: What was found is quoted up to so many characters: enough to recognise it, and one line stays one line.
+#: What was found is quoted up to so many characters: enough to recognise it, and one line stays one
+#: line.
 MOST_QUOTED = 240
 
 
@@ -20,7 +23,9 @@ def _short(text: str) -> str:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fault:
-    """One thing that is wrong. ``place`` is a line, a column or a key path; empty parts are left out."""
+    """One thing that is wrong. ``place`` is a line, a column or a key path; empty parts are left
+    out.
+    """
 
     message: str
     file: str = ""
@@ -58,7 +63,9 @@ class CompwrightError(Exception):
     exit_code: ClassVar[int] = 70
 
     def __init__(self, *faults: Fault | str) -> None:
-        self.faults: tuple[Fault, ...] = tuple(fault if isinstance(fault, Fault) else Fault(message=fault) for fault in faults)
+        self.faults: tuple[Fault, ...] = tuple(
+            fault if isinstance(fault, Fault) else Fault(message=fault) for fault in faults
+        )
         super().__init__("\n".join(str(fault) for fault in self.faults))
 
 

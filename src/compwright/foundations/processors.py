@@ -6,10 +6,11 @@ import os
 
 
 def use_one_thread() -> None:
-    """Tell the linear algebra of numpy and scipy to stay on one thread; to be called before numpy is loaded.
+    """Tell the linear algebra of numpy and scipy to stay on one thread; to be called before numpy
+    is loaded.
 
-    The matrices here are small: threads cost five times what they gain (27 s of processor time against 6 s for a job of four
-    axes). Who has set these variables keeps his values.
+    The matrices here are small: threads cost five times what they gain (27 s of processor time
+    against 6 s for a job of four axes). Who has set these variables keeps his values.
     """
     for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
         os.environ.setdefault(name, "1")

@@ -1,10 +1,11 @@
 """The only code that touches the file system: read whole, write whole or not at all.
 
-Files are staged beside their target and then put in place by ``os.replace``; a failure on the way removes what was staged
-and puts back what was there before. Folders made on the way are removed too.
+Files are staged beside their target and then put in place by ``os.replace``; a failure on the way
+removes what was staged and puts back what was there before. Folders made on the way are removed
+too.
 
-What a command has read is never overwritten or deleted by it, whatever name leads there (a link, another case of the letters, a way
-around through ``..``): see `command_inputs`.
+What a command has read is never overwritten or deleted by it, whatever name leads there (a link,
+another case of the letters, a way around through ``..``): see `command_inputs`.
 """
 
 from __future__ import annotations
@@ -23,10 +24,14 @@ from compwright.foundations.errors import Fault, InputError, StorageError, raise
 
 _MOST_BYTES = 256 * 1024 * 1024  # no measurement or control file comes near it
 _MOST_NAMED = 4  # files named in a line about several
-#: Opening what became a pipe since it was looked at must not wait for the other end (POSIX; elsewhere there is no such flag).
-_NO_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
+#: Opening what became a pipe since it was looked at must not wait for the other end (POSIX;
+#: elsewhere there is no such flag).
+_NO_WAITING = (
+    getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0) | getattr(os, "O_CLOEXEC", 0)
+)
 
-#: Whether the file of this relative name and content, which stands in the way, was written by an earlier run of the same command.
+#: Whether the file of this relative name and content, which stands in the way, was written by an
+#: earlier run of the same command.
 Known = Callable[[str, bytes], bool]
 
 
@@ -38,8 +43,8 @@ def _reason(error: OSError | ValueError) -> str:
 def read_bytes(path: Path) -> bytes:
     """Return the bytes of a file, and remember that it was read.
 
-    Raises InputError when it is missing, cannot be read, is no ordinary file (a pipe or device could be waited for without end)
-    or is larger than 256 MiB.
+    Raises InputError when it is missing, cannot be read, is no ordinary file (a pipe or device
+    could be waited for without end) or is larger than 256 MiB.
     """
     try:
         refused = _not_to_be_read(path.stat())
@@ -50,16 +55,26 @@ def read_bytes(path: Path) -> bytes:
                 content = stream.read(_MOST_BYTES + 1) if refused is None else b""
             remember((seen.st_dev, seen.st_ino))
     except (OSError, ValueError) as error:  # ValueError: a name that no file can have (a null byte)
-        raise InputError(Fault(message="cannot be read", file=str(path), found=_reason(error))) from error
+        raise InputError(
+            Fault(message="cannot be read", file=str(path), found=_reason(error))
+        ) from error
     if refused is not None:
-        raise InputError(Fault(message="cannot be read", file=str(path), expected="an ordinary file", found=refused))
+        raise InputError(
+            Fault(
+                message="cannot be read", file=str(path), expected="an ordinary file", found=refused
+            )
+        )
     if len(content) > _MOST_BYTES:
-        raise InputError(Fault(message="is too large", file=str(path), expected=f"at most {_MOST_BYTES} bytes"))
+        raise InputError(
+            Fault(message="is too large", file=str(path), expected=f"at most {_MOST_BYTES} bytes")
+        )
     return content
 
 
 def earlier_bytes(path: Path) -> bytes:
-    """Return the bytes of a result of an earlier run, empty where there is none; it counts as a result, not as an input."""
+    """Return the bytes of a result of an earlier run, empty where there is none; it counts as a
+    result, not as an input.
+    """
     try:
         return path.read_bytes() if path.is_file() and path.stat().st_size <= _MOST_BYTES else b""
     except (OSError, ValueError):
@@ -83,21 +98,28 @@ def _not_to_be_read(seen: os.stat_result) -> str | None:
 
 
 def list_files(path: Path) -> list[Path]:
-    """Return ``[path]`` for a file or for nothing, and for a folder all in it but folders by name, hidden ones left out.
+    """Return ``[path]`` for a file or for nothing, and for a folder all in it but folders by name,
+    hidden ones left out.
 
-    What is no ordinary file (a pipe, a link to nowhere) is listed too: `read_bytes` says so. Raises InputError when the folder
-    cannot be listed.
+    What is no ordinary file (a pipe, a link to nowhere) is listed too: `read_bytes` says so. Raises
+    InputError when the folder cannot be listed.
     """
     try:
         if not path.is_dir():
             return [path]
-        return sorted(entry for entry in path.iterdir() if not (entry.name.startswith(".") or entry.is_dir()))
+        return sorted(
+            entry for entry in path.iterdir() if not (entry.name.startswith(".") or entry.is_dir())
+        )
     except (OSError, ValueError) as error:
-        raise InputError(Fault(message="folder cannot be read", file=str(path), found=_reason(error))) from error
+        raise InputError(
+            Fault(message="folder cannot be read", file=str(path), found=_reason(error))
+        ) from error
 
 
 def in_folders_of(folder: Path, name: str) -> list[Path]:
-    """Return the files called ``name`` that lie in the folders of ``folder``, one level down; what cannot be listed has none."""
+    """Return the files called ``name`` that lie in the folders of ``folder``, one level down; what
+    cannot be listed has none.
+    """
     try:
         return sorted(path for path in folder.glob(f"*/{name}") if path.is_file())
     except OSError:
@@ -113,7 +135,9 @@ def resolved(path: Path) -> Path:
 
 
 def is_there(path: Path) -> bool:
-    """Whether there is a file, folder or link at ``path``; False for a name that no file can have."""
+    """Whether there is a file, folder or link at ``path``; False for a name that no file can
+    have.
+    """
     return os.path.lexists(path)
 
 
@@ -128,10 +152,13 @@ def is_folder(path: Path) -> bool:
 def refuse_overwriting(targets: Mapping[Path, bytes], *, force: bool) -> None:
     """Raise StorageError, naming every file that may not be written.
 
-    Those that exist already, unless ``force``. With ``force`` too: what this command has read (unless the same bytes go there),
-    folders in the place of a file, what is no file at all (a device, a pipe), and a file that would be written twice.
+    Those that exist already, unless ``force``. With ``force`` too: what this command has read
+    (unless the same bytes go there), folders in the place of a file, what is no file at all (a
+    device, a pipe), and a file that would be written twice.
     """
-    faults = dict.fromkeys(fault for path, content in targets.items() for fault in _hindrances(path, content))
+    faults = dict.fromkeys(
+        fault for path, content in targets.items() for fault in _hindrances(path, content)
+    )
     existing = [path for path in targets if not force and _is_existing_file(path)]
     faults |= dict.fromkeys(_twice(targets))
     if existing:
@@ -154,7 +181,9 @@ def _hindrances(path: Path, content: bytes) -> Iterator[Fault]:
         yield Fault(message="is no folder", file=str(above), expected="a folder to write into")
     elif is_folder:
         yield Fault(message="is a folder", file=str(path), expected="the name of a file")
-    elif exists and not is_file and not (is_link and not path.exists()):  # a link to nowhere is only a name
+    elif (
+        exists and not is_file and not (is_link and not path.exists())
+    ):  # a link to nowhere is only a name
         yield Fault(message="is no ordinary file", file=str(path), expected="the name of a file")
     elif input_lost:
         yield Fault(
@@ -174,7 +203,11 @@ def _is_existing_file(path: Path) -> bool:
 def _exist_already(paths: Sequence[Path]) -> Fault:
     """Return one line about all files that are there already, the first of them named."""
     if len(paths) == 1:
-        return Fault(message="exists already", file=str(paths[0]), expected="a new file, or --force to replace it")
+        return Fault(
+            message="exists already",
+            file=str(paths[0]),
+            expected="a new file, or --force to replace it",
+        )
     folder = Path(os.path.commonpath([path.parent for path in paths]))
     names = [relative(path, folder) for path in paths[:_MOST_NAMED]]
     more = len(paths) - len(names)
@@ -192,7 +225,11 @@ def _twice(targets: Mapping[Path, bytes]) -> Iterator[Fault]:
     for path, content in targets.items():
         where = _identity(path) or _place(path)
         if seen.setdefault(where, content) != content:
-            yield Fault(message="is also the name of another file that is written", file=str(path), expected="another name")
+            yield Fault(
+                message="is also the name of another file that is written",
+                file=str(path),
+                expected="another name",
+            )
 
 
 def _place(path: Path) -> str:
@@ -253,21 +290,31 @@ def write_files(
     renewed: Sequence[str] = (),
     known: Known = lambda _name, _content: True,
 ) -> list[Path]:
-    """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, and those of ``elsewhere``, all of them or none.
+    """Write ``files`` (relative name with ``/`` -> bytes) below ``folder``, and those of
+    ``elsewhere``, all of them or none.
 
-    ``known`` tells of a file that stands below ``folder`` in the place of one of ``files`` whether an earlier run wrote it; one
-    that it does not know is the user's and is not replaced. ``whole``: folders below ``folder`` that hold exactly these files
-    afterwards; ``renewed``: folders in which the user may keep files of his own. What else lies directly in either is removed with
-    ``force`` where it is known; else it stays, and in a ``whole`` folder nothing is written. Returns the paths in the order given.
-    Raises StorageError when a file exists (unless ``force``), was read by this command or is not known, for missing permission,
-    for a full disk and for a name that leads out of ``folder``; then everything is as it was before, files replaced included.
+    ``known`` tells of a file that stands below ``folder`` in the place of one of ``files`` whether
+    an earlier run wrote it; one that it does not know is the user's and is not replaced. ``whole``:
+    folders below ``folder`` that hold exactly these files afterwards; ``renewed``: folders in which
+    the user may keep files of his own. What else lies directly in either is removed with ``force``
+    where it is known; else it stays, and in a ``whole`` folder nothing is written. Returns the
+    paths in the order given. Raises StorageError when a file exists (unless ``force``), was read by
+    this command or is not known, for missing permission, for a full disk and for a name that leads
+    out of ``folder``; then everything is as it was before, files replaced included.
     """
     below = {_below(folder, name): name for name in files}
     targets = _merged({path: files[name] for path, name in below.items()}, dict(elsewhere or {}))
     refuse_overwriting(targets, force=force)
     gone = _strangers(folder, [*whole, *renewed], targets)
-    lost = {path: known(name, earlier_bytes(path)) for path, name in (below | gone).items() if _is_existing_file(path)}
-    raise_all(StorageError, [*_users_files(below, lost, targets), *_in_the_way(folder, whole, gone, lost, force=force)])
+    lost = {
+        path: known(name, earlier_bytes(path))
+        for path, name in (below | gone).items()
+        if _is_existing_file(path)
+    }
+    raise_all(
+        StorageError,
+        [*_users_files(below, lost, targets), *_in_the_way(folder, whole, gone, lost, force=force)],
+    )
     removed = [path for path in gone if force and lost[path] and not was_read(path)]
     changes = _Changes()
     current = folder
@@ -284,7 +331,9 @@ def write_files(
             changes.placed.append(current)
     except (OSError, ValueError) as error:
         changes.undo()
-        raise StorageError(Fault(message="cannot be written", file=str(current), found=_reason(error))) from error
+        raise StorageError(
+            Fault(message="cannot be written", file=str(current), found=_reason(error))
+        ) from error
     except BaseException:  # Ctrl-C leaves nothing half-written either
         changes.undo()
         raise
@@ -293,7 +342,9 @@ def write_files(
 
 
 def _merged(files: dict[Path, bytes], others: dict[Path, bytes]) -> dict[Path, bytes]:
-    """Return both; a path in both with different contents is refused, for one of them would be lost."""
+    """Return both; a path in both with different contents is refused, for one of them would be
+    lost.
+    """
     raise_all(StorageError, list(_twice_named(files, others)))
     return files | others
 
@@ -301,11 +352,19 @@ def _merged(files: dict[Path, bytes], others: dict[Path, bytes]) -> dict[Path, b
 def _twice_named(files: Mapping[Path, bytes], others: Mapping[Path, bytes]) -> Iterator[Fault]:
     for path, content in others.items():
         if files.get(path, content) != content:
-            yield Fault(message="is also the name of another file that is written", file=str(path), expected="another name")
+            yield Fault(
+                message="is also the name of another file that is written",
+                file=str(path),
+                expected="another name",
+            )
 
 
-def _strangers(folder: Path, names: Sequence[str], targets: Mapping[Path, bytes]) -> dict[Path, str]:
-    """Return the files in the folders ``names`` that are none of ``targets`` by any name, each with its own relative name."""
+def _strangers(
+    folder: Path, names: Sequence[str], targets: Mapping[Path, bytes]
+) -> dict[Path, str]:
+    """Return the files in the folders ``names`` that are none of ``targets`` by any name, each with
+    its own relative name.
+    """
     written = {_identity(path) for path in targets} - {None}
     found: dict[Path, str] = {}
     for name in names:
@@ -317,40 +376,64 @@ def _strangers(folder: Path, names: Sequence[str], targets: Mapping[Path, bytes]
     return found
 
 
-def _users_files(below: Mapping[Path, str], known: Mapping[Path, bool], targets: Mapping[Path, bytes]) -> Iterator[Fault]:
+def _users_files(
+    below: Mapping[Path, str], known: Mapping[Path, bool], targets: Mapping[Path, bytes]
+) -> Iterator[Fault]:
     """Yield a fault for each file that would be replaced although no earlier run wrote it so."""
     for path in below:
         if not known.get(path, True) and earlier_bytes(path) != targets[path]:
             yield Fault(
-                message="was not written by an earlier run, or was changed since, and is not overwritten",
+                message=(
+                    "was not written by an earlier run, or was changed since, and is not"
+                    " overwritten"
+                ),
                 file=str(path),
                 expected="it elsewhere (move it), or another folder for the results",
             )
 
 
 def _in_the_way(
-    folder: Path, whole: Sequence[str], gone: Mapping[Path, str], known: Mapping[Path, bool], *, force: bool
+    folder: Path,
+    whole: Sequence[str],
+    gone: Mapping[Path, str],
+    known: Mapping[Path, bool],
+    *,
+    force: bool,
 ) -> Iterator[Fault]:
     """Yield a fault for each file that may not stay in a folder that is handed on as a whole."""
     inside = {_below(folder, name) for name in whole}
     for path in gone:
         removable = known[path] and not was_read(path)
         if path.parent in inside and not (force and removable):
-            hint = "a folder that holds nothing else, or --force to remove it" if removable else "another place for it"
-            yield Fault(message="is no part of what is written, and all that lies here is handed on", file=str(path), expected=hint)
+            hint = (
+                "a folder that holds nothing else, or --force to remove it"
+                if removable
+                else "another place for it"
+            )
+            yield Fault(
+                message="is no part of what is written, and all that lies here is handed on",
+                file=str(path),
+                expected=hint,
+            )
 
 
 def write_file(path: Path, content: bytes, *, force: bool = False) -> Path:
-    """Write one file whole. Errors as in `write_files`; with ``force`` any file is replaced that this command has not read."""
+    """Write one file whole. Errors as in `write_files`; with ``force`` any file is replaced that
+    this command has not read.
+    """
     if not path.name:
-        raise StorageError(Fault(message="is a folder", file=str(path), expected="the name of a file"))
+        raise StorageError(
+            Fault(message="is a folder", file=str(path), expected="the name of a file")
+        )
     return write_files(path.parent, {path.name: content}, force=force)[0]
 
 
 def _below(folder: Path, name: str) -> Path:
     parts = PurePosixPath(name).parts
     if not parts or ".." in parts or PurePosixPath(name).is_absolute() or Path(name).is_absolute():
-        raise StorageError(Fault(message="leads out of the folder", file=name, expected=f"a name below {folder}"))
+        raise StorageError(
+            Fault(message="leads out of the folder", file=name, expected=f"a name below {folder}")
+        )
     return folder.joinpath(*parts)
 
 
@@ -367,7 +450,9 @@ def _make_folder(folder: Path, made: list[Path]) -> None:
 
 
 def _beside(target: Path) -> Path:
-    """Return an unused short name beside ``target`` (one longer than the target's could be too long for the file system)."""
+    """Return an unused short name beside ``target`` (one longer than the target's could be too long
+    for the file system).
+    """
     return target.with_name(f".{os.urandom(6).hex()}.part")
 
 
@@ -387,7 +472,8 @@ def _stage(target: Path, content: bytes, changes: _Changes) -> None:
 
 
 def definition_files() -> Iterator[tuple[str, bytes]]:
-    """Yield name and bytes of the controller definitions that ship with compwright, in the order of their names.
+    """Yield name and bytes of the controller definitions that ship with compwright, in the order of
+    their names.
 
     They lie beside the code in an installed wheel and at the top of a source checkout.
     """
@@ -400,7 +486,9 @@ def definition_files() -> Iterator[tuple[str, bytes]]:
 
 
 def relative(path: Path, folder: Path) -> str:
-    """Return how ``path`` is named from ``folder``, with ``/``; whole where there is no such way (another drive)."""
+    """Return how ``path`` is named from ``folder``, with ``/``; whole where there is no such way
+    (another drive).
+    """
     try:
         return Path(os.path.relpath(path, folder)).as_posix()
     except ValueError:

@@ -23,7 +23,9 @@ TO_INSIDE: Final[dict[str, tuple[PositionUnit, float]]] = {
 
 
 def outside_factor(unit: PositionUnit) -> float:
-    """Return the factor from the unit inside (mm, deg) to that of evaluations and reports (um, arcsec)."""
+    """Return the factor from the unit inside (mm, deg) to that of evaluations and reports (um,
+    arcsec).
+    """
     return MICROMETRES_PER_MILLIMETRE if unit == "mm" else ARCSECONDS_PER_DEGREE
 
 

@@ -1,7 +1,9 @@
-"""YAML as people mean it: no duplicate keys, no octal or base-60 numbers, no yes/no; every key knows its line.
+"""YAML as people mean it: no duplicate keys, no octal or base-60 numbers, no yes/no; every key
+knows its line.
 
-YAML 1.1 reads ``010`` as 8, ``1:30`` as 90 and ``no`` as false. Here they stay text, and the schema that expects a number
-says so with the line. Only plain data comes out: dict, list, str, int, float, bool, None.
+YAML 1.1 reads ``010`` as 8, ``1:30`` as 90 and ``no`` as false. Here they stay text, and the schema
+that expects a number says so with the line. Only plain data comes out: dict, list, str, int, float,
+bool, None.
 """
 
 from __future__ import annotations
@@ -19,7 +21,9 @@ KeyPath = tuple[str | int, ...]
 
 @dataclass(frozen=True, slots=True)
 class YamlDocument:
-    """Plain data and, for each key path such as ``("axes", "X", "travel")``, the line (from 1) on which its key stands."""
+    """Plain data and, for each key path such as ``("axes", "X", "travel")``, the line (from 1) on
+    which its key stands.
+    """
 
     data: Any
     lines: dict[KeyPath, int] = field(default_factory=dict)
@@ -55,9 +59,14 @@ class _Loader(yaml.SafeLoader):
         self.depth = 0
 
     def get_event(self) -> yaml.Event:
-        """Return the next event. Raises InputError for YAML that is no plain data, or nested deeper than any file of ours."""
-        event: yaml.Event = super().get_event()  # type: ignore[no-untyped-call]  # the stubs leave it open
-        self.depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(event, yaml.CollectionEndEvent)
+        """Return the next event. Raises InputError for YAML that is no plain data, or nested deeper
+        than any file of ours.
+        """
+        # # the stubs leave it open
+        event: yaml.Event = super().get_event()  # type: ignore[no-untyped-call]
+        self.depth += isinstance(event, yaml.CollectionStartEvent) - isinstance(
+            event, yaml.CollectionEndEvent
+        )
         if isinstance(event, yaml.AliasEvent):
             message, expected = "aliases (*name) are not accepted", "the value written out"
         elif getattr(event, "tag", None) is not None:
@@ -128,14 +137,22 @@ class _Reader:
     def fault(self, node: yaml.Node, path: KeyPath, message: str, found: str = "") -> None:
         place = f"line {node.start_mark.line + 1}"
         name = key_path_text(path)
-        self.faults.append(Fault(message=message, file=self.file, place=f"{place}, {name}" if name else place, found=found))
+        self.faults.append(
+            Fault(
+                message=message,
+                file=self.file,
+                place=f"{place}, {name}" if name else place,
+                found=found,
+            )
+        )
 
 
 def read_yaml(content: bytes, file: str) -> YamlDocument:
     """Read one YAML document from UTF-8 bytes (with or without BOM).
 
-    Aliases, tags and several documents are refused (a small file must not grow when read, and only plain data comes out).
-    Raises InputError with every fault: not UTF-8, not YAML (with line and column), a duplicate key.
+    Aliases, tags and several documents are refused (a small file must not grow when read, and only
+    plain data comes out). Raises InputError with every fault: not UTF-8, not YAML (with line and
+    column), a duplicate key.
     """
     document, faults = read_yaml_with_faults(content, file)
     if faults:
@@ -144,10 +161,11 @@ def read_yaml(content: bytes, file: str) -> YamlDocument:
 
 
 def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tuple[Fault, ...]]:
-    """Read as `read_yaml`, but hand back faults of single keys and values (a duplicate key) beside what could be read.
+    """Read as `read_yaml`, but hand back faults of single keys and values (a duplicate key) beside
+    what could be read.
 
-    A schema can then list its own faults together with these. Of a key given twice the first value stands; a value that
-    cannot be read is None. Raises InputError when there is no document at all.
+    A schema can then list its own faults together with these. Of a key given twice the first value
+    stands; a value that cannot be read is None. Raises InputError when there is no document at all.
     """
     text = _decoded(content, file)
     try:
@@ -159,11 +177,24 @@ def read_yaml_with_faults(content: bytes, file: str) -> tuple[YamlDocument, tupl
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
         place = f"line {mark.line + 1}, column {mark.column + 1}" if mark else ""
-        raise InputError(Fault(message=f"is not valid YAML ({error.problem or error.context})", file=file, place=place)) from error
+        raise InputError(
+            Fault(
+                message=f"is not valid YAML ({error.problem or error.context})",
+                file=file,
+                place=place,
+            )
+        ) from error
     except yaml.YAMLError as error:
-        raise InputError(Fault(message=f"is not valid YAML ({str(error).splitlines()[0]})", file=file)) from error
-    except (ValueError, OverflowError) as error:  # an escape such as "\UFFFFFFFF" beyond the last character of Unicode
-        raise InputError(Fault(message="holds an escape that is no character", file=file, found=str(error))) from error
+        raise InputError(
+            Fault(message=f"is not valid YAML ({str(error).splitlines()[0]})", file=file)
+        ) from error
+    except (
+        ValueError,
+        OverflowError,
+    ) as error:  # an escape such as "\UFFFFFFFF" beyond the last character of Unicode
+        raise InputError(
+            Fault(message="holds an escape that is no character", file=file, found=str(error))
+        ) from error
     return YamlDocument(data=data, lines=reader.lines), tuple(reader.faults)
 
 
@@ -172,5 +203,10 @@ def _decoded(content: bytes, file: str) -> str:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise InputError(
-            Fault(message="is not UTF-8 text", file=file, place=f"byte {error.start + 1}", expected="a YAML text file")
+            Fault(
+                message="is not UTF-8 text",
+                file=file,
+                place=f"byte {error.start + 1}",
+                expected="a YAML text file",
+            )
         ) from error

@@ -1,1 +1,3 @@
-"""Measurement files to records: bytes in, records out. The door is `compwright.instruments.reading`."""
+"""Measurement files to records: bytes in, records out. The door is
+`compwright.instruments.reading`.
+"""

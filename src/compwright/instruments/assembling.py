@@ -1,4 +1,6 @@
-"""Single readings to a positioning test: the checks that need all readings at once, and the arrays."""
+"""Single readings to a positioning test: the checks that need all readings at once, and the
+arrays.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +15,8 @@ import numpy as np
 from compwright.instruments.fault_list import FaultList
 from compwright.records.axis import AxisKind, Direction, FloatArray
 
-#: Cells of the two reading tables together beyond which a file is refused: a test has some hundred readings.
+#: Cells of the two reading tables together beyond which a file is refused: a test has some hundred
+#: readings.
 _MOST_CELLS = 4_000_000
 #: Share of the targets that may have been approached in one direction only.
 _MOST_ONE_SIDED = 0.25
@@ -21,7 +24,9 @@ _MOST_ONE_SIDED = 0.25
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """One approach: ``target`` and ``deviation`` (measured minus target) in mm or deg, and where in the file it stands."""
+    """One approach: ``target`` and ``deviation`` (measured minus target) in mm or deg, and where in
+    the file it stands.
+    """
 
     target: float
     direction: Direction
@@ -32,9 +37,11 @@ class Reading:
 
 @dataclass(frozen=True, slots=True)
 class Grid:
-    """The readings as arrays: ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN for none, and ``runs`` (n,).
+    """The readings as arrays: ``targets`` (m,) ascending; per direction ``deviations`` (m, n), NaN
+    for none, and ``runs`` (n,).
 
-    ``one_sided``: targets that were left out, because a test in two directions approached them in one only, in words.
+    ``one_sided``: targets that were left out, because a test in two directions approached them in
+    one only, in words.
     """
 
     targets: FloatArray
@@ -51,10 +58,11 @@ def as_text(position: float) -> str:
 def grid_of(readings: Sequence[Reading], kind: AxisKind, faults: FaultList) -> Grid:
     """Return the readings as arrays, in any order given.
 
-    Raises InputError (with the faults noted before) when there are no readings, a reading is given twice, or a test in two
-    directions does not have the same targets in both (ISO 230-2, clause 4: each target is approached from both sides); up to one
-    target in four that was approached in one direction only is left out. Targets are the same when their numbers are
-    exactly equal: nothing is rounded to make them so.
+    Raises InputError (with the faults noted before) when there are no readings, a reading is given
+    twice, or a test in two directions does not have the same targets in both (ISO 230-2, clause 4:
+    each target is approached from both sides); up to one target in four that was approached in one
+    direction only is left out. Targets are the same when their numbers are exactly equal: nothing
+    is rounded to make them so.
     """
     one_sided: dict[float, str] = {}
     if not faults:
@@ -89,13 +97,18 @@ def _check_unique(readings: Sequence[Reading], kind: AxisKind, faults: FaultList
                 "a reading is given twice",
                 place=reading.place,
                 expected="one reading per target, direction and run",
-                found=f"target {as_text(reading.target)} {kind.unit}, direction {reading.direction},"
-                f" run {reading.run} also in {first}",
+                found=(
+                    f"target {as_text(reading.target)} {kind.unit}, direction {reading.direction},"
+                    f" run {reading.run} also in {first}"
+                ),
             )
 
 
-def _check_both_directions(readings: Sequence[Reading], kind: AxisKind, faults: FaultList) -> dict[float, str]:
-    """Return the targets that only one direction of a test in two directions has, in words, where they are few.
+def _check_both_directions(
+    readings: Sequence[Reading], kind: AxisKind, faults: FaultList
+) -> dict[float, str]:
+    """Return the targets that only one direction of a test in two directions has, in words, where
+    they are few.
 
     Else each is a fault; so is one near which another stands in the opposite direction.
     """
@@ -112,7 +125,9 @@ def _check_both_directions(readings: Sequence[Reading], kind: AxisKind, faults: 
     reach = min((b - a for a, b in pairwise(sorted(positive))), default=np.inf) / 2
     for target in only_positive:
         at = bisect_left(only_negative, target)
-        near = min(only_negative[max(at - 1, 0) : at + 1], key=partial(_distance, target), default=np.inf)
+        near = min(
+            only_negative[max(at - 1, 0) : at + 1], key=partial(_distance, target), default=np.inf
+        )
         if _distance(target, near) < reach:
             only_negative.remove(near)
             faults.add(
@@ -138,7 +153,9 @@ def _distance(one: float, other: float) -> float:
     return abs(one - other)
 
 
-def _note_one_sided(target: float, place: str, direction: str, kind: AxisKind, faults: FaultList) -> None:
+def _note_one_sided(
+    target: float, place: str, direction: str, kind: AxisKind, faults: FaultList
+) -> None:
     faults.add(
         "a target of a test in two directions was approached in one direction only",
         place=place,

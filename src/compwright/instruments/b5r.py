@@ -1,8 +1,9 @@
-"""The ballbar file ``.b5r`` of Renishaw (Ballbar 5 and Ballbar 20; QC10, QC20-W): XML, one test with its runs and printed results.
+"""The ballbar file ``.b5r`` of Renishaw (Ballbar 5 and Ballbar 20; QC10, QC20-W): XML, one test
+with its runs and printed results.
 
-Reading rules after six published files, whose own results come out to 0.1 µm: samples START_INDEX to END_INDEX inclusive, at half
-steps of the arc; length = NOMINAL_LENGTH + reading, calibration and temperature already in it; angles from the first named
-axis to the second, whatever the view.
+Reading rules after six published files, whose own results come out to 0.1 µm: samples START_INDEX
+to END_INDEX inclusive, at half steps of the arc; length = NOMINAL_LENGTH + reading, calibration and
+temperature already in it; angles from the first named axis to the second, whatever the view.
 
 Codes made here:
 
@@ -40,11 +41,13 @@ _LONGEST: Final = 10_000.0
 _SAME_LENGTH: Final = 1e-6  # mm, rounding of printed lengths
 _MOST_READINGS: Final = 1_000_000  # of a run; a real one has some thousand
 _SAME_ANGLE: Final = 1e-6  # deg, the same for angles
-#: In all files seen as many samples of overshoot follow the arc as precede it; beyond this the readings are of another length.
+#: In all files seen as many samples of overshoot follow the arc as precede it; beyond this the
+#: readings are of another length.
 _TAIL: Final = (2, 0.02)  # samples, share of the samples of the arc; the larger of both
 #: No bar is shorter, no feed or sampling slower than this (mm, mm/min, Hz).
 _SMALLEST = 1e-6
-#: A feed off by more than this does not come from the rounding of the sampling: override, or an axis that did not follow.
+#: A feed off by more than this does not come from the rounding of the sampling: override, or an
+#: axis that did not follow.
 _FEED_SHARE: Final = 0.05
 _UNITS: Final[Mapping[str, str]] = {
     "UT_LENGTH_MM": "mm",
@@ -95,7 +98,9 @@ class _Spec:
 
 @dataclass(frozen=True, slots=True)
 class _Run:
-    """A run and its true feed (mm/min), None when the file does not say the sample rate; ``stray``: samples beside the rule."""
+    """A run and its true feed (mm/min), None when the file does not say the sample rate; ``stray``:
+    samples beside the rule.
+    """
 
     run: CircularRun
     feed: float | None
@@ -103,11 +108,13 @@ class _Run:
 
 
 def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
-    """Return the circular test in a ``.b5r`` file, without its source; raises InputError with every fault at once.
+    """Return the circular test in a ``.b5r`` file, without its source; raises InputError with every
+    fault at once.
 
-    Faults have the line of the element and its path as place: XML that is broken or declares a document type, another
-    instrument's file, a file without readings, what is missing or no number, a test radius that is not the length of the
-    bar, an arc below 90 deg, indices outside the readings, readings whose number does not fit arc and overshoot.
+    Faults have the line of the element and its path as place: XML that is broken or declares a
+    document type, another instrument's file, a file without readings, what is missing or no number,
+    a test radius that is not the length of the bar, an arc below 90 deg, indices outside the
+    readings, readings whose number does not fit arc and overshoot.
     """
     root = read_xml(content, file)
     bar = _ballbar(root, file)
@@ -144,15 +151,37 @@ def read_b5r(content: bytes, file: str, name: str) -> CircularTest:
 def _ballbar(root: Element, file: str) -> Element:
     if root.tag != "TEST_DOCUMENT":
         place, expected = f"line {root.line}", "the root element TEST_DOCUMENT"
-        raise InputError(Fault(message="is not a ballbar file", file=file, place=place, expected=expected, found=shown(root.tag)))
+        raise InputError(
+            Fault(
+                message="is not a ballbar file",
+                file=file,
+                place=place,
+                expected=expected,
+                found=shown(root.tag),
+            )
+        )
     instrument = root.first("TEST_SPEC", "INSTRUMENT")
     bar = root.first(*_BAR)
     if bar is None:
-        kinds = [child.tag for child in instrument.children] if instrument else [child.tag for child in root.children]
-        message = "is of another instrument" if instrument else "does not say which instrument measured"
+        kinds = (
+            [child.tag for child in instrument.children]
+            if instrument
+            else [child.tag for child in root.children]
+        )
+        message = (
+            "is of another instrument" if instrument else "does not say which instrument measured"
+        )
         place = f"line {(instrument or root).line}, {'/'.join(_BAR)}"
         found = shown(", ".join(kinds[:8]) or "nothing")
-        raise InputError(Fault(message=message, file=file, place=place, expected="a dynamic ballbar test", found=found))
+        raise InputError(
+            Fault(
+                message=message,
+                file=file,
+                place=place,
+                expected="a dynamic ballbar test",
+                found=found,
+            )
+        )
     return bar
 
 
@@ -171,17 +200,29 @@ def _finite(text: str) -> float | None:
     return value if abs(value) <= LARGEST else None
 
 
-def _number(parent: Element, tag: str, faults: FaultList, *, above: float = -LARGEST, most: float = LARGEST) -> float:
+def _number(
+    parent: Element, tag: str, faults: FaultList, *, above: float = -LARGEST, most: float = LARGEST
+) -> float:
     """Return a number with above < number <= most, NaN after noting a fault."""
     text, place = _text(parent, faults, tag)
     if not text:
         return math.nan
     value = _finite(text)
     if value is None:
-        faults.add("is not a number", place=place, expected="a number with a decimal point", found=shown(text))
+        faults.add(
+            "is not a number",
+            place=place,
+            expected="a number with a decimal point",
+            found=shown(text),
+        )
         return math.nan
     if not above < value <= most:
-        faults.add("is out of range", place=place, expected=f"above {above:g}, at most {most:g}", found=shown(text))
+        faults.add(
+            "is out of range",
+            place=place,
+            expected=f"above {above:g}, at most {most:g}",
+            found=shown(text),
+        )
         return math.nan
     return value
 
@@ -222,14 +263,18 @@ def _spec(bar: Element, faults: FaultList) -> _Spec:
 
 
 def _plane(bar: Element, faults: FaultList) -> tuple[str, tuple[str, str]]:
-    """Return the plane and its axes: A, B as the file names them (in ZX A is Z), else the letters of the plane."""
+    """Return the plane and its axes: A, B as the file names them (in ZX A is Z), else the letters
+    of the plane.
+    """
     element = bar.first("PLANE")
     plane = element.attributes.get("TEST_PLANE", "").upper() if element else ""
     letters = axes_of_plane(plane)
     named = [(bar.first("PLANE", f"{side}_AXIS_NAME") or bar).text for side in "AB"]
     if letters is None:
         place = f"line {(element or bar).line}, DYNAMIC_BALLBAR/PLANE"
-        faults.add("names no plane", place=place, expected="TEST_PLANE XY, YZ or ZX", found=shown(plane))
+        faults.add(
+            "names no plane", place=place, expected="TEST_PLANE XY, YZ or ZX", found=shown(plane)
+        )
         return "", ("", "")
     if all(named):
         return plane, (named[0], named[1])
@@ -242,7 +287,12 @@ def _runs(elements: Sequence[Element], spec: _Spec, faults: FaultList) -> list[_
         text, place = _text(element, faults, "RUN_DIRECTION")
         sense = _SENSES.get(text.upper())
         if text and sense is None:
-            faults.add("direction is neither CCW nor CW", place=place, expected="CCW or CW", found=shown(text))
+            faults.add(
+                "direction is neither CCW nor CW",
+                place=place,
+                expected="CCW or CW",
+                found=shown(text),
+            )
         number = 1 + sum(run.run.sense == sense for run in runs)
         run = _run(element, sense or "ccw", number, spec, faults)
         if run is not None and sense is not None:
@@ -250,11 +300,19 @@ def _runs(elements: Sequence[Element], spec: _Spec, faults: FaultList) -> list[_
     return runs
 
 
-def _run(element: Element, sense: Sense, number: int, spec: _Spec, faults: FaultList) -> _Run | None:
-    """Return one run: sample k of N at start + (k + 1/2) extent/N for ccw, at the end minus that for cw (deg)."""
+def _run(
+    element: Element, sense: Sense, number: int, spec: _Spec, faults: FaultList
+) -> _Run | None:
+    """Return one run: sample k of N at start + (k + 1/2) extent/N for ccw, at the end minus that
+    for cw (deg).
+    """
     readings = _readings(element, faults)
     indices = _indices(element, readings, faults)
-    rate = _number(element, "SAMPLE_RATE", faults, above=_SMALLEST) if element.first("SAMPLE_RATE") else None
+    rate = (
+        _number(element, "SAMPLE_RATE", faults, above=_SMALLEST)
+        if element.first("SAMPLE_RATE")
+        else None
+    )
     if readings is None or indices is None:
         return None
     first, last = indices
@@ -264,14 +322,23 @@ def _run(element: Element, sense: Sense, number: int, spec: _Spec, faults: Fault
         faults.add(
             "READINGS have the wrong length",
             place=f"line {element.line}, BALLBAR_RUN/READINGS",
-            expected=f"{last + 1 + first} values: {count} of the arc and {first} of overshoot on either side",
+            expected=(
+                f"{last + 1 + first} values: {count} of the arc and {first} of overshoot on either"
+                " side"
+            ),
             found=f"{readings.size}",
         )
     along = (np.arange(count) + 0.5) * spec.extent / count
     begin = spec.start % 360.0
     angles = begin + along if sense == "ccw" else begin + spec.extent - along
-    run = CircularRun(sense=sense, angles=angles, deviations=readings[first : last + 1], number=number)
-    feed = None if rate is None else 60.0 * 2.0 * math.pi * spec.length * (spec.extent / 360.0) / count * rate
+    run = CircularRun(
+        sense=sense, angles=angles, deviations=readings[first : last + 1], number=number
+    )
+    feed = (
+        None
+        if rate is None
+        else 60.0 * 2.0 * math.pi * spec.length * (spec.extent / 360.0) / count * rate
+    )
     return _Run(run, feed, stray)
 
 
@@ -280,7 +347,12 @@ def _readings(element: Element, faults: FaultList) -> FloatArray | None:
     tokens = text.split()
     if len(tokens) > _MOST_READINGS:
         expected = f"at most {_MOST_READINGS} values"
-        faults.add("READINGS are longer than any run", place=place, expected=expected, found=str(len(tokens)))
+        faults.add(
+            "READINGS are longer than any run",
+            place=place,
+            expected=expected,
+            found=str(len(tokens)),
+        )
         return None
     values: list[float] = []
     wrong = False
@@ -299,8 +371,12 @@ def _readings(element: Element, faults: FaultList) -> FloatArray | None:
     return None if wrong or not values else np.array(values)
 
 
-def _indices(element: Element, readings: FloatArray | None, faults: FaultList) -> tuple[int, int] | None:
-    """Return first and last sample of the arc; None after a fault, or when the readings themselves are at fault."""
+def _indices(
+    element: Element, readings: FloatArray | None, faults: FaultList
+) -> tuple[int, int] | None:
+    """Return first and last sample of the arc; None after a fault, or when the readings themselves
+    are at fault.
+    """
     found: list[int] = []
     for tag in ("START_INDEX", "END_INDEX"):
         text, place = _text(element, faults, tag)
@@ -314,18 +390,27 @@ def _indices(element: Element, readings: FloatArray | None, faults: FaultList) -
     place = f"line {element.line}, BALLBAR_RUN"
     if last >= readings.size:
         faults.add(
-            "END_INDEX lies outside the readings", place=place, expected=f"at most {readings.size - 1}, the last", found=str(last)
+            "END_INDEX lies outside the readings",
+            place=place,
+            expected=f"at most {readings.size - 1}, the last",
+            found=str(last),
         )
         return None
     if last - first + 1 < FEWEST_SAMPLES:
         expected = f"at least {FEWEST_SAMPLES} samples from START_INDEX to END_INDEX"
-        faults.add("has too few samples", place=place, expected=expected, found=f"{first} to {last}")
+        faults.add(
+            "has too few samples", place=place, expected=expected, found=f"{first} to {last}"
+        )
         return None
     return first, last
 
 
 def _header(root: Element, elements: Sequence[Element]) -> dict[str, str]:
-    header = {key: " ".join(found.text.split()) for key, path in _HEADER.items() if (found := root.first(*path)) and found.text}
+    header = {
+        key: " ".join(found.text.split())
+        for key, path in _HEADER.items()
+        if (found := root.first(*path)) and found.text
+    }
     for key, path, attribute in (
         ("test", ("TEST_SPEC",), "NAME"),
         ("machine", ("MACHINE_TESTED",), "NAME"),
@@ -342,15 +427,28 @@ def _header(root: Element, elements: Sequence[Element]) -> dict[str, str]:
     return header
 
 
-def _vendor(root: Element, elements: Sequence[Element], runs: Sequence[CircularRun]) -> dict[str, object]:
-    """Return the printed results: by run (``ccw``, ``cw``, ``ccw 2``) and by analysis (name and version), then by feature name."""
+def _vendor(
+    root: Element, elements: Sequence[Element], runs: Sequence[CircularRun]
+) -> dict[str, object]:
+    """Return the printed results: by run (``ccw``, ``cw``, ``ccw 2``) and by analysis (name and
+    version), then by feature name.
+    """
     groups = [
-        *((run.sense if run.number == 1 else f"{run.sense} {run.number}", e) for run, e in zip(runs, elements, strict=True)),
-        *((" ".join(filter(None, map(e.attributes.get, ("NAME", "version")))), e) for e in root.all("ANALYSIS")),
+        *(
+            (run.sense if run.number == 1 else f"{run.sense} {run.number}", e)
+            for run, e in zip(runs, elements, strict=True)
+        ),
+        *(
+            (" ".join(filter(None, map(e.attributes.get, ("NAME", "version")))), e)
+            for e in root.all("ANALYSIS")
+        ),
     ]
     vendor: dict[str, object] = {}
     for key, element in groups:
-        features = {feature.attributes.get("NAME", ""): _feature(feature) for feature in element.all("FEATURE")}
+        features = {
+            feature.attributes.get("NAME", ""): _feature(feature)
+            for feature in element.all("FEATURE")
+        }
         if features and key:
             vendor[key] = features
     return vendor
@@ -359,23 +457,33 @@ def _vendor(root: Element, elements: Sequence[Element], runs: Sequence[CircularR
 def _feature(feature: Element) -> dict[str, object]:
     unit = feature.attributes.get("DT", "")
     value = _finite(feature.text)
-    printed: dict[str, object] = {"value": feature.text if value is None else value, "unit": _UNITS.get(unit, unit)}
+    printed: dict[str, object] = {
+        "value": feature.text if value is None else value,
+        "unit": _UNITS.get(unit, unit),
+    }
     if feature.attributes.get("VALID", "True").lower() != "true":
         printed["valid"] = False
     return printed
 
 
-def _findings(bar: Element, elements: Sequence[Element], spec: _Spec, runs: Sequence[_Run], feed: float) -> list[Finding]:
+def _findings(
+    bar: Element, elements: Sequence[Element], spec: _Spec, runs: Sequence[_Run], feed: float
+) -> list[Finding]:
     findings = []
     coefficient = (bar.first("TEMP_MATERIAL_COEFFICIENT") or bar).text
-    temperatures = dict.fromkeys(found.text for element in elements if (found := element.first("RUN_TEMPERATURE")) and found.text)
+    temperatures = dict.fromkeys(
+        found.text
+        for element in elements
+        if (found := element.first("RUN_TEMPERATURE")) and found.text
+    )
     if _finite(coefficient) and temperatures:
         findings.append(
             Finding(
                 "CW-R030",
                 "info",
-                f"The readings hold the ballbar's calibration and its temperature correction already (expansion"
-                f" {shown(coefficient)} um/(m K), {', '.join(map(shown, temperatures))} °C): nothing was applied again.",
+                "The readings hold the ballbar's calibration and its temperature correction"
+                f" already (expansion {shown(coefficient)} um/(m K),"
+                f" {', '.join(map(shown, temperatures))} °C): nothing was applied again.",
             )
         )
     if abs(feed / spec.feed - 1.0) > _FEED_SHARE:
@@ -383,8 +491,9 @@ def _findings(bar: Element, elements: Sequence[Element], spec: _Spec, runs: Sequ
             Finding(
                 "CW-R031",
                 "warning",
-                f"The true feed, from sample rate and number of samples, is {feed:.4g} mm/min and not the programmed"
-                f" {spec.feed:.4g} mm/min: override, or an axis that did not follow. The true one is used.",
+                f"The true feed, from sample rate and number of samples, is {feed:.4g} mm/min and"
+                f" not the programmed {spec.feed:.4g} mm/min: override, or an axis that did not"
+                " follow. The true one is used.",
             )
         )
     findings.extend(_stray_finding(run) for run in runs if run.stray)
@@ -392,7 +501,9 @@ def _findings(bar: Element, elements: Sequence[Element], spec: _Spec, runs: Sequ
     wanted = [_SENSES.get(element.text.upper()) for element in bar.all("RUN_SPEC", "RUN_DIRECTION")]
     findings.extend(
         Finding("CW-R033", "warning", f"The test asks for a {sense} run, but the file holds none.")
-        for sense in dict.fromkeys(sense for sense in wanted if sense is not None and sense not in measured)
+        for sense in dict.fromkeys(
+            sense for sense in wanted if sense is not None and sense not in measured
+        )
     )
     return findings
 
@@ -401,6 +512,7 @@ def _stray_finding(run: _Run) -> Finding:
     return Finding(
         "CW-R032",
         "warning",
-        f"Run {run.run.sense} {run.run.number} has {abs(run.stray)} {'more' if run.stray > 0 else 'fewer'} readings after the arc"
-        " than before it: a reading may be doubled or lost.",
+        f"Run {run.run.sense} {run.run.number} has {abs(run.stray)}"
+        f" {'more' if run.stray > 0 else 'fewer'} readings after the arc than before it: a reading"
+        " may be doubled or lost.",
     )

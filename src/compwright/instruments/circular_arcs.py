@@ -1,4 +1,6 @@
-"""Where the samples of a circular run lie: their order, the arc that they cover, and whether all runs cover the same."""
+"""Where the samples of a circular run lie: their order, the arc that they cover, and whether all
+runs cover the same.
+"""
 
 from __future__ import annotations
 
@@ -16,21 +18,26 @@ from compwright.records.circular import CircularRun, Sense
 SMALLEST_ARC: Final = 90.0
 #: Three points always lie on a circle.
 FEWEST_SAMPLES: Final = 4
-#: Angles are counted from 0 or from -180, and may go on beyond one turn: never farther than this from zero, deg.
+#: Angles are counted from 0 or from -180, and may go on beyond one turn: never farther than this
+#: from zero, deg.
 LARGEST_ANGLE: Final = 720.0
-#: The end of the circle lies one sample from its beginning; samples by a clock are not quite equally far apart.
+#: The end of the circle lies one sample from its beginning; samples by a clock are not quite
+#: equally far apart.
 _ONE_SAMPLE: Final = 1.5
-#: Between samples all around, a gap up to this is a hole in the circle (samples are missing); a wider one is outside an arc, deg.
+#: Between samples all around, a gap up to this is a hole in the circle (samples are missing); a
+#: wider one is outside an arc, deg.
 _HOLE: Final = 5.0
 _TINY: Final = 1e-9  # deg: rounding of sums
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sweep:
-    """The samples of one run in ascending order. ``order`` (n,): indices into what was given; ``angles`` (n,) deg, ascending.
+    """The samples of one run in ascending order. ``order`` (n,): indices into what was given;
+    ``angles`` (n,) deg, ascending.
 
-    The first angle lies in 0 <= a < 360. ``step``: median distance of neighbours, deg; ``gap``: the widest distance inside and
-    where it begins. ``full``: the run covers the circle up to one sample.
+    The first angle lies in 0 <= a < 360. ``step``: median distance of neighbours, deg; ``gap``: the
+    widest distance inside and where it begins. ``full``: the run covers the circle up to one
+    sample.
     """
 
     sense: Sense
@@ -57,14 +64,21 @@ class Sweep:
 
 
 def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -> Sweep | None:
-    """Return the samples of a run in ascending order, given their ``angles`` (n,) deg in any order; None after noting a fault.
+    """Return the samples of a run in ascending order, given their ``angles`` (n,) deg in any order;
+    None after noting a fault.
 
-    Angles may be counted modulo 360, so an arc through 0 is given as two pieces: the widest gap on the circle is what the arc
-    leaves out. Samples all around with a gap of at most 5 deg are a circle of which some are missing.
+    Angles may be counted modulo 360, so an arc through 0 is given as two pieces: the widest gap on
+    the circle is what the arc leaves out. Samples all around with a gap of at most 5 deg are a
+    circle of which some are missing.
     """
     name = f"{sense} run {number}"
     if angles.size < FEWEST_SAMPLES:
-        faults.add("has too few samples", place=name, expected=f"at least {FEWEST_SAMPLES}", found=str(angles.size))
+        faults.add(
+            "has too few samples",
+            place=name,
+            expected=f"at least {FEWEST_SAMPLES}",
+            found=str(angles.size),
+        )
         return None
     order = np.argsort(angles, kind="stable")
     ascending = angles[order]
@@ -81,9 +95,13 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
         )
         return None
     closed = around <= _ONE_SAMPLE * step + _TINY
-    if between[widest] > around and not (closed and between[widest] <= max(_HOLE, _ONE_SAMPLE * step)):
+    if between[widest] > around and not (
+        closed and between[widest] <= max(_HOLE, _ONE_SAMPLE * step)
+    ):
         order = np.roll(order, -(widest + 1))
-        ascending = angles[order] + np.where(np.arange(angles.size) < angles.size - widest - 1, 0.0, 360.0)
+        ascending = angles[order] + np.where(
+            np.arange(angles.size) < angles.size - widest - 1, 0.0, 360.0
+        )
         between = np.diff(ascending)
         widest = int(np.argmax(between))
     ascending = ascending - 360.0 * np.floor(ascending[0] / 360.0)
@@ -103,15 +121,22 @@ def sweep_of(sense: Sense, number: int, angles: FloatArray, faults: FaultList) -
 def run_of(sweep: Sweep, deviations: FloatArray, start: float) -> CircularRun:
     """Return the run in the order of its motion: ascending for ccw, descending for cw.
 
-    ``deviations`` (n,) mm in the order given to `sweep_of`; whole turns are added so that the run lies nearest to ``start`` deg.
+    ``deviations`` (n,) mm in the order given to `sweep_of`; whole turns are added so that the run
+    lies nearest to ``start`` deg.
     """
     angles = sweep.angles + 360.0 * np.round((start - float(sweep.angles[0])) / 360.0)
     along = slice(None) if sweep.sense == "ccw" else slice(None, None, -1)
-    return CircularRun(sense=sweep.sense, number=sweep.number, angles=angles[along], deviations=deviations[sweep.order][along])
+    return CircularRun(
+        sense=sweep.sense,
+        number=sweep.number,
+        angles=angles[along],
+        deviations=deviations[sweep.order][along],
+    )
 
 
 def common_arc(sweeps: Sequence[Sweep], faults: FaultList) -> tuple[float, float]:
-    """Return (least angle, extent) of the arc of all runs, deg; a fault for every run that covers another arc than the first.
+    """Return (least angle, extent) of the arc of all runs, deg; a fault for every run that covers
+    another arc than the first.
 
     Runs may differ by one sample at either end.
     """
@@ -122,15 +147,27 @@ def common_arc(sweeps: Sequence[Sweep], faults: FaultList) -> tuple[float, float
     low, high = start, start + first.extent
     for sweep in sweeps[1:]:
         turned = float(sweep.angles[0]) + 360.0 * round((start - float(sweep.angles[0])) / 360.0)
-        check_same_arc((start, first.extent), (turned, sweep.extent), max(first.step, sweep.step), (first.name, sweep.name), faults)
+        check_same_arc(
+            (start, first.extent),
+            (turned, sweep.extent),
+            max(first.step, sweep.step),
+            (first.name, sweep.name),
+            faults,
+        )
         low, high = min(low, turned), max(high, turned + sweep.extent)
     return low % 360.0, min(high - low, 360.0)
 
 
 def check_same_arc(
-    one: tuple[float, float], other: tuple[float, float], step: float, names: tuple[str, str], faults: FaultList
+    one: tuple[float, float],
+    other: tuple[float, float],
+    step: float,
+    names: tuple[str, str],
+    faults: FaultList,
 ) -> None:
-    """Note a fault when two arcs (least angle, extent; deg) differ by more than ``step`` at either end."""
+    """Note a fault when two arcs (least angle, extent; deg) differ by more than ``step`` at either
+    end.
+    """
     shift = (other[0] - one[0] + 180.0) % 360.0 - 180.0
     end = shift + other[1] - one[1]
     if max(abs(shift), abs(end)) > step + _TINY:

@@ -1,7 +1,8 @@
 """The plain CSV form of a circular test (contract, "Plain CSV").
 
-Columns ``direction`` (``ccw``, ``cw``), optional ``run``, ``angle_deg`` and one of ``radius_mm``, ``deviation_um``; rows in any
-order. Comment keys ``plane`` (first and second axis), ``nominal_radius_mm``, ``feed_mm_min``; optional ``calibrated``, ``centre``.
+Columns ``direction`` (``ccw``, ``cw``), optional ``run``, ``angle_deg`` and one of ``radius_mm``,
+``deviation_um``; rows in any order. Comment keys ``plane`` (first and second axis),
+``nominal_radius_mm``, ``feed_mm_min``; optional ``calibrated``, ``centre``.
 
 Code made here:
 
@@ -25,12 +26,19 @@ from compwright.instruments.comments import Comments, read_comments
 from compwright.instruments.csv_table import INCHES, Table, in_inches, read_table, split_lines
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, parse_count, parse_number
-from compwright.instruments.reading import assumed_finding, doubtful_finding, left_out_finding, unfinished_finding
+from compwright.instruments.reading import (
+    assumed_finding,
+    doubtful_finding,
+    left_out_finding,
+    unfinished_finding,
+)
 from compwright.instruments.text_input import read_lines
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest, Sense
 
-KEYS: Final = frozenset({"plane", "nominal_radius_mm", "feed_mm_min", "calibrated", "centre", "compwright"})
+KEYS: Final = frozenset(
+    {"plane", "nominal_radius_mm", "feed_mm_min", "calibrated", "centre", "compwright"}
+)
 _NEWEST_FORM: Final = 1
 _VALUES: Final = ("radius_mm", "deviation_um")
 _COLUMNS: Final[tuple[str, ...]] = ("direction", "run", "angle_deg", *_VALUES)
@@ -42,7 +50,11 @@ _FAR: Final = (1.0, 0.05)  # mm, share of the nominal radius; the larger of both
 #: No bar is shorter and no feed slower than this (mm, mm/min).
 _SMALLEST: Final = 1e-3
 _MANY_STEPS: Final = 5.0  # a gap of so many samples is told
-_RADII: Final = {"inch": MILLIMETRES_PER_INCH, "um": 1.0 / MICROMETRES_PER_MILLIMETRE, "m": 1000.0}  # a unit in mm
+_RADII: Final = {
+    "inch": MILLIMETRES_PER_INCH,
+    "um": 1.0 / MICROMETRES_PER_MILLIMETRE,
+    "m": 1000.0,
+}  # a unit in mm
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +76,9 @@ class _Keys:
 
 
 def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
-    """Return the circular test in a plain CSV file, without its source; raises InputError with every fault at once."""
+    """Return the circular test in a plain CSV file, without its source; raises InputError with
+    every fault at once.
+    """
     faults = FaultList(file)
     text = read_lines(content, file)
     comment_lines, lines = split_lines(text)
@@ -80,7 +94,11 @@ def read_circular_csv(content: bytes, file: str, name: str) -> CircularTest:
     sweeps, runs, arc = _assembled(samples, value, keys, faults)
     left_out = [column for column in table.columns if column not in _COLUMNS]
     findings = [
-        assumed_finding([] if keys.calibrated is not None else ["calibrated: no (the length of the bar is not known)"]),
+        assumed_finding(
+            []
+            if keys.calibrated is not None
+            else ["calibrated: no (the length of the bar is not known)"]
+        ),
         left_out_finding(left_out),
         doubtful_finding(marks.doubtful_point()),
         *map(_gap_finding, sweeps),
@@ -108,16 +126,27 @@ def _check_form(comments: Comments, lines: Sequence[tuple[int, str]], file: str)
         message = "was written for a newer compwright" if match else "is not a circular test"
         expected = f"circular {_NEWEST_FORM}{' or older' if match else ''}"
         place = comments.places["compwright"]
-        raise InputError(Fault(message=message, file=file, place=place, expected=expected, found=shown(form)))
+        raise InputError(
+            Fault(message=message, file=file, place=place, expected=expected, found=shown(form))
+        )
     if not lines:
-        raise InputError(Fault(message="holds comment lines only", file=file, expected="a header row and samples"))
+        raise InputError(
+            Fault(
+                message="holds comment lines only", file=file, expected="a header row and samples"
+            )
+        )
 
 
 def _keys(comments: Comments, faults: FaultList) -> _Keys:
     calibrated = _YES.get(comments.get("calibrated").lower())
     if comments.get("calibrated") and calibrated is None:
         place, found = comments.places["calibrated"], shown(comments.get("calibrated"))
-        faults.add("key 'calibrated' has an unknown value", place=place, expected="yes, no, true or false", found=found)
+        faults.add(
+            "key 'calibrated' has an unknown value",
+            place=place,
+            expected="yes, no, true or false",
+            found=found,
+        )
     return _Keys(
         axes=_axes(comments, faults),
         radius=_positive(comments, "nominal_radius_mm", "150", faults),
@@ -135,13 +164,20 @@ def _axes(comments: Comments, faults: FaultList) -> tuple[str, str]:
     axes = axes_of_plane(text)
     if axes is None:
         expected = "first and second axis, such as XY, YZ or ZX"
-        faults.add("key 'plane' names no plane", place=comments.places["plane"], expected=expected, found=shown(text))
+        faults.add(
+            "key 'plane' names no plane",
+            place=comments.places["plane"],
+            expected=expected,
+            found=shown(text),
+        )
         return "", ""
     return axes
 
 
 def axes_of_plane(text: str) -> tuple[str, str] | None:
-    """Return first and second axis of a plane such as ``XY`` or ``X1-Y1``, None when ``text`` names no two axes."""
+    """Return first and second axis of a plane such as ``XY`` or ``X1-Y1``, None when ``text`` names
+    no two axes.
+    """
     match = _PLANE.fullmatch(text.strip())
     if match is None or match[1].upper() == match[2].upper():
         return None
@@ -149,7 +185,10 @@ def axes_of_plane(text: str) -> tuple[str, str] | None:
 
 
 def _note_missing(key: str, example: str, faults: FaultList) -> None:
-    faults.add(f"key '{key}' is missing", expected=f"a comment line such as '# {key}: {example}' above the header row")
+    faults.add(
+        f"key '{key}' is missing",
+        expected=f"a comment line such as '# {key}: {example}' above the header row",
+    )
 
 
 def _positive(comments: Comments, key: str, example: str, faults: FaultList) -> float:
@@ -160,10 +199,20 @@ def _positive(comments: Comments, key: str, example: str, faults: FaultList) -> 
     try:
         value = parse_number(text)
     except ValueError as reason:
-        faults.add(f"key '{key}' {reason}", place=comments.places[key], expected="a number above 0", found=shown(text))
+        faults.add(
+            f"key '{key}' {reason}",
+            place=comments.places[key],
+            expected="a number above 0",
+            found=shown(text),
+        )
         return float("nan")
     if value < _SMALLEST:
-        faults.add(f"key '{key}' is not positive", place=comments.places[key], expected="a number above 0", found=shown(text))
+        faults.add(
+            f"key '{key}' is not positive",
+            place=comments.places[key],
+            expected="a number above 0",
+            found=shown(text),
+        )
     return value
 
 
@@ -174,12 +223,19 @@ def _centre(comments: Comments, faults: FaultList) -> tuple[float, ...] | None:
     centre = centre_of(text)
     if centre is None:
         expected = "two or three coordinates in mm, such as -400, -250, -300"
-        faults.add("key 'centre' is not a position", place=comments.places["centre"], expected=expected, found=shown(text))
+        faults.add(
+            "key 'centre' is not a position",
+            place=comments.places["centre"],
+            expected=expected,
+            found=shown(text),
+        )
     return centre
 
 
 def centre_of(text: str) -> tuple[float, ...] | None:
-    """Return the two or three coordinates (mm) that ``text`` lists, None when it lists no such numbers."""
+    """Return the two or three coordinates (mm) that ``text`` lists, None when it lists no such
+    numbers.
+    """
     inner = text.strip().strip("[]()").strip()
     parts = inner.split(";") if ";" in inner else [part.strip(",") for part in inner.split()]
     if len(parts) < 2:
@@ -192,26 +248,44 @@ def centre_of(text: str) -> tuple[float, ...] | None:
 
 
 def _value_column(table: Table, faults: FaultList) -> str:
-    """Return the column that holds the samples. Raises InputError when a column is missing: every row would repeat it."""
+    """Return the column that holds the samples. Raises InputError when a column is missing: every
+    row would repeat it.
+    """
     place = f"line {table.line}"
     found = f"columns {', '.join(table.columns[:8])}"
     for column in ("direction", "angle_deg"):
         if column not in table.columns:
-            faults.add(f"column '{column}' is missing", place=place, expected="direction, angle_deg and a value", found=found)
+            faults.add(
+                f"column '{column}' is missing",
+                place=place,
+                expected="direction, angle_deg and a value",
+                found=found,
+            )
     values = [column for column in table.columns if column in _VALUES]
     inches = in_inches(table.columns)
     if inches:
-        faults.add("is in inches, which are not read", place=place, expected=INCHES, found=shown(inches))
+        faults.add(
+            "is in inches, which are not read", place=place, expected=INCHES, found=shown(inches)
+        )
     elif not values:
-        faults.add("the value column is missing", place=place, expected=" or ".join(_VALUES), found=found)
+        faults.add(
+            "the value column is missing", place=place, expected=" or ".join(_VALUES), found=found
+        )
     if len(values) > 1:
-        faults.add("there is more than one value column", place=place, expected=" or ".join(_VALUES), found=", ".join(values))
+        faults.add(
+            "there is more than one value column",
+            place=place,
+            expected=" or ".join(_VALUES),
+            found=", ".join(values),
+        )
     if len(values) != 1 or not {"direction", "angle_deg"} <= set(table.columns):
         faults.raise_if_any()
     return values[0]
 
 
-def _samples(table: Table, value: str, marks: DecimalMarks, faults: FaultList) -> dict[tuple[Sense, int], list[_Sample]]:
+def _samples(
+    table: Table, value: str, marks: DecimalMarks, faults: FaultList
+) -> dict[tuple[Sense, int], list[_Sample]]:
     """Return the rows by direction and run."""
     at = {name: table.columns.index(name) for name in _COLUMNS if name in table.columns}
     samples: dict[tuple[Sense, int], list[_Sample]] = {}
@@ -219,11 +293,18 @@ def _samples(table: Table, value: str, marks: DecimalMarks, faults: FaultList) -
         place = f"line {row.line}, column "
         sense = _sense(row.cells[at["direction"]], place, faults)
         run = _run(row.cells[at["run"]], place, faults) if "run" in at else 1
-        angle = marks.parse(row.cells[at["angle_deg"]], place=f"{place}angle_deg", column="angle_deg")
+        angle = marks.parse(
+            row.cells[at["angle_deg"]], place=f"{place}angle_deg", column="angle_deg"
+        )
         number = marks.parse(row.cells[at[value]], place=f"{place}{value}", column=value)
         if angle is not None and abs(angle) > LARGEST_ANGLE:
             expected = f"-{LARGEST_ANGLE:g} to {LARGEST_ANGLE:g} deg"
-            faults.add("is no angle on the circle", place=f"{place}angle_deg", expected=expected, found=f"{angle:g}")
+            faults.add(
+                "is no angle on the circle",
+                place=f"{place}angle_deg",
+                expected=expected,
+                found=f"{angle:g}",
+            )
         if sense is not None and run is not None and angle is not None and number is not None:
             samples.setdefault((sense, run), []).append(_Sample(angle, number, row.line))
     if not samples and not faults:
@@ -236,7 +317,12 @@ def _samples(table: Table, value: str, marks: DecimalMarks, faults: FaultList) -
 def _sense(text: str, place: str, faults: FaultList) -> Sense | None:
     if text.lower() in {"ccw", "cw"}:
         return cast("Literal['ccw', 'cw']", text.lower())
-    faults.add("direction is neither ccw nor cw", place=f"{place}direction", expected="ccw or cw", found=shown(text))
+    faults.add(
+        "direction is neither ccw nor cw",
+        place=f"{place}direction",
+        expected="ccw or cw",
+        found=shown(text),
+    )
     return None
 
 
@@ -248,7 +334,8 @@ def _run(text: str, place: str, faults: FaultList) -> int | None:
         return None
 
 
-def _check_unique(samples: Sequence[_Sample], name: str, numbered: bool, faults: FaultList) -> None:  # noqa: FBT001 - one caller
+# one caller
+def _check_unique(samples: Sequence[_Sample], name: str, numbered: bool, faults: FaultList) -> None:  # noqa: FBT001
     lines: dict[float, int] = {}
     for sample in samples:
         first = lines.setdefault(sample.angle, sample.line)
@@ -256,15 +343,24 @@ def _check_unique(samples: Sequence[_Sample], name: str, numbered: bool, faults:
             faults.add(
                 "a sample is given twice",
                 place=f"line {sample.line}",
-                expected="each angle once per direction and run" if numbered else "a column 'run' if a direction has several",
+                expected=(
+                    "each angle once per direction and run"
+                    if numbered
+                    else "a column 'run' if a direction has several"
+                ),
                 found=f"{sample.angle:.10g} deg of {name} also in line {first}",
             )
 
 
 def _assembled(
-    samples: Mapping[tuple[Sense, int], Sequence[_Sample]], value: str, keys: _Keys, faults: FaultList
+    samples: Mapping[tuple[Sense, int], Sequence[_Sample]],
+    value: str,
+    keys: _Keys,
+    faults: FaultList,
 ) -> tuple[list[Sweep], list[CircularRun], tuple[float, float]]:
-    """Return sweeps, runs and the arc, ccw before cw, runs by their numbers; raises InputError after the last check."""
+    """Return sweeps, runs and the arc, ccw before cw, runs by their numbers; raises InputError
+    after the last check.
+    """
     sweeps: list[Sweep] = []
     deviations: list[FloatArray] = []
     for (sense, number), ours in sorted(samples.items(), key=lambda item: item[0]):
@@ -281,7 +377,11 @@ def _assembled(
     faults.raise_if_any()
     arc = common_arc(sweeps, faults)
     faults.raise_if_any()
-    return sweeps, [run_of(sweep, block, arc[0]) for sweep, block in zip(sweeps, deviations, strict=True)], arc
+    return (
+        sweeps,
+        [run_of(sweep, block, arc[0]) for sweep, block in zip(sweeps, deviations, strict=True)],
+        arc,
+    )
 
 
 def _check_unit(radii: FloatArray, nominal: float, name: str, faults: FaultList) -> None:
@@ -290,8 +390,16 @@ def _check_unit(radii: FloatArray, nominal: float, name: str, faults: FaultList)
     far = max(_FAR[0], _FAR[1] * nominal)
     if abs(middle - nominal) <= far:
         return
-    unit = next((unit for unit, factor in _RADII.items() if abs(middle * factor - nominal) <= far), "")
-    hint = f", as it would be in {unit}" if unit else ", as deviations are" if abs(middle) <= _FAR[0] else ""
+    unit = next(
+        (unit for unit, factor in _RADII.items() if abs(middle * factor - nominal) <= far), ""
+    )
+    hint = (
+        f", as it would be in {unit}"
+        if unit
+        else ", as deviations are"
+        if abs(middle) <= _FAR[0]
+        else ""
+    )
     faults.add(
         "radius_mm is far from the nominal radius",
         place=f"{name}, column radius_mm",

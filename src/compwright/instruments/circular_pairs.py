@@ -28,12 +28,15 @@ _ENOUGH: Final = 2  # partners that make a file doubtful; more need not be sough
 
 
 def paired(tests: Sequence[CircularTest]) -> tuple[CircularTest, ...]:
-    """Return the tests in their order, files of one direction joined to a test of both where that is beyond doubt.
+    """Return the tests in their order, files of one direction joined to a test of both where that
+    is beyond doubt.
 
-    A file that holds only ccw and one that holds only cw fit when plane, axes, radius, feed, arc, and centre and machine where
-    both say them, are the same (`merge_circular`). First those of one folder are joined whose names differ only by the words ccw
-    and cw, then of the others those that fit each other and nothing else. What fits several stays alone, with a finding. A
-    joined test is named as its files are without that word, or by both names, and stands in the place of the first.
+    A file that holds only ccw and one that holds only cw fit when plane, axes, radius, feed, arc,
+    and centre and machine where both say them, are the same (`merge_circular`). First those of one
+    folder are joined whose names differ only by the words ccw and cw, then of the others those that
+    fit each other and nothing else. What fits several stays alone, with a finding. A joined test is
+    named as its files are without that word, or by both names, and stands in the place of the
+    first.
     """
     found = dict(enumerate(tests))
     for by_name in (True, False):
@@ -60,13 +63,17 @@ def _partners(tests: Mapping[int, CircularTest], *, by_name: bool) -> dict[int, 
     def fit(one: int, other: int) -> bool:
         pair = frozenset((one, other))
         if pair not in known:
-            known[pair] = (not by_name or _place(tests[one]) == _place(tests[other])) and _belong(tests[one], tests[other])
+            known[pair] = (not by_name or _place(tests[one]) == _place(tests[other])) and _belong(
+                tests[one], tests[other]
+            )
         return known[pair]
 
     partners: dict[int, list[int]] = {}
     for mine, theirs in ((ways["ccw"], ways["cw"]), (ways["cw"], ways["ccw"])):
         for index in mine:
-            partners[index] = list(islice((other for other in theirs if fit(index, other)), _ENOUGH))
+            partners[index] = list(
+                islice((other for other in theirs if fit(index, other)), _ENOUGH)
+            )
     return partners
 
 
@@ -78,9 +85,15 @@ def _only(test: CircularTest) -> Sense | None:
 
 def _belong(one: CircularTest, other: CircularTest) -> bool:
     """Whether both files can be of one test."""
-    if any(one.header.get(key) and other.header.get(key) and one.header[key] != other.header[key] for key in _SAME_MACHINE):
+    if any(
+        one.header.get(key) and other.header.get(key) and one.header[key] != other.header[key]
+        for key in _SAME_MACHINE
+    ):
         return False
-    if (one.axes, one.nominal_radius) != (other.axes, other.nominal_radius):  # merge_circular checks more, and slower
+    if (one.axes, one.nominal_radius) != (
+        other.axes,
+        other.nominal_radius,
+    ):  # merge_circular checks more, and slower
         return False
     try:
         merge_circular((one, other), one.name)
@@ -91,7 +104,11 @@ def _belong(one: CircularTest, other: CircularTest) -> bool:
 
 def _joined(one: CircularTest, other: CircularTest) -> CircularTest:
     bare = _bare(one.name)
-    name = bare if bare and bare.lower() == _bare(other.name).lower() else " + ".join(dict.fromkeys((one.name, other.name)))
+    name = (
+        bare
+        if bare and bare.lower() == _bare(other.name).lower()
+        else " + ".join(dict.fromkeys((one.name, other.name)))
+    )
     joined = merge_circular((one, other), name)
     files = " and ".join(f"{_file_of(test)} ({_only(test)})" for test in (one, other))
     message = f"{files} were taken as the two directions of one test."
@@ -114,9 +131,12 @@ def _file_of(test: CircularTest) -> str:
 
 
 def _doubtful(test: CircularTest, others: Sequence[CircularTest]) -> CircularTest:
-    """Return the test with a finding: files that nobody took fit it, and no pair of them is certain."""
+    """Return the test with a finding: files that nobody took fit it, and no pair of them is
+    certain.
+    """
     message = (
-        f"The other direction may be in {', '.join(map(_file_of, others))}, but no pair is certain: not joined. Evaluate one pair"
-        " at a time, or give its files names that differ only by ccw and cw."
+        f"The other direction may be in {', '.join(map(_file_of, others))}, but no pair is certain:"
+        " not joined. Evaluate one pair at a time, or give its files names that differ only by ccw"
+        " and cw."
     )
     return replace(test, findings=(*test.findings, Finding("CW-R039", "warning", message)))

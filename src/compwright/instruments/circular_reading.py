@@ -1,4 +1,5 @@
-"""The door for circular tests: bytes of a ``.b5r`` or plain CSV file to a record, and the files of one test to one record.
+"""The door for circular tests: bytes of a ``.b5r`` or plain CSV file to a record, and the files of
+one test to one record.
 
 Codes made here:
 
@@ -38,9 +39,11 @@ _SAME_CENTRE: Final = 0.01  # mm
 
 
 def is_circular(content: bytes, file: str) -> bool:
-    """Whether ``content`` is a circular test or XML (a ballbar's, or else to be refused as no ballbar's), told by its first lines.
+    """Whether ``content`` is a circular test or XML (a ballbar's, or else to be refused as no
+    ballbar's), told by its first lines.
 
-    The name decides only where the content is neither: a ``.b5r`` that is empty or broken is still a ballbar's file.
+    The name decides only where the content is neither: a ``.b5r`` that is empty or broken is still
+    a ballbar's file.
     """
     head = content[:_LOOKED_AT]
     utf16 = head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
@@ -48,7 +51,10 @@ def is_circular(content: bytes, file: str) -> bool:
     if text.startswith(("<?xml", "<TEST_DOCUMENT")):
         return True
     comments, lines = split_lines(text.splitlines())
-    if any(comment.replace(" ", "").lower().startswith("compwright:circular") for _, comment in comments):
+    if any(
+        comment.replace(" ", "").lower().startswith("compwright:circular")
+        for _, comment in comments
+    ):
         return True
     _, names, known = header_names(lines[0][1]) if lines else ("", [], 0)
     if any(name.startswith("target_") for name in names):
@@ -57,25 +63,32 @@ def is_circular(content: bytes, file: str) -> bool:
 
 
 def read_circular(content: bytes, file: str) -> CircularTest:
-    """Return the circular test in ``content``; ``file`` is the name that messages and the record's source carry.
+    """Return the circular test in ``content``; ``file`` is the name that messages and the record's
+    source carry.
 
-    Reads ``.b5r`` and the plain CSV form (contract, "Plain CSV"), told apart by the content. Lengths in mm, deviations measured
-    minus nominal, angles in deg from the first axis to the second, the feed is the true one where the file shows it. Raises
-    InputError with every fault that could be found at once.
+    Reads ``.b5r`` and the plain CSV form (contract, "Plain CSV"), told apart by the content.
+    Lengths in mm, deviations measured minus nominal, angles in deg from the first axis to the
+    second, the feed is the true one where the file shows it. Raises InputError with every fault
+    that could be found at once.
     """
     start = content[:64].lstrip(codecs.BOM_UTF8 + codecs.BOM_UTF16_LE + b" \t\r\n\x00")
     test = (read_b5r if start.startswith(b"<") else read_circular_csv)(content, file, stem(file))
-    return replace(test, sources=(source_of(file, content),), findings=(*test.findings, *_plausibility(test)))
+    return replace(
+        test, sources=(source_of(file, content),), findings=(*test.findings, *_plausibility(test))
+    )
 
 
 def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
-    """Return the test whose runs were written into several files, one per direction or per run; runs are counted on.
+    """Return the test whose runs were written into several files, one per direction or per run;
+    runs are counted on.
 
-    Raises InputError when the files do not belong together (plane, radius, feed, arc, centre) or a file is given twice, UsageError
-    when there is none.
+    Raises InputError when the files do not belong together (plane, radius, feed, arc, centre) or a
+    file is given twice, UsageError when there is none.
     """
     if not tests:
-        raise UsageError(Fault(message="a circular test has no file", place=name, expected="at least one"))
+        raise UsageError(
+            Fault(message="a circular test has no file", place=name, expected="at least one")
+        )
     faults = FaultList("")
     first = tests[0]
     hashes = Counter(source.sha256 for test in tests for source in test.sources)
@@ -83,8 +96,15 @@ def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
         _check_same_test(first, test, faults)
     for sha256, count in hashes.items():
         if count > 1:
-            names = [source.file for test in tests for source in test.sources if source.sha256 == sha256]
-            faults.add("the same measurement is given twice", place=name, expected="each run once", found=", ".join(names))
+            names = [
+                source.file for test in tests for source in test.sources if source.sha256 == sha256
+            ]
+            faults.add(
+                "the same measurement is given twice",
+                place=name,
+                expected="each run once",
+                found=", ".join(names),
+            )
     faults.raise_if_any()
     runs = [run for test in tests for run in test.runs]
     return replace(
@@ -97,7 +117,10 @@ def merge_circular(tests: Sequence[CircularTest], name: str) -> CircularTest:
         vendor=_joined_vendor(tests),
         sources=tuple(source for test in tests for source in test.sources),
         header=_joined_header(tests),
-        findings=(*dict.fromkeys(finding for test in tests for finding in test.findings), *_differences(tests)),
+        findings=(
+            *dict.fromkeys(finding for test in tests for finding in test.findings),
+            *_differences(tests),
+        ),
     )
 
 
@@ -123,29 +146,48 @@ def _check_same_test(one: CircularTest, other: CircularTest, faults: FaultList) 
 
     def differ(what: str, expected: str, found: str) -> None:
         faults.add(
-            f"{what} differs between the files of one test", place=names[1], expected=f"{expected} as in {names[0]}", found=found
+            f"{what} differs between the files of one test",
+            place=names[1],
+            expected=f"{expected} as in {names[0]}",
+            found=found,
         )
 
     if (one.plane, one.axes) != (other.plane, other.axes):
-        differ("the plane", f"{one.plane} ({', '.join(one.axes)})", f"{other.plane} ({', '.join(other.axes)})")
+        differ(
+            "the plane",
+            f"{one.plane} ({', '.join(one.axes)})",
+            f"{other.plane} ({', '.join(other.axes)})",
+        )
     if abs(one.nominal_radius - other.nominal_radius) > _SAME_RADIUS:
-        differ("the nominal radius", f"{one.nominal_radius:.10g} mm", f"{other.nominal_radius:.10g} mm")
+        differ(
+            "the nominal radius", f"{one.nominal_radius:.10g} mm", f"{other.nominal_radius:.10g} mm"
+        )
     if abs(other.feed / one.feed - 1.0) > _SAME_FEED:
         differ("the feed", f"about {one.feed:.5g} mm/min", f"{other.feed:.5g} mm/min")
     if one.centre and other.centre and _apart(one.centre, other.centre):
-        differ("the centre", ", ".join(f"{value:g}" for value in one.centre), ", ".join(f"{value:g}" for value in other.centre))
+        differ(
+            "the centre",
+            ", ".join(f"{value:g}" for value in one.centre),
+            ", ".join(f"{value:g}" for value in other.centre),
+        )
     if not (one.full_circle and other.full_circle):
         check_same_arc(one.arc, other.arc, max(_step(one), _step(other)), names, faults)
 
 
 def _apart(one: Sequence[float], other: Sequence[float]) -> bool:
-    return len(one) != len(other) or max(abs(a - b) for a, b in zip(one, other, strict=True)) > _SAME_CENTRE
+    return (
+        len(one) != len(other)
+        or max(abs(a - b) for a, b in zip(one, other, strict=True)) > _SAME_CENTRE
+    )
 
 
 def _joined_header(tests: Sequence[CircularTest]) -> dict[str, str]:
     """Return every key with its values, each once, one per line."""
     keys = dict.fromkeys(key for test in tests for key in test.header)
-    return {key: "\n".join(dict.fromkeys(test.header[key] for test in tests if key in test.header)) for key in keys}
+    return {
+        key: "\n".join(dict.fromkeys(test.header[key] for test in tests if key in test.header))
+        for key in keys
+    }
 
 
 def _joined_vendor(tests: Sequence[CircularTest]) -> Mapping[str, object]:
@@ -158,7 +200,13 @@ def _differences(tests: Sequence[CircularTest]) -> list[Finding]:
     if len({test.calibrated for test in tests}) == 1:
         return []
     without = ", ".join(_file_of(test) for test in tests if not test.calibrated)
-    return [Finding("CW-R037", "warning", f"The bar was not calibrated for {without}: radii of the whole test do not count.")]
+    return [
+        Finding(
+            "CW-R037",
+            "warning",
+            f"The bar was not calibrated for {without}: radii of the whole test do not count.",
+        )
+    ]
 
 
 def _plausibility(test: CircularTest) -> list[Finding]:
@@ -169,12 +217,22 @@ def _plausibility(test: CircularTest) -> list[Finding]:
             Finding(
                 "CW-R035",
                 "warning",
-                f"The largest deviation from the nominal radius is {largest:.4g} mm: are unit, nominal radius and set-up right?",
+                f"The largest deviation from the nominal radius is {largest:.4g} mm: are unit,"
+                " nominal radius and set-up right?",
             )
         )
-    zero = [f"{run.sense} {run.number}" for run in test.runs if float(np.abs(run.deviations).max()) < SMALLEST_PLAUSIBLE]
+    zero = [
+        f"{run.sense} {run.number}"
+        for run in test.runs
+        if float(np.abs(run.deviations).max()) < SMALLEST_PLAUSIBLE
+    ]
     if zero:
         findings.append(
-            Finding("CW-R036", "warning", f"Every deviation of run {', '.join(zero)} is zero (below 0.001 um): was it measured?")
+            Finding(
+                "CW-R036",
+                "warning",
+                f"Every deviation of run {', '.join(zero)} is zero (below 0.001 um): was it"
+                " measured?",
+            )
         )
     return findings

@@ -1,4 +1,6 @@
-"""The comment lines ``# key: value`` that say what a test is. Unknown keys and free text are kept as text."""
+"""The comment lines ``# key: value`` that say what a test is. Unknown keys and free text are kept
+as text.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +13,8 @@ from compwright.records.positioning import Cycle
 
 #: Keys that decide how a file is understood: they may not contradict themselves.
 DECISIVE_KEYS = frozenset({"axis", "cycle", "deviation", "compensated_for", "unit", "compwright"})
-#: All keys with a fixed spelling in the header; a file may write them in any case, with blanks or hyphens for the underscore.
+#: All keys with a fixed spelling in the header; a file may write them in any case, with blanks or
+#: hyphens for the underscore.
 KNOWN_KEYS = DECISIVE_KEYS | {"machine", "serial", "date", "instrument", "operator"}
 #: Under this key of the header stand the comment lines that are not ``key: value``.
 FREE_TEXT = "comment"
@@ -22,7 +25,9 @@ _SIGNS = {"measured minus target": 1.0, "target minus measured": -1.0}
 
 @dataclass(frozen=True, slots=True)
 class Comments:
-    """What the comment lines say: ``header`` as text by key, ``places`` the line of each decisive key."""
+    """What the comment lines say: ``header`` as text by key, ``places`` the line of each decisive
+    key.
+    """
 
     header: dict[str, str] = field(default_factory=dict)
     places: dict[str, str] = field(default_factory=dict)
@@ -35,22 +40,33 @@ class Comments:
 def comment_text(line: str) -> str | None:
     """Return the text of a comment line, None for any other line.
 
-    A spreadsheet that saves a comment as one cell of a row adds quotes and trailing delimiters; both are taken off.
+    A spreadsheet that saves a comment as one cell of a row adds quotes and trailing delimiters;
+    both are taken off.
     """
     stripped = line.strip().rstrip(",;\t ")
-    if stripped.startswith('"') and stripped.endswith('"') and stripped[1:].lstrip().startswith("#"):
+    if (
+        stripped.startswith('"')
+        and stripped.endswith('"')
+        and stripped[1:].lstrip().startswith("#")
+    ):
         stripped = stripped[1:-1].replace('""', '"').strip()
     return stripped.lstrip("#").strip() if stripped.startswith("#") else None
 
 
 def read_comments(
-    lines: Iterable[tuple[int, str]], faults: FaultList, *, any_key: bool = True, decisive: frozenset[str] = DECISIVE_KEYS
+    lines: Iterable[tuple[int, str]],
+    faults: FaultList,
+    *,
+    any_key: bool = True,
+    decisive: frozenset[str] = DECISIVE_KEYS,
 ) -> Comments:
-    """Return what comment lines (number of the line, text without ``#``) say; ``decisive``: the keys that the form depends on.
+    """Return what comment lines (number of the line, text without ``#``) say; ``decisive``: the
+    keys that the form depends on.
 
-    With ``any_key`` false only known keys are taken as keys, all else is free text; ``unit`` too, because the target data form
-    explains its own key UNIT in such a line. A decisive key that is given twice with different values is a fault; other keys
-    that repeat keep all their values, one per line.
+    With ``any_key`` false only known keys are taken as keys, all else is free text; ``unit`` too,
+    because the target data form explains its own key UNIT in such a line. A decisive key that is
+    given twice with different values is a fault; other keys that repeat keep all their values, one
+    per line.
     """
     comments = Comments()
     for number, text in lines:
@@ -73,14 +89,18 @@ def read_comments(
 def _take_decisive(comments: Comments, key: str, value: str, place: str, faults: FaultList) -> None:
     before = comments.header.get(key)
     if before is not None and before != value:
-        faults.add(f"key '{key}' is given twice", place=place, expected=shown(before), found=shown(value))
+        faults.add(
+            f"key '{key}' is given twice", place=place, expected=shown(before), found=shown(value)
+        )
         return
     comments.header[key] = value
     comments.places.setdefault(key, place)
 
 
 def cycle_of(comments: Comments, faults: FaultList) -> Cycle | None:
-    """Return the test cycle that the file states, None when it says nothing (ISO 230-2, standard and step cycle)."""
+    """Return the test cycle that the file states, None when it says nothing (ISO 230-2, standard
+    and step cycle).
+    """
     value = comments.get("cycle").lower()
     if value == "standard":
         return "standard"
@@ -88,13 +108,18 @@ def cycle_of(comments: Comments, faults: FaultList) -> Cycle | None:
         return "step"
     if value:
         faults.add(
-            "key 'cycle' has an unknown value", place=comments.places["cycle"], expected="standard or step", found=shown(value)
+            "key 'cycle' has an unknown value",
+            place=comments.places["cycle"],
+            expected="standard or step",
+            found=shown(value),
         )
     return None
 
 
 def sign_of(comments: Comments, faults: FaultList) -> float | None:
-    """Return the factor (+1 or -1) from the stated deviations to measured minus target, None when the file says nothing."""
+    """Return the factor (+1 or -1) from the stated deviations to measured minus target, None when
+    the file says nothing.
+    """
     value = " ".join(comments.get("deviation").lower().split())
     if value and value not in _SIGNS:
         faults.add(

@@ -28,9 +28,13 @@ COLUMNS = frozenset(
         "measured_deg",
     }
 )
-#: A sign and a whole number, either first, as spreadsheets and people write them: ``+1``, ``+ 1``, ``1 -``, ``-2.0``.
-_TRAVERSE = re.compile(r"(?:run )?(?P<before>[+-])?(?: |run )*(?P<number>[0-9]{1,9})(?:[.,]0+)? ?(?P<after>[+-])?")
-#: What a column is about that may be meant as a traverse: a sign, or a word for a direction or a run, beside a number.
+#: A sign and a whole number, either first, as spreadsheets and people write them: ``+1``, ``+ 1``,
+#: ``1 -``, ``-2.0``.
+_TRAVERSE = re.compile(
+    r"(?:run )?(?P<before>[+-])?(?: |run )*(?P<number>[0-9]{1,9})(?:[.,]0+)? ?(?P<after>[+-])?"
+)
+#: What a column is about that may be meant as a traverse: a sign, or a word for a direction or a
+#: run, beside a number.
 _LIKE_TRAVERSE = re.compile(
     r"(?<![a-z0-9])[+±-] ?[0-9]|[0-9] ?[+±-](?![a-z0-9])|[↑↓→←]"
     r"|\b(?:up|down|fwd|bwd|rev|pos|neg|plus|minus|forward|backward|reverse|run|traverse)\b"
@@ -39,10 +43,14 @@ _LIKE_TRAVERSE = re.compile(
 _DASHES = "\u2010\u2011\u2012\u2013\u2014\u2212\uff0d\ufe63"
 _SIGNS = str.maketrans(dict.fromkeys(_DASHES, "-") | {"\uff0b": "+", "\ufe62": "+"})
 _INCH = re.compile(
-    r"(?:target|deviation|measured|radius|unit)[ _]?\(?(?:in|inch|inches|\"|mil|mils|thou|uin|u?inch|microinch(?:es)?)\)?"
+    r"(?:target|deviation|measured|radius|unit)["
+    r" _]?\(?(?:in|inch|inches|\"|mil|mils|thou|uin|u?inch|microinch(?:es)?)\)?"
 )
 #: What to do with inches, which no form of measurement files takes.
-INCHES = "target_mm and deviation_um: multiply targets in inches by 25.4 to get mm, deviations in 0.001 inch by 25.4 to get um"
+INCHES = (
+    "target_mm and deviation_um: multiply targets in inches by 25.4 to get mm, deviations in 0.001"
+    " inch by 25.4 to get um"
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +72,9 @@ class Table:
 
 
 def column_name(text: str) -> str:
-    """Return a header cell in the one spelling used here: stripped, small letters, ``u`` for the micro sign, ``-`` for minus."""
+    """Return a header cell in the one spelling used here: stripped, small letters, ``u`` for the
+    micro sign, ``-`` for minus.
+    """
     return " ".join(plain_signs(text).lower().replace("µ", "u").replace("μ", "u").split())
 
 
@@ -74,9 +84,11 @@ def plain_signs(text: str) -> str:
 
 
 def traverse_of(column: str) -> tuple[str, int] | None:
-    """Return direction and run of a wide column such as ``+1``, ``- 2``, ``3+`` or ``run 3 +``, None for any other column.
+    """Return direction and run of a wide column such as ``+1``, ``- 2``, ``3+`` or ``run 3 +``,
+    None for any other column.
 
-    The sign must be a sign and stand there once: words for a direction (``up 3``) are not taken for one.
+    The sign must be a sign and stand there once: words for a direction (``up 3``) are not taken for
+    one.
     """
     match = _TRAVERSE.fullmatch(column)
     if not match or bool(match["before"]) == bool(match["after"]) or int(match["number"]) < 1:
@@ -85,17 +97,26 @@ def traverse_of(column: str) -> tuple[str, int] | None:
 
 
 def like_traverse(column: str) -> bool:
-    """Whether a column that is no traverse by `traverse_of` may be meant as one: a number with a sign or a word for a direction."""
-    return any(character.isdigit() for character in column) and _LIKE_TRAVERSE.search(column) is not None
+    """Whether a column that is no traverse by `traverse_of` may be meant as one: a number with a
+    sign or a word for a direction.
+    """
+    return (
+        any(character.isdigit() for character in column)
+        and _LIKE_TRAVERSE.search(column) is not None
+    )
 
 
 def in_inches(names: Iterable[str]) -> str:
-    """Return the first column (or unit) that is in inches or parts of an inch, empty when there is none."""
+    """Return the first column (or unit) that is in inches or parts of an inch, empty when there is
+    none.
+    """
     return next((name for name in names if _INCH.fullmatch(name)), "")
 
 
 def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple[int, str]]]:
-    """Return comment lines (without ``#``) and all other lines that are not blank, each with its line number from 1."""
+    """Return comment lines (without ``#``) and all other lines that are not blank, each with its
+    line number from 1.
+    """
     comments: list[tuple[int, str]] = []
     others: list[tuple[int, str]] = []
     for number, line in enumerate(lines, start=1):
@@ -108,7 +129,8 @@ def split_lines(lines: Sequence[str]) -> tuple[list[tuple[int, str]], list[tuple
 
 
 def header_names(header: str) -> tuple[str, list[str], int]:
-    """Return the delimiter of a header row, its names, and how many of them belong to a positioning file.
+    """Return the delimiter of a header row, its names, and how many of them belong to a positioning
+    file.
 
     The delimiter is the one that shows most of these names, else the one that gives most cells.
     """
@@ -122,29 +144,46 @@ def header_names(header: str) -> tuple[str, list[str], int]:
 
 
 def read_table(lines: Sequence[tuple[int, str]], faults: FaultList) -> Table:
-    """Return header row and rows. ``lines`` are the lines of the file that are neither blank nor comments, the header first.
+    """Return header row and rows. ``lines`` are the lines of the file that are neither blank nor
+    comments, the header first.
 
-    Notes rows with fewer or more cells than the header, a quote that is not closed, values below a column without a name and
-    a column name given twice. Raises InputError when the header row itself cannot be read.
+    Notes rows with fewer or more cells than the header, a quote that is not closed, values below a
+    column without a name and a column name given twice. Raises InputError when the header row
+    itself cannot be read.
     """
     number, header = lines[0]
     delimiter, names, _ = header_names(header)
     if not names:
-        raise InputError(Fault(message="the header row has a quote that is not closed", file=faults.file, place=f"line {number}"))
+        raise InputError(
+            Fault(
+                message="the header row has a quote that is not closed",
+                file=faults.file,
+                place=f"line {number}",
+            )
+        )
     columns = tuple(names)
     for name, count in Counter(name for name in columns if name).items():
         if count > 1:
-            faults.add("a column is given twice", place=f"line {number}", expected="each column once", found=shown(name))
+            faults.add(
+                "a column is given twice",
+                place=f"line {number}",
+                expected="each column once",
+                found=shown(name),
+            )
     rows = _rows(lines[1:], delimiter, columns, faults)
     return _without_unnamed(Table(delimiter, number, columns, tuple(rows)), faults)
 
 
-def _rows(lines: Iterable[tuple[int, str]], delimiter: str, columns: Sequence[str], faults: FaultList) -> list[Row]:
+def _rows(
+    lines: Iterable[tuple[int, str]], delimiter: str, columns: Sequence[str], faults: FaultList
+) -> list[Row]:
     rows = []
     for number, line in lines:
         cells = _cells(line, delimiter)
         if cells is None:
-            faults.add("a quote is not closed on its line", place=f"line {number}", found=shown(line))
+            faults.add(
+                "a quote is not closed on its line", place=f"line {number}", found=shown(line)
+            )
         elif len(cells) == len(columns):
             rows.append(Row(number, tuple(cells)))
         elif any(cells):
@@ -158,7 +197,11 @@ def _rows(lines: Iterable[tuple[int, str]], delimiter: str, columns: Sequence[st
 
 
 def _decimal_comma_hint(cells: Sequence[str], delimiter: str, wanted: int) -> str:
-    if delimiter != "," or len(cells) <= wanted or not all(_is_number_or_sign(cell) for cell in cells):
+    if (
+        delimiter != ","
+        or len(cells) <= wanted
+        or not all(_is_number_or_sign(cell) for cell in cells)
+    ):
         return ""
     return " (a decimal comma cannot be used where the comma is the delimiter)"
 
@@ -177,7 +220,9 @@ def _is_number_or_sign(text: str) -> bool:
 
 
 def _without_unnamed(table: Table, faults: FaultList) -> Table:
-    """Drop columns without a name: spreadsheets leave them at the end of every row. A value in one of them is a fault."""
+    """Drop columns without a name: spreadsheets leave them at the end of every row. A value in one
+    of them is a fault.
+    """
     kept = [index for index, name in enumerate(table.columns) if name]
     unnamed = [index for index, name in enumerate(table.columns) if not name]
     for row in table.rows:
@@ -194,7 +239,9 @@ def _without_unnamed(table: Table, faults: FaultList) -> Table:
 
 
 def _cells(line: str, delimiter: str) -> list[str] | None:
-    """Return the stripped cells of one line, None when a quote is not closed or a cell is absurdly long."""
+    """Return the stripped cells of one line, None when a quote is not closed or a cell is absurdly
+    long.
+    """
     if line.count('"') % 2:
         return None
     try:

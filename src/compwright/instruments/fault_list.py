@@ -1,4 +1,6 @@
-"""Collects every fault of one file, so that the user sees them all at once and not a thousand of one kind."""
+"""Collects every fault of one file, so that the user sees them all at once and not a thousand of
+one kind.
+"""
 
 from __future__ import annotations
 
@@ -29,10 +31,14 @@ class FaultList:
         """Note one fault; the first `TOLD_PER_KIND` of a kind are kept with their places."""
         self._count[message] += 1
         if self._count[message] <= TOLD_PER_KIND:
-            self._told.append(Fault(message=message, file=self.file, place=place, expected=expected, found=found))
+            self._told.append(
+                Fault(message=message, file=self.file, place=place, expected=expected, found=found)
+            )
 
     def raise_if_any(self) -> None:
-        """Raise InputError with the faults in the order of the lines in the file; do nothing when there are none."""
+        """Raise InputError with the faults in the order of the lines in the file; do nothing when
+        there are none.
+        """
         if not self._told:
             return
         more = [
@@ -50,7 +56,13 @@ def _line(fault: Fault) -> float:
 
 
 def shown(text: str) -> str:
-    """Return ``text`` as it may stand in a message: quoted, on one line, cut to a readable length."""
+    """Return ``text`` as it may stand in a message: quoted, on one line, cut to a readable
+    length.
+    """
     flat = " ".join(text.split())
     printable = "".join(character if character.isprintable() else "?" for character in flat)
-    return f"'{printable}'" if len(printable) <= _SHOWN_CHARACTERS else f"'{printable[:_SHOWN_CHARACTERS]}...'"
+    return (
+        f"'{printable}'"
+        if len(printable) <= _SHOWN_CHARACTERS
+        else f"'{printable[:_SHOWN_CHARACTERS]}...'"
+    )

@@ -1,4 +1,6 @@
-"""Numbers as text, independent of the locale: decimal point or decimal comma, one of them throughout a file."""
+"""Numbers as text, independent of the locale: decimal point or decimal comma, one of them
+throughout a file.
+"""
 
 from __future__ import annotations
 
@@ -13,7 +15,8 @@ TYPOGRAPHIC_MINUS = "\u2212"
 LARGEST = 1e9
 
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?")
-#: What could as well be a whole number with thousands marks: 1,234 or 12.345.678 but not 0,500 or 1,5.
+#: What could as well be a whole number with thousands marks: 1,234 or 12.345.678 but not 0,500 or
+#: 1,5.
 _COULD_BE_THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2}(?:[.,][0-9]{3})+")
 _THOUSANDS = re.compile(r"[+-]?[0-9]{1,3}(?:[.,'’ \u00a0\u202f][0-9]{3})+(?:[.,][0-9]*)?")
 _NOT_FINITE = re.compile(r"[+-]?(?:nan|inf|infinity|1\.?#\w+|#num!?|∞)", re.IGNORECASE)
@@ -21,10 +24,11 @@ _INTEGER = re.compile(r"[0-9]{1,9}")
 
 
 def parse_number(text: str) -> float:
-    """Return the finite number that ``text`` states with a decimal point or a decimal comma; blanks around are allowed.
+    """Return the finite number that ``text`` states with a decimal point or a decimal comma; blanks
+    around are allowed.
 
-    ``.0266`` and exponents are numbers; thousands marks, units, nan and inf are not. Raises ValueError whose text is the
-    reason, in the form "is ...".
+    ``.0266`` and exponents are numbers; thousands marks, units, nan and inf are not. Raises
+    ValueError whose text is the reason, in the form "is ...".
     """
     stripped = text.strip().replace(TYPOGRAPHIC_MINUS, "-")
     if not stripped:
@@ -32,7 +36,9 @@ def parse_number(text: str) -> float:
     if _NOT_FINITE.fullmatch(stripped):
         raise ValueError("is not a finite number")
     if not _NUMBER.fullmatch(stripped):
-        raise ValueError("has thousands marks" if _THOUSANDS.fullmatch(stripped) else "is not a number")
+        raise ValueError(
+            "has thousands marks" if _THOUSANDS.fullmatch(stripped) else "is not a number"
+        )
     value = float(stripped.replace(",", "."))
     if abs(value) > LARGEST:
         raise ValueError("is too large to be a reading")
@@ -40,7 +46,9 @@ def parse_number(text: str) -> float:
 
 
 def parse_count(text: str) -> int:
-    """Return the whole number of at least 1 that ``text`` states. Raises ValueError with the reason."""
+    """Return the whole number of at least 1 that ``text`` states. Raises ValueError with the
+    reason.
+    """
     stripped = text.strip()
     if not _INTEGER.fullmatch(stripped) or int(stripped) < 1:
         raise ValueError("is not a whole number of at least 1")
@@ -60,19 +68,30 @@ class _Marked:
 
 
 class DecimalMarks:
-    """Watches which decimal mark the numbers of one file carry. Feed every number with `parse`, then ask `check`."""
+    """Watches which decimal mark the numbers of one file carry. Feed every number with `parse`,
+    then ask `check`.
+    """
 
     def __init__(self, faults: FaultList) -> None:
         self._faults = faults
         self._marked = {".": _Marked(), ",": _Marked()}
         self._unmarked_columns: set[str] = set()
 
-    def parse(self, text: str, *, place: str, column: str, expected: str = "a number") -> float | None:
-        """Return the number in a cell, or None after noting the fault. ``column`` groups numbers that are printed alike."""
+    def parse(
+        self, text: str, *, place: str, column: str, expected: str = "a number"
+    ) -> float | None:
+        """Return the number in a cell, or None after noting the fault. ``column`` groups numbers
+        that are printed alike.
+        """
         try:
             value = parse_number(text)
         except ValueError as reason:
-            self._faults.add(str(reason), place=place, expected=expected, found=shown(text) if text.strip() else "an empty cell")
+            self._faults.add(
+                str(reason),
+                place=place,
+                expected=expected,
+                found=shown(text) if text.strip() else "an empty cell",
+            )
             return None
         mark = "," if "," in text else "." if "." in text else ""
         if not mark:
@@ -82,12 +101,16 @@ class DecimalMarks:
         if not seen.count:
             seen.place, seen.text = place, text
         seen.count += 1
-        seen.proven = seen.proven or not _COULD_BE_THOUSANDS.fullmatch(text.strip().replace(TYPOGRAPHIC_MINUS, "-"))
+        seen.proven = seen.proven or not _COULD_BE_THOUSANDS.fullmatch(
+            text.strip().replace(TYPOGRAPHIC_MINUS, "-")
+        )
         seen.columns.add(column)
         return value
 
     def check(self, *, comma_is_delimiter: bool = False) -> None:
-        """Note a fault when points and commas are mixed, the comma is the delimiter too, or it may mark thousands."""
+        """Note a fault when points and commas are mixed, the comma is the delimiter too, or it may
+        mark thousands.
+        """
         point, comma = self._marked["."], self._marked[","]
         if comma.count and comma_is_delimiter:
             self._faults.add(
@@ -102,23 +125,36 @@ class DecimalMarks:
                 "decimal marks are mixed",
                 place=rare.place,
                 expected="decimal points or decimal commas throughout the file",
-                found=f"{shown(rare.text)} here and {shown(other.text)} in {other.place}"
-                f" ({point.count} with a point, {comma.count} with a comma)",
+                found=(
+                    f"{shown(rare.text)} here and {shown(other.text)} in {other.place}"
+                    f" ({point.count} with a point, {comma.count} with a comma)"
+                ),
             )
-        # A comma is the usual thousands mark of English text: it is refused until one number of the file proves it decimal.
+        # A comma is the usual thousands mark of English text: it is refused until one number of the
+        # file proves it decimal.
         elif comma.count and not comma.proven:
             self._faults.add(
-                "may be a decimal fraction or a number with thousands marks: nothing in the file tells which",
+                "may be a decimal fraction or a number with thousands marks: nothing in the file"
+                " tells which",
                 place=comma.place,
-                expected="numbers without thousands marks, decimals written so that one of them shows it (1000.0)",
+                expected=(
+                    "numbers without thousands marks, decimals written so that one of them shows it"
+                    " (1000.0)"
+                ),
                 found=shown(comma.text),
             )
 
     def doubtful_point(self) -> str:
-        """Return a number such as ``1.250`` that was read as a decimal fraction although it may be 1250, empty when none.
+        """Return a number such as ``1.250`` that was read as a decimal fraction although it may be
+        1250, empty when none.
 
-        The point is the decimal mark of this form and is read so. It is doubtful where no number of the file proves it and
-        whole numbers stand in the same column (500, 750, 1.000); 100.000, 200.000 throughout is how instruments print.
+        The point is the decimal mark of this form and is read so. It is doubtful where no number of
+        the file proves it and whole numbers stand in the same column (500, 750, 1.000); 100.000,
+        200.000 throughout is how instruments print.
         """
         point = self._marked["."]
-        return point.text if point.count and not point.proven and point.columns & self._unmarked_columns else ""
+        return (
+            point.text
+            if point.count and not point.proven and point.columns & self._unmarked_columns
+            else ""
+        )

@@ -1,4 +1,5 @@
-"""What is noticed while reading a positioning file. Nothing is changed or dropped: the user decides.
+"""What is noticed while reading a positioning file. Nothing is changed or dropped: the user
+decides.
 
 Codes of this room:
 
@@ -32,12 +33,15 @@ from compwright.foundations.findings import Finding
 from compwright.instruments.assembling import Grid, as_text
 from compwright.records.axis import AxisKind, Direction, FloatArray
 
-#: Plausible deviations lie between these, in mm or deg: outside, the unit is probably not the one stated.
+#: Plausible deviations lie between these, in mm or deg: outside, the unit is probably not the one
+#: stated.
 LARGEST_PLAUSIBLE = 1.0
 SMALLEST_PLAUSIBLE = 1e-6
-#: Slope of the deviations over the targets that looks like a column of measured positions, and its tolerance (no unit).
+#: Slope of the deviations over the targets that looks like a column of measured positions, and its
+#: tolerance (no unit).
 _SLOPE_TOLERANCE = 0.05
-#: Two targets nearer than this share of the median gap are suspected to be one target written in two ways.
+#: Two targets nearer than this share of the median gap are suspected to be one target written in
+#: two ways.
 _NEAR_SHARE = 0.1
 #: A run of nothing but zeros is no surprise where one test in twenty or more shows one by chance.
 _CHANCE = 0.05
@@ -74,7 +78,9 @@ def _missing(grid: Grid, kind: AxisKind) -> Finding | None:
     if not gaps:
         return None
     total = _all_deviations(grid).size
-    return Finding("CW-R006", "warning", f"{len(gaps)} of {total} readings are missing: {_list(gaps)}.")
+    return Finding(
+        "CW-R006", "warning", f"{len(gaps)} of {total} readings are missing: {_list(gaps)}."
+    )
 
 
 def _one_sided(grid: Grid) -> Finding | None:
@@ -83,7 +89,8 @@ def _one_sided(grid: Grid) -> Finding | None:
     return Finding(
         "CW-R050",
         "warning",
-        f"Left out, because a test in two directions approached them in one only: target {_list(list(grid.one_sided))}.",
+        "Left out, because a test in two directions approached them in one only: target"
+        f" {_list(list(grid.one_sided))}.",
     )
 
 
@@ -96,7 +103,11 @@ def _unequal_traverses(grid: Grid) -> Finding | None:
     positive, negative = (len(grid.runs[direction]) for direction in Direction)
     if not positive or not negative or positive == negative:
         return None
-    return Finding("CW-R007", "info", f"There are {positive} traverses in direction + and {negative} in direction -.")
+    return Finding(
+        "CW-R007",
+        "info",
+        f"There are {positive} traverses in direction + and {negative} in direction -.",
+    )
 
 
 def _as_measured(grid: Grid, kind: AxisKind) -> Finding | None:
@@ -112,8 +123,8 @@ def _as_measured(grid: Grid, kind: AxisKind) -> Finding | None:
     return Finding(
         "CW-R011",
         "warning",
-        f"The deviations grow by about 1 {kind.unit} per {kind.unit} of target, as measured positions do: if they are measured"
-        f" positions, name the column measured_{kind.unit}.",
+        f"The deviations grow by about 1 {kind.unit} per {kind.unit} of target, as measured"
+        f" positions do: if they are measured positions, name the column measured_{kind.unit}.",
     )
 
 
@@ -129,9 +140,9 @@ def _too_large(grid: Grid, kind: AxisKind) -> Finding | None:
     return Finding(
         "CW-R008",
         "warning",
-        f"{count} of {int(np.isfinite(deviations).sum())} deviations are larger than 1 {kind.unit}, the largest"
-        f" {as_text(float(deviations[row, column]))} {kind.unit} at target {as_text(grid.targets[row])} {kind.unit}: is the unit"
-        f" right{hint}",
+        f"{count} of {int(np.isfinite(deviations).sum())} deviations are larger than 1 {kind.unit},"
+        f" the largest {as_text(float(deviations[row, column]))} {kind.unit} at target"
+        f" {as_text(grid.targets[row])} {kind.unit}: is the unit right{hint}",
     )
 
 
@@ -141,7 +152,8 @@ def _too_small(grid: Grid, kind: AxisKind) -> Finding | None:
     return Finding(
         "CW-R009",
         "warning",
-        f"All deviations are smaller than 0.000001 {kind.unit}: is the unit right, and were the readings taken?",
+        f"All deviations are smaller than 0.000001 {kind.unit}: is the unit right, and were the"
+        " readings taken?",
     )
 
 
@@ -151,19 +163,22 @@ def _zero_traverses(grid: Grid) -> Finding | None:
         for direction in Direction
         for run, values in zip(grid.runs[direction], grid.deviations[direction].T, strict=True)
     ]
-    zero = [(name, values.size) for name, values in columns if values.size > 1 and not np.any(values)]
+    zero = [
+        (name, values.size) for name, values in columns if values.size > 1 and not np.any(values)
+    ]
     others = [values for _, values in columns if np.any(values)]
     if not zero or not others:
         return None
-    # A display coarser than the noise shows zeros everywhere: then a whole run of them comes by chance.
+    # A display coarser than the noise shows zeros everywhere: then a whole run of them comes by
+    # chance.
     share = float(np.mean(np.concatenate(others) == 0.0))
     if len(columns) * share ** min(size for _, size in zero) > _CHANCE:
         return None
     return Finding(
         "CW-R010",
         "warning",
-        f"Every deviation of run {', '.join(name for name, _ in zero)} is exactly zero while others are not: some programs fill"
-        " runs that were not made with zeros. Take them out if so.",
+        f"Every deviation of run {', '.join(name for name, _ in zero)} is exactly zero while others"
+        " are not: some programs fill runs that were not made with zeros. Take them out if so.",
     )
 
 
@@ -173,14 +188,27 @@ def _near_targets(grid: Grid, kind: AxisKind) -> Finding | None:
         return None
     made = np.isfinite(_all_deviations(grid))
     near = (gaps < _NEAR_SHARE * np.median(gaps)) & ~np.any(made[:-1] & made[1:], axis=1)
-    pairs = [f"{as_text(grid.targets[row])} and {as_text(grid.targets[row + 1])} {kind.unit}" for row in np.flatnonzero(near)]
+    pairs = [
+        f"{as_text(grid.targets[row])} and {as_text(grid.targets[row + 1])} {kind.unit}"
+        for row in np.flatnonzero(near)
+    ]
     if not pairs:
         return None
-    return Finding("CW-R012", "warning", f"Targets almost the same that no run has both of, perhaps one target: {_list(pairs)}.")
+    return Finding(
+        "CW-R012",
+        "warning",
+        f"Targets almost the same that no run has both of, perhaps one target: {_list(pairs)}.",
+    )
 
 
 def skipped_finding(names: Sequence[str]) -> Finding | None:
-    """Return the finding that names the files of a folder that are no measurements by their endings, None where there are none."""
+    """Return the finding that names the files of a folder that are no measurements by their
+    endings, None where there are none.
+    """
     if not names:
         return None
-    return Finding("CW-R052", "info", f"Skipped in the folder, by their endings no measurements: {', '.join(names)}.")
+    return Finding(
+        "CW-R052",
+        "info",
+        f"Skipped in the folder, by their endings no measurements: {', '.join(names)}.",
+    )

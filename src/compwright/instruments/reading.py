@@ -1,4 +1,6 @@
-"""The door of the room: bytes of a measurement file to a record. The form is told by the content, never by the file's name."""
+"""The door of the room: bytes of a measurement file to a record. The form is told by the content,
+never by the file's name.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +13,15 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import source_of
 from compwright.instruments.assembling import Reading, grid_of
 from compwright.instruments.comments import Comments, cycle_of, read_comments
-from compwright.instruments.csv_table import DELIMITERS, INCHES, header_names, in_inches, is_number, read_table, split_lines
+from compwright.instruments.csv_table import (
+    DELIMITERS,
+    INCHES,
+    header_names,
+    in_inches,
+    is_number,
+    read_table,
+    split_lines,
+)
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.plain_csv import CsvReadings, read_csv
 from compwright.instruments.plausibility import findings_of
@@ -22,8 +32,8 @@ from compwright.records.positioning import PositioningTest
 
 #: The forms that `read_positioning` reads, as they stand in messages.
 ACCEPTED_FORMS = (
-    "a plain CSV file (columns target_mm or target_deg, direction, run and a deviation or measured value;"
-    " or target and one column per traverse) or target data (TGT_DATA[1]=...)"
+    "a plain CSV file (columns target_mm or target_deg, direction, run and a deviation or measured"
+    " value; or target and one column per traverse) or target data (TGT_DATA[1]=...)"
 )
 _NEWEST_FORM = 1
 #: Values of ``compensated_for`` that say the instrument corrected nothing.
@@ -33,7 +43,9 @@ _FORM_KEY = re.compile(r"positioning\s+([0-9]{1,9})")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Parsed:
-    """A file of either form after reading: what the record needs, before the checks that need all readings."""
+    """A file of either form after reading: what the record needs, before the checks that need all
+    readings.
+    """
 
     kind: AxisKind
     readings: tuple[Reading, ...]
@@ -44,11 +56,13 @@ class _Parsed:
 
 
 def read_positioning(content: bytes, file: str) -> PositioningTest:
-    """Return the positioning test in ``content``; ``file`` is the name that messages and the record's source carry.
+    """Return the positioning test in ``content``; ``file`` is the name that messages and the
+    record's source carry.
 
-    Reads the plain CSV forms (contract, "Plain CSV") and the ecmc target data form. The result is in mm or deg, deviations are
-    measured minus target, the frame is the instrument's, and its name is the stem of ``file``. An axis that the file does not
-    name is an empty text with a finding. Raises InputError with every fault that could be found at once.
+    Reads the plain CSV forms (contract, "Plain CSV") and the ecmc target data form. The result is
+    in mm or deg, deviations are measured minus target, the frame is the instrument's, and its name
+    is the stem of ``file``. An axis that the file does not name is an empty text with a finding.
+    Raises InputError with every fault that could be found at once.
     """
     faults = FaultList(file)
     text = read_lines(content, file)
@@ -93,24 +107,36 @@ def stem(file: str) -> str:
 
 def assumed_finding(assumed: Sequence[str]) -> Finding | None:
     """Return the finding that says what the file leaves open, None when that is nothing."""
-    return Finding("CW-R001", "info", f"Not said in the file and taken as: {'; '.join(assumed)}.") if assumed else None
+    return (
+        Finding("CW-R001", "info", f"Not said in the file and taken as: {'; '.join(assumed)}.")
+        if assumed
+        else None
+    )
 
 
 def left_out_finding(columns: Sequence[str]) -> Finding | None:
-    """Return the finding that names columns without a part in the form, None when there are none."""
-    return Finding("CW-R005", "warning", f"Columns that were left out: {', '.join(columns)}.") if columns else None
+    """Return the finding that names columns without a part in the form, None when there are
+    none.
+    """
+    return (
+        Finding("CW-R005", "warning", f"Columns that were left out: {', '.join(columns)}.")
+        if columns
+        else None
+    )
 
 
 def unfinished_finding(lines: Sequence[str]) -> Finding | None:
-    """Return the finding about a file that may have been cut off inside its last number, None where it was not."""
+    """Return the finding about a file that may have been cut off inside its last number, None where
+    it was not.
+    """
     number = unfinished_number(lines)
     if not number:
         return None
     return Finding(
         "CW-R051",
         "warning",
-        f"The file ends without a line end after {shown(number)} (line {len(lines)}): if it was cut off while it was"
-        " copied, digits are missing there, or readings after it.",
+        f"The file ends without a line end after {shown(number)} (line {len(lines)}): if it was cut"
+        " off while it was copied, digits are missing there, or readings after it.",
     )
 
 
@@ -119,34 +145,51 @@ def _finding_list(finding: Finding | None) -> list[Finding]:
 
 
 def doubtful_finding(number: str) -> Finding | None:
-    """Return the finding about a point that may mark thousands (`DecimalMarks.doubtful_point`), None for an empty ``number``."""
+    """Return the finding about a point that may mark thousands (`DecimalMarks.doubtful_point`),
+    None for an empty ``number``.
+    """
     if not number:
         return None
     return Finding(
         "CW-R015",
         "warning",
-        f"{shown(number)} was read with a decimal point, but whole numbers stand in the same column and no number"
-        " proves the point: if it marks thousands, take it out.",
+        f"{shown(number)} was read with a decimal point, but whole numbers stand in the same column"
+        " and no number proves the point: if it marks thousands, take it out.",
     )
 
 
 def _about_header(comments: Comments, assumed: Sequence[str]) -> list[Finding]:
     findings = [finding for finding in [assumed_finding(assumed)] if finding is not None]
     if not comments.get("axis"):
-        findings.append(Finding("CW-R002", "info", "The file does not name its axis (comment line '# axis: X')."))
+        findings.append(
+            Finding(
+                "CW-R002", "info", "The file does not name its axis (comment line '# axis: X')."
+            )
+        )
     if comments.get("compensated_for").lower() not in _NOTHING:
-        findings.append(Finding("CW-R004", "info", f"The instrument already compensated for: {comments.get('compensated_for')}."))
+        findings.append(
+            Finding(
+                "CW-R004",
+                "info",
+                f"The instrument already compensated for: {comments.get('compensated_for')}.",
+            )
+        )
     return findings
 
 
 def _measured_findings(comments: Comments, *, sign_said: bool) -> list[Finding]:
-    findings = [Finding("CW-R003", "info", "Measured values were turned into deviations, measured minus target.")]
+    findings = [
+        Finding(
+            "CW-R003", "info", "Measured values were turned into deviations, measured minus target."
+        )
+    ]
     if sign_said and comments.get("deviation"):
         findings.append(
             Finding(
                 "CW-R013",
                 "warning",
-                f"The key 'deviation: {comments.get('deviation')}' has no effect: the file gives measured values, not deviations.",
+                f"The key 'deviation: {comments.get('deviation')}' has no effect: the file gives"
+                " measured values, not deviations.",
             )
         )
     return findings
@@ -173,7 +216,8 @@ def _from_target_data(read: TargetData, comments: Comments) -> _Parsed:
             Finding(
                 "CW-R014",
                 "warning",
-                "The targets are listed from high to low, and FWD was taken as the approach in direction +: check the labels.",
+                "The targets are listed from high to low, and FWD was taken as the approach in"
+                " direction +: check the labels.",
             )
         )
     assumed = ["FWD: approach in direction +, BWD: in direction -"]
@@ -190,18 +234,34 @@ def _from_target_data(read: TargetData, comments: Comments) -> _Parsed:
 
 
 def _refuse_other_forms(lines: Sequence[tuple[int, str]], comments: Comments, file: str) -> None:
-    """Raise InputError when the file is not a plain CSV positioning file, saying what it seems to be."""
+    """Raise InputError when the file is not a plain CSV positioning file, saying what it seems to
+    be.
+    """
     form = comments.get("compwright").lower()
     match = _FORM_KEY.fullmatch(form)
     if match and int(match[1]) > _NEWEST_FORM:
         expected = f"positioning {_NEWEST_FORM} or older"
         place = comments.places["compwright"]
-        raise InputError(Fault(message="was written for a newer compwright", file=file, place=place, expected=expected, found=form))
+        raise InputError(
+            Fault(
+                message="was written for a newer compwright",
+                file=file,
+                place=place,
+                expected=expected,
+                found=form,
+            )
+        )
     if not lines:
-        raise InputError(Fault(message="holds comment lines only", file=file, expected="a header row and readings"))
+        raise InputError(
+            Fault(
+                message="holds comment lines only", file=file, expected="a header row and readings"
+            )
+        )
     number, first = lines[0]
     _, names, count = header_names(first)
-    if form.startswith("circular") or ("angle_deg" in names and {"direction", "radius_mm"} & set(names)):
+    if form.startswith("circular") or (
+        "angle_deg" in names and {"direction", "radius_mm"} & set(names)
+    ):
         raise InputError(
             Fault(
                 message="holds a circular test, not a positioning test",
@@ -221,7 +281,10 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
         if "TEST_DOCUMENT" in first or "<?xml" in first:
             return InputError(
                 Fault(
-                    message="is not a positioning file; XML such as a ballbar's .b5r holds a circular test",
+                    message=(
+                        "is not a positioning file; XML such as a ballbar's .b5r holds a circular"
+                        " test"
+                    ),
                     file=file,
                     place=f"line {number}",
                     expected=ACCEPTED_FORMS,
@@ -230,7 +293,10 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
             )
         what = "XML or HTML"
     elif start.upper().startswith("HEADER::"):
-        what = "a laser file of the Renishaw form (HEADER::), which is not read yet: export its readings as plain CSV"
+        what = (
+            "a laser file of the Renishaw form (HEADER::), which is not read yet: export its"
+            " readings as plain CSV"
+        )
     elif names == ["point", "position", "value", "unit"]:
         what = "a typed-entry sheet of a compensation table"
     elif in_inches(names):
@@ -252,5 +318,11 @@ def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> I
         if len(names) == 1 and len(start.split()) > 1:
             what += f", without {', '.join(list(DELIMITERS.values())[:-1])} or tab"
     return InputError(
-        Fault(message="is not a positioning file", file=file, place=f"line {number}", expected=ACCEPTED_FORMS, found=what)
+        Fault(
+            message="is not a positioning file",
+            file=file,
+            place=f"line {number}",
+            expected=ACCEPTED_FORMS,
+            found=what,
+        )
     )

@@ -1,6 +1,8 @@
-"""XML of a measurement file to a plain tree: no document type, hence no entities of its own and nothing fetched; bounded size.
+"""XML of a measurement file to a plain tree: no document type, hence no entities of its own and
+nothing fetched; bounded size.
 
-The standard library's expat does the parsing; a document type declaration stops it before any entity could grow.
+The standard library's expat does the parsing; a document type declaration stops it before any
+entity could grow.
 """
 
 from __future__ import annotations
@@ -29,7 +31,9 @@ _CUT_SHORT: Final = frozenset(
 
 @dataclass(slots=True)
 class Element:
-    """An element: name, attributes, its own text (stripped), children, and the line on which it starts."""
+    """An element: name, attributes, its own text (stripped), children, and the line on which it
+    starts.
+    """
 
     tag: str
     attributes: dict[str, str]
@@ -70,12 +74,18 @@ class _Builder:
         self.count = 0
 
     def document_type(self, *_: object) -> None:
-        raise _Refused("declares a document type (DOCTYPE), in which entities could grow without end", "XML without DOCTYPE")
+        raise _Refused(
+            "declares a document type (DOCTYPE), in which entities could grow without end",
+            "XML without DOCTYPE",
+        )
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         self.count += 1
         if self.count > _MOST_ELEMENTS or len(self.open) >= _DEEPEST:
-            raise _Refused("has more elements than any measurement", f"{_MOST_ELEMENTS} elements, {_DEEPEST} levels at most")
+            raise _Refused(
+                "has more elements than any measurement",
+                f"{_MOST_ELEMENTS} elements, {_DEEPEST} levels at most",
+            )
         element = Element(tag, attributes, self.parser.CurrentLineNumber)
         if self.open:
             self.open[-1][0].children.append(element)
@@ -94,12 +104,17 @@ class _Builder:
 def read_xml(content: bytes, file: str) -> Element:
     """Return the root element of ``content``.
 
-    Raises InputError for XML that is cut short or broken (line and column), a document type declaration, an encoding that the
-    parser does not know, and a file larger than any measurement.
+    Raises InputError for XML that is cut short or broken (line and column), a document type
+    declaration, an encoding that the parser does not know, and a file larger than any measurement.
     """
     if len(content) > _MOST_BYTES:
         raise InputError(
-            Fault(message="is too large", file=file, expected=f"at most {_MOST_BYTES} bytes", found=f"{len(content)} bytes")
+            Fault(
+                message="is too large",
+                file=file,
+                expected=f"at most {_MOST_BYTES} bytes",
+                found=f"{len(content)} bytes",
+            )
         )
     builder = _Builder()
     parser = builder.parser
@@ -107,18 +122,37 @@ def read_xml(content: bytes, file: str) -> Element:
         parser.Parse(content, True)  # noqa: FBT003 - the parser's own signature
     except _Refused as refused:
         place = f"line {parser.CurrentLineNumber}"
-        raise InputError(Fault(message=refused.message, file=file, place=place, expected=refused.expected)) from refused
+        raise InputError(
+            Fault(message=refused.message, file=file, place=place, expected=refused.expected)
+        ) from refused
     except expat.ExpatError as error:
         place = f"line {error.lineno}, column {error.offset + 1}"
         reason = expat.ErrorString(error.code)
-        message = f"is cut short: the XML ends too early ({reason})" if reason in _CUT_SHORT else f"is not whole XML ({reason})"
-        raise InputError(Fault(message=message, file=file, place=place, expected=_still_open(builder))) from error
-    except (ValueError, LookupError) as error:  # an encoding that Python knows as no single-byte one, or not at all
+        message = (
+            f"is cut short: the XML ends too early ({reason})"
+            if reason in _CUT_SHORT
+            else f"is not whole XML ({reason})"
+        )
         raise InputError(
-            Fault(message="is XML in an unknown encoding", file=file, place="line 1", expected="UTF-8 or UTF-16", found=str(error))
+            Fault(message=message, file=file, place=place, expected=_still_open(builder))
+        ) from error
+    except (
+        ValueError,
+        LookupError,
+    ) as error:  # an encoding that Python knows as no single-byte one, or not at all
+        raise InputError(
+            Fault(
+                message="is XML in an unknown encoding",
+                file=file,
+                place="line 1",
+                expected="UTF-8 or UTF-16",
+                found=str(error),
+            )
         ) from error
     if builder.root is None:
-        raise InputError(Fault(message="holds no XML element", file=file, expected="an XML document"))
+        raise InputError(
+            Fault(message="holds no XML element", file=file, expected="an XML document")
+        )
     return builder.root
 
 

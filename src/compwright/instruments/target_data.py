@@ -1,8 +1,10 @@
-"""The text form ``TGT_DATA[i]=``, ``REF_DATA_FWD[i,j]=``, ``REF_DATA_BWD[i,j]=`` of the ecmc test tools (ESS, PSI).
+"""The text form ``TGT_DATA[i]=``, ``REF_DATA_FWD[i,j]=``, ``REF_DATA_BWD[i,j]=`` of the ecmc test
+tools (ESS, PSI).
 
-One ``KEY=value`` per line, indices from 1: i counts targets, j cycles. The reference values are absolute readings in the unit of
-the key ``UNIT`` (mm when it is absent, as the form itself says). Layout after eleven published files; forward and backward are
-taken as labelled there: forward is the approach in positive direction.
+One ``KEY=value`` per line, indices from 1: i counts targets, j cycles. The reference values are
+absolute readings in the unit of the key ``UNIT`` (mm when it is absent, as the form itself says).
+Layout after eleven published files; forward and backward are taken as labelled there: forward is
+the approach in positive direction.
 """
 
 from __future__ import annotations
@@ -18,16 +20,22 @@ from compwright.instruments.fault_list import TOLD_PER_KIND, FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, parse_count
 from compwright.records.axis import AxisKind, Direction
 
-_ASSIGNMENT = re.compile(r"\s*(?P<name>[A-Za-z_]\w*)\s*(?:\[(?P<indices>[^\]]*)\]\s*)?=(?P<value>.*)", re.ASCII)
+_ASSIGNMENT = re.compile(
+    r"\s*(?P<name>[A-Za-z_]\w*)\s*(?:\[(?P<indices>[^\]]*)\]\s*)?=(?P<value>.*)", re.ASCII
+)
 _DATA = re.compile(r"\s*(?:TGT_DATA|REF_DATA_FWD|REF_DATA_BWD)\s*\[")
-_KEYS_OF_FORM = re.compile(r"\s*(?:UNIT|CYCLES|POSITIONS|TEST_DATA|REF_PV|TEST_PV|TGT_SET_PV|DEC)\s*=")
+_KEYS_OF_FORM = re.compile(
+    r"\s*(?:UNIT|CYCLES|POSITIONS|TEST_DATA|REF_PV|TEST_PV|TGT_SET_PV|DEC)\s*="
+)
 _DIRECTIONS = {"REF_DATA_FWD": Direction.POSITIVE, "REF_DATA_BWD": Direction.NEGATIVE}
 _DEGREES = {"degree": "deg", "degrees": "deg", "°": "deg"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TargetData:
-    """What the file says: kind, readings in mm or deg (deviations), header keys, and what remains to be told."""
+    """What the file says: kind, readings in mm or deg (deviations), header keys, and what remains
+    to be told.
+    """
 
     kind: AxisKind
     readings: tuple[Reading, ...]
@@ -48,22 +56,32 @@ class _Entries:
 
 
 def is_target_data(lines: Sequence[tuple[int, str]]) -> bool:
-    """Whether the lines (comments taken out) are of this form: a line of data, or one of its keys first."""
-    return bool(lines) and (bool(_KEYS_OF_FORM.match(lines[0][1])) or any(_DATA.match(line) for _, line in lines))
+    """Whether the lines (comments taken out) are of this form: a line of data, or one of its keys
+    first.
+    """
+    return bool(lines) and (
+        bool(_KEYS_OF_FORM.match(lines[0][1])) or any(_DATA.match(line) for _, line in lines)
+    )
 
 
 def read_target_data(lines: Sequence[tuple[int, str]], faults: FaultList) -> TargetData:
     """Return the readings of the lines (comments and blank lines taken out); every fault is noted.
 
-    Faults: a line that is no assignment, wrong indices, an entry given twice, an index that is missing or has no target,
-    ``CYCLES`` or ``POSITIONS`` that disagree with the entries, an unknown unit.
+    Faults: a line that is no assignment, wrong indices, an entry given twice, an index that is
+    missing or has no target, ``CYCLES`` or ``POSITIONS`` that disagree with the entries, an unknown
+    unit.
     """
     entries = _Entries()
     marks = DecimalMarks(faults)
     for number, line in lines:
         match = _ASSIGNMENT.fullmatch(line)
         if match is None:
-            faults.add("is not KEY=value", place=f"line {number}", expected="a line such as TGT_DATA[1]=0.0", found=shown(line))
+            faults.add(
+                "is not KEY=value",
+                place=f"line {number}",
+                expected="a line such as TGT_DATA[1]=0.0",
+                found=shown(line),
+            )
         elif match["name"] == "TGT_DATA" or match["name"] in _DIRECTIONS:
             _take_value(entries, match, number, marks, faults)
         else:
@@ -72,7 +90,13 @@ def read_target_data(lines: Sequence[tuple[int, str]], faults: FaultList) -> Tar
     unit, factor = _unit(entries, faults)
     _check_complete(entries, faults)
     readings = [
-        Reading(entries.targets[i][0] * factor + 0.0, direction, j, (value - entries.targets[i][0]) * factor, f"line {line}")
+        Reading(
+            entries.targets[i][0] * factor + 0.0,
+            direction,
+            j,
+            (value - entries.targets[i][0]) * factor,
+            f"line {line}",
+        )
         for direction in Direction
         for (i, j), (value, line) in entries.readings[direction].items()
         if i in entries.targets
@@ -87,7 +111,9 @@ def read_target_data(lines: Sequence[tuple[int, str]], faults: FaultList) -> Tar
     )
 
 
-def _take_value(entries: _Entries, match: re.Match[str], line: int, marks: DecimalMarks, faults: FaultList) -> None:
+def _take_value(
+    entries: _Entries, match: re.Match[str], line: int, marks: DecimalMarks, faults: FaultList
+) -> None:
     name, written = match["name"], match["indices"]
     label = f"{name}[{(written or '').strip()}]"
     wanted = 1 if name == "TGT_DATA" else 2
@@ -97,7 +123,12 @@ def _take_value(entries: _Entries, match: re.Match[str], line: int, marks: Decim
         indices = ()
     if len(indices) != wanted:
         shape = "[target]" if wanted == 1 else "[target,cycle]"
-        faults.add("has wrong indices", place=f"line {line}", expected=f"{name}{shape}, counted from 1", found=shown(label))
+        faults.add(
+            "has wrong indices",
+            place=f"line {line}",
+            expected=f"{name}{shape}, counted from 1",
+            found=shown(label),
+        )
         return
     value = marks.parse(match["value"], place=f"line {line}, {label}", column=name)
     if value is None:
@@ -105,16 +136,28 @@ def _take_value(entries: _Entries, match: re.Match[str], line: int, marks: Decim
     if len(indices) == 1:
         first = entries.targets.setdefault(indices[0], (value, line))[1]
     else:
-        first = entries.readings[_DIRECTIONS[name]].setdefault((indices[0], indices[1]), (value, line))[1]
+        first = entries.readings[_DIRECTIONS[name]].setdefault(
+            (indices[0], indices[1]), (value, line)
+        )[1]
     if first != line:
-        faults.add("is given twice", place=f"line {line}, {label}", expected="each index once", found=f"the first in line {first}")
+        faults.add(
+            "is given twice",
+            place=f"line {line}, {label}",
+            expected="each index once",
+            found=f"the first in line {first}",
+        )
 
 
 def _take_key(entries: _Entries, match: re.Match[str], line: int, faults: FaultList) -> None:
     key = match["name"] if match["indices"] is None else f"{match['name']}[{match['indices']}]"
     first = entries.keys.setdefault(key, (match["value"].strip(), line))[1]
     if first != line:
-        faults.add("is given twice", place=f"line {line}, {key}", expected="each key once", found=f"the first in line {first}")
+        faults.add(
+            "is given twice",
+            place=f"line {line}, {key}",
+            expected="each key once",
+            found=f"the first in line {first}",
+        )
 
 
 def _unit(entries: _Entries, faults: FaultList) -> tuple[str, float]:
@@ -124,22 +167,36 @@ def _unit(entries: _Entries, faults: FaultList) -> tuple[str, float]:
     lower = text.lower()
     known = TO_INSIDE.get(text) or TO_INSIDE.get(_DEGREES.get(lower, lower))
     if known is None:
-        faults.add("names an unknown unit", place=f"line {line}, UNIT", expected="mm, um, deg or arcsec", found=shown(text))
+        faults.add(
+            "names an unknown unit",
+            place=f"line {line}, UNIT",
+            expected="mm, um, deg or arcsec",
+            found=shown(text),
+        )
         return TO_INSIDE["mm"]
     return known
 
 
 def _check_complete(entries: _Entries, faults: FaultList) -> None:
-    """Note counts that disagree with the entries, and entries that the counts of targets and cycles demand but are not there."""
+    """Note counts that disagree with the entries, and entries that the counts of targets and cycles
+    demand but are not there.
+    """
     taken = [index for block in entries.readings.values() for index in block]
     positions = max(entries.targets, default=0)
     cycles = max((j for _, j in taken), default=0)
     if not taken:
-        faults.add("holds no readings", expected="lines REF_DATA_FWD[target,cycle]= or REF_DATA_BWD[target,cycle]=")
+        faults.add(
+            "holds no readings",
+            expected="lines REF_DATA_FWD[target,cycle]= or REF_DATA_BWD[target,cycle]=",
+        )
     _check_count(entries, "POSITIONS", positions, "the highest index of TGT_DATA", faults)
     if taken:
         _check_count(entries, "CYCLES", cycles, "the highest cycle of the readings", faults)
-    _note_missing([f"TGT_DATA[{i}]" for i in _first_missing(entries.targets, positions)], positions - len(entries.targets), faults)
+    _note_missing(
+        [f"TGT_DATA[{i}]" for i in _first_missing(entries.targets, positions)],
+        positions - len(entries.targets),
+        faults,
+    )
     for name, direction in _DIRECTIONS.items():
         block = entries.readings[direction]
         for (i, j), (_, line) in block.items():
@@ -151,9 +208,18 @@ def _check_complete(entries: _Entries, faults: FaultList) -> None:
                 )
         inside = {index for index in block if index[0] <= positions}
         if block:
-            grid = ((i, j) for j in range(1, cycles + 1) for i in range(1, positions + 1) if (i, j) not in inside)
+            grid = (
+                (i, j)
+                for j in range(1, cycles + 1)
+                for i in range(1, positions + 1)
+                if (i, j) not in inside
+            )
             count = positions * cycles - len(inside)
-            _note_missing([f"{name}[{i},{j}]" for i, j in islice(grid, TOLD_PER_KIND)] if count else [], count, faults)
+            _note_missing(
+                [f"{name}[{i},{j}]" for i, j in islice(grid, TOLD_PER_KIND)] if count else [],
+                count,
+                faults,
+            )
 
 
 def _first_missing(present: Mapping[int, object], highest: int) -> Iterator[int]:
@@ -176,4 +242,9 @@ def _check_count(entries: _Entries, key: str, found: int, what: str, faults: Fau
         faults.add(f"{reason}", place=f"line {line}, {key}", expected="a count", found=shown(text))
         return
     if count != found:
-        faults.add("disagrees with the entries", place=f"line {line}, {key}", expected=f"{found}, {what}", found=str(count))
+        faults.add(
+            "disagrees with the entries",
+            place=f"line {line}, {key}",
+            expected=f"{found}, {what}",
+            found=str(count),
+        )

@@ -1,4 +1,6 @@
-"""Bytes of a measurement file to numbered lines of text. Nothing is replaced or dropped on the way: what is not text is refused."""
+"""Bytes of a measurement file to numbered lines of text. Nothing is replaced or dropped on the way:
+what is not text is refused.
+"""
 
 from __future__ import annotations
 
@@ -23,20 +25,24 @@ _CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 _LAST_NUMBER = re.compile(r"[+-]?[0-9]*(?:[.,](?P<decimals>[0-9]*))?(?:[eE][+-]?[0-9]*)?")
 _WANTED = "a text file in UTF-8, or in UTF-16 with byte order mark"
 _SAVE_AGAIN = (
-    "UTF-8: save the file again with that encoding (editor: save as, encoding UTF-8; spreadsheet: CSV UTF-8), or write u for µ and"
-    " deg for °"
+    "UTF-8: save the file again with that encoding (editor: save as, encoding UTF-8; spreadsheet:"
+    " CSV UTF-8), or write u for µ and deg for °"
 )
 
 
 def read_lines(content: bytes, file: str) -> list[str]:
-    """Return the lines of a text file without their ends (LF, CRLF or CR); line n of the file is item n - 1.
+    """Return the lines of a text file without their ends (LF, CRLF or CR); line n of the file is
+    item n - 1.
 
-    UTF-8 with or without byte order mark, UTF-16 with one. Raises InputError for an empty file, a binary file (named where its
-    first bytes tell what it is) and text in another encoding, with the line on which the first wrong byte stands.
+    UTF-8 with or without byte order mark, UTF-16 with one. Raises InputError for an empty file, a
+    binary file (named where its first bytes tell what it is) and text in another encoding, with the
+    line on which the first wrong byte stands.
     """
     for signature, name in _SIGNATURES:
         if content.startswith(signature):
-            raise InputError(Fault(message="is not a text file", file=file, expected=_WANTED, found=name))
+            raise InputError(
+                Fault(message="is not a text file", file=file, expected=_WANTED, found=name)
+            )
     text = _decode(content, file)
     if not text.strip("\ufeff \t\r\n"):
         raise InputError(Fault(message="is empty", file=file, expected="a header row and readings"))
@@ -55,15 +61,19 @@ def read_lines(content: bytes, file: str) -> list[str]:
 
 
 def unfinished_number(lines: Sequence[str]) -> str:
-    """Return the number at the end of a file that has no last line end and may lack digits, empty where nothing is in doubt.
+    """Return the number at the end of a file that has no last line end and may lack digits, empty
+    where nothing is in doubt.
 
-    A number is whole where all others at the end of a line like it carry the same count of decimals, one at least.
+    A number is whole where all others at the end of a line like it carry the same count of
+    decimals, one at least.
     """
     last = _LAST_NUMBER.fullmatch(_last_cell(lines[-1]))
     if last is None or not last.group():
         return ""
     kind = _kind(lines[-1])
-    rows = [line for line in lines[:-1] if line.strip() and not line.lstrip(' "').startswith("#")][0 if kind else 1 :]
+    rows = [line for line in lines[:-1] if line.strip() and not line.lstrip(' "').startswith("#")][
+        0 if kind else 1 :
+    ]
     others = [_LAST_NUMBER.fullmatch(_last_cell(line)) for line in rows if _kind(line) == kind]
     decimals = {None if other is None else len(other["decimals"] or "") for other in others}
     whole = decimals == {len(last["decimals"] or "")} and decimals != {0}
@@ -97,7 +107,11 @@ def _decode(content: bytes, file: str) -> str:
                 file=file,
                 place=place,
                 expected=_WANTED if binary or utf16 else _SAVE_AGAIN,
-                found=found if binary or utf16 else f"{found}{_as_windows(content[error.start : error.start + 1])}",
+                found=(
+                    found
+                    if binary or utf16
+                    else f"{found}{_as_windows(content[error.start : error.start + 1])}"
+                ),
             )
         ) from error
 

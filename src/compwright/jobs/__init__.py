@@ -1,1 +1,3 @@
-"""Job file or command line -> `compwright.records.job.Job`. Reads bytes and text only; paths stay as written."""
+"""Job file or command line -> `compwright.records.job.Job`. Reads bytes and text only; paths stay
+as written.
+"""

@@ -1,7 +1,8 @@
-"""``compwright run FILE... --format ID --axis NAME --travel LO:HI --state none|FILE... [--option K=V...]`` -> `Job`.
+"""``compwright run FILE... --format ID --axis NAME --travel LO:HI --state none|FILE... [--option
+K=V...]`` -> `Job`.
 
-The words are put into the form of a job file and checked by the same schema, so that both ways accept the same values and refuse
-the same faults.
+The words are put into the form of a job file and checked by the same schema, so that both ways
+accept the same values and refuse the same faults.
 """
 
 from __future__ import annotations
@@ -17,7 +18,8 @@ from compwright.jobs.consistency import AS_FOUND
 from compwright.jobs.reading import Further, check, job_of
 from compwright.records.job import Job
 
-#: Keys of ``--option`` that describe the axis -> their place below the axis in a job file, and whether they are numbers.
+#: Keys of ``--option`` that describe the axis -> their place below the axis in a job file, and
+#: whether they are numbers.
 _AXIS_KEYS: dict[str, tuple[tuple[str, ...], bool]] = {
     "address": (("address",), False),
     "axis_number": (("axis_number",), True),
@@ -30,7 +32,8 @@ _AXIS_KEYS: dict[str, tuple[tuple[str, ...], bool]] = {
     "mode": (("table", "mode"), False),
 }
 _OPTIONS = "controller.options."
-#: The key of ``--option`` that says whether compensation acted, where the files of ``--state`` switch it off or do not say.
+#: The key of ``--option`` that says whether compensation acted, where the files of ``--state``
+#: switch it off or do not say.
 ACTIVE = "active"
 _NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", re.ASCII)
 _WHOLE = re.compile(r"[-+]?\d{1,15}", re.ASCII)
@@ -46,15 +49,20 @@ def job_from_options(
     options: Sequence[str],
     further: Further | None = None,
 ) -> Job:
-    """Return the job that the options of ``run`` describe: one axis, one test of all ``files``, named after the first.
+    """Return the job that the options of ``run`` describe: one axis, one test of all ``files``,
+    named after the first.
 
-    ``travel`` is ``LO:HI`` in mm or deg; ``states`` are the control's own files, or the single word ``none``, or empty (then
-    nothing is known of the control). Of ``options`` (``K=V``) the keys address, axis_number, kind, reference, reference_return,
-    encoder_system, screw_pitch (a number or numbers with commas), spacing and mode describe the axis, ``active`` (yes or no) says
-    of the files of the state whether compensation acted; all others are options of the controller and their values stay text.
-    Raises UsageError with every fault at once, each naming its option.
+    ``travel`` is ``LO:HI`` in mm or deg; ``states`` are the control's own files, or the single word
+    ``none``, or empty (then nothing is known of the control). Of ``options`` (``K=V``) the keys
+    address, axis_number, kind, reference, reference_return, encoder_system, screw_pitch (a number
+    or numbers with commas), spacing and mode describe the axis, ``active`` (yes or no) says of the
+    files of the state whether compensation acted; all others are options of the controller and
+    their values stay text. Raises UsageError with every fault at once, each naming its option.
     """
-    section: dict[str, Any] = {"travel": [_number(end) for end in travel.split(":")], "before": [{"files": list(files)}]}
+    section: dict[str, Any] = {
+        "travel": [_number(end) for end in travel.split(":")],
+        "before": [{"files": list(files)}],
+    }
     controller, faults = _sorted_options(options, section)
     data: dict[str, Any] = {
         "compwright": 1,
@@ -63,9 +71,18 @@ def job_from_options(
     }
     active = controller.pop(ACTIVE, None)
     if active is not None and not states:
-        faults.append(Fault(message="goes with --state", place=f"--option {ACTIVE}", expected="--state FILE", found=active))
+        faults.append(
+            Fault(
+                message="goes with --state",
+                place=f"--option {ACTIVE}",
+                expected="--state FILE",
+                found=active,
+            )
+        )
     elif states:
-        data["states"] = {AS_FOUND: list(states) if active is None else {"files": list(states), ACTIVE: active}}
+        data["states"] = {
+            AS_FOUND: list(states) if active is None else {"files": list(states), ACTIVE: active}
+        }
     document = YamlDocument(data=data)
     checked = check(document, "") if further is None else check(document, "", further)
     faults += [replace(fault, place=_option(fault.place, axis)) for fault in checked.faults]
@@ -75,7 +92,9 @@ def job_from_options(
     return job_of(checked.section, file="")
 
 
-def _sorted_options(options: Sequence[str], section: dict[str, Any]) -> tuple[dict[str, str], list[Fault]]:
+def _sorted_options(
+    options: Sequence[str], section: dict[str, Any]
+) -> tuple[dict[str, str], list[Fault]]:
     """Put the options of the axis into ``section``; return those of the controller, and faults."""
     controller: dict[str, str] = {}
     faults: list[Fault] = []
@@ -83,9 +102,18 @@ def _sorted_options(options: Sequence[str], section: dict[str, Any]) -> tuple[di
     for option in options:
         key, sign, value = (part.strip() for part in option.partition("="))
         if not key or not sign:
-            faults.append(Fault(message="is not a key with a value", place="--option", expected="K=V", found=repr(option)))
+            faults.append(
+                Fault(
+                    message="is not a key with a value",
+                    place="--option",
+                    expected="K=V",
+                    found=repr(option),
+                )
+            )
         elif key in seen:
-            faults.append(Fault(message="is given twice", place=f"--option {key}", expected="each key once"))
+            faults.append(
+                Fault(message="is given twice", place=f"--option {key}", expected="each key once")
+            )
         elif key in _AXIS_KEYS:
             path, is_number = _AXIS_KEYS[key]
             target = section.setdefault(path[0], {}) if len(path) > 1 else section
@@ -110,7 +138,12 @@ def _number(text: str) -> Any:
 
 
 def _whole_travel(travel: str) -> Fault:
-    return Fault(message="is no travel", place="--travel", expected="LO:HI in mm or deg, LO below HI", found=repr(travel))
+    return Fault(
+        message="is no travel",
+        place="--travel",
+        expected="LO:HI in mm or deg, LO below HI",
+        found=repr(travel),
+    )
 
 
 def _option(place: str, axis: str) -> str:
@@ -121,7 +154,10 @@ def _option(place: str, axis: str) -> str:
         "controller.format": "--format",
         f"states.{AS_FOUND}.{ACTIVE}": f"--option {ACTIVE}",
         f"states.{AS_FOUND}": "--state",
-        **{".".join(("axes", axis, *path)): f"--option {key}" for key, (path, _) in _AXIS_KEYS.items()},
+        **{
+            ".".join(("axes", axis, *path)): f"--option {key}"
+            for key, (path, _) in _AXIS_KEYS.items()
+        },
     }
     if place.startswith(_OPTIONS):
         return f"--option {place.removeprefix(_OPTIONS)}"

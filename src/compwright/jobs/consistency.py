@@ -1,7 +1,8 @@
-"""What ties the keys of a job together: names that must exist, ends in order, values that exclude each other.
+"""What ties the keys of a job together: names that must exist, ends in order, values that exclude
+each other.
 
-Works on the plain data as read, so that its faults stand beside those of the schema; whatever has the wrong type is the schema's to
-report and is passed over here.
+Works on the plain data as read, so that its faults stand beside those of the schema; whatever has
+the wrong type is the schema's to report and is passed over here.
 """
 
 from __future__ import annotations
@@ -47,15 +48,32 @@ def contradictions(data: Mapping[str, Any]) -> list[Contradiction]:
     for name, axis in _mapping(data.get("axes")).items():
         path = ("axes", name)
         if not _AXIS_NAME.fullmatch(name):
-            found.append(Contradiction(path, "is no name for an axis", "letters and digits, such as X or B2", shown(name)))
+            found.append(
+                Contradiction(
+                    path,
+                    "is no name for an axis",
+                    "letters and digits, such as X or B2",
+                    shown(name),
+                )
+            )
         section = _mapping(axis)
-        found += [*_geometry(section, path), *_tests(section, path, names), *_acceptance(section, path, standard)]
-    found += [*_untested(data), *_circles(data.get("circles"), names), *_cross(data.get("cross"), data.get("axes"), names)]
+        found += [
+            *_geometry(section, path),
+            *_tests(section, path, names),
+            *_acceptance(section, path, standard),
+        ]
+    found += [
+        *_untested(data),
+        *_circles(data.get("circles"), names),
+        *_cross(data.get("cross"), data.get("axes"), names),
+    ]
     return [*found, *_apply(data.get("apply"))]
 
 
 def default_name(file: str) -> str:
-    """Return the default name of a test: the stem of its file, whichever way its path is written."""
+    """Return the default name of a test: the stem of its file, whichever way its path is
+    written.
+    """
     return PureWindowsPath(file).stem or file
 
 
@@ -84,7 +102,9 @@ def _values(value: Any, path: KeyPath) -> Iterator[Contradiction]:
     elif value is None:
         yield Contradiction(path, "has no value", "a value, or the key left out")
     elif too_large(value):
-        yield Contradiction(path, "is too large for a number", "quotes around it if it is text", shown(value))
+        yield Contradiction(
+            path, "is too large for a number", "quotes around it if it is text", shown(value)
+        )
 
 
 def _states(states: Any) -> Iterator[Contradiction]:
@@ -92,13 +112,20 @@ def _states(states: Any) -> Iterator[Contradiction]:
         path: KeyPath = ("states", name, "files") if isinstance(state, dict) else ("states", name)
         files = state.get("files") if isinstance(state, dict) else state
         if not name.strip():
-            yield Contradiction(("states", name), "is a state without a name", "as_found, or a name of your own")
+            yield Contradiction(
+                ("states", name), "is a state without a name", "as_found, or a name of your own"
+            )
         if len(_sequence(files)) > 1 and NONE_WORD in _sequence(files):
-            yield Contradiction(path, "names files and none at once", "the word none, or the control's files")
+            yield Contradiction(
+                path, "names files and none at once", "the word none, or the control's files"
+            )
         if files in (NONE_WORD, [NONE_WORD]) and "active" in _mapping(state):
             found = shown(state["active"])
             yield Contradiction(
-                ("states", name, "active"), "is said of a state in which nothing acts", "no active beside none", found
+                ("states", name, "active"),
+                "is said of a state in which nothing acts",
+                "no active beside none",
+                found,
             )
         yield from _repeated_files(_sequence(files), path)
 
@@ -119,9 +146,19 @@ def _addresses(axes: Any) -> Iterator[Contradiction]:
             continue
         path = ("axes", name, "address") if "address" in section else ("axes", name)
         if str(address) in seen:
-            yield Contradiction(path, f"has the same address as axis {seen[str(address)]}", "another address", shown(address))
+            yield Contradiction(
+                path,
+                f"has the same address as axis {seen[str(address)]}",
+                "another address",
+                shown(address),
+            )
         if str(section.get("gantry")) == str(address):
-            yield Contradiction(("axes", name, "gantry"), "is the axis itself", "the synchronised axis", shown(address))
+            yield Contradiction(
+                ("axes", name, "gantry"),
+                "is the axis itself",
+                "the synchronised axis",
+                shown(address),
+            )
         seen.setdefault(str(address), name)
 
 
@@ -129,21 +166,50 @@ def _geometry(section: Mapping[str, Any], path: KeyPath) -> Iterator[Contradicti
     travel = [_number(end) for end in _sequence(section.get("travel"))]
     low, high = travel if len(travel) == 2 else (None, None)
     if low is not None and high is not None and low >= high:
-        yield Contradiction((*path, "travel"), "ends are not in order", "[low, high] with low < high", f"[{low:g}, {high:g}]")
+        yield Contradiction(
+            (*path, "travel"),
+            "ends are not in order",
+            "[low, high] with low < high",
+            f"[{low:g}, {high:g}]",
+        )
     table = _mapping(section.get("table"))
     start, end, spacing = (_number(table.get(key)) for key in ("start", "end", "spacing"))
     if start is not None and end is not None and start >= end:
-        yield Contradiction((*path, "table"), "ends are not in order", "start < end", f"start {start:g}, end {end:g}")
+        yield Contradiction(
+            (*path, "table"),
+            "ends are not in order",
+            "start < end",
+            f"start {start:g}, end {end:g}",
+        )
     first, last = (low if start is None else start), (high if end is None else end)
-    if first is not None and last is not None and spacing is not None and 0 < spacing * _MOST_NODES < last - first:
+    if (
+        first is not None
+        and last is not None
+        and spacing is not None
+        and 0 < spacing * _MOST_NODES < last - first
+    ):
         expected = f"at least {(last - first) / _MOST_NODES:g} mm or deg"
-        yield Contradiction((*path, "table", "spacing"), f"asks for more than {_MOST_NODES} nodes", expected, f"{spacing:g}")
+        yield Contradiction(
+            (*path, "table", "spacing"),
+            f"asks for more than {_MOST_NODES} nodes",
+            expected,
+            f"{spacing:g}",
+        )
     if section.get("kind") == "rotary" and section.get("programmed") == "diameter":
-        yield Contradiction((*path, "programmed"), "belongs to a linear axis", "radius", "'diameter' on a rotary axis")
+        yield Contradiction(
+            (*path, "programmed"),
+            "belongs to a linear axis",
+            "radius",
+            "'diameter' on a rotary axis",
+        )
 
 
-def _test_sections(section: Mapping[str, Any]) -> Iterator[tuple[KeyPath, str | None, Mapping[str, Any]]]:
-    """Yield path below the axis, name and mapping of each test, in every way in which tests may be written."""
+def _test_sections(
+    section: Mapping[str, Any],
+) -> Iterator[tuple[KeyPath, str | None, Mapping[str, Any]]]:
+    """Yield path below the axis, name and mapping of each test, in every way in which tests may be
+    written.
+    """
     before = section.get("before")
     entries = before if isinstance(before, list) else [before]
     for index, entry in enumerate(entries):
@@ -155,24 +221,37 @@ def _test_sections(section: Mapping[str, Any]) -> Iterator[tuple[KeyPath, str | 
         yield path, str(name) if isinstance(name, str | int) else None, test
 
 
-def _tests(section: Mapping[str, Any], path: KeyPath, states: Sequence[str]) -> Iterator[Contradiction]:
+def _tests(
+    section: Mapping[str, Any], path: KeyPath, states: Sequence[str]
+) -> Iterator[Contradiction]:
     seen: set[str] = set()
     for below, name, test in _test_sections(section):
         if name is not None and name in seen:
             expected = "a name of its own: {files: [..], name: ..}"
-            yield Contradiction((*path, *below), "has the name of another test of this axis", expected, shown(name))
+            yield Contradiction(
+                (*path, *below), "has the name of another test of this axis", expected, shown(name)
+            )
         seen.add(name or "")
         yield from _known_state(test, (*path, *below), states)
         yield from _repeated_files(_sequence(test.get("files")), (*path, *below, "files"))
 
 
-def _known_state(section: Mapping[str, Any], path: KeyPath, states: Sequence[str]) -> Iterator[Contradiction]:
+def _known_state(
+    section: Mapping[str, Any], path: KeyPath, states: Sequence[str]
+) -> Iterator[Contradiction]:
     state = section.get("measured_in", AS_FOUND)
     if isinstance(state, str | int) and str(state) not in states:
-        yield Contradiction((*path, "measured_in"), "names no state of this job", suggestion(str(state), states), shown(state))
+        yield Contradiction(
+            (*path, "measured_in"),
+            "names no state of this job",
+            suggestion(str(state), states),
+            shown(state),
+        )
 
 
-def _acceptance(section: Mapping[str, Any], path: KeyPath, standard: Any) -> Iterator[Contradiction]:
+def _acceptance(
+    section: Mapping[str, Any], path: KeyPath, standard: Any
+) -> Iterator[Contradiction]:
     accept = _mapping(section.get("accept"))
     known = VDI_PARAMETERS if standard == "vdi3441" else ISO_PARAMETERS
     undefined = _NOT_IN_1988 if standard == "iso230-2:1988" else ()
@@ -181,33 +260,52 @@ def _acceptance(section: Mapping[str, Any], path: KeyPath, standard: Any) -> Ite
         if key == "test":
             names = [name for _, name, _ in _test_sections(section) if name is not None]
             if not isinstance(limit, str | int) or str(limit) not in names:
-                yield Contradiction(here, "names no test of this axis", suggestion(str(limit), names), shown(limit))
+                yield Contradiction(
+                    here, "names no test of this axis", suggestion(str(limit), names), shown(limit)
+                )
         elif key not in known:
             yield Contradiction(here, f"is no parameter of {standard}", suggestion(key, known))
         elif key in undefined:
-            yield Contradiction(here, f"is not defined by {standard}", suggestion("", [n for n in known if n not in undefined]))
+            yield Contradiction(
+                here,
+                f"is not defined by {standard}",
+                suggestion("", [n for n in known if n not in undefined]),
+            )
         else:
             yield from _limit(limit, here)
     if "accept" in section and not set(accept) - {"test"} and isinstance(section["accept"], dict):
-        yield Contradiction((*path, "accept"), "holds no limit", "a parameter with its limit in µm or arcsec: {A: 8}")
+        yield Contradiction(
+            (*path, "accept"),
+            "holds no limit",
+            "a parameter with its limit in µm or arcsec: {A: 8}",
+        )
 
 
 def _limit(limit: Any, path: KeyPath) -> Iterator[Contradiction]:
     hint = number_hint(limit) if isinstance(limit, str) else ""
-    if limit is None or (isinstance(limit, int | float) and not isinstance(limit, bool) and limit > 0):
+    if limit is None or (
+        isinstance(limit, int | float) and not isinstance(limit, bool) and limit > 0
+    ):
         return
     message = f"is text, not a number ({hint})" if hint else "is no limit"
     yield Contradiction(path, message, "a number above 0, in µm or arcsec", shown(limit))
 
 
 def _untested(data: Mapping[str, Any]) -> Iterator[Contradiction]:
-    """An axis without any test has no work to do, unless a circle or a cross measurement speaks of it."""
+    """An axis without any test has no work to do, unless a circle or a cross measurement speaks of
+    it.
+    """
     if _sequence(data.get("circles")) or _sequence(data.get("cross")):
         return
     for name, axis in _mapping(data.get("axes")).items():
         if _mapping(axis).get("before") == []:
             path = ("axes", name, "before")
-            yield Contradiction(path, "is too short", "at least 1 in the list, or a test under circles or cross", "an empty list")
+            yield Contradiction(
+                path,
+                "is too short",
+                "at least 1 in the list, or a test under circles or cross",
+                "an empty list",
+            )
 
 
 def _circles(circles: Any, states: Sequence[str]) -> Iterator[Contradiction]:
@@ -221,7 +319,9 @@ def _circles(circles: Any, states: Sequence[str]) -> Iterator[Contradiction]:
         first = circle.get(given[0]) if given else None
         name = circle.get("name", default_name(first) if isinstance(first, str) else None)
         if isinstance(name, str) and name in seen:
-            yield Contradiction(path, "has the name of another circle", "a name of its own", shown(name))
+            yield Contradiction(
+                path, "has the name of another circle", "a name of its own", shown(name)
+            )
         seen.add(str(name))
         yield from _known_state(circle, path, states)
 
@@ -234,16 +334,22 @@ def _cross(cross: Any, axes: Any, states: Sequence[str]) -> Iterator[Contradicti
         pair = (str(section.get("input")), str(section.get("output")))
         if section and pair in seen:
             expected = "one measurement for each pair of axes"
-            yield Contradiction(path, "measures the same pair of axes again", expected, f"{pair[0]} on {pair[1]}")
+            yield Contradiction(
+                path, "measures the same pair of axes again", expected, f"{pair[0]} on {pair[1]}"
+            )
         seen.add(pair)
         yield from _cross_unit(section, path, axes)
         if section and section.get("input") == section.get("output"):
-            yield Contradiction((*path, "output"), "is the input axis", "another axis", shown(section.get("output")))
+            yield Contradiction(
+                (*path, "output"), "is the input axis", "another axis", shown(section.get("output"))
+            )
         positions = [_number(value) for value in _sequence(section.get("positions"))]
         deviations = _sequence(section.get("deviations"))
         if positions and deviations and len(positions) != len(deviations):
             expected = f"{len(positions)} deviations, one for each position"
-            yield Contradiction((*path, "deviations"), "do not match the positions", expected, str(len(deviations)))
+            yield Contradiction(
+                (*path, "deviations"), "do not match the positions", expected, str(len(deviations))
+            )
         known = [value for value in positions if value is not None]
         if len(known) != len(set(known)):
             yield Contradiction((*path, "positions"), "hold a position twice", "each position once")
@@ -257,7 +363,12 @@ def _cross_unit(section: Mapping[str, Any], path: KeyPath, axes: Any) -> Iterato
     kind = "rotary" if output.get("kind") == "rotary" else "linear"
     if (TO_INSIDE[unit][0] == "deg") != (kind == "rotary"):
         expected = "um or mm" if kind == "linear" else "arcsec or deg"
-        yield Contradiction((*path, "unit"), f"does not fit the {kind} axis {section['output']}", expected, shown(unit))
+        yield Contradiction(
+            (*path, "unit"),
+            f"does not fit the {kind} axis {section['output']}",
+            expected,
+            shown(unit),
+        )
 
 
 def _apply(section: Any) -> Iterator[Contradiction]:
@@ -265,8 +376,20 @@ def _apply(section: Any) -> Iterator[Contradiction]:
     for plane, bent in _mapping(_mapping(section).get("squareness")).items():
         pair = frozenset({str(bent), other_axis(str(plane), str(bent))})
         if pair in seen:
-            yield Contradiction(("apply", "squareness", plane), "names this plane again", "each plane once", shown(bent))
+            yield Contradiction(
+                ("apply", "squareness", plane),
+                "names this plane again",
+                "each plane once",
+                shown(bent),
+            )
         seen.add(pair)
-        if isinstance(bent, str) and (plane == bent or not (plane.startswith(bent) or plane.endswith(bent))):
+        if isinstance(bent, str) and (
+            plane == bent or not (plane.startswith(bent) or plane.endswith(bent))
+        ):
             found = shown(bent)
-            yield Contradiction(("apply", "squareness", plane), "is no axis of this plane", f"the bent axis of {plane}", found)
+            yield Contradiction(
+                ("apply", "squareness", plane),
+                "is no axis of this plane",
+                f"the bent axis of {plane}",
+                found,
+            )

@@ -1,4 +1,6 @@
-"""Every complaint of the schema as a fault in a service engineer's words, with line, key path, expected and found."""
+"""Every complaint of the schema as a fault in a service engineer's words, with line, key path,
+expected and found.
+"""
 
 from __future__ import annotations
 
@@ -23,21 +25,34 @@ _MISSING = {
     "files": "the measurement files of the test",
 }
 _NUMBER_HINTS = (
-    (r"[-+]?0\d+(\.\d*)?", "a leading zero is read as an octal number by some programs, write it without"),
-    (r"[-+]?\d+(:\d+)+(\.\d*)?", "a colon is read as base 60 by some programs, write one decimal number"),
+    (
+        r"[-+]?0\d+(\.\d*)?",
+        "a leading zero is read as an octal number by some programs, write it without",
+    ),
+    (
+        r"[-+]?\d+(:\d+)+(\.\d*)?",
+        "a colon is read as base 60 by some programs, write one decimal number",
+    ),
     (r"[-+]?\d*,\d+", "write a decimal point, not a comma"),
     (r"[-+]?\d[\d_]*_[\d_.]*", "write it without underscores"),
     (r"[-+]?(0[xXoObB][0-9a-fA-F]+)", "write it as a decimal number"),
     (r"[-+]?\.?(inf|nan|Inf|NaN|INF|NAN|NaN)", "the number must be finite"),
-    (r"[-+]?\d+(\.\d*)?\s*(mm|deg|°|um|µm|arcsec|K|in|inch)", "write the number alone, the unit is fixed by the key"),
+    (
+        r"[-+]?\d+(\.\d*)?\s*(mm|deg|°|um|µm|arcsec|K|in|inch)",
+        "write the number alone, the unit is fixed by the key",
+    ),
     (r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?", "write the number without quotes"),
 )
 _LONGEST_SHOWN = 60
-LARGEST_NUMBER = 1e15  # beyond it a double no longer holds every micrometre of a kilometre in nanometres
+LARGEST_NUMBER = (
+    1e15  # beyond it a double no longer holds every micrometre of a kilometre in nanometres
+)
 
 
 def too_large(value: Any) -> bool:
-    """Whether a number is infinite or beyond all use, so that it must be a slip or text without quotes."""
+    """Whether a number is infinite or beyond all use, so that it must be a slip or text without
+    quotes.
+    """
     return isinstance(value, int | float) and not abs(value) <= LARGEST_NUMBER
 
 
@@ -67,8 +82,12 @@ def suggestion(word: str, known: Iterable[str]) -> str:
     return "one of " + ", ".join(sorted(words))
 
 
-def schema_faults(error: ValidationError, model: type[BaseModel], document: YamlDocument, file: str) -> Iterator[Fault]:
-    """Yield one fault per complaint. What is no value at all is left to `compwright.jobs.consistency`, known key or not."""
+def schema_faults(
+    error: ValidationError, model: type[BaseModel], document: YamlDocument, file: str
+) -> Iterator[Fault]:
+    """Yield one fault per complaint. What is no value at all is left to
+    `compwright.jobs.consistency`, known key or not.
+    """
     for complaint in error.errors(include_url=False):
         kind = complaint["type"]
         path = _path_in(document.data, complaint["loc"], missing=kind == "missing")
@@ -85,7 +104,9 @@ def schema_faults(error: ValidationError, model: type[BaseModel], document: Yaml
 
 
 def _path_in(data: Any, location: KeyPath, *, missing: bool) -> KeyPath:
-    """Return the part of a complaint's location that was really written: shorthand forms have fewer levels than the schema."""
+    """Return the part of a complaint's location that was really written: shorthand forms have fewer
+    levels than the schema.
+    """
     path: list[str | int] = []
     here = data
     for part in location:
@@ -104,7 +125,9 @@ def _words(complaint: ErrorDetails, model: type[BaseModel], path: KeyPath) -> tu
     if kind == "missing":
         return "is missing", _MISSING.get(str(path[-1]), "a value")
     if kind == "extra_forbidden":
-        return "unknown key", suggestion(str(complaint["loc"][-1]), _known_keys(model, complaint["loc"][:-1]))
+        return "unknown key", suggestion(
+            str(complaint["loc"][-1]), _known_keys(model, complaint["loc"][:-1])
+        )
     if kind in ("float_type", "int_type", "int_from_float"):
         number = "a number" if kind == "float_type" else "a whole number"
         hint = number_hint(found) if isinstance(found, str) else ""
@@ -134,7 +157,9 @@ def number_hint(text: str) -> str:
 
 
 def _known_keys(model: type[BaseModel], location: KeyPath) -> list[str]:
-    """Return the keys of the section at ``location``; keys of free mappings and indices of lists are passed over."""
+    """Return the keys of the section at ``location``; keys of free mappings and indices of lists
+    are passed over.
+    """
     section = model
     for part in location:
         entry = section.model_fields.get(part) if isinstance(part, str) else None

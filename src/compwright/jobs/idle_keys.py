@@ -9,7 +9,8 @@ from compwright.records.job import Job
 def idle_keys(job: Job, *, systems: bool, numbers: bool) -> list[Finding]:
     """Say of every key of an axis that it has no effect on this control.
 
-    ``systems``: the control's files count measuring systems; ``numbers``: they count axes otherwise than by address.
+    ``systems``: the control's files count measuring systems; ``numbers``: they count axes otherwise
+    than by address.
     """
     keys = []
     for name, entry in job.axes.items():
@@ -18,4 +19,7 @@ def idle_keys(job: Job, *, systems: bool, numbers: bool) -> list[Finding]:
             keys.append(f"axes.{name}.encoder.system: {encoder.system}")
         if not numbers and entry.axis.axis_number is not None:
             keys.append(f"axes.{name}.axis_number: {entry.axis.axis_number}")
-    return [Finding("CW-J020", "warning", f"{key} has no effect on this control ({job.format})") for key in keys]
+    return [
+        Finding("CW-J020", "warning", f"{key} has no effect on this control ({job.format})")
+        for key in keys
+    ]

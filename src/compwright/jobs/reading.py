@@ -13,7 +13,13 @@ from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import TO_INSIDE
 from compwright.foundations.yaml_reader import YamlDocument, read_yaml_with_faults
-from compwright.jobs.consistency import AS_FOUND, NONE_WORD, Contradiction, contradictions, default_name
+from compwright.jobs.consistency import (
+    AS_FOUND,
+    NONE_WORD,
+    Contradiction,
+    contradictions,
+    default_name,
+)
 from compwright.jobs.faults import schema_faults, shown
 from compwright.jobs.schema import (
     SCHEMA_VERSION,
@@ -49,7 +55,8 @@ class CheckedJob:
     faults: tuple[Fault, ...]
 
 
-#: What else a job must keep to, from its plain data: the rooms that know the controls say what of it does not exist.
+#: What else a job must keep to, from its plain data: the rooms that know the controls say what of
+#: it does not exist.
 Further = Callable[[Mapping[str, Any]], Iterable[Contradiction]]
 
 
@@ -58,11 +65,13 @@ def _nothing_further(_data: Mapping[str, Any]) -> Iterable[Contradiction]:
 
 
 def read_job(content: bytes, file: str, further: Further = _nothing_further) -> Job:
-    """Read a job file. ``file`` is its name for messages; paths inside stay as written; ``further`` adds checks of the data.
+    """Read a job file. ``file`` is its name for messages; paths inside stay as written; ``further``
+    adds checks of the data.
 
-    Raises UsageError with every fault at once, each with file, ``line N, key.path``, expected and found: text that is not YAML,
-    keys given twice, unknown keys (with the nearest known one), wrong types and ranges, names that do not exist, and alone a
-    job written for a newer version. Source: job file of ``docs/contract.md``, schema version 1.
+    Raises UsageError with every fault at once, each with file, ``line N, key.path``, expected and
+    found: text that is not YAML, keys given twice, unknown keys (with the nearest known one), wrong
+    types and ranges, names that do not exist, and alone a job written for a newer version. Source:
+    job file of ``docs/contract.md``, schema version 1.
     """
     try:
         document, faults = read_yaml_with_faults(content, file)
@@ -81,7 +90,14 @@ def check(document: YamlDocument, file: str, further: Further = _nothing_further
     """Check plain data against the schema, against itself and against ``further``."""
     data = document.data
     if not isinstance(data, dict):
-        return CheckedJob(None, (Fault(message="is not a job", file=file, expected="keys and values", found=shown(data)),))
+        return CheckedJob(
+            None,
+            (
+                Fault(
+                    message="is not a job", file=file, expected="keys and values", found=shown(data)
+                ),
+            ),
+        )
     section: JobSection | None = None
     faults: list[Fault] = []
     try:
@@ -91,7 +107,13 @@ def check(document: YamlDocument, file: str, further: Further = _nothing_further
     for contradiction in (*contradictions(data), *further(data)):
         place = document.place(contradiction.path)
         faults.append(
-            Fault(message=contradiction.message, file=file, place=place, expected=contradiction.expected, found=contradiction.found)
+            Fault(
+                message=contradiction.message,
+                file=file,
+                place=place,
+                expected=contradiction.expected,
+                found=contradiction.found,
+            )
         )
     return CheckedJob(section, tuple(faults))
 
@@ -106,7 +128,11 @@ def _refuse_other_versions(document: YamlDocument, file: str) -> None:
     version = document.data.get("compwright") if isinstance(document.data, dict) else None
     if version == SCHEMA_VERSION or not isinstance(version, int) or isinstance(version, bool):
         return
-    message = "is written for a newer version of compwright" if version > SCHEMA_VERSION else "is no version of the job file"
+    message = (
+        "is written for a newer version of compwright"
+        if version > SCHEMA_VERSION
+        else "is no version of the job file"
+    )
     raise UsageError(
         Fault(
             message=message,
@@ -120,7 +146,12 @@ def _refuse_other_versions(document: YamlDocument, file: str) -> None:
 
 def job_of(section: JobSection, file: str) -> Job:
     """Return the record of a job that was found free of faults."""
-    findings = (*_pending_findings(section), *_idle_findings(section), *_absent_axes(section), *_state_findings(section))
+    findings = (
+        *_pending_findings(section),
+        *_idle_findings(section),
+        *_absent_axes(section),
+        *_state_findings(section),
+    )
     thermal = Thermal(**section.thermal.model_dump()) if section.thermal else None
     return Job(
         file=file,
@@ -128,7 +159,9 @@ def job_of(section: JobSection, file: str) -> Job:
         axes={name: _axis_job(name, axis) for name, axis in section.axes.items()},
         options=section.controller.options,
         states={name: _state(state.files) for name, state in section.states.items()},
-        active={name: state.active for name, state in section.states.items() if state.active is not None},
+        active={
+            name: state.active for name, state in section.states.items() if state.active is not None
+        },
         machine=section.machine.model_dump(exclude_none=True),
         fixed_positions=section.fixed_positions,
         uncertainty=_budget(section),
@@ -140,11 +173,15 @@ def job_of(section: JobSection, file: str) -> Job:
         language=section.report.language,
         circles=tuple(_circle(circle) for circle in section.circles),
         cross=tuple(_cross(entry) for entry in section.cross),
-        apply=ApplyRequest(
-            squareness=section.apply.squareness, scale=tuple(section.apply.scale), backlash_from=section.apply.backlash_from
-        )
-        if section.apply
-        else ApplyRequest(),
+        apply=(
+            ApplyRequest(
+                squareness=section.apply.squareness,
+                scale=tuple(section.apply.scale),
+                backlash_from=section.apply.backlash_from,
+            )
+            if section.apply
+            else ApplyRequest()
+        ),
         findings=findings,
     )
 
@@ -166,7 +203,9 @@ def _axis_job(name: str, section: AxisSection) -> AxisJob:
         reference=section.reference,
         reference_return=Direction(section.reference_return),
         encoder=Encoder(
-            type=section.encoder.type, system=int(section.encoder.system or 1), stated=section.encoder.system is not None
+            type=section.encoder.type,
+            system=int(section.encoder.system or 1),
+            stated=section.encoder.system is not None,
         ),
         programmed=section.programmed,
         screw_pitch=tuple(section.screw_pitch or ()),
@@ -186,7 +225,9 @@ def _test(section: TestSection, of_axis: PositionMapSection) -> TestRequest:
         files=tuple(section.files),
         name=section.name or default_name(section.files[0]),
         measured_in=section.measured_in,
-        position_map=PositionMap(sense=1 if position_map.sense == 1 else -1, offset=position_map.offset),
+        position_map=PositionMap(
+            sense=1 if position_map.sense == 1 else -1, offset=position_map.offset
+        ),
     )
 
 
@@ -230,7 +271,9 @@ def _budget(section: JobSection) -> UncertaintyBudget | None:
 
 def _rotary_budget(section: JobSection) -> UncertaintyBudget | None:
     rotary = section.uncertainty.rotary if section.uncertainty else None
-    return UncertaintyBudget(device=rotary.U, setup=rotary.setup, E_VE=rotary.E_VE) if rotary else None
+    return (
+        UncertaintyBudget(device=rotary.U, setup=rotary.setup, E_VE=rotary.E_VE) if rotary else None
+    )
 
 
 def _pending_findings(section: JobSection) -> list[Finding]:
@@ -242,21 +285,25 @@ def _pending_findings(section: JobSection) -> list[Finding]:
 
 
 def _absent_axes(section: JobSection) -> list[Finding]:
-    """Say of every correction that it concerns an axis of which the job knows neither travel nor address."""
+    """Say of every correction that it concerns an axis of which the job knows neither travel nor
+    address.
+    """
     asked: list[tuple[str, tuple[str, ...]]] = [
-        (f"cross[{index}]", (entry.input, entry.output)) for index, entry in enumerate(section.cross)
+        (f"cross[{index}]", (entry.input, entry.output))
+        for index, entry in enumerate(section.cross)
     ]
     if section.apply is not None:
         asked += [("apply.scale", (name,)) for name in section.apply.scale]
         asked += [
-            (f"apply.squareness.{plane}", (bent, other_axis(plane, bent))) for plane, bent in section.apply.squareness.items()
+            (f"apply.squareness.{plane}", (bent, other_axis(plane, bent)))
+            for plane, bent in section.apply.squareness.items()
         ]
     return [
         Finding(
             "CW-J004",
             "error",
-            f"{place} does nothing: axis {name} is not among the axes of the job, which give its travel and address "
-            "(before: [] where it has no positioning test)",
+            f"{place} does nothing: axis {name} is not among the axes of the job, which give its"
+            " travel and address (before: [] where it has no positioning test)",
         )
         for place, names in asked
         for name in names
@@ -266,7 +313,11 @@ def _absent_axes(section: JobSection) -> list[Finding]:
 
 def _idle_findings(section: JobSection) -> list[Finding]:
     return [
-        Finding("CW-J003", "warning", f"axes.{name}.modulo has no meaning on a linear axis and is not used")
+        Finding(
+            "CW-J003",
+            "warning",
+            f"axes.{name}.modulo has no meaning on a linear axis and is not used",
+        )
         for name, axis in section.axes.items()
         if axis.modulo is not None and axis.kind == "linear"
     ]
@@ -276,4 +327,10 @@ def _state_findings(section: JobSection) -> list[Finding]:
     if not section.states or AS_FOUND in section.states:
         return []
     names = ", ".join(section.states)
-    return [Finding("CW-J002", "warning", f"states names {names} but not as_found: no table is written without it")]
+    return [
+        Finding(
+            "CW-J002",
+            "warning",
+            f"states names {names} but not as_found: no table is written without it",
+        )
+    ]

@@ -1,8 +1,9 @@
 """The schema of a job file as pydantic models: keys, types, ranges of single values, defaults.
 
-What ties several keys together (names that must exist, ends in order) is in `compwright.jobs.consistency`, so that its faults
-are listed together with those found here. Units: mm or deg for positions; others at the field. Source: the job file of
-``docs/contract.md``, explained key by key in ``docs/job-file.md``.
+What ties several keys together (names that must exist, ends in order) is in
+`compwright.jobs.consistency`, so that its faults are listed together with those found here. Units:
+mm or deg for positions; others at the field. Source: the job file of ``docs/contract.md``,
+explained key by key in ``docs/job-file.md``.
 """
 
 from __future__ import annotations
@@ -14,17 +15,23 @@ from pydantic_core import PydanticCustomError
 
 SCHEMA_VERSION = 1
 
-Standard = Literal["iso230-2:1988", "iso230-2:1997", "iso230-2:2006", "iso230-2:2014", "gost27843:2006", "vdi3441"]
+Standard = Literal[
+    "iso230-2:1988", "iso230-2:1997", "iso230-2:2006", "iso230-2:2014", "gost27843:2006", "vdi3441"
+]
 
 
 def _one_line_of_text(value: Any) -> Any:
-    """Accept a word or a whole number as text; a decimal number may have lost digits (1.10) and must stand in quotes."""
+    """Accept a word or a whole number as text; a decimal number may have lost digits (1.10) and
+    must stand in quotes.
+    """
     if isinstance(value, int) and not isinstance(value, bool):
         return str(value)
     if not isinstance(value, str):
         kind = "text_in_quotes"
         raise PydanticCustomError(kind, "is not text")
-    if not value.strip() or any(ord(character) < ord(" ") or character == "\x7f" for character in value):
+    if not value.strip() or any(
+        ord(character) < ord(" ") or character == "\x7f" for character in value
+    ):
         kind = "one_line"
         raise PydanticCustomError(kind, "is blank or holds control characters")
     return value
@@ -47,7 +54,9 @@ def _no_truth_value(value: Any) -> Any:
 
 
 def _yes_or_no(value: Any) -> Any:
-    """Read ``yes`` and ``no``, which are text in a job file; ``true`` and ``false`` are what they are."""
+    """Read ``yes`` and ``no``, which are text in a job file; ``true`` and ``false`` are what they
+    are.
+    """
     return {"yes": True, "no": False}.get(value, value) if isinstance(value, str) else value
 
 
@@ -95,7 +104,9 @@ class PositionMapSection(Section):
 
 
 class EncoderSection(Section):
-    """The measuring system; without ``system`` the one that the control's files show to be in use, else 1."""
+    """The measuring system; without ``system`` the one that the control's files show to be in use,
+    else 1.
+    """
 
     type: Literal["incremental", "absolute", "distance_coded"] = "incremental"
     system: Annotated[Literal[1, 2] | None, BeforeValidator(_no_truth_value)] = None
@@ -123,10 +134,14 @@ class TableSection(Section):
 
 
 class AxisSection(Section):
-    """One axis. ``accept`` (parameter names beside ``test``) and an empty ``before``: see `compwright.jobs.consistency`."""
+    """One axis. ``accept`` (parameter names beside ``test``) and an empty ``before``: see
+    `compwright.jobs.consistency`.
+    """
 
     travel: Annotated[list[float], Field(min_length=2, max_length=2)]
-    before: Annotated[list[Annotated[TestSection, BeforeValidator(_named_file)]], BeforeValidator(_listed)]
+    before: Annotated[
+        list[Annotated[TestSection, BeforeValidator(_named_file)]], BeforeValidator(_listed)
+    ]
     kind: Literal["linear", "rotary"] = "linear"
     modulo: Positive | None = None
     address: Text | None = None
@@ -137,14 +152,18 @@ class AxisSection(Section):
     reference_return: Sign = "+"
     encoder: EncoderSection = EncoderSection()
     programmed: Literal["radius", "diameter"] = "radius"
-    screw_pitch: Annotated[list[Positive], BeforeValidator(_listed), Field(min_length=1)] | None = None
+    screw_pitch: Annotated[list[Positive], BeforeValidator(_listed), Field(min_length=1)] | None = (
+        None
+    )
     table: TableSection = TableSection()
     options: dict[str, Any] = {}
     accept: dict[str, Any] | None = None
 
 
 class CircleSection(Section):
-    """One circular test: one file with both runs, or a file per run. ``centre`` in machine coordinates, mm."""
+    """One circular test: one file with both runs, or a file per run. ``centre`` in machine
+    coordinates, mm.
+    """
 
     file: Text | None = None
     ccw: Text | None = None
@@ -155,7 +174,9 @@ class CircleSection(Section):
 
 
 class CrossSection(Section):
-    """Deviation of one axis over another, in ``unit``, and the state (of ``states``) in which it was measured."""
+    """Deviation of one axis over another, in ``unit``, and the state (of ``states``) in which it
+    was measured.
+    """
 
     input: Text
     output: Text
@@ -181,7 +202,9 @@ class DeviceSection(Section):
 
 
 class RotaryUncertaintySection(Section):
-    """The contributors of rotary axes, arcsec: certificate of the instrument, set-up, drift of a stand-still test."""
+    """The contributors of rotary axes, arcsec: certificate of the instrument, set-up, drift of a
+    stand-still test.
+    """
 
     U: NotNegative = 0.0
     setup: NotNegative = 0.0
@@ -227,7 +250,9 @@ class ReportSection(Section):
 
 
 class StateSection(Section):
-    """The files of a state, or the word none; whether compensation acted, where the files switch it off or do not say."""
+    """The files of a state, or the word none; whether compensation acted, where the files switch it
+    off or do not say.
+    """
 
     files: Annotated[list[Text], BeforeValidator(_listed), Field(min_length=1)]
     active: Annotated[bool | None, BeforeValidator(_yes_or_no)] = None

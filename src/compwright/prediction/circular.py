@@ -1,8 +1,10 @@
-"""The next circular test: every sample of the one that was measured, moved by what the tables change, with fresh noise.
+"""The next circular test: every sample of the one that was measured, moved by what the tables
+change, with fresh noise.
 
-The measured path holds every error of the machine at the place of the circle, so that nothing of it has to be modelled to
-predict the change. What is random in a fresh test is drawn: the noise from what a short smoothing of the samples leaves, the
-causes that a diagnosis separates from their standard errors.
+The measured path holds every error of the machine at the place of the circle, so that nothing of it
+has to be modelled to predict the change. What is random in a fresh test is drawn: the noise from
+what a short smoothing of the samples leaves, the causes that a diagnosis separates from their
+standard errors.
 """
 
 from __future__ import annotations
@@ -22,7 +24,8 @@ from compwright.records.prediction import CirclePrediction, Quantiles
 __all__ = ["CirclePath", "moved_test", "path_of", "predict_circle"]
 
 DRAWS: Final = 100
-#: Samples over which the path is taken as a parabola: 2.6° of a usual ballbar's 1500, well within the decay of a reversal spike.
+#: Samples over which the path is taken as a parabola: 2.6° of a usual ballbar's 1500, well within
+#: the decay of a reversal spike.
 _WINDOW: Final = 11
 #: Median and the ends of a 90 % interval of a normal distribution, in standard deviations.
 _NINETY: Final = 1.645
@@ -34,7 +37,8 @@ _BOTH_TESTS: Final = 2.0
 
 @dataclass(frozen=True, slots=True)
 class CirclePath:
-    """Where a run commands its two axes: machine coordinates (n,) mm, and the sign (n,) in which each axis moves there.
+    """Where a run commands its two axes: machine coordinates (n,) mm, and the sign (n,) in which
+    each axis moves there.
 
     The reversal is that of the command; an axis that lags reverses later by less than a sample.
     """
@@ -50,7 +54,9 @@ Displacement = Callable[[CirclePath], FloatArray]
 
 
 def path_of(test: CircularTest, run: CircularRun, centre: tuple[float, float]) -> CirclePath:
-    """Return where ``run`` of ``test`` about ``centre`` (mm, machine coordinates of both axes) commands the axes."""
+    """Return where ``run`` of ``test`` about ``centre`` (mm, machine coordinates of both axes)
+    commands the axes.
+    """
     theta, d = np.radians(run.angles), 1.0 if run.sense == "ccw" else -1.0
     cos, sin = np.cos(theta), np.sin(theta)
     return CirclePath(
@@ -61,11 +67,15 @@ def path_of(test: CircularTest, run: CircularRun, centre: tuple[float, float]) -
     )
 
 
-def moved_test(test: CircularTest, centre: tuple[float, float], displacement: Displacement) -> CircularTest:
-    """Return the test as it would have come out with every point of its path moved by ``displacement``.
+def moved_test(
+    test: CircularTest, centre: tuple[float, float], displacement: Displacement
+) -> CircularTest:
+    """Return the test as it would have come out with every point of its path moved by
+    ``displacement``.
 
-    What the displacement is in the centre of the circle, on the mean of both directions of motion, is left out: there the
-    instrument is set up anew. The distance is exact; only the place of the point on its ray is the commanded one.
+    What the displacement is in the centre of the circle, on the mean of both directions of motion,
+    is left out: there the instrument is set up anew. The distance is exact; only the place of the
+    point on its ray is the commanded one.
     """
     here = np.full(2, centre[0]), np.full(2, centre[1])
     both = np.array([1.0, -1.0])
@@ -73,19 +83,25 @@ def moved_test(test: CircularTest, centre: tuple[float, float], displacement: Di
     runs = []
     for run in test.runs:
         theta = np.radians(run.angles)
-        point = (test.nominal_radius + run.deviations)[:, np.newaxis] * np.column_stack([np.cos(theta), np.sin(theta)])
+        point = (test.nominal_radius + run.deviations)[:, np.newaxis] * np.column_stack(
+            [np.cos(theta), np.sin(theta)]
+        )
         point = point + displacement(path_of(test, run, centre)) - in_centre
-        runs.append(replace(run, deviations=np.hypot(point[:, 0], point[:, 1]) - test.nominal_radius))
+        runs.append(
+            replace(run, deviations=np.hypot(point[:, 0], point[:, 1]) - test.nominal_radius)
+        )
     return replace(test, runs=tuple(runs))
 
 
 def predict_circle(
     before: CircularResult, expected: CircularResult, rng: np.random.Generator, draws: int = DRAWS
 ) -> CirclePrediction:
-    """Return what a fresh test will show. ``expected``: the test ``before`` moved by what changes, evaluated and diagnosed.
+    """Return what a fresh test will show. ``expected``: the test ``before`` moved by what changes,
+    evaluated and diagnosed.
 
-    Parameters come from ``draws`` tests with fresh noise; causes, which are linear in the readings, from the standard errors of
-    both tests. A parameter that ``before`` does not have is left out. Amplitudes are not below zero.
+    Parameters come from ``draws`` tests with fresh noise; causes, which are linear in the readings,
+    from the standard errors of both tests. A parameter that ``before`` does not have is left out.
+    Amplitudes are not below zero.
     """
     test = expected.test
     smooth = [_smoothed(run) for run in test.runs]
@@ -94,10 +110,17 @@ def predict_circle(
     rows: dict[str, list[float]] = {}
     for draw in range(draws):
         runs = tuple(
-            replace(run, deviations=curve + shape[draw] + rng.choice([-1.0, 1.0]) * np.roll(noise, int(rng.integers(noise.size))))
+            replace(
+                run,
+                deviations=curve
+                + shape[draw]
+                + rng.choice([-1.0, 1.0]) * np.roll(noise, int(rng.integers(noise.size))),
+            )
             for run, curve, noise, shape in zip(test.runs, smooth, rest, shapes, strict=True)
         )
-        for name, value in evaluate_circle(replace(test, runs=runs, findings=()), expected.standard).parameters.items():
+        for name, value in evaluate_circle(
+            replace(test, runs=runs, findings=()), expected.standard
+        ).parameters.items():
             if value is not None and before.parameters.get(name) is not None:
                 rows.setdefault(name, []).append(value)
     return CirclePrediction(
@@ -121,7 +144,8 @@ def _causes(diagnosis: Diagnosis) -> Iterator[tuple[str, Quantiles]]:
 
 
 def _smoothed(run: CircularRun) -> FloatArray:
-    """Return the deviations (n,) mm without what changes from sample to sample: parabolas over `_WINDOW` samples.
+    """Return the deviations (n,) mm without what changes from sample to sample: parabolas over
+    `_WINDOW` samples.
 
     The windows stop at the reversal points (multiples of 90°), where the path may step.
     """
@@ -132,43 +156,70 @@ def _smoothed(run: CircularRun) -> FloatArray:
 
 
 def _parabolas(values: FloatArray) -> FloatArray:
-    """Return, for each of (n,) equally spaced values, the parabola through the `_WINDOW` values about it (fewer points: as is)."""
+    """Return, for each of (n,) equally spaced values, the parabola through the `_WINDOW` values
+    about it (fewer points: as is).
+    """
     if values.size < _WINDOW:
         return values
     half = _WINDOW // 2
     basis = np.vander(np.linspace(-1.0, 1.0, _WINDOW), 3)
-    hat = basis @ np.linalg.pinv(basis)  # (window, window): row i gives the parabola at place i of the window
+    hat = basis @ np.linalg.pinv(
+        basis
+    )  # (window, window): row i gives the parabola at place i of the window
     windows = np.lib.stride_tricks.sliding_window_view(values, _WINDOW)
-    return np.concatenate([hat[:half] @ windows[0], windows @ hat[half], hat[half + 1 :] @ windows[-1]])
+    return np.concatenate(
+        [hat[:half] @ windows[0], windows @ hat[half], hat[half + 1 :] @ windows[-1]]
+    )
 
 
-def _shapes(test: CircularTest, diagnosis: Diagnosis | None, rng: np.random.Generator, draws: int) -> list[FloatArray]:
-    """Return, for each run, (draws, n) mm: what the uncertainty of the causes of both tests may add."""
+def _shapes(
+    test: CircularTest, diagnosis: Diagnosis | None, rng: np.random.Generator, draws: int
+) -> list[FloatArray]:
+    """Return, for each run, (draws, n) mm: what the uncertainty of the causes of both tests may
+    add.
+    """
     if diagnosis is None:
         return [np.zeros((draws, run.angles.size)) for run in test.runs]
     known = _columns(test, test.runs[0])
-    names = [name for name in diagnosis.names if name in known and f"{name}_at_positive" not in diagnosis.names]
+    names = [
+        name
+        for name in diagnosis.names
+        if name in known and f"{name}_at_positive" not in diagnosis.names
+    ]
     order = [diagnosis.names.index(name) for name in names]
     errors = np.array([diagnosis.effects[name].std_error for name in names])
-    covariance = _BOTH_TESTS * diagnosis.correlation[np.ix_(order, order)] * np.outer(errors, errors)
+    covariance = (
+        _BOTH_TESTS * diagnosis.correlation[np.ix_(order, order)] * np.outer(errors, errors)
+    )
     values, vectors = np.linalg.eigh(covariance)
     drawn = rng.standard_normal((draws, len(names))) * np.sqrt(np.maximum(values, 0.0)) @ vectors.T
     samples = sum(run.angles.size for run in test.runs)
     independent = samples / max(diagnosis.correlation_length, 1.0)
-    mean = diagnosis.residual * np.sqrt(_BOTH_TESTS / independent) * rng.standard_normal((draws, 1))  # of the radius, mm
+    mean = (
+        diagnosis.residual * np.sqrt(_BOTH_TESTS / independent) * rng.standard_normal((draws, 1))
+    )  # of the radius, mm
     shapes = []
     for run in test.runs:
         columns = _columns(test, run)
-        shapes.append(mean + drawn @ np.array([columns[name] for name in names]).reshape(len(names), run.angles.size))
+        shapes.append(
+            mean
+            + drawn
+            @ np.array([columns[name] for name in names]).reshape(len(names), run.angles.size)
+        )
     return shapes
 
 
 def _columns(test: CircularTest, run: CircularRun) -> Mapping[str, FloatArray]:
-    """Return the radial deviation (n,) mm of one unit of each cause, first order (the table of the circular test's model)."""
+    """Return the radial deviation (n,) mm of one unit of each cause, first order (the table of the
+    circular test's model).
+    """
     theta, d = np.radians(run.angles), 1.0 if run.sense == "ccw" else -1.0
     cos, sin = np.cos(theta), np.sin(theta)
     radius, speed = test.nominal_radius, test.feed / 60.0
-    lost_first, lost_second = 0.5 * _UM * d * np.sign(sin) * cos, -0.5 * _UM * d * np.sign(cos) * sin
+    lost_first, lost_second = (
+        0.5 * _UM * d * np.sign(sin) * cos,
+        -0.5 * _UM * d * np.sign(cos) * sin,
+    )
     return {
         "squareness": -0.5 * _PPM * radius * np.sin(2.0 * theta),
         "scale_mismatch": 0.25 * _UM * np.cos(2.0 * theta),

@@ -1,4 +1,6 @@
-"""The next positioning test: drawn from the posterior of the error, the changed table and fresh noise; and decided upon."""
+"""The next positioning test: drawn from the posterior of the error, the changed table and fresh
+noise; and decided upon.
+"""
 
 from __future__ import annotations
 
@@ -32,20 +34,27 @@ def predict_test(
     rng: np.random.Generator,
     vdi: bool = False,
 ) -> Mapping[str, Quantiles]:
-    """Return the quantiles of the parameters of a fresh test at m targets after a change of the correction.
+    """Return the quantiles of the parameters of a fresh test at m targets after a change of the
+    correction.
 
-    ``draws_positive``, ``draws_negative`` (s, m): s joint draws of the deviation in the state that was measured, + and -; ``noise``
-    (s,): standard deviation of a single reading, drawn with them; ``change_*`` (m,): new minus old correction at the targets. All
-    in one unit (mm or deg), which is the result's. ``runs_*``: readings per target, one number or (m,); 0: the direction is
-    not measured. ``coverage`` is the k of the standard (2 or 3).
+    ``draws_positive``, ``draws_negative`` (s, m): s joint draws of the deviation in the state that
+    was measured, + and -; ``noise`` (s,): standard deviation of a single reading, drawn with them;
+    ``change_*`` (m,): new minus old correction at the targets. All in one unit (mm or deg), which
+    is the result's. ``runs_*``: readings per target, one number or (m,); 0: the direction is not
+    measured. ``coverage`` is the k of the standard (2 or 3).
 
-    Each draw is one test of its own: the means of n readings scatter by noise / sqrt(n), their s by the chi-square law with n - 1
-    degrees of freedom. A new datum of the instrument moves all readings alike and no parameter depends on it.
-    Only the parameters that such a test has are in the result, by their contract names (``A``, ``E_positive``, ...; with
-    ``vdi`` those of VDI 3441): none that needs a direction which is not measured, none that needs s when n = 1.
+    Each draw is one test of its own: the means of n readings scatter by noise / sqrt(n), their s by
+    the chi-square law with n - 1 degrees of freedom. A new datum of the instrument moves all
+    readings alike and no parameter depends on it. Only the parameters that such a test has are in
+    the result, by their contract names (``A``, ``E_positive``, ...; with ``vdi`` those of VDI
+    3441): none that needs a direction which is not measured, none that needs s when n = 1.
     """
-    mean_positive, s_positive = _fresh_readings(draws_positive + change_positive, noise, runs_positive, rng)
-    mean_negative, s_negative = _fresh_readings(draws_negative + change_negative, noise, runs_negative, rng)
+    mean_positive, s_positive = _fresh_readings(
+        draws_positive + change_positive, noise, runs_positive, rng
+    )
+    mean_negative, s_negative = _fresh_readings(
+        draws_negative + change_negative, noise, runs_negative, rng
+    )
     if vdi:
         values = vdi_parameters(mean_positive, s_positive, mean_negative, s_negative)
     else:
@@ -56,15 +65,18 @@ def predict_test(
 def _fresh_readings(
     deviation: FloatArray, noise: FloatArray, runs: int | FloatArray, rng: np.random.Generator
 ) -> tuple[FloatArray, FloatArray]:
-    """Return mean and s (s, m) of ``runs`` readings about ``deviation`` (s, m), drawn from their exact laws.
+    """Return mean and s (s, m) of ``runs`` readings about ``deviation`` (s, m), drawn from their
+    exact laws.
 
-    NaN where there is no mean (n = 0) or no s (n < 2). Mean and s of normal readings are independent, so the readings
-    themselves need not be drawn.
+    NaN where there is no mean (n = 0) or no s (n < 2). Mean and s of normal readings are
+    independent, so the readings themselves need not be drawn.
     """
     n = np.broadcast_to(np.asarray(runs, dtype=np.float64), deviation.shape)
     sigma = noise[:, np.newaxis]
     measured, repeated = n > 0.0, n > 1.0
-    mean = deviation + sigma * rng.standard_normal(deviation.shape) / np.sqrt(np.where(measured, n, 1.0))
+    mean = deviation + sigma * rng.standard_normal(deviation.shape) / np.sqrt(
+        np.where(measured, n, 1.0)
+    )
     degrees = np.where(repeated, n - 1.0, 1.0)
     s = sigma * np.sqrt(rng.chisquare(degrees) / degrees)
     return np.where(measured, mean, np.nan), np.where(repeated, s, np.nan)
@@ -75,12 +87,16 @@ def _quantiles(draws: FloatArray) -> Quantiles:
     return Quantiles(median=float(median), p05=float(p05), p95=float(p95))
 
 
-def dithered_targets(travel: tuple[float, float], count: int, rng: np.random.Generator, margin: float = 4.0) -> FloatArray:
-    """Return ``count`` new targets (count,), ascending: the i-th (from 0) at low + (i + 0.5 + u) * length / count, u in ±0.3.
+def dithered_targets(
+    travel: tuple[float, float], count: int, rng: np.random.Generator, margin: float = 4.0
+) -> FloatArray:
+    """Return ``count`` new targets (count,), ascending: the i-th (from 0) at low + (i + 0.5 + u) *
+    length / count, u in ±0.3.
 
-    Targets stay ``margin`` (mm; for rotary axes give it in deg) away from the ends of the travel, or a quarter of the travel where
-    that is less. Where the margin takes up a whole interval, the same rule is applied to the travel between the margins.
-    Raises UsageError for a travel that does not ascend or fewer than one target.
+    Targets stay ``margin`` (mm; for rotary axes give it in deg) away from the ends of the travel,
+    or a quarter of the travel where that is less. Where the margin takes up a whole interval, the
+    same rule is applied to the travel between the margins. Raises UsageError for a travel that does
+    not ascend or fewer than one target.
     """
     low, high = travel
     if not low < high or count < 1:
@@ -101,10 +117,12 @@ def dithered_targets(travel: tuple[float, float], count: int, rng: np.random.Gen
 
 
 def decide_prediction(quantiles: Quantiles, limit: float, guard: float = 0.0) -> Decision:
-    """Return accept if p95 + guard <= limit, reject if p05 - guard > limit, else undecided; all in the unit of the quantiles.
+    """Return accept if p95 + guard <= limit, reject if p05 - guard > limit, else undecided; all in
+    the unit of the quantiles.
 
-    ``guard``: the expanded uncertainty of the measurement under the decision rule ``guarded`` (ISO 14253-1), else 0. The
-    quantiles hold what a repeated test may show, not what its instrument may be off by.
+    ``guard``: the expanded uncertainty of the measurement under the decision rule ``guarded`` (ISO
+    14253-1), else 0. The quantiles hold what a repeated test may show, not what its instrument may
+    be off by.
     """
     if quantiles.p95 + guard <= limit:
         return "accept"

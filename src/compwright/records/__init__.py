@@ -1,5 +1,6 @@
-"""What flows between the rooms: frozen records that carry their own unit, direction, sign and origin.
+"""What flows between the rooms: frozen records that carry their own unit, direction, sign and
+origin.
 
-Inside: positions and deviations in mm (linear) or deg (rotary). Deviation = measured minus target. Correction = what the
-control adds to the command.
+Inside: positions and deviations in mm (linear) or deg (rotary). Deviation = measured minus target.
+Correction = what the control adds to the command.
 """

@@ -46,7 +46,9 @@ class AxisKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class PositionMap:
-    """machine = sense * instrument + offset. ``sense`` -1 also swaps the directions and the sign of deviations."""
+    """machine = sense * instrument + offset. ``sense`` -1 also swaps the directions and the sign of
+    deviations.
+    """
 
     sense: Literal[1, -1] = 1
     offset: float = 0.0
@@ -54,7 +56,9 @@ class PositionMap:
 
 @dataclass(frozen=True, slots=True)
 class Encoder:
-    """The measuring system: ``system`` 1 or 2 (2 is index 1 in SINUMERIK files); ``stated`` False: nobody said which one."""
+    """The measuring system: ``system`` 1 or 2 (2 is index 1 in SINUMERIK files); ``stated`` False:
+    nobody said which one.
+    """
 
     type: Literal["incremental", "absolute", "distance_coded"] = "incremental"
     system: int = 1
@@ -65,8 +69,9 @@ class Encoder:
 class Axis:
     """One axis. ``travel``, ``reference`` and ``screw_pitch`` in mm or deg, machine coordinates.
 
-    ``address`` is the control's own name of the axis as text (``"1"``, ``"AX1"``, ``"X"``, ``"0"``). The correction is zero at
-    ``reference`` approached in ``reference_return``. ``screw_pitch`` holds the known periods, empty when unknown.
+    ``address`` is the control's own name of the axis as text (``"1"``, ``"AX1"``, ``"X"``,
+    ``"0"``). The correction is zero at ``reference`` approached in ``reference_return``.
+    ``screw_pitch`` holds the known periods, empty when unknown.
     """
 
     name: str

@@ -1,4 +1,6 @@
-"""What one axis of one control can hold: built by ``formats``, seen by ``fitting`` and ``prediction`` instead of the control."""
+"""What one axis of one control can hold: built by ``formats``, seen by ``fitting`` and
+``prediction`` instead of the control.
+"""
 
 from __future__ import annotations
 
@@ -10,11 +12,13 @@ from compwright.records.correction import Assumption, Beyond, Interpolation
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lattice:
-    """A control that stores whole increments: node m's total = magnification * ``unit`` * sum of the increments from the reference.
+    """A control that stores whole increments: node m's total = magnification * ``unit`` * sum of
+    the increments from the reference.
 
-    ``unit`` is the detection unit, mm or deg; ``increments`` the least and largest increment, both included; ``magnifications``
-    those that may be chosen, ascending. ``offset_range``: the second table's own value at the reference, in units; None: there is
-    none. ``offset_magnified``: that value is multiplied by the magnification too.
+    ``unit`` is the detection unit, mm or deg; ``increments`` the least and largest increment, both
+    included; ``magnifications`` those that may be chosen, ascending. ``offset_range``: the second
+    table's own value at the reference, in units; None: there is none. ``offset_magnified``: that
+    value is multiplied by the magnification too.
     """
 
     unit: float
@@ -28,19 +32,23 @@ class Lattice:
 class Capacity:
     """Limits of one axis' table, mm or deg.
 
-    ``curves`` 1: one table for both directions; 2: one per direction. ``quantum``: resolution of a table value.
-    ``backlash_quantum`` None: the control has no backlash value beside the table (or ignores it). ``position_quantum``: nodes,
-    and with ``spacing`` "equidistant" the step too, must be multiples of it so that the file says them exactly.
-    ``max_points`` None: not known; the plan then says how many the control must be set to hold, at most ``most_points``.
-    ``max_increment`` is the largest difference of neighbouring values; None: unlimited.
+    ``curves`` 1: one table for both directions; 2: one per direction. ``quantum``: resolution of a
+    table value. ``backlash_quantum`` None: the control has no backlash value beside the table (or
+    ignores it). ``position_quantum``: nodes, and with ``spacing`` "equidistant" the step too, must
+    be multiples of it so that the file says them exactly. ``max_points`` None: not known; the plan
+    then says how many the control must be set to hold, at most ``most_points``. ``max_increment``
+    is the largest difference of neighbouring values; None: unlimited.
 
-    ``lattice``: values are whole increments (``quantum`` is then that of magnification 1). ``anchored``: the nodes lie at the
-    reference plus whole spacings. ``spacings``: the only ones there are; ``min_spacing``: none below it, for the reason
-    ``min_spacing_reason``. ``period``: an endless axis; the table spans exactly one period from the reference, its last value
-    equals its first. ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table at all but one
-    slope (mm/mm, deg/deg), a multiple of this number, within ``value_range`` taken as slopes. ``nodes``: the only nodes there are,
-    because the table's grid serves other axes too. ``cover``: whole spacings by which a table should reach beyond the travel on
-    each side, where nobody knows what the control does behind its ends. ``shared_points``: ``max_points`` is what all axes share.
+    ``lattice``: values are whole increments (``quantum`` is then that of magnification 1).
+    ``anchored``: the nodes lie at the reference plus whole spacings. ``spacings``: the only ones
+    there are; ``min_spacing``: none below it, for the reason ``min_spacing_reason``. ``period``: an
+    endless axis; the table spans exactly one period from the reference, its last value equals its
+    first. ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table
+    at all but one slope (mm/mm, deg/deg), a multiple of this number, within ``value_range`` taken
+    as slopes. ``nodes``: the only nodes there are, because the table's grid serves other axes too.
+    ``cover``: whole spacings by which a table should reach beyond the travel on each side, where
+    nobody knows what the control does behind its ends. ``shared_points``: ``max_points`` is what
+    all axes share.
     """
 
     format: str

@@ -1,4 +1,6 @@
-"""A circular test: the radius along a commanded circle in both senses (ISO 230-4 clause 4), and what its evaluation gives."""
+"""A circular test: the radius along a commanded circle in both senses (ISO 230-4 clause 4), and
+what its evaluation gives.
+"""
 
 from __future__ import annotations
 
@@ -17,9 +19,10 @@ Sense = Literal["ccw", "cw"]
 class CircularRun:
     """One traverse of the circle or arc, without overshoot.
 
-    ``angles`` (n,) deg: commanded polar angle from the first axis to the second, in the same sense for both directions, in the
-    order in which the samples were taken: ascending for ``ccw`` (from the first axis to the second), descending for ``cw``; it
-    may run beyond 360 or below 0. ``deviations`` (n,) mm: measured distance from the set-up centre minus the nominal radius.
+    ``angles`` (n,) deg: commanded polar angle from the first axis to the second, in the same sense
+    for both directions, in the order in which the samples were taken: ascending for ``ccw`` (from
+    the first axis to the second), descending for ``cw``; it may run beyond 360 or below 0.
+    ``deviations`` (n,) mm: measured distance from the set-up centre minus the nominal radius.
     """
 
     sense: Sense
@@ -32,10 +35,11 @@ class CircularRun:
 class CircularTest:
     """A circular test in one plane. Lengths mm, ``feed`` mm/min along the path, angles deg.
 
-    ``axes``: first and second axis, in the order of the plane. ``arc``: least angle of the arc (0 <= start < 360) and its extent
-    (at most 360). ``calibrated``: the length of the bar was calibrated, so that radii count absolutely. ``centre``: where the
-    circle lies in the machine, as far as the file says it. ``vendor``: results printed in the file, by run and name, as they
-    stand there.
+    ``axes``: first and second axis, in the order of the plane. ``arc``: least angle of the arc (0
+    <= start < 360) and its extent (at most 360). ``calibrated``: the length of the bar was
+    calibrated, so that radii count absolutely. ``centre``: where the circle lies in the machine, as
+    far as the file says it. ``vendor``: results printed in the file, by run and name, as they stand
+    there.
     """
 
     name: str
@@ -64,10 +68,11 @@ class CircularTest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularEffect:
-    """One cause of the deviations. ``unit``: um, um/m or ms; ``effect``: its own peak-to-peak radial effect over both runs, µm.
+    """One cause of the deviations. ``unit``: um, um/m or ms; ``effect``: its own peak-to-peak
+    radial effect over both runs, µm.
 
-    ``share`` is ``effect`` over the sum of all effects. ``low``: lower end of a one-sided 95 % interval where the value cannot be
-    negative; None else.
+    ``share`` is ``effect`` over the sum of all effects. ``low``: lower end of a one-sided 95 %
+    interval where the value cannot be negative; None else.
     """
 
     value: float
@@ -80,10 +85,12 @@ class CircularEffect:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Diagnosis:
-    """Causes by their contract names, their correlation (in the order of ``names``), and what the data cannot separate.
+    """Causes by their contract names, their correlation (in the order of ``names``), and what the
+    data cannot separate.
 
-    ``plain``: the same quantities by the plain harmonic-and-reversal regression, for comparison with other software.
-    ``residual``: rms of what remains, mm. ``correlation_length``: of the residuals, in samples.
+    ``plain``: the same quantities by the plain harmonic-and-reversal regression, for comparison
+    with other software. ``residual``: rms of what remains, mm. ``correlation_length``: of the
+    residuals, in samples.
     """
 
     effects: Mapping[str, CircularEffect]
@@ -97,11 +104,13 @@ class Diagnosis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircularResult:
-    """Parameters by their contract names, mm, None where not defined (reason in ``not_applicable``).
+    """Parameters by their contract names, mm, None where not defined (reason in
+    ``not_applicable``).
 
-    ``centres`` (``ccw``, ``cw``, ``common``): least-squares centres, mm. ``mean_radius_deviation`` by sense: radius of the
-    least-squares circle minus nominal, mm. ``zone_centres`` and ``zone_radii`` (inner, outer) by ``ccw``, ``cw``, ``both``: of the
-    minimum zone, mm, for the plots.
+    ``centres`` (``ccw``, ``cw``, ``common``): least-squares centres, mm. ``mean_radius_deviation``
+    by sense: radius of the least-squares circle minus nominal, mm. ``zone_centres`` and
+    ``zone_radii`` (inner, outer) by ``ccw``, ``cw``, ``both``: of the minimum zone, mm, for the
+    plots.
     """
 
     test: CircularTest

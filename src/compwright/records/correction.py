@@ -1,7 +1,9 @@
-"""What a control holds for one axis, in neutral form: a correction by position and approach direction.
+"""What a control holds for one axis, in neutral form: a correction by position and approach
+direction.
 
-Correction = what the control adds to the command, mm or deg. A control that stores errors, increments or actual positions is
-turned into this by the room ``formats``, and independently of it by ``controllers``.
+Correction = what the control adds to the command, mm or deg. A control that stores errors,
+increments or actual positions is turned into this by the room ``formats``, and independently of it
+by ``controllers``.
 """
 
 from __future__ import annotations
@@ -16,7 +18,8 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
 
 Beyond = Literal["hold", "zero"]
-#: Between nodes: straight lines, or the value of the nearest node (the step lies in the middle of the section).
+#: Between nodes: straight lines, or the value of the nearest node (the step lies in the middle of
+#: the section).
 Interpolation = Literal["linear", "step"]
 Evidence = Literal["confirmed", "inferred", "unconfirmed"]
 
@@ -42,12 +45,14 @@ class Assumption:
 class AxisCompensation:
     """Everything a control does to one axis: a table for each approach direction, and backlash.
 
-    ``positions`` (k,) strictly ascending, machine coordinates; ``positive``, ``negative`` (k,): the tables' correction arriving in
-    that direction (equal where the control has one curve). ``interpolation`` says what acts between nodes, ``below`` / ``above``
-    what acts outside. ``period``: the table of an endless axis repeats; its nodes span one period, the last value is the first.
-    ``backlash`` > 0 is compensated lost motion: nothing in the direction ``reference_return`` (the zero state), ``sign *
-    backlash`` in the other. ``slope``: a linear parameter beside or instead of the table, ``slope * (x - origin)`` everywhere.
-    ``others``: further tables that act on the axis at the same time. An axis without a table has k = 0.
+    ``positions`` (k,) strictly ascending, machine coordinates; ``positive``, ``negative`` (k,): the
+    tables' correction arriving in that direction (equal where the control has one curve).
+    ``interpolation`` says what acts between nodes, ``below`` / ``above`` what acts outside.
+    ``period``: the table of an endless axis repeats; its nodes span one period, the last value is
+    the first. ``backlash`` > 0 is compensated lost motion: nothing in the direction
+    ``reference_return`` (the zero state), ``sign * backlash`` in the other. ``slope``: a linear
+    parameter beside or instead of the table, ``slope * (x - origin)`` everywhere. ``others``:
+    further tables that act on the axis at the same time. An axis without a table has k = 0.
     """
 
     address: str
@@ -70,7 +75,9 @@ class AxisCompensation:
         return self.positive if direction is Direction.POSITIVE else self.negative
 
     def at(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the correction at ``positions`` (any shape) approached in ``direction``, everything together."""
+        """Return the correction at ``positions`` (any shape) approached in ``direction``,
+        everything together.
+        """
         where = np.asarray(positions, dtype=np.float64)
         total = np.zeros(where.shape)
         if self.positions.size:
@@ -103,11 +110,18 @@ class AxisCompensation:
         return self.curve(direction) + self.backlash_at(direction)
 
 
-def no_compensation(address: str, kind: AxisKind, reference_return: Direction = Direction.POSITIVE) -> AxisCompensation:
+def no_compensation(
+    address: str, kind: AxisKind, reference_return: Direction = Direction.POSITIVE
+) -> AxisCompensation:
     """Return an axis on which the control does nothing (the state ``none``)."""
     empty = np.empty(0)
     return AxisCompensation(
-        address=address, kind=kind, positions=empty, positive=empty, negative=empty, reference_return=reference_return
+        address=address,
+        kind=kind,
+        positions=empty,
+        positive=empty,
+        negative=empty,
+        reference_return=reference_return,
     )
 
 
@@ -115,9 +129,10 @@ def no_compensation(address: str, kind: AxisKind, reference_return: Direction = 
 class CrossCompensation:
     """What one axis' position does to another axis: squareness, straightness.
 
-    ``positions`` (k,) of the axis ``input``, strictly ascending, mm or deg; ``positive``, ``negative`` (k,): what the control adds
-    to the axis ``output`` while ``input`` arrives in that direction (equal where one table serves both), mm or deg of the output.
-    Linear between nodes; ``below`` / ``above`` as in `AxisCompensation`.
+    ``positions`` (k,) of the axis ``input``, strictly ascending, mm or deg; ``positive``,
+    ``negative`` (k,): what the control adds to the axis ``output`` while ``input`` arrives in that
+    direction (equal where one table serves both), mm or deg of the output. Linear between nodes;
+    ``below`` / ``above`` as in `AxisCompensation`.
     """
 
     input: str
@@ -132,7 +147,9 @@ class CrossCompensation:
     period: float | None = None
 
     def at(self, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the correction of ``output`` at ``positions`` (any shape) of ``input`` approached in ``direction``."""
+        """Return the correction of ``output`` at ``positions`` (any shape) of ``input`` approached
+        in ``direction``.
+        """
         as_axis = AxisCompensation(
             address=self.input,
             kind=self.input_kind,
@@ -148,10 +165,12 @@ class CrossCompensation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlState:
-    """What a set of control files says: compensation by address, what one axis does to another, and what else they fix.
+    """What a set of control files says: compensation by address, what one axis does to another, and
+    what else they fix.
 
-    ``facts[address]`` holds further quantities by neutral name: ``max_points`` (int), ``enabled`` (bool), ... ``reserved``: numbers
-    of an array that all axes share which hold data, or to which another function points.
+    ``facts[address]`` holds further quantities by neutral name: ``max_points`` (int), ``enabled``
+    (bool), ... ``reserved``: numbers of an array that all axes share which hold data, or to which
+    another function points.
     """
 
     format: str

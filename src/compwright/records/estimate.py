@@ -10,12 +10,13 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ErrorEstimate:
-    """Deviation over the travel with its uncertainty, mm or deg, in the state in which it was measured.
+    """Deviation over the travel with its uncertainty, mm or deg, in the state in which it was
+    measured.
 
-    ``positions`` (g,) strictly ascending over the whole travel; ``mean_*`` and ``std_*`` (g,) for approaches in + and -.
-    Measured in one direction only: both directions hold that one's curve and a finding says so. ``noise`` is the standard
-    deviation of a single reading (0 is never claimed) with ``noise_dof`` degrees of freedom. ``measured`` is the range of the
-    targets.
+    ``positions`` (g,) strictly ascending over the whole travel; ``mean_*`` and ``std_*`` (g,) for
+    approaches in + and -. Measured in one direction only: both directions hold that one's curve and
+    a finding says so. ``noise`` is the standard deviation of a single reading (0 is never claimed)
+    with ``noise_dof`` degrees of freedom. ``measured`` is the range of the targets.
     """
 
     kind: AxisKind
@@ -36,12 +37,15 @@ class ErrorEstimate:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WantedCorrection:
-    """The total correction that would remove the estimated error, before rounding and limits, mm or deg.
+    """The total correction that would remove the estimated error, before rounding and limits, mm or
+    deg.
 
-    ``positions`` (g,) strictly ascending over the travel; ``positive``, ``negative`` (g,): totals (what the control held plus what
-    is to be added), zero at ``reference`` approached in ``reference_return``. ``noise`` (mm or deg) is the accuracy to which a
-    grid is worth refining. ``reversal_log_odds``: natural logarithm of the evidence for a reversal that varies with position over
-    one that does not. ``periods``: known periods (mm or deg) that the estimate contains.
+    ``positions`` (g,) strictly ascending over the travel; ``positive``, ``negative`` (g,): totals
+    (what the control held plus what is to be added), zero at ``reference`` approached in
+    ``reference_return``. ``noise`` (mm or deg) is the accuracy to which a grid is worth refining.
+    ``reversal_log_odds``: natural logarithm of the evidence for a reversal that varies with
+    position over one that does not. ``periods``: known periods (mm or deg) that the estimate
+    contains.
     """
 
     kind: AxisKind

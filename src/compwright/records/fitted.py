@@ -1,4 +1,6 @@
-"""The table that a control will hold, with the proof that it is the best under the control's limits."""
+"""The table that a control will hold, with the proof that it is the best under the control's
+limits.
+"""
 
 from __future__ import annotations
 
@@ -34,9 +36,11 @@ class Limit:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedTable:
-    """``compensation``: the rounded table as the control will hold it. ``certificate``: numbers that prove the fit, by name.
+    """``compensation``: the rounded table as the control will hold it. ``certificate``: numbers
+    that prove the fit, by name.
 
-    ``mode`` is the choice made (single: one curve and one reversal value; bidirectional), ``mode_reason`` why in one sentence.
+    ``mode`` is the choice made (single: one curve and one reversal value; bidirectional),
+    ``mode_reason`` why in one sentence.
     """
 
     compensation: AxisCompensation

@@ -1,4 +1,6 @@
-"""A job: what the engineer asked for. Paths are text as written; ``workflow`` resolves them against the job's folder."""
+"""A job: what the engineer asked for. Paths are text as written; ``workflow`` resolves them against
+the job's folder.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +18,9 @@ NONE_STATE: tuple[str, ...] = ()
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestRequest:
-    """One test of an axis: its files, its name, the state it was measured in, and how its positions map to the machine's."""
+    """One test of an axis: its files, its name, the state it was measured in, and how its positions
+    map to the machine's.
+    """
 
     files: tuple[str, ...]
     name: str
@@ -28,9 +32,11 @@ class TestRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CircleRequest:
-    """One circular test: its files (one with both runs, or one per run), its name, and the state it was measured in.
+    """One circular test: its files (one with both runs, or one per run), its name, and the state it
+    was measured in.
 
-    ``centre``: machine coordinates, mm: of the two axes of the plane in their order, or of X, Y and Z; None: not said.
+    ``centre``: machine coordinates, mm: of the two axes of the plane in their order, or of X, Y and
+    Z; None: not said.
     """
 
     files: tuple[str, ...]
@@ -41,7 +47,9 @@ class CircleRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossRequest:
-    """Deviations (k,) of the axis ``output`` (mm or deg) measured at ``positions`` (k,) of the axis ``input``, ascending."""
+    """Deviations (k,) of the axis ``output`` (mm or deg) measured at ``positions`` (k,) of the axis
+    ``input``, ascending.
+    """
 
     input: str
     output: str
@@ -52,7 +60,9 @@ class CrossRequest:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ApplyRequest:
-    """What of the circular tests is corrected: the bent axis by plane, axes whose scale is taken, where lost motion comes from."""
+    """What of the circular tests is corrected: the bent axis by plane, axes whose scale is taken,
+    where lost motion comes from.
+    """
 
     squareness: Mapping[str, str] = field(default_factory=dict)
     scale: tuple[str, ...] = ()
@@ -60,7 +70,9 @@ class ApplyRequest:
 
 
 def other_axis(plane: str, bent: str) -> str:
-    """Return the other axis of a plane whose name is that of its two axes, such as X for ``XY`` and ``Y``."""
+    """Return the other axis of a plane whose name is that of its two axes, such as X for ``XY`` and
+    ``Y``.
+    """
     return plane.removesuffix(bent) if plane.endswith(bent) else plane.removeprefix(bent)
 
 
@@ -74,10 +86,11 @@ class Acceptance:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class UncertaintyBudget:
-    """Contributors of ISO 230-2:2006 annex A as expanded uncertainties (k = 2): µm (rotary: arcsec), µm/m, K, µm/(m K).
+    """Contributors of ISO 230-2:2006 annex A as expanded uncertainties (k = 2): µm (rotary:
+    arcsec), µm/m, K, µm/(m K).
 
-    Two are ranges as in the annex: ``misalignment_mm``, the lateral range of the beam over the measured length, and ``E_VE``, the
-    drift of a stand-still test as long as the run.
+    Two are ranges as in the annex: ``misalignment_mm``, the lateral range of the beam over the
+    measured length, and ``E_VE``, the drift of a stand-still test as long as the run.
     """
 
     device: float = 0.0
@@ -91,7 +104,9 @@ class UncertaintyBudget:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Thermal:
-    """Nominal differential expansion: coefficients in µm/(m K), temperatures in °C, ``x_fix`` in mm (machine coordinates)."""
+    """Nominal differential expansion: coefficients in µm/(m K), temperatures in °C, ``x_fix`` in mm
+    (machine coordinates).
+    """
 
     alpha_m: float
     T_m: float
@@ -103,7 +118,9 @@ class Thermal:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisJob:
-    """What is asked for one axis. ``before`` may be empty where circles or cross measurements are all there is."""
+    """What is asked for one axis. ``before`` may be empty where circles or cross measurements are
+    all there is.
+    """
 
     axis: Axis
     before: tuple[TestRequest, ...]
@@ -113,11 +130,13 @@ class AxisJob:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Job:
-    """The whole job. ``states`` maps a name to the files of that state, `NONE_STATE` for ``none``; empty: not said.
+    """The whole job. ``states`` maps a name to the files of that state, `NONE_STATE` for ``none``;
+    empty: not said.
 
-    ``active``: by state, whether compensation acted in it where its files switch it off or do not say; absent: nobody answered.
-    ``options`` are the controller's; an axis' own stand in ``axis.options`` and go over them. ``findings`` holds what was
-    noticed in the job itself, such as keys on which nothing acts.
+    ``active``: by state, whether compensation acted in it where its files switch it off or do not
+    say; absent: nobody answered. ``options`` are the controller's; an axis' own stand in
+    ``axis.options`` and go over them. ``findings`` holds what was noticed in the job itself, such
+    as keys on which nothing acts.
     """
 
     file: str
@@ -141,5 +160,7 @@ class Job:
     findings: tuple[Finding, ...] = ()
 
     def budget(self, kind: AxisKind) -> UncertaintyBudget | None:
-        """Return the contributors for axes of a kind: those in µm say nothing of an angle, and the other way round."""
+        """Return the contributors for axes of a kind: those in µm say nothing of an angle, and the
+        other way round.
+        """
         return self.uncertainty_rotary if kind is AxisKind.ROTARY else self.uncertainty

@@ -1,4 +1,6 @@
-"""A plan: everything that export, compare and verify need without the job. mm or deg, machine coordinates."""
+"""A plan: everything that export, compare and verify need without the job. mm or deg, machine
+coordinates.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +11,12 @@ from typing import Literal
 from compwright.foundations.provenance import Source
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularTest
-from compwright.records.correction import Assumption, AxisCompensation, ControlFile, CrossCompensation
+from compwright.records.correction import (
+    Assumption,
+    AxisCompensation,
+    ControlFile,
+    CrossCompensation,
+)
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import Acceptance
@@ -18,7 +25,9 @@ from compwright.records.positioning import PositioningTest
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedTest:
-    """A test as it went into the plan (machine coordinates), and the name of the state that was active."""
+    """A test as it went into the plan (machine coordinates), and the name of the state that was
+    active.
+    """
 
     test: PositioningTest
     measured_in: str
@@ -28,8 +37,9 @@ class PlannedTest:
 class PlannedAxis:
     """One axis of a plan.
 
-    ``active``: what the control did while the first test was measured. ``wanted``: totals before rounding and limits. ``fitted``:
-    the table for the plan's own format; None where none may be written (the state is not known, or it would not improve the axis).
+    ``active``: what the control did while the first test was measured. ``wanted``: totals before
+    rounding and limits. ``fitted``: the table for the plan's own format; None where none may be
+    written (the state is not known, or it would not improve the axis).
     """
 
     axis: Axis
@@ -44,7 +54,9 @@ class PlannedAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedCircle:
-    """A circular test as it went into the plan, the state that was active, and its centre (mm, machine coordinates)."""
+    """A circular test as it went into the plan, the state that was active, and its centre (mm,
+    machine coordinates).
+    """
 
     test: CircularTest
     measured_in: str
@@ -53,11 +65,14 @@ class PlannedCircle:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedCross:
-    """What is added to the axis ``output`` over the axis ``input`` (names of the job), beside what the control does already.
+    """What is added to the axis ``output`` over the axis ``input`` (names of the job), beside what
+    the control does already.
 
-    ``added``: the table before the control rounds it, by the control's addresses, zero at the reference of the input axis.
-    ``source``: from circular tests (``tests`` names them) or from a cross measurement. ``squareness``: the angle that it removes,
-    rad, > 0 for more than 90°; ``std_error`` of it, rad, None where nobody said it. ``written``: the plan's own control holds it.
+    ``added``: the table before the control rounds it, by the control's addresses, zero at the
+    reference of the input axis. ``source``: from circular tests (``tests`` names them) or from a
+    cross measurement. ``squareness``: the angle that it removes, rad, > 0 for more than 90°;
+    ``std_error`` of it, rad, None where nobody said it. ``written``: the plan's own control holds
+    it.
     """
 
     input: str
@@ -77,11 +92,13 @@ class PlannedCross:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Plan:
-    """The plan. ``states`` holds the control's own files byte by byte: None where the job did not say, empty for ``none``.
+    """The plan. ``states`` holds the control's own files byte by byte: None where the job did not
+    say, empty for ``none``.
 
-    ``active``: by state, what the job answered to whether compensation acted. ``cross``: what is wanted between axes, written or
-    not; ``circles``: the circular tests by name. ``results``: the other files of the run by their relative names, with the SHA-256
-    of each: by it the next run tells them from what the user has put or changed there. ``decision_rule``: how the limits were
+    ``active``: by state, what the job answered to whether compensation acted. ``cross``: what is
+    wanted between axes, written or not; ``circles``: the circular tests by name. ``results``: the
+    other files of the run by their relative names, with the SHA-256 of each: by it the next run
+    tells them from what the user has put or changed there. ``decision_rule``: how the limits were
     decided; empty where the plan of an older version does not say.
     """
 

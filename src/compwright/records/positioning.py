@@ -15,8 +15,8 @@ from compwright.records.axis import AxisKind, Direction, FloatArray, PositionMap
 
 Cycle = Literal["standard", "step"]
 
-#: Two readings or targets are the same below this, mm or deg: no instrument resolves a picometre, and what remains of one decimal
-#: number after conversions of units is far smaller.
+#: Two readings or targets are the same below this, mm or deg: no instrument resolves a picometre,
+#: and what remains of one decimal number after conversions of units is far smaller.
 SAME_READING: Final = 1e-9
 
 
@@ -24,10 +24,11 @@ SAME_READING: Final = 1e-9
 class PositioningTest:
     """Deviations (measured minus target) of one axis, mm or deg by ``kind``.
 
-    ``targets`` (m,) strictly ascending. ``positive`` (m, n+) and ``negative`` (m, n-) hold one column per traverse in the
-    order of the run numbers; a reading that was not made is NaN (a traverse or a direction may be missing altogether:
-    a width of 0). ``frame`` says whether positions and signs are the instrument's or already the machine's.
-    ``header`` keeps what the file said about the test, as text.
+    ``targets`` (m,) strictly ascending. ``positive`` (m, n+) and ``negative`` (m, n-) hold one
+    column per traverse in the order of the run numbers; a reading that was not made is NaN (a
+    traverse or a direction may be missing altogether: a width of 0). ``frame`` says whether
+    positions and signs are the instrument's or already the machine's. ``header`` keeps what the
+    file said about the test, as text.
     """
 
     name: str
@@ -62,8 +63,8 @@ class PositioningTest:
 def to_machine(test: PositioningTest, position_map: PositionMap) -> PositioningTest:
     """Return ``test`` in machine coordinates: machine = sense * instrument + offset.
 
-    With sense -1 the instrument counts against the machine: positions and deviations change sign and the two approach
-    directions are exchanged.
+    With sense -1 the instrument counts against the machine: positions and deviations change sign
+    and the two approach directions are exchanged.
     """
     if test.frame == "machine":
         return test
@@ -82,7 +83,8 @@ def to_machine(test: PositioningTest, position_map: PositionMap) -> PositioningT
 
 
 def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
-    """Return one test from several files of the same axis: their targets united, their traverses side by side.
+    """Return one test from several files of the same axis: their targets united, their traverses
+    side by side.
 
     Raises InputError when axes, kinds, cycles or frames differ.
     """
@@ -90,7 +92,12 @@ def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
     if len(tests) == 1:
         return replace(first, name=name)
     faults = [
-        Fault(message=f"{what} differs within one test", file=other.name, expected=str(mine), found=str(theirs))
+        Fault(
+            message=f"{what} differs within one test",
+            file=other.name,
+            expected=str(mine),
+            found=str(theirs),
+        )
         for other in tests[1:]
         for what, mine, theirs in (
             ("axis", first.axis, other.axis),
@@ -115,7 +122,9 @@ def merge(tests: Sequence[PositioningTest], name: str) -> PositioningTest:
     )
 
 
-def _side_by_side(targets: FloatArray, tests: Sequence[PositioningTest], direction: Direction) -> FloatArray:
+def _side_by_side(
+    targets: FloatArray, tests: Sequence[PositioningTest], direction: Direction
+) -> FloatArray:
     columns = []
     for test in tests:
         block = np.full((targets.size, test.deviations(direction).shape[1]), np.nan)

@@ -26,7 +26,9 @@ class Quantiles:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestPrediction:
-    """One test of an axis: what it showed, and what a fresh one will show at its targets and at newly dithered ones."""
+    """One test of an axis: what it showed, and what a fresh one will show at its targets and at
+    newly dithered ones.
+    """
 
     name: str
     before: PositioningResult
@@ -38,9 +40,11 @@ class TestPrediction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CirclePrediction:
-    """One circular test: what it showed, what it would have shown with the new tables, and what a fresh one will show.
+    """One circular test: what it showed, what it would have shown with the new tables, and what a
+    fresh one will show.
 
-    ``predicted``: parameters by their contract names, mm; ``causes``: diagnosis by its contract names, in the contract's units.
+    ``predicted``: parameters by their contract names, mm; ``causes``: diagnosis by its contract
+    names, in the contract's units.
     """
 
     before: CircularResult
@@ -51,10 +55,11 @@ class CirclePrediction:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AcceptDecision:
-    """A tolerance of the job against a prediction or a result. ``limit``, ``value`` and ``U`` in µm or arcsec.
+    """A tolerance of the job against a prediction or a result. ``limit``, ``value`` and ``U`` in µm
+    or arcsec.
 
-    ``rule``: how it was decided. ``test``: the test that it is meant for, where the job names one; else it is the first of
-    the axis.
+    ``rule``: how it was decided. ``test``: the test that it is meant for, where the job names one;
+    else it is the first of the axis.
     """
 
     limit: float
@@ -67,7 +72,9 @@ class AcceptDecision:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisPrediction:
-    """The prediction of one axis. ``table`` is what the files give when read back; None where no table is written."""
+    """The prediction of one axis. ``table`` is what the files give when read back; None where no
+    table is written.
+    """
 
     tests: tuple[TestPrediction, ...]
     table: AxisCompensation | None

@@ -20,9 +20,11 @@ class ExpandedUncertainty:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TargetColumns:
-    """What the standard tabulates per target, arrays (m,) in mm or deg; NaN where it does not apply.
+    """What the standard tabulates per target, arrays (m,) in mm or deg; NaN where it does not
+    apply.
 
-    ``repeatability_*`` are R_i; ``reversal`` is B_i = mean(+) - mean(-); ``mean`` is the mean of both directions.
+    ``repeatability_*`` are R_i; ``reversal`` is B_i = mean(+) - mean(-); ``mean`` is the mean of
+    both directions.
     """
 
     mean_positive: FloatArray
@@ -38,10 +40,12 @@ class TargetColumns:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PositioningResult:
-    """Parameters by their contract names (``A``, ``E_positive``, ``B_mean``, ... or VDI's own), mm or deg, None where not defined.
+    """Parameters by their contract names (``A``, ``E_positive``, ``B_mean``, ... or VDI's own), mm
+    or deg, None where not defined.
 
-    ``at`` gives the target position at which a parameter takes its extreme; ``not_applicable`` the reason of each None.
-    ``coverage`` is the factor k of the standard (3 or 2); ``spread`` says how s was formed: ``std`` or ``range``.
+    ``at`` gives the target position at which a parameter takes its extreme; ``not_applicable`` the
+    reason of each None. ``coverage`` is the factor k of the standard (3 or 2); ``spread`` says how
+    s was formed: ``std`` or ``range``.
     """
 
     test: PositioningTest

@@ -31,10 +31,11 @@ MeasurementFault = Literal["sign", "direction", "unit", "wrong_axis", "copied", 
 class LoadingVerdict:
     """Did the loaded table act as planned?
 
-    ``margin``: log-likelihood of what the data favour less that of the next candidate (natural logarithm; 4.6 is odds of 100:1).
-    ``message``: one or two plain sentences with numbers. ``equivalent``: names that no test could tell from the verdict.
-    ``of``: for ``measurement``, what is wrong with it.
-    ``factor``: for ``scaled``; ``shift_nodes`` > 0: the loaded table sits so many nodes too far to +.
+    ``margin``: log-likelihood of what the data favour less that of the next candidate (natural
+    logarithm; 4.6 is odds of 100:1). ``message``: one or two plain sentences with numbers.
+    ``equivalent``: names that no test could tell from the verdict. ``of``: for ``measurement``,
+    what is wrong with it. ``factor``: for ``scaled``; ``shift_nodes`` > 0: the loaded table sits so
+    many nodes too far to +.
     """
 
     verdict: LoadingName
@@ -49,9 +50,11 @@ class LoadingVerdict:
 
 @dataclass(frozen=True, slots=True)
 class ReadBack:
-    """How far the loaded correction is from the planned: largest difference (mm or deg), where, and what it looks like.
+    """How far the loaded correction is from the planned: largest difference (mm or deg), where, and
+    what it looks like.
 
-    ``verdict``: ``loaded``, ``not_active``, ``inverted``, ``scaled``, ``shifted``, ``one_direction``, ``backlash``, ``other``.
+    ``verdict``: ``loaded``, ``not_active``, ``inverted``, ``scaled``, ``shifted``,
+    ``one_direction``, ``backlash``, ``other``.
     """
 
     worst: float

@@ -1,12 +1,15 @@
-"""The commissioning card: what to type, what to look at and how to go back, as Markdown and as a page of one or two A4 sheets.
+"""The commissioning card: what to type, what to look at and how to go back, as Markdown and as a
+page of one or two A4 sheets.
 
-A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``axes``, ``steps`` (``title``, ``text``,
-``evidence``; ``heads`` and ``rows``: what differs by axis, where it does), ``changes`` (``entries`` of ``entry``, ``old``, ``new``;
-``untouched``: lines that stay; None where the control's own files were not given), ``unconfirmed`` and ``restore`` (sentences),
-``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and ``proven`` (a sentence). Each axis holds ``name``,
-``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``, ``new``), ``quick_check`` (``position``, ``direction``,
-``adds``: the compensation that the control itself shows, ``expected``, ``stop``), ``points_needed`` and ``fixed_positions``
-(``name``, ``position``, ``moves``). Values to be typed carry a plain minus sign, so that they can be copied.
+A card holds ``title``, ``machine`` (name -> text), ``format`` (``id``, ``title``), ``axes``,
+``steps`` (``title``, ``text``, ``evidence``; ``heads`` and ``rows``: what differs by axis, where it
+does), ``changes`` (``entries`` of ``entry``, ``old``, ``new``; ``untouched``: lines that stay; None
+where the control's own files were not given), ``unconfirmed`` and ``restore`` (sentences),
+``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and ``proven`` (a sentence). Each
+axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``,
+``new``), ``quick_check`` (``position``, ``direction``, ``adds``: the compensation that the control
+itself shows, ``expected``, ``stop``), ``points_needed`` and ``fixed_positions`` (``name``,
+``position``, ``moves``). Values to be typed carry a plain minus sign, so that they can be copied.
 """
 
 from __future__ import annotations
@@ -14,31 +17,54 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from compwright.reporting.numbers import MISSING, decimals_of, number, plain, position_unit, symbol, unit_text
+from compwright.reporting.numbers import (
+    MISSING,
+    decimals_of,
+    number,
+    plain,
+    position_unit,
+    symbol,
+    unit_text,
+)
 from compwright.reporting.page import render_page
-from compwright.reporting.sections import Document, assumed, doubts, evidence_mark, pairs, rule_lines
+from compwright.reporting.sections import (
+    Document,
+    assumed,
+    doubts,
+    evidence_mark,
+    pairs,
+    rule_lines,
+)
 
 _BOX = "[ ]"
 #: What the one table of check positions is for.
 HOW_TO_CHECK = (
-    "Every check of this card is made here: what the control adds, on its compensation display where it has one, "
-    "and after loading the quick check with the instrument."
+    "Every check of this card is made here: what the control adds, on its compensation display"
+    " where it has one, and after loading the quick check with the instrument."
 )
 #: More changes than these are read in changes.csv, not on the card.
 _MOST_CHANGES = 60
 
 
 def card_html(card: Document) -> bytes:
-    """Return the card as a self-contained page. Raises UsageError when the report extra is missing."""
+    """Return the card as a self-contained page. Raises UsageError when the report extra is
+    missing.
+    """
     return render_page("card.html", _content(card))
 
 
 def card_markdown(card: Document) -> str:
-    """Return the card as Markdown with boxes to tick; it reads well as plain text too. Needs no extra."""
+    """Return the card as Markdown with boxes to tick; it reads well as plain text too. Needs no
+    extra.
+    """
     content = _content(card)
     lines = [f"# {_escape(content['title'])}", "", *_machine(content), ""]
     doubts = content["doubts"]
-    lines += _bullets(f"## {doubts['heading']}", [item["message"] for item in doubts["items"]]) if doubts else []
+    lines += (
+        _bullets(f"## {doubts['heading']}", [item["message"] for item in doubts["items"]])
+        if doubts
+        else []
+    )
     lines += _bullets("## Not confirmed: look before the axis moves fast", content["unconfirmed"])
     lines += _bullets("## Limits, as predicted", content["limits"])
     lines += _steps(content["steps"])
@@ -57,14 +83,23 @@ def card_markdown(card: Document) -> str:
         ]
         lines += ["## Assumed facts", "", *_table(["Fact", "Assumed value", "Evidence"], rows), ""]
     if content["files"]:
-        lines += ["## Files", "", *(f"- `{_one_line(file).replace('`', '')}`" for file in content["files"]), ""]
+        lines += [
+            "## Files",
+            "",
+            *(f"- `{_one_line(file).replace('`', '')}`" for file in content["files"]),
+            "",
+        ]
     if content["proven"]:
         lines += ["## Proven", "", _escape(content["proven"]), ""]
-    lines += ["Loaded by: ______________________   Date: ______________   Measured after loading: [ ]", ""]
+    lines += [
+        "Loaded by: ______________________   Date: ______________   Measured after loading: [ ]",
+        "",
+    ]
     return "\n".join(lines)
 
 
-# --- one content for both forms ------------------------------------------------------------------------------------------------
+# --- one content for both forms
+# ------------------------------------------------------------------------------------------------
 
 
 def _content(card: Document) -> dict[str, Any]:
@@ -92,23 +127,31 @@ def _content(card: Document) -> dict[str, Any]:
 
 
 def _limits(axes: Document) -> list[str]:
-    """Return a sentence for each limit of the prediction's axes, then the rule where it is the guarded one."""
+    """Return a sentence for each limit of the prediction's axes, then the rule where it is the
+    guarded one.
+    """
     told = []
     for name, axis in axes.items():
         unit, accept = unit_text(axis.get("unit", "um")), axis.get("accept") or {}
         told += [
-            f"Axis {name}: {symbol(key)} {plain(entry['limit'])} {unit}: {entry['decision']}." for key, entry in accept.items()
+            f"Axis {name}: {symbol(key)} {plain(entry['limit'])} {unit}: {entry['decision']}."
+            for key, entry in accept.items()
         ]
         told += rule_lines(accept, unit)
     return told
 
 
 def changes_content(changes: Document | None) -> dict[str, Any] | None:
-    """Return the table of what changes in the control's files: the first rows, how many more there are, how many lines stay."""
+    """Return the table of what changes in the control's files: the first rows, how many more there
+    are, how many lines stay.
+    """
     if changes is None:
         return None
     rows = [
-        [plain(row["entry"]), *(MISSING if row[key] is None else plain(row[key]) for key in ("old", "new"))]
+        [
+            plain(row["entry"]),
+            *(MISSING if row[key] is None else plain(row[key]) for key in ("old", "new")),
+        ]
         for row in changes["entries"]
     ]
     return {
@@ -141,7 +184,10 @@ def _axis_content(axis: Document) -> dict[str, Any]:
         "unit": unit_text(unit),
         "where": position_unit(unit),
         "points": axis.get("points_needed"),
-        "rows": [[plain(row.get("quantity")), _typed(row.get("old")), _typed(row.get("new"))] for row in axis.get("rows") or []],
+        "rows": [
+            [plain(row.get("quantity")), _typed(row.get("old")), _typed(row.get("new"))]
+            for row in axis.get("rows") or []
+        ],
         "checks": [
             [
                 number(row.get("position"), places),
@@ -154,7 +200,10 @@ def _axis_content(axis: Document) -> dict[str, Any]:
         ],
         "how_to_check": HOW_TO_CHECK,
         "zeroed": bool(checks) and number(checks[0].get("expected")) == number(0.0),
-        "fixed": [[plain(row.get("name")), number(row.get("position"), places), _signed(row.get("moves"))] for row in fixed],
+        "fixed": [
+            [plain(row.get("name")), number(row.get("position"), places), _signed(row.get("moves"))]
+            for row in fixed
+        ],
     }
 
 
@@ -172,17 +221,31 @@ def _amount(value: object) -> str:
 
 def _signed(value: object) -> str:
     text = _amount(value)
-    return f"+{text}" if isinstance(value, int | float) and value > 0 and text not in {MISSING, "0.00"} else text
+    return (
+        f"+{text}"
+        if isinstance(value, int | float) and value > 0 and text not in {MISSING, "0.00"}
+        else text
+    )
 
 
-# --- Markdown ------------------------------------------------------------------------------------------------------------------
+# --- Markdown
+# --------------------------------------------------------------------------------------------------
 
 
 def _machine(content: Document) -> list[str]:
     control = " ".join(
-        filter(None, [content["format"]["title"], f"({content['format']['id']})" if content["format"]["id"] else ""])
+        filter(
+            None,
+            [
+                content["format"]["title"],
+                f"({content['format']['id']})" if content["format"]["id"] else "",
+            ],
+        )
     )
-    return [f"- {_escape(name)}: {_escape(value)}" for name, value in [*content["machine"], ("control", control)]]
+    return [
+        f"- {_escape(name)}: {_escape(value)}"
+        for name, value in [*content["machine"], ("control", control)]
+    ]
 
 
 def _steps(steps: Iterable[Document]) -> list[str]:
@@ -193,7 +256,11 @@ def _steps(steps: Iterable[Document]) -> list[str]:
         lines += [f"  {_paragraph(line)}" for line in step["text"].splitlines() if line.strip()]
         if step["rows"]:
             rows = [[_BOX, *map(_escape, row)] for row in step["rows"]]
-            lines += ["", *(f"  {line}" for line in _table(["", *map(_escape, step["heads"])], rows)), ""]
+            lines += [
+                "",
+                *(f"  {line}" for line in _table(["", *map(_escape, step["heads"])], rows)),
+                "",
+            ]
         if step["evidence"]:
             lines.append(f"  Evidence: {_escape(step['evidence'])}")
     return ["## Steps", "", *lines, ""] if lines else []
@@ -203,19 +270,37 @@ def _axis(axis: Document) -> list[str]:
     unit, where = axis["unit"], axis["where"]
     lines = [f"## Axis {_escape(axis['name'])}, control address {_escape(axis['address'])}", ""]
     if axis["points"] is not None:
-        lines += [f"- {_BOX} The control must hold at least {plain(axis['points'])} points for this axis.", ""]
+        lines += [
+            (
+                f"- {_BOX} The control must hold at least {plain(axis['points'])} points for this"
+                " axis."
+            ),
+            "",
+        ]
     if axis["rows"]:
         rows = [[_BOX, *map(_escape, row)] for row in axis["rows"]]
         lines += ["### Values that change", "", *_table(["", "Quantity", "Old", "New"], rows), ""]
     if axis["checks"]:
         head = [f"Position ({where})", "Approach", f"Control adds ({unit})", "read"]
         head += [f"Expected deviation ({unit})", f"Stop if off by ({unit})", "measured"]
-        rows = [[*row[:3], "", *row[3:], ""] for row in ([_escape(cell) for cell in check] for check in axis["checks"])]
-        zero = ["In this order, the instrument set to zero at the first row.", ""] if axis["zeroed"] else []
+        rows = [
+            [*row[:3], "", *row[3:], ""]
+            for row in ([_escape(cell) for cell in check] for check in axis["checks"])
+        ]
+        zero = (
+            ["In this order, the instrument set to zero at the first row.", ""]
+            if axis["zeroed"]
+            else []
+        )
         lines += ["### Check positions", "", HOW_TO_CHECK, "", *zero, *_table(head, rows), ""]
     if axis["fixed"]:
         rows = [list(map(_escape, row)) for row in axis["fixed"]]
-        lines += ["### Fixed positions that move", "", *_table(["Name", f"Position ({where})", f"Moves by ({unit})"], rows), ""]
+        lines += [
+            "### Fixed positions that move",
+            "",
+            *_table(["Name", f"Position ({where})", f"Moves by ({unit})"], rows),
+            "",
+        ]
     return lines
 
 
@@ -224,7 +309,10 @@ def _changes(changes: dict[str, Any] | None) -> list[str]:
         return []
     more = [f"{changes['more']} more changes stand in changes.csv.", ""] if changes["more"] else []
     rows = [list(map(_escape, row)) for row in changes["rows"]]
-    said = f"{changes['count']} entries change; {changes['untouched']} lines of the control's files stay as they are."
+    said = (
+        f"{changes['count']} entries change; {changes['untouched']} lines of the control's files"
+        " stay as they are."
+    )
     table = [*_table(["Entry", "Old", "New"], rows), ""] if rows else []
     return ["## Old to new", "", said, "", *table, *more]
 
@@ -236,7 +324,10 @@ def _bullets(heading: str, items: Sequence[str]) -> list[str]:
 def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
     """Cells padded to one width: the source reads as a table too."""
     widths = [max(3, *(len(row[column]) for row in [head, *rows])) for column in range(len(head))]
-    lines = ["| " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) + " |" for row in [head, *rows]]
+    lines = [
+        "| " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)) + " |"
+        for row in [head, *rows]
+    ]
     return [lines[0], "|" + "|".join("-" * (width + 2) for width in widths) + "|", *lines[1:]]
 
 

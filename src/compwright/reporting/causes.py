@@ -1,4 +1,6 @@
-"""The causes in a circular result, ranked and in words: one way for the terminal, the pictures and the report."""
+"""The causes in a circular result, ranked and in words: one way for the terminal, the pictures and
+the report.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +11,8 @@ from typing import Any, Final
 
 from compwright.reporting.numbers import number
 
-#: A cause below this share of all effects, or below this effect (µm; half the last digit shown), is named, not listed.
+#: A cause below this share of all effects, or below this effect (µm; half the last digit shown), is
+#: named, not listed.
 LEAST_SHARE: Final = 0.01
 LEAST_EFFECT: Final = 0.005
 
@@ -28,8 +31,9 @@ _WORDS: Final = {
     "straightness": "Straightness {axis}",
     "scale_error": "Scale error {axis}",
 }
-#: Contract name -> name that Renishaw software prints (A the first axis of the plane, B the second). Only quantities that are the
-#: same thing: spikes and cyclic errors are printed per reversal and per direction.
+#: Contract name -> name that Renishaw software prints (A the first axis of the plane, B the
+#: second). Only quantities that are the same thing: spikes and cyclic errors are printed per
+#: reversal and per direction.
 _PRINTED: Final = {
     "squareness": "AF_SQUARENESS",
     "scale_mismatch": "AF_SCALE_MISMATCH",
@@ -47,12 +51,13 @@ _PARTS: Final = {"at_positive": "at {axis}+", "at_negative": "at {axis}−"}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cause:
-    """One cause: ``value`` and ``error`` (one standard error, NaN if unknown) in ``unit``, ``effect`` peak to peak and ``share``.
+    """One cause: ``value`` and ``error`` (one standard error, NaN if unknown) in ``unit``,
+    ``effect`` peak to peak and ``share``.
 
-    ``effect`` in µm, ``share`` of all effects from 0 to 1. ``parts`` are its details (each end of a lost motion, the scale errors
-    beside their mismatch), which count in it. ``plain`` and ``printed`` are the same quantity by the plain regression and by the
-    instrument's software; None where there is none.
-    ``doubtful``: the instrument's software itself says that it is not valid.
+    ``effect`` in µm, ``share`` of all effects from 0 to 1. ``parts`` are its details (each end of a
+    lost motion, the scale errors beside their mismatch), which count in it. ``plain`` and
+    ``printed`` are the same quantity by the plain regression and by the instrument's software; None
+    where there is none. ``doubtful``: the instrument's software itself says that it is not valid.
     """
 
     name: str
@@ -80,7 +85,9 @@ class Cause:
         return _UNITS.get(self.unit, self.unit)
 
     def text(self, value: float | None) -> str:
-        """Return another value of the same quantity with the decimals of the unit; nothing for None."""
+        """Return another value of the same quantity with the decimals of the unit; nothing for
+        None.
+        """
         return "" if value is None else number(value, _DECIMALS.get(self.unit, 2))
 
     @property
@@ -97,8 +104,9 @@ class Cause:
     def limits(self) -> tuple[float, float]:
         """Return the effects, µm, at the ends of the 95 % interval of the value, never below zero.
 
-        An effect is taken as proportional to its value, which holds for all causes but cyclic errors of both directions, where
-        it is close. A value of zero has no proportion: then both are the effect. Without a standard error nothing is bounded.
+        An effect is taken as proportional to its value, which holds for all causes but cyclic
+        errors of both directions, where it is close. A value of zero has no proportion: then both
+        are the effect. Without a standard error nothing is bounded.
         """
         if math.isnan(self.error):
             return 0.0, math.inf
@@ -112,10 +120,14 @@ class Cause:
 
 
 def ranked_causes(result: Mapping[str, Any]) -> list[Cause]:
-    """Return the causes of a circular result of the evaluation document, the largest effect first; none without a diagnosis."""
+    """Return the causes of a circular result of the evaluation document, the largest effect first;
+    none without a diagnosis.
+    """
     entries = result.get("diagnosis") or {}
     causes = [_cause(name, result) for name in entries if _whole(name) == name]
-    return sorted(causes, key=lambda cause: -cause.effect)  # stable: equals stay in the order of the document
+    return sorted(
+        causes, key=lambda cause: -cause.effect
+    )  # stable: equals stay in the order of the document
 
 
 def _whole(name: str) -> str:
@@ -141,7 +153,11 @@ def _cause(name: str, result: Mapping[str, Any]) -> Cause:
         plain=(result.get("plain") or {}).get(name),
         printed=printed,
         doubtful=doubtful,
-        parts=tuple(_cause(other, result) for other in result["diagnosis"] if other != name and _whole(other) == name),
+        parts=tuple(
+            _cause(other, result)
+            for other in result["diagnosis"]
+            if other != name and _whole(other) == name
+        ),
     )
 
 
@@ -168,8 +184,13 @@ def _words(name: str, axes: Any) -> str:
 
 def _printed(name: str, vendor: Mapping[str, Any]) -> tuple[float | None, bool]:
     kind, which, part = _split(name)
-    key = _PRINTED.get(f"{kind}_{part}" if part else kind, "").format(letter="A" if which == "first" else "B")
-    block = next((block for title, block in vendor.items() if str(title).startswith("RENISHAW_DIAGNOSTICS")), None)
+    key = _PRINTED.get(f"{kind}_{part}" if part else kind, "").format(
+        letter="A" if which == "first" else "B"
+    )
+    block = next(
+        (block for title, block in vendor.items() if str(title).startswith("RENISHAW_DIAGNOSTICS")),
+        None,
+    )
     entry = block.get(key) if isinstance(block, Mapping) else None
     if not isinstance(entry, Mapping) or not isinstance(entry.get("value"), int | float):
         return None, False

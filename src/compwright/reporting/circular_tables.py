@@ -1,6 +1,8 @@
-"""Circular results of an evaluation document at the terminal, as rich renderables for 80 columns. Computes nothing.
+"""Circular results of an evaluation document at the terminal, as rich renderables for 80 columns.
+Computes nothing.
 
-This module loads rich; whoever serves a command that may not print tables imports it inside a function.
+This module loads rich; whoever serves a command that may not print tables imports it inside a
+function.
 """
 
 from __future__ import annotations
@@ -48,27 +50,49 @@ _PRINTED: Final = (
 
 
 def circular_tables(results: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return the renderables of circular results of an evaluation document: parameters, centre, ranked causes, findings."""
+    """Return the renderables of circular results of an evaluation document: parameters, centre,
+    ranked causes, findings.
+    """
     return [_result(result) for result in results]
 
 
 def _result(result: Mapping[str, Any]) -> RenderableType:
-    parts: list[RenderableType] = [Rule(Text(_title(result), style="bold"), align="left", characters="─"), *_facts(result)]
-    parts += [Text(), _parameters(result), *_printed(result), *_not_applicable(result), Text(), *_causes(result)]
+    parts: list[RenderableType] = [
+        Rule(Text(_title(result), style="bold"), align="left", characters="─"),
+        *_facts(result),
+    ]
+    parts += [
+        Text(),
+        _parameters(result),
+        *_printed(result),
+        *_not_applicable(result),
+        Text(),
+        *_causes(result),
+    ]
     if result["findings"]:
         parts += [Text(), *finding_lines(result["findings"])]
     return Group(*parts, Text())
 
 
 def _title(result: Mapping[str, Any]) -> str:
-    files = ", ".join(PurePath(source["file"]).name for source in result["sources"]) or str(result["name"])
+    files = ", ".join(PurePath(source["file"]).name for source in result["sources"]) or str(
+        result["name"]
+    )
     return f"{files} · circle {result['plane']}"
 
 
 def _facts(result: Mapping[str, Any]) -> list[Text]:
     arc = result["arc"]
-    path = "full circle" if arc["extent"] >= 360.0 else f"arc of {_short(arc['extent'])}° from {_short(arc['start'])}°"
-    bar = "length of the bar calibrated" if result["calibrated"] else "length of the bar not calibrated"
+    path = (
+        "full circle"
+        if arc["extent"] >= 360.0
+        else f"arc of {_short(arc['extent'])}° from {_short(arc['start'])}°"
+    )
+    bar = (
+        "length of the bar calibrated"
+        if result["calibrated"]
+        else "length of the bar not calibrated"
+    )
     setting = f"R {plain(result['nominal_radius'])} mm, {_short(result['feed'])} mm/min"
     return [
         Text(f"{standard_text(result['standard'])}, {path}, {setting}"),
@@ -84,7 +108,9 @@ def _centre(result: Mapping[str, Any]) -> str:
     """Return where the common least-squares circle lies, or that of the only direction."""
     given = {name: point for name, point in result["centre"].items() if point is not None}
     name = "common" if "common" in given else next(iter(given))
-    places = ", ".join(f"{axis} {number(value)}" for axis, value in zip(result["axes"], given[name], strict=True))
+    places = ", ".join(
+        f"{axis} {number(value)}" for axis, value in zip(result["axes"], given[name], strict=True)
+    )
     return f"centre {places} µm"
 
 
@@ -97,10 +123,14 @@ def _parameters(result: Mapping[str, Any]) -> Table:
         table.add_column(heading, justify="right", no_wrap=True)
     for words, letter, keys in _ROWS:
         own = keys[0].removesuffix("_lsc")
-        if all(values.get(key) is None for key in keys) or (own != keys[0] and own[0] == "F" and values[own] == values[keys[0]]):
+        if all(values.get(key) is None for key in keys) or (
+            own != keys[0] and own[0] == "F" and values[own] == values[keys[0]]
+        ):
             continue  # why it is missing stands below the table; the same numbers twice say nothing
         signed = keys[0][:1] == "F" or letter == "D"
-        table.add_row(words, letter, *(_deviation(values[key], signed=signed) if key else "" for key in keys))
+        table.add_row(
+            words, letter, *(_deviation(values[key], signed=signed) if key else "" for key in keys)
+        )
     return table
 
 
@@ -115,7 +145,9 @@ def _printed(result: Mapping[str, Any]) -> list[Text]:
         return []
     told = []
     for letter, names in _PRINTED:
-        found = [plain(block[name]["value"]) for name in names if isinstance(block.get(name), Mapping)]
+        found = [
+            plain(block[name]["value"]) for name in names if isinstance(block.get(name), Mapping)
+        ]
         if found:
             told.append(f"{letter} {' / '.join(found)}")
     return [Text(f"Printed in the file: {', '.join(told)} µm", style="dim")] if told else []
@@ -127,12 +159,19 @@ def _not_applicable(result: Mapping[str, Any]) -> list[Text]:
     for name, reason in result["not_applicable"].items():
         if name != "diagnosis":
             reasons.setdefault(reason, []).append(name)
-    return [Text(f"{MISSING} {_listed(names)}: {reason}", style="dim") for reason, names in reasons.items()]
+    return [
+        Text(f"{MISSING} {_listed(names)}: {reason}", style="dim")
+        for reason, names in reasons.items()
+    ]
 
 
 def _listed(names: Sequence[str]) -> str:
     """Return parameters by their letters, each once: of a long list nobody reads more."""
-    return ", ".join(dict.fromkeys("G (both)" if "_bi" in name else name.partition("_")[0] + _way(name) for name in names))
+    return ", ".join(
+        dict.fromkeys(
+            "G (both)" if "_bi" in name else name.partition("_")[0] + _way(name) for name in names
+        )
+    )
 
 
 def _way(name: str) -> str:
@@ -147,11 +186,20 @@ def _causes(result: Mapping[str, Any]) -> list[RenderableType]:
     printed = any(item.printed is not None for cause in causes for item in (cause, *cause.parts))
     table = _table()
     table.add_column("Cause, effect in µm", no_wrap=True)
-    for heading in ("value ± std.", "", "effect", "share", "plain", *(("printed",) if printed else ())):
+    for heading in (
+        "value ± std.",
+        "",
+        "effect",
+        "share",
+        "plain",
+        *(("printed",) if printed else ()),
+    ):
         table.add_column(heading, justify="left" if not heading else "right", no_wrap=True)
     shown = [cause for cause in causes if cause.shown]
     for cause in shown:
-        table.add_row(*_row(cause, cause.words, printed=printed), style="" if cause.significant else "dim")
+        table.add_row(
+            *_row(cause, cause.words, printed=printed), style="" if cause.significant else "dim"
+        )
         for part in cause.parts:
             table.add_row(*_row(part, f"  {part.words}", printed=printed, whole=False), style="dim")
     small = ", ".join(cause.words for cause in causes if not cause.shown)

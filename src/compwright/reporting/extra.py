@@ -1,4 +1,6 @@
-"""Plots and pages need the optional extra ``report`` (matplotlib, jinja2); it is imported only when one is asked for."""
+"""Plots and pages need the optional extra ``report`` (matplotlib, jinja2); it is imported only when
+one is asked for.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +11,9 @@ from compwright.foundations.errors import Fault, UsageError
 
 
 def need(module: str) -> Any:
-    """Return the module of that name. Raises UsageError when the extra ``report`` is not installed."""
+    """Return the module of that name. Raises UsageError when the extra ``report`` is not
+    installed.
+    """
     try:
         return importlib.import_module(module)
     except ImportError as error:

@@ -1,4 +1,6 @@
-"""How numbers, units and parameter names are written for people: one way for plots, pages and cards."""
+"""How numbers, units and parameter names are written for people: one way for plots, pages and
+cards.
+"""
 
 from __future__ import annotations
 
@@ -10,10 +12,12 @@ from typing import Final
 MISSING: Final = "—"
 
 #: How limits were decided, by the rule of the job.
-SIMPLE: Final = "Accepted when the 95 % value lies within the limit, rejected when the 5 % value lies beyond it"
+SIMPLE: Final = (
+    "Accepted when the 95 % value lies within the limit, rejected when the 5 % value lies beyond it"
+)
 GUARDED: Final = (
-    "Guarded decision (ISO 14253-1): accepted when the 95 % value plus U lies within the limit, rejected when the 5 % value less U "
-    "lies beyond it"
+    "Guarded decision (ISO 14253-1): accepted when the 95 % value plus U lies within the limit,"
+    " rejected when the 5 % value less U lies beyond it"
 )
 
 #: Decimals of a deviation in µm or arcsec: a tenth of what the standards print.
@@ -21,7 +25,8 @@ DEVIATION_DECIMALS: Final = 2
 
 _UNITS: Final = {"um": "µm", "arcsec": "arcsec", "mm": "mm", "deg": "deg"}
 
-#: Parameter by its name in the documents -> (symbol, what it is called in the standard). The order is that of the tables.
+#: Parameter by its name in the documents -> (symbol, what it is called in the standard). The order
+#: is that of the tables.
 PARAMETERS: Final[dict[str, tuple[str, str]]] = {
     "A": ("A", "Bidirectional accuracy"),
     "A_positive": ("A+", "Accuracy, approach +"),
@@ -43,11 +48,18 @@ PARAMETERS: Final[dict[str, tuple[str, str]]] = {
     "U_mean": ("U mean", "Mean reversal error"),
 }
 
-_STANDARDS: Final = {"iso230-2": "ISO 230-2", "gost27843": "GOST 27843", "vdi3441": "VDI/DGQ 3441", "iso230-4": "ISO 230-4"}
+_STANDARDS: Final = {
+    "iso230-2": "ISO 230-2",
+    "gost27843": "GOST 27843",
+    "vdi3441": "VDI/DGQ 3441",
+    "iso230-4": "ISO 230-4",
+}
 
 
 def number(value: object, decimals: int = DEVIATION_DECIMALS) -> str:
-    """Return ``value`` with fixed decimals and a true minus sign; `MISSING` for None and NaN. Minus zero is zero."""
+    """Return ``value`` with fixed decimals and a true minus sign; `MISSING` for None and NaN. Minus
+    zero is zero.
+    """
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
         return MISSING
     text = f"{value:.{decimals}f}"
@@ -57,8 +69,12 @@ def number(value: object, decimals: int = DEVIATION_DECIMALS) -> str:
 
 
 def decimals_of(values: Iterable[object], most: int = 4) -> int:
-    """Return the fewest decimals, at most ``most``, that write all ``values`` without loss: one width for a column."""
-    finite = [float(value) for value in values if isinstance(value, int | float) and math.isfinite(value)]
+    """Return the fewest decimals, at most ``most``, that write all ``values`` without loss: one
+    width for a column.
+    """
+    finite = [
+        float(value) for value in values if isinstance(value, int | float) and math.isfinite(value)
+    ]
     for decimals in range(most):
         if all(abs(round(value, decimals) - value) < 0.5 * 10.0**-most for value in finite):
             return decimals
@@ -66,7 +82,9 @@ def decimals_of(values: Iterable[object], most: int = 4) -> int:
 
 
 def plain(value: object) -> str:
-    """Return any single value as text: numbers as short as they are exact (10 digits), None as `MISSING`, others as they are."""
+    """Return any single value as text: numbers as short as they are exact (10 digits), None as
+    `MISSING`, others as they are.
+    """
     if value is None:
         return MISSING
     if isinstance(value, bool):
@@ -81,12 +99,16 @@ def plain(value: object) -> str:
 
 
 def unit_text(unit: object) -> str:
-    """Return a unit of the documents (``um``, ``arcsec``, ``mm``, ``deg``) as it is shown; unknown ones as they are."""
+    """Return a unit of the documents (``um``, ``arcsec``, ``mm``, ``deg``) as it is shown; unknown
+    ones as they are.
+    """
     return _UNITS.get(str(unit), str(unit))
 
 
 def position_unit(unit: object) -> str:
-    """Return the unit of positions (mm or deg) that belongs to deviations in ``unit`` (um or arcsec)."""
+    """Return the unit of positions (mm or deg) that belongs to deviations in ``unit`` (um or
+    arcsec).
+    """
     return "deg" if str(unit) == "arcsec" else "mm"
 
 

@@ -1,7 +1,8 @@
-"""Self-contained HTML pages: templates and style sheet inside the package, figures inline, no script, nothing fetched.
+"""Self-contained HTML pages: templates and style sheet inside the package, figures inline, no
+script, nothing fetched.
 
-Everything that a document says is escaped by the template engine; characters that no HTML may hold become spaces. The pages
-are well-formed XML as well, so that any tool can read them.
+Everything that a document says is escaped by the template engine; characters that no HTML may hold
+become spaces. The pages are well-formed XML as well, so that any tool can read them.
 """
 
 from __future__ import annotations
@@ -21,7 +22,9 @@ _NOT_TEXT: Final = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U00
 
 
 def render_page(template: str, content: Mapping[str, Any]) -> bytes:
-    """Return the page of a template in ``templates/`` as UTF-8 bytes. Raises UsageError when the report extra is missing."""
+    """Return the page of a template in ``templates/`` as UTF-8 bytes. Raises UsageError when the
+    report extra is missing.
+    """
     need("jinja2")
     text: str = _environment().get_template(template).render(**content)
     return encoded(text)
@@ -47,18 +50,26 @@ def _environment() -> Any:
 def inline_figure(svg: bytes, *, prefix: str, description: str) -> Any:
     """Return an SVG file of `plots` as markup to stand inside a page.
 
-    ``prefix`` makes its ids its own (figures on one page must not use each other's clips and letters), name spaces and
-    metadata go (HTML needs none), ``description`` is what a screen reader says.
+    ``prefix`` makes its ids its own (figures on one page must not use each other's clips and
+    letters), name spaces and metadata go (HTML needs none), ``description`` is what a screen reader
+    says.
     """
     markupsafe = need("markupsafe")
     text = svg.decode("utf-8")
     text = text[text.index("<svg") :]
-    text = re.sub(r"<metadata>.*?</metadata>|<style .*?</style>|<!--.*?-->", "", text, flags=re.DOTALL)
+    text = re.sub(
+        r"<metadata>.*?</metadata>|<style .*?</style>|<!--.*?-->", "", text, flags=re.DOTALL
+    )
     text = re.sub(r' xmlns(?::\w+)?="[^"]*"', "", text)
     text = text.replace("xlink:href=", "href=")
     text = re.sub(r'(\bid="|\bhref="#|url\(#)', rf"\g<1>{prefix}-", text)
     label = markupsafe.escape(_clean(description))
-    text = re.sub(r'<svg [^>]*?(viewBox="[^"]*")[^>]*>', rf'<svg \1 role="img" aria-label="{label}">', text, count=1)
+    text = re.sub(
+        r'<svg [^>]*?(viewBox="[^"]*")[^>]*>',
+        rf'<svg \1 role="img" aria-label="{label}">',
+        text,
+        count=1,
+    )
     return markupsafe.Markup(re.sub(r"\n\s*", "\n", text))
 
 

@@ -1,4 +1,6 @@
-"""Parts of a figure: how a direction looks, curves with their bands, labels, legend, and the plotting library itself."""
+"""Parts of a figure: how a direction looks, curves with their bands, labels, legend, and the
+plotting library itself.
+"""
 
 from __future__ import annotations
 
@@ -75,11 +77,14 @@ LOOKS: Final = (
 )
 
 
-# --- parts of a panel ---------------------------------------------------------------------------------------------------------
+# --- parts of a panel
+# --------------------------------------------------------------------------------------------------
 
 
 def draw_result(panel: Any, result: Document) -> None:
-    """Draw one positioning result: for each direction single readings, means and mean ± k s over the targets."""
+    """Draw one positioning result: for each direction single readings, means and mean ± k s over
+    the targets.
+    """
     zero_line(panel)
     targets = result.get("targets", [])
     coverage = float(result.get("coverage") or 2.0)
@@ -98,17 +103,21 @@ def draw_result(panel: Any, result: Document) -> None:
         if points:
             x, y = zip(*points, strict=True)
             panel.plot(
-                x, y, linestyle="none", marker=look.marker, markersize=2.6, markerfacecolor="none", markeredgecolor=look.colour,
+                x, y, linestyle="none", marker=look.marker, markersize=2.6, markerfacecolor="none",
+                markeredgecolor=look.colour,
                 markeredgewidth=0.4, alpha=0.75, label=f"single readings ({look.sign})",
             )  # fmt: skip
         panel.plot(
-            positions, means, color=look.colour, linestyle=look.line, linewidth=1.4, marker=look.marker, markersize=4.2,
+            positions, means, color=look.colour, linestyle=look.line, linewidth=1.4,
+            marker=look.marker, markersize=4.2,
             label=f"mean ({look.sign})",
         )  # fmt: skip
 
 
 def draw_expected(panel: Any, predicted: Document, coverage: float) -> None:
-    """Draw the expected means of each direction with ± ``coverage`` times the one ``s`` of a single reading."""
+    """Draw the expected means of each direction with ± ``coverage`` times the one ``s`` of a single
+    reading.
+    """
     zero_line(panel)
     spread = coverage * _number(predicted.get("s"))
     for look in LOOKS:
@@ -116,9 +125,17 @@ def draw_expected(panel: Any, predicted: Document, coverage: float) -> None:
         if not any(math.isfinite(value) for value in means):
             continue
         positions = curve(predicted["positions"])
-        band(panel, positions, means, [spread] * len(means), look, label=f"mean ± {coverage:g} s ({look.sign})")
+        band(
+            panel,
+            positions,
+            means,
+            [spread] * len(means),
+            look,
+            label=f"mean ± {coverage:g} s ({look.sign})",
+        )
         panel.plot(
-            positions, means, color=look.colour, linestyle=look.line, linewidth=1.4, marker=look.marker, markersize=4.2,
+            positions, means, color=look.colour, linestyle=look.line, linewidth=1.4,
+            marker=look.marker, markersize=4.2,
             markerfacecolor="white", label=f"expected mean ({look.sign})",
         )  # fmt: skip
 
@@ -131,23 +148,42 @@ def draw_means(panel: Any, result: Document) -> None:
         if any(math.isfinite(value) for value in means):
             positions = [_number(target.get("position")) for target in targets]
             panel.plot(
-                positions, means, linestyle="none", marker=look.marker, markersize=4.2, color=look.colour,
+                positions, means, linestyle="none", marker=look.marker, markersize=4.2,
+                color=look.colour,
                 label=f"measured mean ({look.sign})",
             )  # fmt: skip
 
 
 def band(
-    panel: Any, x: Sequence[float], y: Sequence[float], half: Sequence[float], look: _Look, *, label: str = "", edge: bool = True
+    panel: Any,
+    x: Sequence[float],
+    y: Sequence[float],
+    half: Sequence[float],
+    look: _Look,
+    *,
+    label: str = "",
+    edge: bool = True,
 ) -> None:
     """Fill y ± half; nothing where half is not known."""
     if not any(math.isfinite(value) for value in half):
         return
     low = [value - width for value, width in zip(y, half, strict=True)]
     high = [value + width for value, width in zip(y, half, strict=True)]
-    panel.fill_between(x, low, high, facecolor=look.colour, alpha=0.13, linewidth=0.0, label=label or None)
+    panel.fill_between(
+        x, low, high, facecolor=look.colour, alpha=0.13, linewidth=0.0, label=label or None
+    )
     if edge:
         for limit in (low, high):
-            panel.plot(x, limit, color=look.colour, linestyle=look.line, linewidth=0.55, alpha=0.8, marker="_", markersize=3.5)
+            panel.plot(
+                x,
+                limit,
+                color=look.colour,
+                linestyle=look.line,
+                linewidth=0.55,
+                alpha=0.8,
+                marker="_",
+                markersize=3.5,
+            )
 
 
 def zero_line(panel: Any) -> None:
@@ -155,12 +191,16 @@ def zero_line(panel: Any) -> None:
     panel.axhline(0.0, color="#777777", linewidth=0.8, zorder=1.0)
 
 
-def label_axes(panel: Any, unit: object, *, with_y: bool = True, quantity: str = "Deviation") -> None:
+def label_axes(
+    panel: Any, unit: object, *, with_y: bool = True, quantity: str = "Deviation"
+) -> None:
     """Name both axes with their units, and keep a flat curve flat."""
     panel.set_xlabel(f"Position in {unit_text(position_unit(unit))}")
     panel.margins(x=0.03)
     if position_unit(unit) == "deg":  # 30, 45 and 90 rather than 50 and 100
-        panel.xaxis.set_major_locator(need("matplotlib.ticker").MaxNLocator(nbins=9, steps=[1, 1.5, 3, 4.5, 6, 9, 10]))
+        panel.xaxis.set_major_locator(
+            need("matplotlib.ticker").MaxNLocator(nbins=9, steps=[1, 1.5, 3, 4.5, 6, 9, 10])
+        )
     low, high = panel.get_ylim()
     if high - low < 0.2:  # a flat curve: do not magnify what no instrument resolves
         panel.set_ylim((low + high) / 2 - 0.1, (low + high) / 2 + 0.1)
@@ -171,7 +211,15 @@ def label_axes(panel: Any, unit: object, *, with_y: bool = True, quantity: str =
 def head(panel: Any, name: str, line: str) -> None:
     """Write a panel's name and, below it, its parameters."""
     panel.set_title(f"{name}\n", fontweight="bold")
-    panel.annotate(line, (0.0, 1.0), xycoords="axes fraction", xytext=(0, 5), textcoords="offset points", fontsize=7.5, color=_INK)
+    panel.annotate(
+        line,
+        (0.0, 1.0),
+        xycoords="axes fraction",
+        xytext=(0, 5),
+        textcoords="offset points",
+        fontsize=7.5,
+        color=_INK,
+    )
 
 
 def legend(figure: Any, panels: Sequence[Any]) -> None:
@@ -183,10 +231,14 @@ def legend(figure: Any, panels: Sequence[Any]) -> None:
     if not entries:
         return
     order = list(dict.fromkeys(_quantity(label) for label in entries))
-    names = sorted(entries, key=lambda label: order.index(_quantity(label)))  # stable: + stands over −
+    names = sorted(
+        entries, key=lambda label: order.index(_quantity(label))
+    )  # stable: + stands over −
     figure.legend(
-        [entries[name] for name in names], names, loc="outside lower center", ncols=max(1, (len(names) + 1) // 2),
-        title="(+) and (−): approach in the positive and in the negative direction", title_fontsize=7.5,
+        [entries[name] for name in names], names, loc="outside lower center", ncols=max(1,
+        (len(names) + 1) // 2),
+        title="(+) and (−): approach in the positive and in the negative direction",
+        title_fontsize=7.5,
     )  # fmt: skip
 
 
@@ -194,7 +246,8 @@ def _quantity(label: str) -> str:
     return label.rpartition(" (")[0]
 
 
-# --- words in a figure --------------------------------------------------------------------------------------------------------
+# --- words in a figure
+# --------------------------------------------------------------------------------------------------
 
 
 def title_of(result: Document) -> str:
@@ -214,9 +267,18 @@ def title_of(result: Document) -> str:
 
 
 def parameter_line(result: Document, most: int = 4) -> str:
-    """The parameters of the corner: both directions together, or those of the one direction that was measured."""
-    given = {key: value for key, value in (result.get("parameters") or {}).items() if value is not None}
-    for keys in (("A", "E", "R", "B"), ("P", "Pa", "Ps_max", "U_max"), _single("positive"), _single("negative")):
+    """The parameters of the corner: both directions together, or those of the one direction that
+    was measured.
+    """
+    given = {
+        key: value for key, value in (result.get("parameters") or {}).items() if value is not None
+    }
+    for keys in (
+        ("A", "E", "R", "B"),
+        ("P", "Pa", "Ps_max", "U_max"),
+        _single("positive"),
+        _single("negative"),
+    ):
         shown = [key for key in keys if key in given][:most]
         if shown:
             text = "   ".join(f"{symbol(key)} {number(given[key])}" for key in shown)
@@ -231,9 +293,18 @@ def _single(direction: str) -> tuple[str, ...]:
 def prediction_line(predicted: Document, before: Document, most: int) -> str:
     """Medians and 5-95 % of the first parameters of those that the panel before names."""
     given = before.get("parameters") or {}
-    order = [key for key in ("A", "E", "P", "Pa", *_single("positive"), *_single("negative")) if given.get(key) is not None]
-    shown = [(symbol(key), predicted[key]) for key in order if isinstance(predicted.get(key), Mapping)][:most]
-    text = "   ".join(f"{name} {number(q.get('median'))} ({number(q.get('p05'))} to {number(q.get('p95'))})" for name, q in shown)
+    order = [
+        key
+        for key in ("A", "E", "P", "Pa", *_single("positive"), *_single("negative"))
+        if given.get(key) is not None
+    ]
+    shown = [
+        (symbol(key), predicted[key]) for key in order if isinstance(predicted.get(key), Mapping)
+    ][:most]
+    text = "   ".join(
+        f"{name} {number(q.get('median'))} ({number(q.get('p05'))} to {number(q.get('p95'))})"
+        for name, q in shown
+    )
     return f"{text} {unit_text(before.get('unit'))}" if text else ""
 
 
@@ -242,7 +313,8 @@ def _one_line(text: str, most: int) -> str:
     return line if len(line) <= most else f"{line[: most - 1]}…"
 
 
-# --- numbers of a document -----------------------------------------------------------------------------------------------------
+# --- numbers of a document
+# --------------------------------------------------------------------------------------------------
 
 
 def _number(value: object) -> float:
@@ -254,25 +326,36 @@ def curve(values: Sequence[object] | None) -> list[float]:
     return [_number(value) for value in values or []]
 
 
-# --- the plotting library ------------------------------------------------------------------------------------------------------
+# --- the plotting library
+# --------------------------------------------------------------------------------------------------
 
 
 def known_format(format_: str, found: str) -> PlotFormat:
-    """Return ``format_`` as a known format. Raises UsageError, which names ``found``, for any other."""
+    """Return ``format_`` as a known format. Raises UsageError, which names ``found``, for any
+    other.
+    """
     ending = format_.lower().removeprefix(".")
     if ending not in _FORMATS:
         raise UsageError(
-            Fault(message="unknown format of a plot", expected="a name that ends in .svg, .png or .pdf", found=repr(found))
+            Fault(
+                message="unknown format of a plot",
+                expected="a name that ends in .svg, .png or .pdf",
+                found=repr(found),
+            )
         )
     return cast("PlotFormat", ending)
 
 
 @contextmanager
 def style() -> Iterator[None]:
-    """Set the look of all figures while one is drawn and written. Raises UsageError when the report extra is missing."""
+    """Set the look of all figures while one is drawn and written. Raises UsageError when the report
+    extra is missing.
+    """
     matplotlib = need("matplotlib")
     with warnings.catch_warnings(), matplotlib.rc_context(_STYLE):
-        warnings.filterwarnings("ignore", message="Glyph")  # a name in a script that the font lacks shows boxes
+        warnings.filterwarnings(
+            "ignore", message="Glyph"
+        )  # a name in a script that the font lacks shows boxes
         yield
 
 
@@ -283,7 +366,9 @@ def new_figure(height: float) -> Any:
 
 
 def render(figure: Any, kind: PlotFormat) -> bytes:
-    """Return the bytes of the figure, without a date, so that the same input gives the same bytes."""
+    """Return the bytes of the figure, without a date, so that the same input gives the same
+    bytes.
+    """
     metadata: dict[str, dict[str, str | None]] = {
         "svg": {"Date": None, "Creator": None, "Format": None, "Type": None},
         "png": {"Software": None},

@@ -1,8 +1,9 @@
-"""Figures of the documents: deviations over position as in ISO 230-2 figure 2, circles, before and after, table, estimate.
+"""Figures of the documents: deviations over position as in ISO 230-2 figure 2, circles, before and
+after, table, estimate.
 
-Every function takes plain documents (deviations in µm or arcsec, positions in mm or deg) and returns the bytes of one file. The
-approach directions differ by marker, line and lightness, so that a print without colours can be read. The same input gives
-the same bytes.
+Every function takes plain documents (deviations in µm or arcsec, positions in mm or deg) and
+returns the bytes of one file. The approach directions differ by marker, line and lightness, so that
+a print without colours can be read. The same input gives the same bytes.
 """
 
 from __future__ import annotations
@@ -40,36 +41,50 @@ _MOST_MARKED = 150  # nodes of a table that markers can still tell apart
 
 
 def plot_format(name: str) -> PlotFormat:
-    """Return the format that the ending of the file ``name`` asks for. Raises UsageError for any other than svg, png, pdf."""
+    """Return the format that the ending of the file ``name`` asks for. Raises UsageError for any
+    other than svg, png, pdf.
+    """
     return known_format(PurePath(name).suffix, name)
 
 
-def positioning_plot(result: Document, *, format: str = "svg") -> bytes:  # noqa: A002  the plotting library's own word
-    """Return the figure of one positioning result: readings, means and mean ± k s of each direction over the targets.
+# the plotting library's own word
+def positioning_plot(result: Document, *, format: str = "svg") -> bytes:  # noqa: A002
+    """Return the figure of one positioning result: readings, means and mean ± k s of each direction
+    over the targets.
 
-    ``result`` is an entry of ``results`` of an evaluation document. Its ``deviations_positive`` / ``deviations_negative`` per
-    target, where given, are drawn as points; ``coverage`` (default 2) is k. After ISO 230-2:1997 figure 2. Raises UsageError
-    for an unknown format or when the report extra is missing.
+    ``result`` is an entry of ``results`` of an evaluation document. Its ``deviations_positive`` /
+    ``deviations_negative`` per target, where given, are drawn as points; ``coverage`` (default 2)
+    is k. After ISO 230-2:1997 figure 2. Raises UsageError for an unknown format or when the report
+    extra is missing.
     """
     return evaluation_plot({"results": [result]}, format=format)
 
 
 def evaluation_plot(document: Document, *, format: str = "svg") -> bytes:  # noqa: A002
-    """Return one figure with a panel for each positioning result, one below the other, and below them each circular result.
+    """Return one figure with a panel for each positioning result, one below the other, and below
+    them each circular result.
 
-    A circular result with its samples is drawn as by `polar.polar_figure`. Raises UsageError when there is nothing to draw, for an
-    unknown format, or when the report extra is missing.
+    A circular result with its samples is drawn as by `polar.polar_figure`. Raises UsageError when
+    there is nothing to draw, for an unknown format, or when the report extra is missing.
     """
     kind = known_format(format, format)
     results = document.get("results", [])
     straight = [result for result in results if result.get("kind", "positioning") == "positioning"]
-    round_ = [result for result in results if result.get("kind") == "circular" and result.get("runs")]
+    round_ = [
+        result for result in results if result.get("kind") == "circular" and result.get("runs")
+    ]
     if not straight and not round_:
-        raise UsageError(Fault(message="nothing to plot", expected="a test that could be evaluated"))
+        raise UsageError(
+            Fault(message="nothing to plot", expected="a test that could be evaluated")
+        )
     heights = [_ROW_HEIGHT * len(straight) + 0.35] * bool(straight) + [TEST_HEIGHT] * len(round_)
     with style():
         figure = new_figure(sum(heights))
-        parts = list(figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0]) if round_ else [figure]
+        parts = (
+            list(figure.subfigures(len(heights), 1, height_ratios=heights, squeeze=False)[:, 0])
+            if round_
+            else [figure]
+        )
         if straight:
             _draw_positioning(parts[0], straight)
         for part, result in zip(parts[len(parts) - len(round_) :], round_, strict=True):
@@ -95,16 +110,24 @@ def before_after_plot(
     *,
     format: str = "svg",  # noqa: A002
 ) -> bytes:
-    """Return before, predicted and after side by side on one scale; ``predicted`` or ``after`` may be None.
+    """Return before, predicted and after side by side on one scale; ``predicted`` or ``after`` may
+    be None.
 
-    ``before`` and ``after`` are positioning results. ``predicted`` holds ``positions`` (m), ``positive``, ``negative`` (m) or None:
-    the expected deviations after loading, ``s``: the standard deviation of one reading, and, where known, ``parameters`` as
-    in the prediction document (median, p05, p95); unit as in ``before``. Raises UsageError as `positioning_plot`.
+    ``before`` and ``after`` are positioning results. ``predicted`` holds ``positions`` (m),
+    ``positive``, ``negative`` (m) or None: the expected deviations after loading, ``s``: the
+    standard deviation of one reading, and, where known, ``parameters`` as in the prediction
+    document (median, p05, p95); unit as in ``before``. Raises UsageError as `positioning_plot`.
     """
     kind = known_format(format, format)
     with style():
         figure = new_figure(3.25)
-        panels = figure.subplots(1, 1 + (predicted is not None) + (after is not None), sharex=True, sharey=True, squeeze=False)[0]
+        panels = figure.subplots(
+            1,
+            1 + (predicted is not None) + (after is not None),
+            sharex=True,
+            sharey=True,
+            squeeze=False,
+        )[0]
         rest = iter(panels)
         first = next(rest)
         draw_result(first, before)
@@ -113,7 +136,11 @@ def before_after_plot(
         if predicted is not None:
             panel = next(rest)
             draw_expected(panel, predicted, float(before.get("coverage") or 2.0))
-            head(panel, "Predicted", prediction_line(predicted.get("parameters") or {}, before, most // 2))
+            head(
+                panel,
+                "Predicted",
+                prediction_line(predicted.get("parameters") or {}, before, most // 2),
+            )
         if after is not None:
             panel = next(rest)
             draw_result(panel, after)
@@ -125,11 +152,12 @@ def before_after_plot(
 
 
 def table_plot(entry: Document, *, format: str = "svg") -> bytes:  # noqa: A002
-    """Return the correction over position for both directions, nodes marked, beside the correction that was wanted.
+    """Return the correction over position for both directions, nodes marked, beside the correction
+    that was wanted.
 
-    ``entry`` holds ``table`` (``positions``, ``correction_positive``, ``correction_negative``, ``unit``) as in the prediction
-    document, and ``wanted`` (``positions``, ``positive``, ``negative``) or None in the same unit. Raises UsageError as
-    `positioning_plot`.
+    ``entry`` holds ``table`` (``positions``, ``correction_positive``, ``correction_negative``,
+    ``unit``) as in the prediction document, and ``wanted`` (``positions``, ``positive``,
+    ``negative``) or None in the same unit. Raises UsageError as `positioning_plot`.
     """
     kind = known_format(format, format)
     table = entry["table"]
@@ -142,15 +170,19 @@ def table_plot(entry: Document, *, format: str = "svg") -> bytes:  # noqa: A002
         for look in LOOKS:
             if len(curve(wanted.get(look.key))):
                 panel.plot(
-                    curve(wanted["positions"]), curve(wanted[look.key]), color=look.colour, alpha=0.35, linewidth=2.6,
+                    curve(wanted["positions"]), curve(wanted[look.key]), color=look.colour,
+                    alpha=0.35, linewidth=2.6,
                     solid_capstyle="butt", label=f"wanted ({look.sign})",
                 )  # fmt: skip
         shown = LOOKS[:1] if same else LOOKS
         for look in shown:
             positions = curve(table["positions"])
-            size = 4.0 if len(positions) <= 60 else 2.0 if len(positions) <= _MOST_MARKED else 0.0  # too dense: the line alone
+            size = (
+                4.0 if len(positions) <= 60 else 2.0 if len(positions) <= _MOST_MARKED else 0.0
+            )  # too dense: the line alone
             panel.plot(
-                positions, curve(table[f"correction_{look.key}"]), color=look.colour, linestyle=look.line, linewidth=1.0,
+                positions, curve(table[f"correction_{look.key}"]), color=look.colour,
+                linestyle=look.line, linewidth=1.0,
                 marker=look.marker, markersize=size,
                 label="table (+ and −)" if same else f"table ({look.sign})",
             )  # fmt: skip
@@ -161,10 +193,12 @@ def table_plot(entry: Document, *, format: str = "svg") -> bytes:  # noqa: A002
 
 
 def estimate_plot(estimate: Document, result: Document, *, format: str = "svg") -> bytes:  # noqa: A002
-    """Return the estimated deviation with its ± 2 standard deviations, and the measured means as markers.
+    """Return the estimated deviation with its ± 2 standard deviations, and the measured means as
+    markers.
 
-    ``estimate`` holds ``positions`` (g), ``mean_positive``, ``mean_negative``, ``std_positive``, ``std_negative`` (g) in the
-    unit of the positioning result ``result``. Raises UsageError as `positioning_plot`.
+    ``estimate`` holds ``positions`` (g), ``mean_positive``, ``mean_negative``, ``std_positive``,
+    ``std_negative`` (g) in the unit of the positioning result ``result``. Raises UsageError as
+    `positioning_plot`.
     """
     kind = known_format(format, format)
     with style():
@@ -176,8 +210,22 @@ def estimate_plot(estimate: Document, result: Document, *, format: str = "svg") 
             if not means:
                 continue
             positions = curve(estimate["positions"])
-            band(panel, positions, means, [2.0 * value for value in curve(estimate[f"std_{look.key}"])], look, edge=False)
-            panel.plot(positions, means, color=look.colour, linestyle=look.line, linewidth=1.2, label=f"estimate ({look.sign})")
+            band(
+                panel,
+                positions,
+                means,
+                [2.0 * value for value in curve(estimate[f"std_{look.key}"])],
+                look,
+                edge=False,
+            )
+            panel.plot(
+                positions,
+                means,
+                color=look.colour,
+                linestyle=look.line,
+                linewidth=1.2,
+                label=f"estimate ({look.sign})",
+            )
         draw_means(panel, result)
         panel.set_title("Estimated deviation with ± 2 standard deviations", fontweight="bold")
         label_axes(panel, result.get("unit"))

@@ -1,8 +1,10 @@
-"""Pictures of circular tests: the path with its deviations magnified (ISO 230-4, figures 4 and 5), and the ranked causes.
+"""Pictures of circular tests: the path with its deviations magnified (ISO 230-4, figures 4 and 5),
+and the ranked causes.
 
-A result is an entry ``kind: circular`` of the evaluation document: deviations µm, angles deg, radius mm. The two directions differ
-by line, width and lightness, so that a print without colours can be read. Nothing is evaluated here: paths and zones are only
-laid about the centre that the document names.
+A result is an entry ``kind: circular`` of the evaluation document: deviations µm, angles deg,
+radius mm. The two directions differ by line, width and lightness, so that a print without colours
+can be read. Nothing is evaluated here: paths and zones are only laid about the centre that the
+document names.
 """
 
 from __future__ import annotations
@@ -23,7 +25,8 @@ TEST_HEIGHT: Final = 4.55
 _MICROMETRES: Final = 1000.0  # per mm
 #: The largest deviation is drawn at most this part of the radius long.
 _MOST_DRAWN: Final = 0.32
-#: Far from nominal (so many times the form) the form could not be seen: the path is then drawn about its mean circle.
+#: Far from nominal (so many times the form) the form could not be seen: the path is then drawn
+#: about its mean circle.
 _FAR: Final = 4.0
 _MOST_CAUSES: Final = 9
 _FEWEST_ROWS: Final = 7
@@ -35,7 +38,9 @@ _RING_LABELS: Final = math.radians(117.0)  # away from the axes and from 45°, w
 
 @dataclass(frozen=True, slots=True)
 class _Way:
-    """How one direction is drawn: the first as a thick, the second as a thin broken line (figure 4)."""
+    """How one direction is drawn: the first as a thick, the second as a thin broken line (figure
+    4).
+    """
 
     key: str
     line: Any
@@ -50,7 +55,9 @@ _ZONE_STEPS: Final = 360
 
 @dataclass(frozen=True, slots=True)
 class Path:
-    """One run about the centre of the picture: ``angles`` rad and ``radial`` µm (distance minus nominal radius)."""
+    """One run about the centre of the picture: ``angles`` rad and ``radial`` µm (distance minus
+    nominal radius).
+    """
 
     way: _Way
     angles: tuple[float, ...]
@@ -58,17 +65,24 @@ class Path:
     evaluated: bool
 
 
-def polar_figure(result: Document, *, format: str = "svg") -> bytes:  # noqa: A002  the plotting library's own word
-    """Return the picture of one circular result: the path magnified, and its causes where it was diagnosed.
+# the plotting library's own word
+def polar_figure(result: Document, *, format: str = "svg") -> bytes:  # noqa: A002
+    """Return the picture of one circular result: the path magnified, and its causes where it was
+    diagnosed.
 
-    ``result`` needs ``runs`` (``direction``, ``number``, ``angles`` deg, ``deviations`` µm as measured), ``axes``,
-    ``nominal_radius``, ``arc``, ``calibrated``, ``centre``, ``mean_radius_deviation``, ``parameters``, ``minimum_zone`` and
-    ``diagnosis`` or null. Raises UsageError for an unknown format, when the result holds no runs, or when the report extra is
+    ``result`` needs ``runs`` (``direction``, ``number``, ``angles`` deg, ``deviations`` µm as
+    measured), ``axes``, ``nominal_radius``, ``arc``, ``calibrated``, ``centre``,
+    ``mean_radius_deviation``, ``parameters``, ``minimum_zone`` and ``diagnosis`` or null. Raises
+    UsageError for an unknown format, when the result holds no runs, or when the report extra is
     missing.
     """
     kind = known_format(format, format)
     if not result.get("runs"):
-        raise UsageError(Fault(message="nothing to plot", expected="the angles and deviations of a circular test"))
+        raise UsageError(
+            Fault(
+                message="nothing to plot", expected="the angles and deviations of a circular test"
+            )
+        )
     with style():
         figure = new_figure(TEST_HEIGHT)
         draw_test(figure, result)
@@ -76,7 +90,9 @@ def polar_figure(result: Document, *, format: str = "svg") -> bytes:  # noqa: A0
 
 
 def draw_test(figure: Any, result: Document) -> None:
-    """Draw one test into a figure or a part of one: path and legend on the left, ranked causes on the right."""
+    """Draw one test into a figure or a part of one: path and legend on the left, ranked causes on
+    the right.
+    """
     causes = [cause for cause in ranked_causes(result) if cause.shown][:_MOST_CAUSES]
     grid = figure.add_gridspec(1, 2 if causes else 1, width_ratios=(1.5, 1.0) if causes else None)
     figure.suptitle(_title(result), x=0.012, ha="left", fontsize=8.5, fontweight="bold")
@@ -85,27 +101,36 @@ def draw_test(figure: Any, result: Document) -> None:
     if causes:
         draw_causes(figure.add_subplot(grid[0, 1]), causes)
     handles, labels = panel.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower left", ncols=2, fontsize=7.0, handlelength=3.6)
+    figure.legend(
+        handles, labels, loc="outside lower left", ncols=2, fontsize=7.0, handlelength=3.6
+    )
 
 
-# --- the path ------------------------------------------------------------------------------------------------------------------
+# --- the path
+# --------------------------------------------------------------------------------------------------
 
 
 def paths_of(result: Document, centre: tuple[float, float]) -> list[Path]:
-    """Return the runs about ``centre`` (µm from the set-up centre), the first of each direction marked as evaluated.
+    """Return the runs about ``centre`` (µm from the set-up centre), the first of each direction
+    marked as evaluated.
 
-    A bar measures from its set-up centre; the commanded angle counts about the programmed one. So a sample lies from the set-up
-    centre in the direction of its commanded point, as in the evaluation.
+    A bar measures from its set-up centre; the commanded angle counts about the programmed one. So a
+    sample lies from the set-up centre in the direction of its commanded point, as in the
+    evaluation.
     """
     radius = float(result["nominal_radius"])
     x, y = (coordinate / _MICROMETRES for coordinate in centre)
     paths = []
     for way in _WAYS:
-        runs = sorted((run for run in result["runs"] if run["direction"] == way.key), key=lambda run: int(run["number"]))
+        runs = sorted(
+            (run for run in result["runs"] if run["direction"] == way.key),
+            key=lambda run: int(run["number"]),
+        )
         for order, run in enumerate(runs):
             angles = tuple(math.radians(angle) for angle in run["angles"])
             radial = tuple(
-                _MICROMETRES * (_distance(angle, radius, radius + deviation / _MICROMETRES, (x, y)) - radius)
+                _MICROMETRES
+                * (_distance(angle, radius, radius + deviation / _MICROMETRES, (x, y)) - radius)
                 for angle, deviation in zip(angles, run["deviations"], strict=True)
             )
             paths.append(Path(way, angles, radial, evaluated=order == 0))
@@ -113,21 +138,29 @@ def paths_of(result: Document, centre: tuple[float, float]) -> list[Path]:
 
 
 def _distance(angle: float, radius: float, length: float, centre: tuple[float, float]) -> float:
-    """Return the distance from ``centre``, mm, of the point ``length`` from the set-up centre towards the commanded point."""
+    """Return the distance from ``centre``, mm, of the point ``length`` from the set-up centre
+    towards the commanded point.
+    """
     towards = (centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle))
     scale = length / math.hypot(*towards)
     return math.hypot(scale * towards[0] - centre[0], scale * towards[1] - centre[1])
 
 
 def magnification_of(largest: float, radius: float) -> float:
-    """Return a round magnification (1, 2 or 5 times a power of ten) for deviations up to ``largest`` µm on ``radius`` mm."""
-    most = _MOST_DRAWN * radius * _MICROMETRES / max(largest, 0.1)  # 0.1 µm: finer than an instrument resolves
+    """Return a round magnification (1, 2 or 5 times a power of ten) for deviations up to
+    ``largest`` µm on ``radius`` mm.
+    """
+    most = (
+        _MOST_DRAWN * radius * _MICROMETRES / max(largest, 0.1)
+    )  # 0.1 µm: finer than an instrument resolves
     power = 10.0 ** math.floor(math.log10(most))
     return power * max(step for step in (1.0, 2.0, 5.0) if step * power <= most * (1.0 + 1e-9))
 
 
 def picture_centre(result: Document) -> tuple[str, tuple[float, float]]:
-    """Return name and place (µm) of the centre of the picture: the common least-squares circle's, or the only direction's."""
+    """Return name and place (µm) of the centre of the picture: the common least-squares circle's,
+    or the only direction's.
+    """
     centres = result.get("centre") or {}
     for name in ("common", "ccw", "cw"):
         if centres.get(name) is not None:
@@ -136,7 +169,9 @@ def picture_centre(result: Document) -> tuple[str, tuple[float, float]]:
 
 
 def draw_path(panel: Any, result: Document) -> None:
-    """Draw the runs, the nominal circle, the minimum zone, the axes and the starts of the arc, magnified."""
+    """Draw the runs, the nominal circle, the minimum zone, the axes and the starts of the arc,
+    magnified.
+    """
     name, centre = picture_centre(result)
     paths = paths_of(result, centre)
     radius = float(result["nominal_radius"])
@@ -151,29 +186,56 @@ def draw_path(panel: Any, result: Document) -> None:
     reach = 1.1 * (radius + place.scale * max(most, 0.0))
     if base:
         words = f"least-squares circle, {_signed(base)} µm from nominal"
-        panel.plot(*place.circle(base), color="#555555", linewidth=0.9, linestyle=(0, (7, 2, 1, 2, 1, 2)), label=words)
+        panel.plot(
+            *place.circle(base),
+            color="#555555",
+            linewidth=0.9,
+            linestyle=(0, (7, 2, 1, 2, 1, 2)),
+            label=words,
+        )
     if abs(base) * place.scale <= _MOST_DRAWN * radius:
-        panel.plot(*place.circle(0.0), color="#555555", linewidth=0.9, linestyle=(0, (7, 2, 1, 2)), label="nominal circle")
+        panel.plot(
+            *place.circle(0.0),
+            color="#555555",
+            linewidth=0.9,
+            linestyle=(0, (7, 2, 1, 2)),
+            label="nominal circle",
+        )
         reach = max(reach, 1.1 * (radius - place.scale * base))
     _axes(panel, result, reach)
     _zones(panel, result, centre, place)
     for path in paths:
         _run(panel, path, place, result)
-    panel.plot([0.0], [0.0], marker="+", markersize=9, color=_INK, linestyle="none", label=_centre_text(name, centre, result))
-    panel.set_title(f"{_setting(result)}\nMagnification {_grouped(magnification)} : 1, rings in µm", fontsize=7.5)
+    panel.plot(
+        [0.0],
+        [0.0],
+        marker="+",
+        markersize=9,
+        color=_INK,
+        linestyle="none",
+        label=_centre_text(name, centre, result),
+    )
+    panel.set_title(
+        f"{_setting(result)}\nMagnification {_grouped(magnification)} : 1, rings in µm",
+        fontsize=7.5,
+    )
     panel.set_xlim(-1.1 * reach, 1.1 * reach)
     panel.set_ylim(-1.1 * reach, 1.1 * reach)
 
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """Where a radial deviation is drawn: ``scale`` mm of the picture per µm, beyond the circle that deviates by ``base`` µm."""
+    """Where a radial deviation is drawn: ``scale`` mm of the picture per µm, beyond the circle that
+    deviates by ``base`` µm.
+    """
 
     radius: float
     scale: float
     base: float
 
-    def __call__(self, angles: Sequence[float], radial: Sequence[float]) -> tuple[list[float], list[float]]:
+    def __call__(
+        self, angles: Sequence[float], radial: Sequence[float]
+    ) -> tuple[list[float], list[float]]:
         lengths = [self.radius + self.scale * (value - self.base) for value in radial]
         return (
             [length * math.cos(angle) for length, angle in zip(lengths, angles, strict=True)],
@@ -186,7 +248,9 @@ class _Place:
 
 
 def _base(result: Document, values: Sequence[float]) -> float:
-    """Return the deviation, µm, of the circle from which deviations are drawn: nominal, where the radius counts and is not far."""
+    """Return the deviation, µm, of the circle from which deviations are drawn: nominal, where the
+    radius counts and is not far.
+    """
     means = result.get("mean_radius_deviation") or {}
     given = [result["parameters"].get("D"), means.get("ccw"), means.get("cw")]
     mean = float(next((value for value in given if value is not None), 0.0))
@@ -202,37 +266,57 @@ def _rings(panel: Any, place: _Place, most: float, least: float) -> None:
     """Draw faint circles at round deviations with their values beside the second axis."""
     step = _round_step(max(most, -least, 0.05))
     box = {"boxstyle": "square,pad=0.12", "facecolor": "white", "edgecolor": "none", "alpha": 0.8}
-    for count in range(math.floor(least / step + 0.2), math.floor(most / step + 0.8) + 1):  # a ring a little beyond helps to read
+    for count in range(
+        math.floor(least / step + 0.2), math.floor(most / step + 0.8) + 1
+    ):  # a ring a little beyond helps to read
         if count == 0:
             continue
         radial = place.base + count * step
         panel.plot(*place.circle(radial), color="#d9d9d9", linewidth=0.5, zorder=0.5)
         (x,), (y,) = place([_RING_LABELS], [radial])
         words = f"{count * step:+.3g}".replace("-", "−")
-        panel.text(x, y, words, fontsize=6.0, color="#666666", ha="center", va="center", zorder=6, bbox=box)
+        panel.text(
+            x, y, words, fontsize=6.0, color="#666666", ha="center", va="center", zorder=6, bbox=box
+        )
 
 
 def _round_step(largest: float) -> float:
     """Return 1, 2 or 5 times a power of ten: one to three rings up to ``largest``."""
     power = 10.0 ** math.floor(math.log10(largest / 1.2))
-    return power * max(step for step in (1.0, 2.0, 5.0) if step * power <= largest / 1.2 * (1.0 + 1e-9))
+    return power * max(
+        step for step in (1.0, 2.0, 5.0) if step * power <= largest / 1.2 * (1.0 + 1e-9)
+    )
 
 
 def _axes(panel: Any, result: Document, reach: float) -> None:
     """Draw both axes through the centre, with the name at the positive end."""
     first, second = result["axes"]
-    arrow = {"arrowstyle": "-|>", "color": _FAINT, "linewidth": 0.6, "mutation_scale": 7, "shrinkA": 0, "shrinkB": 0}
+    arrow = {
+        "arrowstyle": "-|>",
+        "color": _FAINT,
+        "linewidth": 0.6,
+        "mutation_scale": 7,
+        "shrinkA": 0,
+        "shrinkB": 0,
+    }
     for end, words in (((reach, 0.0), first), ((0.0, reach), second)):
         panel.annotate("", xy=end, xytext=(-end[0], -end[1]), arrowprops=arrow, zorder=0.6)
-        panel.text(end[0] * 1.05, end[1] * 1.05, f"+{words}", ha="center", va="center", fontsize=8.0)
+        panel.text(
+            end[0] * 1.05, end[1] * 1.05, f"+{words}", ha="center", va="center", fontsize=8.0
+        )
 
 
 def _zones(panel: Any, result: Document, centre: tuple[float, float], place: _Place) -> None:
-    """Draw the two circles of the minimum zone: of both directions where the standard has that, else of each."""
+    """Draw the two circles of the minimum zone: of both directions where the standard has that,
+    else of each.
+    """
     zones, values = result.get("minimum_zone") or {}, result["parameters"]
     both = "both" in zones and values.get("G_bidirectional") is not None
     arc = result["arc"]
-    around = [math.radians(arc["start"] + arc["extent"] * step / _ZONE_STEPS) for step in range(_ZONE_STEPS + 1)]
+    around = [
+        math.radians(arc["start"] + arc["extent"] * step / _ZONE_STEPS)
+        for step in range(_ZONE_STEPS + 1)
+    ]
     for key in ("both",) if both else [way.key for way in _WAYS if way.key in zones]:
         zone = zones[key]
         dx, dy = zone["centre"][0] - centre[0], zone["centre"][1] - centre[1]
@@ -240,23 +324,37 @@ def _zones(panel: Any, result: Document, centre: tuple[float, float], place: _Pl
         words = _zone_text(key, values)
         for limit, label in ((zone["inner"], words), (zone["outer"], None)):
             radial = [limit + dx * math.cos(angle) + dy * math.sin(angle) for angle in around]
-            panel.plot(*place(around, radial), color=_ZONE, linewidth=0.8, linestyle=line, label=label)
+            panel.plot(
+                *place(around, radial), color=_ZONE, linewidth=0.8, linestyle=line, label=label
+            )
 
 
 def _run(panel: Any, path: Path, place: _Place, result: Document) -> None:
-    """Draw one run, with a star where it starts and an arrow in the direction of travel; runs not evaluated pale."""
+    """Draw one run, with a star where it starts and an arrow in the direction of travel; runs not
+    evaluated pale.
+    """
     x, y = place(path.angles, path.radial)
     closed = path.evaluated and result["arc"]["extent"] >= _TURN
     if closed:
         x, y = [*x, x[0]], [*y, y[0]]
     label = _run_text(path.way.key, result) if path.evaluated else None
     width, strength = (path.way.width, 1.0) if path.evaluated else (0.5, 0.45)
-    panel.plot(x, y, color=path.way.colour, linestyle=path.way.line, linewidth=width, alpha=strength, label=label, zorder=3)
+    panel.plot(
+        x,
+        y,
+        color=path.way.colour,
+        linestyle=path.way.line,
+        linewidth=width,
+        alpha=strength,
+        label=label,
+        zorder=3,
+    )
     if not path.evaluated:
         return
     filled = path.way.colour if path.way.key == "ccw" else "white"
     panel.plot(
-        x[:1], y[:1], marker="*", markersize=8.5, markerfacecolor=filled, markeredgecolor=path.way.colour, markeredgewidth=0.8,
+        x[:1], y[:1], marker="*", markersize=8.5, markerfacecolor=filled,
+        markeredgecolor=path.way.colour, markeredgewidth=0.8,
         linestyle="none", zorder=5, label=f"start of {path.way.key}",
     )  # fmt: skip
     _travel(panel, path, result)
@@ -268,20 +366,34 @@ def _travel(panel: Any, path: Path, result: Document) -> None:
     begin = path.angles[0]
     turn = math.radians(24.0) * (1.0 if path.way.key == "ccw" else -1.0)
     steps = [begin + turn * step / 12.0 for step in range(13)]
-    x, y = [radius * math.cos(angle) for angle in steps], [radius * math.sin(angle) for angle in steps]
+    x, y = (
+        [radius * math.cos(angle) for angle in steps],
+        [radius * math.sin(angle) for angle in steps],
+    )
     panel.plot(x, y, color=path.way.colour, linestyle=path.way.line, linewidth=path.way.width)
-    arrow = {"arrowstyle": "-|>", "color": path.way.colour, "linewidth": 0.8, "mutation_scale": 8, "shrinkA": 0, "shrinkB": 0}
+    arrow = {
+        "arrowstyle": "-|>",
+        "color": path.way.colour,
+        "linewidth": 0.8,
+        "mutation_scale": 8,
+        "shrinkA": 0,
+        "shrinkB": 0,
+    }
     panel.annotate("", xy=(x[-1], y[-1]), xytext=(x[-2], y[-2]), arrowprops=arrow)
     panel.text(
-        0.84 * x[6], 0.84 * y[6], path.way.key, fontsize=6.5, color=path.way.colour, ha="center", va="center",
+        0.84 * x[6], 0.84 * y[6], path.way.key, fontsize=6.5, color=path.way.colour, ha="center",
+        va="center",
     )  # fmt: skip
 
 
-# --- the causes ----------------------------------------------------------------------------------------------------------------
+# --- the causes
+# --------------------------------------------------------------------------------------------------
 
 
 def draw_causes(panel: Any, causes: Sequence[Cause]) -> None:
-    """Draw the effects of the causes as bars, the largest above, with 95 % whiskers and the values beside."""
+    """Draw the effects of the causes as bars, the largest above, with 95 % whiskers and the values
+    beside.
+    """
     reach = 1.75 * max(
         cause.effect for cause in causes
     )  # a whisker may be much longer than any effect: it ends there, with an arrow
@@ -295,7 +407,13 @@ def draw_causes(panel: Any, causes: Sequence[Cause]) -> None:
                 panel.plot([end, end], [row - 0.12, row + 0.12], color=_INK, linewidth=0.9)
         if high > reach:
             panel.plot([reach], [row], marker=">", markersize=3.5, color=_INK, clip_on=False)
-        panel.text(0.0, row - 0.43, f"{cause.words}  {cause.value_text} {cause.unit_text}", fontsize=7.0, va="center")
+        panel.text(
+            0.0,
+            row - 0.43,
+            f"{cause.words}  {cause.value_text} {cause.unit_text}",
+            fontsize=7.0,
+            va="center",
+        )
         panel.text(reach * 1.03, row, f"{100.0 * cause.share:.0f} %", fontsize=7.0, va="center")
     panel.set_xlim(0.0, reach)
     panel.set_ylim(max(len(causes), _FEWEST_ROWS) - 0.6, -0.75)
@@ -306,11 +424,16 @@ def draw_causes(panel: Any, causes: Sequence[Cause]) -> None:
     panel.set_title("Causes, share of all\npale: less than twice its standard error", fontsize=7.5)
 
 
-# --- words ---------------------------------------------------------------------------------------------------------------------
+# --- words
+# --------------------------------------------------------------------------------------------------
 
 
 def _title(result: Document) -> str:
-    parts = [f"Circle {result['plane']}", _one_line(str(result.get("name") or ""), 50), standard_text(result.get("standard", ""))]
+    parts = [
+        f"Circle {result['plane']}",
+        _one_line(str(result.get("name") or ""), 50),
+        standard_text(result.get("standard", "")),
+    ]
     return "   ".join(part for part in parts if part)
 
 
@@ -331,13 +454,24 @@ def _one_line(text: str, most: int) -> str:
 
 
 def _run_text(key: str, result: Document) -> str:
-    """Return the numbers of one direction: G, and F where it is given, else F about the least-squares centre."""
+    """Return the numbers of one direction: G, and F where it is given, else F about the
+    least-squares centre.
+    """
     values = result["parameters"]
     given = values.get(f"F_max_{key}") is not None
     kind = "" if given else "_lsc"
-    name = "F" if given and result["arc"]["extent"] >= _TURN else "F (set-up centre)" if given else "F (own centre)"
+    name = (
+        "F"
+        if given and result["arc"]["extent"] >= _TURN
+        else "F (set-up centre)"
+        if given
+        else "F (own centre)"
+    )
     highest, lowest = values.get(f"F_max_{key}{kind}"), values.get(f"F_min_{key}{kind}")
-    return f"{key}: G {number(values.get(f'G_{key}'))}, {name} {_signed(highest)} / {_signed(lowest)} µm"
+    return (
+        f"{key}: G {number(values.get(f'G_{key}'))}, {name} {_signed(highest)} /"
+        f" {_signed(lowest)} µm"
+    )
 
 
 def _signed(value: float | None) -> str:
@@ -348,7 +482,9 @@ def _signed(value: float | None) -> str:
 
 def _centre_text(name: str, centre: tuple[float, float], result: Document) -> str:
     axes = result["axes"]
-    kind = {"common": "common least-squares centre", "set-up": "set-up centre"}.get(name, f"least-squares centre of {name}")
+    kind = {"common": "common least-squares centre", "set-up": "set-up centre"}.get(
+        name, f"least-squares centre of {name}"
+    )
     hysteresis = result["parameters"].get("H")  # it is taken about the common centre
     told = "" if hysteresis is None else f"; H {number(hysteresis)} µm"
     return f"{kind}: {axes[0]} {number(centre[0], 1)}, {axes[1]} {number(centre[1], 1)} µm{told}"

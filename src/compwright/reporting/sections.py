@@ -1,7 +1,8 @@
-"""The pieces of a page, from documents to rows of text: parameters, tests, findings, assumptions, verdicts. Computes nothing.
+"""The pieces of a page, from documents to rows of text: parameters, tests, findings, assumptions,
+verdicts. Computes nothing.
 
-A table of text is ``{"heads": [{"text", "unit", "numeric"}], "rows": [[str]]}``; a mark is ``{"tone", "text"}`` with the tones
-good, bad, open (undecided, or to be looked at) and none.
+A table of text is ``{"heads": [{"text", "unit", "numeric"}], "rows": [[str]]}``; a mark is
+``{"tone", "text"}`` with the tones good, bad, open (undecided, or to be looked at) and none.
 """
 
 from __future__ import annotations
@@ -37,7 +38,11 @@ _SEVERITIES: Final = {
     "warning": {"tone": "open", "text": "! warning"},
     "info": {"tone": "none", "text": "info"},
 }
-_LOADING_WORDS: Final = {"loaded": "✓ loaded", "undecided": "? undecided", "measurement": "? fault of measurement"}
+_LOADING_WORDS: Final = {
+    "loaded": "✓ loaded",
+    "undecided": "? undecided",
+    "measurement": "? fault of measurement",
+}
 _BAR_WIDTH: Final = 200.0
 
 
@@ -55,15 +60,23 @@ def loading_mark(verdict: object) -> Mark:
 
 def pairs(values: Document | None) -> list[tuple[str, str]]:
     """Return what is given of a mapping as name and text."""
-    return [(str(name), plain(value)) for name, value in (values or {}).items() if value not in (None, "")]
+    return [
+        (str(name), plain(value))
+        for name, value in (values or {}).items()
+        if value not in (None, "")
+    ]
 
 
 def heads(*columns: tuple[str, str] | str) -> list[dict[str, Any]]:
-    """Return the heads of a table: a text alone is a column of words, a pair of name and unit one of numbers."""
+    """Return the heads of a table: a text alone is a column of words, a pair of name and unit one
+    of numbers.
+    """
     return [
-        {"text": column, "unit": "", "numeric": False}
-        if isinstance(column, str)
-        else {"text": column[0], "unit": column[1], "numeric": True}
+        (
+            {"text": column, "unit": "", "numeric": False}
+            if isinstance(column, str)
+            else {"text": column[0], "unit": column[1], "numeric": True}
+        )
         for column in columns
     ]
 
@@ -77,34 +90,53 @@ def findings(*groups: Iterable[Document] | None) -> list[dict[str, Any]]:
         rank = ranks.index(severity) if severity in ranks else len(ranks)
         mark = dict(_SEVERITIES.get(severity, _SEVERITIES["info"]))
         code, message = plain(item.get("code")), plain(item.get("message"))
-        seen.setdefault((code, message), {"code": code, "message": message, "mark": mark, "rank": rank})
+        seen.setdefault(
+            (code, message), {"code": code, "message": message, "mark": mark, "rank": rank}
+        )
     return sorted(seen.values(), key=lambda entry: int(entry["rank"]))
 
 
 def doubts(items: Iterable[Document] | None) -> dict[str, Any] | None:
-    """Return what has to be settled before anything else with its heading; None where there is nothing."""
+    """Return what has to be settled before anything else with its heading; None where there is
+    nothing.
+    """
     told = findings(items)
     return {"heading": DOUBTS_FIRST, "items": told} if told else None
 
 
 def rule_lines(accept: Mapping[str, Any], unit: str) -> list[str]:
-    """Return by which rule the limits were decided where it is not the simple comparison, with the guard bands."""
-    guarded = {symbol(name): entry.get("U") for name, entry in accept.items() if entry.get("rule") == "guarded"}
-    bands = [f"{letter} not stated" if U is None else f"{letter} {number(U)} {unit}" for letter, U in guarded.items()]
+    """Return by which rule the limits were decided where it is not the simple comparison, with the
+    guard bands.
+    """
+    guarded = {
+        symbol(name): entry.get("U")
+        for name, entry in accept.items()
+        if entry.get("rule") == "guarded"
+    }
+    bands = [
+        f"{letter} not stated" if U is None else f"{letter} {number(U)} {unit}"
+        for letter, U in guarded.items()
+    ]
     return [f"{GUARDED}; U: {', '.join(bands)}."] if bands else []
 
 
 def assumed(facts: Iterable[Document] | None) -> list[dict[str, Any]]:
     """Return assumed facts as text, the unconfirmed ones marked and first."""
     rows = [
-        {"fact": plain(fact.get("fact")), "value": plain(fact.get("value")), **evidence_mark(fact.get("evidence"))}
+        {
+            "fact": plain(fact.get("fact")),
+            "value": plain(fact.get("value")),
+            **evidence_mark(fact.get("evidence")),
+        }
         for fact in facts or ()
     ]
     return sorted(rows, key=lambda row: not row["open"])
 
 
 def evidence_mark(evidence: object) -> dict[str, Any]:
-    """Return ``evidence`` as text and ``open``: whether it is unconfirmed. The page shows the mark: the word is not repeated."""
+    """Return ``evidence`` as text and ``open``: whether it is unconfirmed. The page shows the mark:
+    the word is not repeated.
+    """
     text = plain(evidence) if evidence else ""
     unconfirmed = "unconfirmed" in text.lower()
     if text.lower().startswith("unconfirmed"):
@@ -125,24 +157,36 @@ def median_text(quantiles: object) -> str:
 
 
 def main_parameters(parameters: Document, limits: Document | None) -> list[str]:
-    """Return the parameters that a verdict shows: those with a limit, else the first that the test has."""
+    """Return the parameters that a verdict shows: those with a limit, else the first that the test
+    has.
+    """
     if limits:
         return [key for key in (*PARAMETERS, *limits) if key in limits][: len(limits)]
     return [key for key in ("A", "P", "E", *PARAMETERS) if parameters.get(key) is not None][:1]
 
 
-def bar(before: object, quantiles: object, limit: object, value: object = None) -> dict[str, Any] | None:
-    """Return the lengths of a bar picture on one scale from 0: before, 5-95 %, the median or a measured value, the limit."""
+def bar(
+    before: object, quantiles: object, limit: object, value: object = None
+) -> dict[str, Any] | None:
+    """Return the lengths of a bar picture on one scale from 0: before, 5-95 %, the median or a
+    measured value, the limit.
+    """
     given = quantiles if isinstance(quantiles, Mapping) else {}
     low, high = given.get("p05"), given.get("p95")
     shown = value if value is not None else given.get("median")
-    numbers = [float(item) for item in (before, low, high, limit, shown) if isinstance(item, int | float)]
+    numbers = [
+        float(item) for item in (before, low, high, limit, shown) if isinstance(item, int | float)
+    ]
     largest = max(numbers, default=0.0)
     if largest <= 0.0 or min(numbers) < 0.0:
         return None
 
     def place(item: object) -> float | None:
-        return round(float(item) / largest * (_BAR_WIDTH - 4.0), 1) if isinstance(item, int | float) else None
+        return (
+            round(float(item) / largest * (_BAR_WIDTH - 4.0), 1)
+            if isinstance(item, int | float)
+            else None
+        )
 
     left, right = place(low), place(high)
     return {
@@ -155,29 +199,45 @@ def bar(before: object, quantiles: object, limit: object, value: object = None) 
     }
 
 
-def parameter_block(unit: object, standard: object, not_applicable: Document | None, columns: Sequence[Document]) -> dict[str, Any]:
+def parameter_block(
+    unit: object, standard: object, not_applicable: Document | None, columns: Sequence[Document]
+) -> dict[str, Any]:
     """Return the table of parameters with one column per source.
 
-    Each of ``columns`` has ``title`` and one of ``values`` (parameter -> number), with ``uncertainty`` (parameter -> U) where
-    given, ``quantiles`` (parameter -> median, p05, p95) and ``notes`` (parameter -> word).
+    Each of ``columns`` has ``title`` and one of ``values`` (parameter -> number), with
+    ``uncertainty`` (parameter -> U) where given, ``quantiles`` (parameter -> median, p05, p95) and
+    ``notes`` (parameter -> word).
     """
-    named = {key for column in columns for key in (column.get("values") or column.get("quantiles") or {})}
+    named = {
+        key for column in columns for key in column.get("values") or column.get("quantiles") or {}
+    }
     keys = [key for key in (*PARAMETERS, *sorted(named - set(PARAMETERS))) if key in named]
-    shown = [key for key in keys if any(_value(column, key) != MISSING for column in columns if "notes" not in column)]
+    shown = [
+        key
+        for key in keys
+        if any(_value(column, key) != MISSING for column in columns if "notes" not in column)
+    ]
     reasons: dict[str, list[str]] = {}
     for key, reason in (not_applicable or {}).items():
         reasons.setdefault(str(reason).rstrip("."), []).append(symbol(key))
     return {
         "standard": standard_text(standard),
         "columns": [
-            {"title": column["title"], "spread": _has_spread(column), "note": _column_note(column, unit_text(unit))}
+            {
+                "title": column["title"],
+                "spread": _has_spread(column),
+                "note": _column_note(column, unit_text(unit)),
+            }
             for column in columns
         ],
         "rows": [
             {
                 "symbol": symbol(key),
                 "words": PARAMETERS.get(key, ("", ""))[1],
-                "cells": [{"value": _value(column, key), "spread": _spread(column, key)} for column in columns],
+                "cells": [
+                    {"value": _value(column, key), "spread": _spread(column, key)}
+                    for column in columns
+                ],
             }
             for key in shown
         ],
@@ -218,25 +278,38 @@ def _spread(column: Document, key: str) -> str | None:
 
 
 def result_block(result: Document, label: str = "") -> dict[str, Any]:
-    """Return one positioning result under its axis, name and ``label``: sentence, uncertainty, statistics, single readings."""
+    """Return one positioning result under its axis, name and ``label``: sentence, uncertainty,
+    statistics, single readings.
+    """
     unit = unit_text(result.get("unit"))
     where = unit_text(result.get("position_unit") or position_unit(result.get("unit")))
     runs = result.get("n_runs") or {}
-    counts = ", ".join(f"{runs[key]} in {sign}" for key, sign in (("positive", "+"), ("negative", "−")) if runs.get(key))
+    counts = ", ".join(
+        f"{runs[key]} in {sign}"
+        for key, sign in (("positive", "+"), ("negative", "−"))
+        if runs.get(key)
+    )
     at = "; ".join(
-        f"{symbol(key)} at {plain(value)} {where}" for key, value in (result.get("at") or {}).items() if value is not None
+        f"{symbol(key)} at {plain(value)} {where}"
+        for key, value in (result.get("at") or {}).items()
+        if value is not None
     )
     sentence = (
-        f"{standard_text(result.get('standard', ''))}, {plain(result.get('cycle', 'standard'))} cycle, "
-        f"{len(result.get('targets', []))} target positions, traverses: {counts or 'none'}, "
-        f"limits drawn at ± {plain(result.get('coverage') or 2)} s."
+        f"{standard_text(result.get('standard', ''))}, {plain(result.get('cycle', 'standard'))}"
+        f" cycle, {len(result.get('targets', []))} target positions, traverses: {counts or 'none'},"
+        f" limits drawn at ± {plain(result.get('coverage') or 2)} s."
     )
     if at:
         sentence += f" Extremes: {at}."
     if not result.get("uncertainty"):
         sentence += " No measurement uncertainty: no contributors were given."
     return {
-        "title": ", ".join(filter(None, [f"Axis {plain(result.get('axis'))}", plain(result.get("name") or "test"), label])),
+        "title": ", ".join(
+            filter(
+                None,
+                [f"Axis {plain(result.get('axis'))}", plain(result.get("name") or "test"), label],
+            )
+        ),
         "sentence": sentence,
         "count": len(result.get("targets", [])),
         "uncertainty": _uncertainty(result, unit),
@@ -251,9 +324,19 @@ def _uncertainty(result: Document, unit: str) -> TextTable | None:
         return None
     values = result.get("parameters") or {}
     return {
-        "heads": heads("Parameter", ("Value", unit), ("Expanded uncertainty U", unit), ("Coverage factor k", "")),
+        "heads": heads(
+            "Parameter",
+            ("Value", unit),
+            ("Expanded uncertainty U", unit),
+            ("Coverage factor k", ""),
+        ),
         "rows": [
-            [symbol(key), number(values.get(key)), number(entry.get("U")), plain(entry.get("coverage", 2))]
+            [
+                symbol(key),
+                number(values.get(key)),
+                number(entry.get("U")),
+                plain(entry.get("coverage", 2)),
+            ]
             for key, entry in entries.items()
         ],
     }
@@ -261,21 +344,29 @@ def _uncertainty(result: Document, unit: str) -> TextTable | None:
 
 def _statistics(result: Document, unit: str, where: str) -> TextTable:
     columns = [
-        ("mean_positive", "mean +"), ("mean_negative", "mean −"), ("s_positive", "s +"), ("s_negative", "s −"), ("reversal", "B"),
+        ("mean_positive", "mean +"), ("mean_negative", "mean −"), ("s_positive", "s +"),
+        ("s_negative", "s −"), ("reversal", "B"),
         ("mean", "mean ±"), ("R_positive", "R +"), ("R_negative", "R −"), ("R", "R"),
     ]  # fmt: skip
     targets = result.get("targets", [])
     digits = decimals_of(target.get("position") for target in targets)
     return {
         "heads": heads(("Position", where), *((title, unit) for _, title in columns)),
-        "rows": [[number(target.get("position"), digits), *(number(target.get(key)) for key, _ in columns)] for target in targets],
+        "rows": [
+            [
+                number(target.get("position"), digits),
+                *(number(target.get(key)) for key, _ in columns),
+            ]
+            for target in targets
+        ],
     }
 
 
 def _readings(result: Document, unit: str, where: str) -> TextTable | None:
     targets = result.get("targets", [])
     widths = {
-        key: max((len(target.get(f"deviations_{key}") or []) for target in targets), default=0) for key in ("positive", "negative")
+        key: max((len(target.get(f"deviations_{key}") or []) for target in targets), default=0)
+        for key in ("positive", "negative")
     }
     if not any(widths.values()):
         return None
@@ -287,7 +378,11 @@ def _readings(result: Document, unit: str, where: str) -> TextTable | None:
             readings = list(target.get(f"deviations_{key}") or [])
             row.extend(number(value) for value in readings + [None] * (width - len(readings)))
         rows.append(row)
-    runs = [(f"{sign}{run}", unit) for key, sign in (("positive", "+"), ("negative", "−")) for run in range(1, widths[key] + 1)]
+    runs = [
+        (f"{sign}{run}", unit)
+        for key, sign in (("positive", "+"), ("negative", "−"))
+        for run in range(1, widths[key] + 1)
+    ]
     return {"heads": heads(("Position", where), *runs), "rows": rows}
 
 
@@ -305,14 +400,20 @@ def sources(*evaluations: Document | None) -> list[dict[str, str]]:
 def unreadable(*evaluations: Document | None) -> list[dict[str, str]]:
     """Return the files of evaluations that could not be read, as findings of the severity error."""
     return [
-        {"code": "not read", "severity": "error", "message": f"{plain(error.get('file'))}: {plain(error.get('message'))}"}
+        {
+            "code": "not read",
+            "severity": "error",
+            "message": f"{plain(error.get('file'))}: {plain(error.get('message'))}",
+        }
         for evaluation in evaluations
         for error in (evaluation or {}).get("errors") or []
     ]
 
 
 def result_of(evaluation: Document | None, axis: str, name: str | None = None) -> Document | None:
-    """Return the positioning result of an axis, that of the test ``name`` where there is one of that name."""
+    """Return the positioning result of an axis, that of the test ``name`` where there is one of
+    that name.
+    """
     found = [
         result
         for result in (evaluation or {}).get("results", [])

@@ -1,6 +1,7 @@
 """What run, decode, verify and demo say at the terminal, as rich renderables. Computes nothing.
 
-This module loads rich; whoever serves a command that may not print tables imports it inside a function.
+This module loads rich; whoever serves a command that may not print tables imports it inside a
+function.
 """
 
 from __future__ import annotations
@@ -29,29 +30,47 @@ _STYLES: Final = {
     "error": "red",
     "warning": "yellow",
 }
-#: Rows of a table of corrections that a terminal shows without being asked; a longer table is cut visibly.
+#: Rows of a table of corrections that a terminal shows without being asked; a longer table is cut
+#: visibly.
 _MOST_ROWS: Final = 60
-#: A limit that costs less (µm, arcsec) than the last digit shown is not worth a line; the JSON has it.
+#: A limit that costs less (µm, arcsec) than the last digit shown is not worth a line; the JSON has
+#: it.
 _LEAST_SHOWN: Final = 0.005
 
 
 def doubt_lines(doubts: Sequence[Mapping[str, str]]) -> list[RenderableType]:
-    """Return what has to be settled before anything else, under a heading of its own; nothing where there is none."""
+    """Return what has to be settled before anything else, under a heading of its own; nothing where
+    there is none.
+    """
     if not doubts:
         return []
-    return [Rule(Text(DOUBTS_FIRST, style="bold yellow"), align="left", characters="━"), *finding_lines(doubts), Text()]
+    return [
+        Rule(Text(DOUBTS_FIRST, style="bold yellow"), align="left", characters="━"),
+        *finding_lines(doubts),
+        Text(),
+    ]
 
 
 def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
-    """Return, for each axis and test of a prediction document, what was measured and what a fresh test will show."""
+    """Return, for each axis and test of a prediction document, what was measured and what a fresh
+    test will show.
+    """
     shown: list[RenderableType] = []
     for name, axis in prediction["axes"].items():
         unit = unit_text(axis["unit"])
         first = axis["tests"][0]["name"]
         for test in axis["tests"]:
-            accept = {key: entry for key, entry in axis["accept"].items() if entry.get("test", first) == test["name"]}
+            accept = {
+                key: entry
+                for key, entry in axis["accept"].items()
+                if entry.get("test", first) == test["name"]
+            }
             shown += [
-                Rule(Text(f"axis {name} · test {test['name']}", style="bold"), align="left", characters="─"),
+                Rule(
+                    Text(f"axis {name} · test {test['name']}", style="bold"),
+                    align="left",
+                    characters="─",
+                ),
                 _prediction_table(test, accept, unit),
             ]
         shown += [Text(line) for line in rule_lines(axis["accept"], unit)]
@@ -98,8 +117,9 @@ def _table_line(axis: Mapping[str, Any], unit: str) -> str:
     if not positions:
         return "Table: none, backlash alone."
     return (
-        f"Table: {len(positions)} points from {plain(positions[0])} to {plain(positions[-1])}, "
-        f"corrections {number(min(values))} to {number(max(values))} {unit}, as read back from the files."
+        f"Table: {len(positions)} points from {plain(positions[0])} to {plain(positions[-1])},"
+        f" corrections {number(min(values))} to {number(max(values))} {unit}, as read back from the"
+        " files."
     )
 
 
@@ -118,7 +138,9 @@ _OF_CIRCLES = {
 
 
 def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
-    """Return for each circle what was measured, what is predicted and, after loading, what came out."""
+    """Return for each circle what was measured, what is predicted and, after loading, what came
+    out.
+    """
     shown: list[RenderableType] = []
     for name, circle in circles.items():
         after = circle.get("after")
@@ -130,10 +152,18 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
             value, band = circle["before"].get(key), (circle.get("predicted") or {}).get(key)
             if value is None:
                 continue
-            cells = [number(band["median"]), f"{number(band['p05'])} to {number(band['p95'])}"] if band else [MISSING, ""]
+            cells = (
+                [number(band["median"]), f"{number(band['p05'])} to {number(band['p95'])}"]
+                if band
+                else [MISSING, ""]
+            )
             measured = [MISSING if after.get(key) is None else number(after[key])] if after else []
             table.add_row(key.replace("_", " "), number(value), *cells, *measured, unit)
-        shown += [Rule(Text(f"circle {name}", style="bold"), align="left", characters="─"), table, Text()]
+        shown += [
+            Rule(Text(f"circle {name}", style="bold"), align="left", characters="─"),
+            table,
+            Text(),
+        ]
     return shown
 
 
@@ -178,11 +208,22 @@ def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
         table = _plain_table()
         for heading in (f"position, {position}", f"+ {unit}", f"− {unit}"):
             table.add_column(heading, justify="right", no_wrap=True)
-        rows = list(zip(axis["positions"], axis["correction_positive"], axis["correction_negative"], strict=True))
+        rows = list(
+            zip(
+                axis["positions"],
+                axis["correction_positive"],
+                axis["correction_negative"],
+                strict=True,
+            )
+        )
         for where, positive, negative in rows[:_MOST_ROWS]:
             table.add_row(plain(where), number(positive, 3), number(negative, 3))
         shown += [
-            Rule(Text(f"axis {address}: what the control adds to the command", style="bold"), align="left", characters="─"),
+            Rule(
+                Text(f"axis {address}: what the control adds to the command", style="bold"),
+                align="left",
+                characters="─",
+            ),
             table,
         ]
         if len(rows) > _MOST_ROWS:
@@ -200,7 +241,9 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
         if axis["verdict"] != "loaded":
             unit = unit_text(axis["unit"])
             place = f"{plain(axis['at'])} arriving in {axis['direction']}"
-            message += f"; largest difference {number(axis['largest_difference'])} {unit} at {place}"
+            message += (
+                f"; largest difference {number(axis['largest_difference'])} {unit} at {place}"
+            )
         shown.append(Text(f"axis {name}: {message}", style="green" if same else "bold red"))
     rows = document["differences"]
     if rows:
@@ -210,8 +253,13 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
         for heading in ("planned", "in the control", ""):
             table.add_column(heading, justify="right", no_wrap=True)
         for row in rows[:_MOST_ROWS]:
-            values = [number(row[key], 3) if isinstance(row[key], float) else plain(row[key]) for key in ("planned", "loaded")]
-            table.add_row(row["axis"], row["quantity"], *values, unit_text(row["unit"]) if row["unit"] else "")
+            values = [
+                number(row[key], 3) if isinstance(row[key], float) else plain(row[key])
+                for key in ("planned", "loaded")
+            ]
+            table.add_row(
+                row["axis"], row["quantity"], *values, unit_text(row["unit"]) if row["unit"] else ""
+            )
         shown += [Text(), table]
         if len(rows) > _MOST_ROWS:
             shown.append(Text(f"({len(rows) - _MOST_ROWS} more rows: see --json)", style="dim"))
@@ -219,7 +267,9 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return before, predicted and after side by side, the verdict on loading and the verdict on the whole."""
+    """Return before, predicted and after side by side, the verdict on loading and the verdict on
+    the whole.
+    """
     shown: list[RenderableType] = []
     for name, axis in document["axes"].items():
         unit = unit_text(axis["unit"])
@@ -246,13 +296,21 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
             )
         loading = axis["loading"]
         shown += [
-            Rule(Text(f"axis {name} · test {axis['test']}", style="bold"), align="left", characters="─"),
+            Rule(
+                Text(f"axis {name} · test {axis['test']}", style="bold"),
+                align="left",
+                characters="─",
+            ),
             table,
             Text.assemble("Loading: ", _word(loading["verdict"]), f". {loading['message']}"),
             *finding_lines(axis["findings"]),
             Text(),
         ]
-    return [*shown, *circle_tables(document["circles"]), Text.assemble("Verdict: ", _word(document["verdict"]))]
+    return [
+        *shown,
+        *circle_tables(document["circles"]),
+        Text.assemble("Verdict: ", _word(document["verdict"])),
+    ]
 
 
 def _plain_table() -> Table:

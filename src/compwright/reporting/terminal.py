@@ -1,6 +1,8 @@
-"""An evaluation document at the terminal, as rich renderables that read well from 80 columns on. Computes nothing.
+"""An evaluation document at the terminal, as rich renderables that read well from 80 columns on.
+Computes nothing.
 
-This module loads rich; whoever serves a command that may not print tables imports it inside a function.
+This module loads rich; whoever serves a command that may not print tables imports it inside a
+function.
 """
 
 from __future__ import annotations
@@ -47,17 +49,26 @@ _VDI_ROWS: Final = (
 _STYLES: Final = {"info": "dim", "warning": "yellow", "error": "red"}
 
 
-def evaluation_tables(document: Mapping[str, Any], *, targets: bool = False) -> list[RenderableType]:
-    """Return the renderables of a ``compwright/evaluation/1`` document, one group per result and one for the errors.
+def evaluation_tables(
+    document: Mapping[str, Any], *, targets: bool = False
+) -> list[RenderableType]:
+    """Return the renderables of a ``compwright/evaluation/1`` document, one group per result and
+    one for the errors.
 
-    ``targets`` adds the table per target. A finding that several standards share is told once per file. Deviations are shown as the
-    document holds them, in µm or arcsec.
+    ``targets`` adds the table per target. A finding that several standards share is told once per
+    file. Deviations are shown as the document holds them, in µm or arcsec.
     """
     shown: list[RenderableType] = []
     told: dict[str, set[str]] = {}
     for result in document["results"]:
         seen = told.setdefault(str([source["sha256"] for source in result["sources"]]), set())
-        shown.append(_result(result, [entry for entry in result["findings"] if entry["message"] not in seen], targets=targets))
+        shown.append(
+            _result(
+                result,
+                [entry for entry in result["findings"] if entry["message"] not in seen],
+                targets=targets,
+            )
+        )
         seen.update(entry["message"] for entry in result["findings"])
     if document["errors"]:
         shown.append(_errors(document["errors"]))
@@ -65,7 +76,9 @@ def evaluation_tables(document: Mapping[str, Any], *, targets: bool = False) -> 
 
 
 def print_renderables(renderables: Sequence[RenderableType]) -> None:
-    """Print renderables on standard output: in colour on a terminal, plain and at least 100 columns wide elsewhere."""
+    """Print renderables on standard output: in colour on a terminal, plain and at least 100 columns
+    wide elsewhere.
+    """
     console = Console(highlight=False)
     if not console.is_terminal:
         console = Console(highlight=False, width=max(console.width, 100))
@@ -81,10 +94,21 @@ def number(value: float | None, digits: int = 2, *, signed: bool = False) -> str
     return text.replace("-", "−")
 
 
-def _result(result: Mapping[str, Any], findings: Sequence[Mapping[str, str]], *, targets: bool) -> RenderableType:
+def _result(
+    result: Mapping[str, Any], findings: Sequence[Mapping[str, str]], *, targets: bool
+) -> RenderableType:
     doubts = [finding for finding in findings if finding["code"] in DOUBTS]
-    parts: list[RenderableType] = [Rule(Text(_title(result), style="bold"), align="left", characters="─"), *_findings(doubts)]
-    parts += [*([Text()] if doubts else []), *_facts(result), Text(), _parameters(result), *_not_applicable(result)]
+    parts: list[RenderableType] = [
+        Rule(Text(_title(result), style="bold"), align="left", characters="─"),
+        *_findings(doubts),
+    ]
+    parts += [
+        *([Text()] if doubts else []),
+        *_facts(result),
+        Text(),
+        _parameters(result),
+        *_not_applicable(result),
+    ]
     if targets:
         parts += [Text(), _target_table(result)]
     parts += _findings([finding for finding in findings if finding not in doubts])
@@ -93,7 +117,9 @@ def _result(result: Mapping[str, Any], findings: Sequence[Mapping[str, str]], *,
 
 
 def _title(result: Mapping[str, Any]) -> str:
-    files = ", ".join(PurePath(source["file"]).name for source in result["sources"]) or str(result["name"])
+    files = ", ".join(PurePath(source["file"]).name for source in result["sources"]) or str(
+        result["name"]
+    )
     axis = f"axis {result['axis']}" if result["axis"] else "axis not named"
     return f"{files} · {axis} ({result['axis_kind']})"
 
@@ -103,10 +129,14 @@ def _facts(result: Mapping[str, Any]) -> list[Text]:
     positions = [target["position"] for target in result["targets"]]
     runs = result["n_runs"]
     spread = ", s from the range" if result.get("spread") == "range" else ""
-    count = f"{result['n_targets']} targets from {_position(positions[0])} to {_position(positions[-1])} {unit}"
+    count = (
+        f"{result['n_targets']} targets from {_position(positions[0])} to"
+        f" {_position(positions[-1])} {unit}"
+    )
     return [
         Text(
-            f"{_STANDARDS.get(result['standard'], result['standard'])} ({result['coverage']:g} s{spread}), {result['cycle']} cycle"
+            f"{_STANDARDS.get(result['standard'], result['standard'])} ({result['coverage']:g}"
+            f" s{spread}), {result['cycle']} cycle"
         ),
         Text(f"{count}, {_runs(runs)}"),
     ]
@@ -114,14 +144,24 @@ def _facts(result: Mapping[str, Any]) -> list[Text]:
 
 def _digits(result: Mapping[str, Any]) -> int:
     """Return the decimals for a result: two, more where everything is small."""
-    largest = max((abs(value) for value in result["parameters"].values() if value is not None), default=1.0)
+    largest = max(
+        (abs(value) for value in result["parameters"].values() if value is not None), default=1.0
+    )
     return 2 if largest >= 1.0 else 3 if largest >= 0.1 else 4
 
 
 def _runs(runs: Mapping[str, int]) -> str:
     if runs["positive"] == runs["negative"]:
-        return f"{runs['positive']} runs in each direction" if runs["positive"] != 1 else "1 run in each direction"
-    told = [f"{runs[key]} in {sign}" for key, sign in (("positive", "+"), ("negative", "−")) if runs[key]]
+        return (
+            f"{runs['positive']} runs in each direction"
+            if runs["positive"] != 1
+            else "1 run in each direction"
+        )
+    told = [
+        f"{runs[key]} in {sign}"
+        for key, sign in (("positive", "+"), ("negative", "−"))
+        if runs[key]
+    ]
     return f"runs: {', '.join(told)}"
 
 
@@ -160,22 +200,45 @@ def _not_applicable(result: Mapping[str, Any]) -> list[RenderableType]:
     reasons: dict[str, list[str]] = {}
     for name, reason in result["not_applicable"].items():
         reasons.setdefault(reason, []).append(_letter(name))
-    return [Text(f"{_MISSING} {', '.join(names)}: {reason}", style="dim") for reason, names in reasons.items()]
+    return [
+        Text(f"{_MISSING} {', '.join(names)}: {reason}", style="dim")
+        for reason, names in reasons.items()
+    ]
 
 
 def _letter(name: str) -> str:
-    return name.replace("_positive", "+").replace("_negative", "−").replace("B_mean", "B̄").replace("_", " ")
+    return (
+        name.replace("_positive", "+")
+        .replace("_negative", "−")
+        .replace("B_mean", "B̄")
+        .replace("_", " ")
+    )
 
 
 def _target_table(result: Mapping[str, Any]) -> Table:
     unit, digits = _UNITS.get(result["unit"], result["unit"]), _digits(result)
     table = Table(
-        box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold", title=f"Targets, {unit}", title_justify="left"
+        box=None,
+        pad_edge=False,
+        padding=(0, 2, 0, 0),
+        header_style="bold",
+        title=f"Targets, {unit}",
+        title_justify="left",
     )
-    for heading in (result["position_unit"], "mean +", "mean −", "s +", "s −", "B", "Ps" if "P" in result["parameters"] else "R"):
+    for heading in (
+        result["position_unit"],
+        "mean +",
+        "mean −",
+        "s +",
+        "s −",
+        "B",
+        "Ps" if "P" in result["parameters"] else "R",
+    ):
         table.add_column(heading, justify="right", no_wrap=True)
     for target in result["targets"]:
-        means = [number(target[key], digits, signed=True) for key in ("mean_positive", "mean_negative")]
+        means = [
+            number(target[key], digits, signed=True) for key in ("mean_positive", "mean_negative")
+        ]
         spreads = [number(target[key], digits) for key in ("s_positive", "s_negative")]
         table.add_row(
             _position(target["position"]),
@@ -197,11 +260,21 @@ def _findings(findings: Sequence[Mapping[str, str]]) -> list[RenderableType]:
     order = {"error": 0, "warning": 1, "info": 2}
     for finding in sorted(findings, key=lambda entry: order.get(entry["severity"], 3)):
         style = _STYLES.get(finding["severity"], "")
-        table.add_row(Text(finding["severity"], style=style), Text(finding["code"], style="dim"), Text(finding["message"]))
+        table.add_row(
+            Text(finding["severity"], style=style),
+            Text(finding["code"], style="dim"),
+            Text(finding["message"]),
+        )
     return [Text(), table]
 
 
 def _errors(errors: Sequence[Mapping[str, str]]) -> RenderableType:
-    lines = [Text(f"{error['file']}: {error['message']}" if error["file"] else error["message"]) for error in errors]
+    lines = [
+        Text(f"{error['file']}: {error['message']}" if error["file"] else error["message"])
+        for error in errors
+    ]
     title = Text("Not evaluated", style="bold red")
-    return Group(Rule(title, align="left", characters="─", style="red"), *(Padding(line, (0, 0, 0, 2)) for line in lines))
+    return Group(
+        Rule(title, align="left", characters="─", style="red"),
+        *(Padding(line, (0, 0, 0, 2)) for line in lines),
+    )

@@ -1,4 +1,6 @@
-"""The section ``circles`` of a MACHINE.yaml -> virtual circular tests. The schema with an example is ``docs/simulation.md``."""
+"""The section ``circles`` of a MACHINE.yaml -> virtual circular tests. The schema with an example
+is ``docs/simulation.md``.
+"""
 
 from __future__ import annotations
 
@@ -34,17 +36,31 @@ class VirtualCircle:
 
 
 def read_circles(section: Section, axes: Mapping[str, Axis]) -> dict[str, VirtualCircle]:
-    """Return the circles by name; ``axes`` are the machine's, in whose travel a circle must lie. Faults go into the section."""
+    """Return the circles by name; ``axes`` are the machine's, in whose travel a circle must lie.
+    Faults go into the section.
+    """
     for name in section.data:
         if not _NAME.fullmatch(name):  # it becomes the name of a file
-            section.reject(name, "is not the name of a circle", "a letter, then letters, digits, _ or -")
+            section.reject(
+                name, "is not the name of a circle", "a letter, then letters, digits, _ or -"
+            )
         elif name.lower() in {axis.lower() for axis in axes}:
-            section.reject(name, "is the name of an axis too", "names that make different file names")
+            section.reject(
+                name, "is the name of an axis too", "names that make different file names"
+            )
     if len({name.lower() for name in section.data}) < len(section.data):
         document, file = section.document, section.file
-        fault = Fault(message="has names that differ in upper and lower case only", file=file, place=document.place(section.path))
+        fault = Fault(
+            message="has names that differ in upper and lower case only",
+            file=file,
+            place=document.place(section.path),
+        )
         section.faults.append(fault)
-    return {name: _circle(name, own, axes) for name in section.data if (own := section.section(name)) is not None}
+    return {
+        name: _circle(name, own, axes)
+        for name in section.data
+        if (own := section.section(name)) is not None
+    }
 
 
 def _circle(name: str, section: Section, axes: Mapping[str, Axis]) -> VirtualCircle:
@@ -80,7 +96,9 @@ def _plan(name: str, section: Section, axes: tuple[str, str]) -> CirclePlan:
         arc=_arc(section),
         runs=section.whole("runs", 1, least=1, most=100),
         first=cast("Literal['ccw', 'cw']", section.choice("first", ["ccw", "cw"], "ccw")),
-        sample_rate=section.number("sample_rate_hz", above=0.0) if section.has("sample_rate_hz") else None,
+        sample_rate=(
+            section.number("sample_rate_hz", above=0.0) if section.has("sample_rate_hz") else None
+        ),
         overshoot=section.number("overshoot_deg", 20.0, least=0.0),
         centre=(centre[0], centre[1]) if centre else (0.0, 0.0),
         calibrated=_flag(section, "calibrated"),
@@ -89,7 +107,9 @@ def _plan(name: str, section: Section, axes: tuple[str, str]) -> CirclePlan:
         section.reject("overshoot_deg", "is more than a turn", "0 to 360")
     if not _SAMPLES[0] <= plan.samples <= _SAMPLES[1]:
         key = "sample_rate_hz" if plan.sample_rate is not None else "arc"
-        section.reject(key, f"makes {plan.samples} samples in a run", f"{_SAMPLES[0]} to {_SAMPLES[1]} samples")
+        section.reject(
+            key, f"makes {plan.samples} samples in a run", f"{_SAMPLES[0]} to {_SAMPLES[1]} samples"
+        )
     return plan
 
 
@@ -106,7 +126,10 @@ def _arc(section: Section) -> tuple[float, float]:
     arc = section.section("arc")
     if arc is None:
         return 0.0, 360.0
-    start, extent = arc.number("start_deg", 0.0, least=-360.0), arc.number("extent_deg", 360.0, least=_SMALLEST_ARC)
+    start, extent = (
+        arc.number("start_deg", 0.0, least=-360.0),
+        arc.number("extent_deg", 360.0, least=_SMALLEST_ARC),
+    )
     for key, value in (("start_deg", start), ("extent_deg", extent)):
         if value > 360.0:
             arc.reject(key, "is more than a turn", "at most 360")
@@ -125,7 +148,10 @@ def _check_travel(section: Section, plan: CirclePlan, axes: Mapping[str, Axis]) 
         elif axis.travel[0] < axis.travel[1] and not (
             axis.travel[0] <= centre - plan.radius <= centre + plan.radius <= axis.travel[1]
         ):
-            span = f"{axis.travel[0]:g} to {axis.travel[1]:g} mm of {name} around the whole circle of {plan.radius:g} mm"
+            span = (
+                f"{axis.travel[0]:g} to {axis.travel[1]:g} mm of {name} around the whole circle of"
+                f" {plan.radius:g} mm"
+            )
             section.reject("centre", "puts the circle outside the travel", span)
 
 
@@ -144,7 +170,9 @@ def _errors(section: Section, axes: tuple[str, str]) -> CircleErrors:
         correlation=section.number("correlation", 0.0, least=0.0),
     )
     if errors.correlation >= 1.0:
-        section.reject("correlation", "is no correlation of neighbouring samples", "at least 0, below 1")
+        section.reject(
+            "correlation", "is no correlation of neighbouring samples", "at least 0, below 1"
+        )
     section.close()
     return errors
 
@@ -175,7 +203,9 @@ def _axis(section: Section) -> CircleAxis:
 
 
 def _lost_motion(section: Section) -> tuple[float, float]:
-    """Return the lost motion at the positive and the negative reversal point: one number for both, or a list of two."""
+    """Return the lost motion at the positive and the negative reversal point: one number for both,
+    or a list of two.
+    """
     if isinstance(section.data.get("lost_motion_um"), list):
         both = section.numbers("lost_motion_um", length=2)
         return (both[0] * _UM, both[1] * _UM) if both else (0.0, 0.0)

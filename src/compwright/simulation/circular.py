@@ -1,8 +1,10 @@
-"""A virtual circular test: the exact path of two axes with known errors, and what a ballbar between them would read.
+"""A virtual circular test: the exact path of two axes with known errors, and what a ballbar between
+them would read.
 
-Lengths mm, angles rad inside and deg at the door, signs as in the outside contract: deviation = measured minus commanded,
-lost motion > 0 lags the direction of motion, squareness > 0 for more than 90 deg between the positive axes, lag > 0 is late. No
-first-order formula is used: the two axis positions are computed, then their distance from the set-up point.
+Lengths mm, angles rad inside and deg at the door, signs as in the outside contract: deviation =
+measured minus commanded, lost motion > 0 lags the direction of motion, squareness > 0 for more than
+90 deg between the positive axes, lag > 0 is late. No first-order formula is used: the two axis
+positions are computed, then their distance from the set-up point.
 """
 
 from __future__ import annotations
@@ -18,7 +20,8 @@ from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest, Sense
 
-#: What is added to a commanded position: axis name, positions (n,) in machine mm, directions (n,) of +1 and -1 -> (n,) mm.
+#: What is added to a commanded position: axis name, positions (n,) in machine mm, directions (n,)
+#: of +1 and -1 -> (n,) mm.
 CircleCorrection = Callable[[str, FloatArray, FloatArray], FloatArray]
 
 _SAMPLES_PER_TURN: Final = 1500  # as a ballbar's software chooses its sample rate
@@ -29,11 +32,13 @@ _FEWEST, _MOST = 4, 1_000_000  # samples of a run
 class CircleAxis:
     """Errors of one of the two axes on the circle; u is its commanded position from the centre.
 
-    ``scale`` (relative, > 0 travels too far). ``lost_motion`` (mm; at u > 0, at u < 0): the axis lags its direction by half of it.
-    ``lag`` (s): dead time. ``gain`` (1/s): Kv of a first-order servo, None for an ideal one. ``lateral_play`` (mm): the other axis
-    shifts by half of it toward + while this one moves toward +, toward - while it moves toward -. ``spike`` (mm): outward
-    displacement at a reversal, which decays over ``spike_length`` (mm along the path). ``cyclic`` (mm), ``pitch`` (mm), ``phase``
-    (rad): cyclic * cos(2 pi u / pitch + phase). ``straightness`` k (mm): this axis shifts the other one by k (u/R)^2.
+    ``scale`` (relative, > 0 travels too far). ``lost_motion`` (mm; at u > 0, at u < 0): the axis
+    lags its direction by half of it. ``lag`` (s): dead time. ``gain`` (1/s): Kv of a first-order
+    servo, None for an ideal one. ``lateral_play`` (mm): the other axis shifts by half of it toward
+    + while this one moves toward +, toward - while it moves toward -. ``spike`` (mm): outward
+    displacement at a reversal, which decays over ``spike_length`` (mm along the path). ``cyclic``
+    (mm), ``pitch`` (mm), ``phase`` (rad): cyclic * cos(2 pi u / pitch + phase). ``straightness`` k
+    (mm): this axis shifts the other one by k (u/R)^2.
     """
 
     scale: float = 0.0
@@ -53,9 +58,10 @@ class CircleAxis:
 class CircleErrors:
     """Errors of the pair of axes, the set-up and the instrument.
 
-    ``squareness`` beta (rad): actual first = first - beta * second. ``offset`` (mm, both axes): circle centre as seen from the
-    set-up point. ``radius_change`` (mm): read on top in ccw, taken off in cw. ``bar`` (mm): error of the length of the bar, read on
-    top in both. ``noise`` (mm): standard deviation of one sample, independent. ``correlated_noise`` (mm): standard deviation of
+    ``squareness`` beta (rad): actual first = first - beta * second. ``offset`` (mm, both axes):
+    circle centre as seen from the set-up point. ``radius_change`` (mm): read on top in ccw, taken
+    off in cw. ``bar`` (mm): error of the length of the bar, read on top in both. ``noise`` (mm):
+    standard deviation of one sample, independent. ``correlated_noise`` (mm): standard deviation of
     noise of which each sample keeps the share ``correlation`` (0 <= rho < 1) of the one before.
     """
 
@@ -74,9 +80,9 @@ class CircleErrors:
 class CirclePlan:
     """How the circle is measured.
 
-    ``radius`` mm, ``feed`` mm/min along the path, ``arc`` (start, extent) deg, ``runs`` in each direction, the direction ``first``
-    run; ``sample_rate`` Hz, None for 1500 samples per turn; ``overshoot`` deg before and after the arc; ``centre`` mm, machine
-    coordinates of both axes.
+    ``radius`` mm, ``feed`` mm/min along the path, ``arc`` (start, extent) deg, ``runs`` in each
+    direction, the direction ``first`` run; ``sample_rate`` Hz, None for 1500 samples per turn;
+    ``overshoot`` deg before and after the arc; ``centre`` mm, machine coordinates of both axes.
     """
 
     name: str = "circle"
@@ -93,7 +99,9 @@ class CirclePlan:
 
     @property
     def samples(self) -> int:
-        """Number of samples of the arc in one run: an exact number of them fills the arc, so the true rate is `rate`."""
+        """Number of samples of the arc in one run: an exact number of them fills the arc, so the
+        true rate is `rate`.
+        """
         per_turn = _SAMPLES_PER_TURN if self.sample_rate is None else self.sample_rate * self._turn
         return round(per_turn * self.arc[1] / 360.0)
 
@@ -110,7 +118,9 @@ class CirclePlan:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Traverse:
-    """One run as the instrument records it: ``readings`` (n,) mm with overshoot; ``start`` to ``end`` are the arc."""
+    """One run as the instrument records it: ``readings`` (n,) mm with overshoot; ``start`` to
+    ``end`` are the arc.
+    """
 
     run: CircularRun
     readings: FloatArray
@@ -128,26 +138,43 @@ class CircleRecording:
 
 
 def simulate_circle(
-    errors: CircleErrors, plan: CirclePlan, *, seed: int = 0, corrections: CircleCorrection | None = None
+    errors: CircleErrors,
+    plan: CirclePlan,
+    *,
+    seed: int = 0,
+    corrections: CircleCorrection | None = None,
 ) -> CircularTest:
     """Return the circular test of an exact virtual machine; see `record_circle`."""
     return record_circle(errors, plan, seed=seed, corrections=corrections).test
 
 
 def record_circle(
-    errors: CircleErrors, plan: CirclePlan, *, seed: int = 0, corrections: CircleCorrection | None = None
+    errors: CircleErrors,
+    plan: CirclePlan,
+    *,
+    seed: int = 0,
+    corrections: CircleCorrection | None = None,
 ) -> CircleRecording:
     """Return the test with its traverses; ccw and cw take turns.
 
-    Samples lie at half steps of the commanded angle: k of N at start + (k + 1/2) extent/N in ccw, mirrored in cw. ``corrections``
-    (a control's tables, or errors along the axes) are added to the command; what they are in the centre, on the mean of both
-    directions, is taken off, as the set-up point is found there. Noise follows from ``seed`` alone: the same with any errors
-    and corrections. Raises UsageError for a plan of fewer than 4 or more than a million samples a run, or an arc beyond 360 deg.
+    Samples lie at half steps of the commanded angle: k of N at start + (k + 1/2) extent/N in ccw,
+    mirrored in cw. ``corrections`` (a control's tables, or errors along the axes) are added to the
+    command; what they are in the centre, on the mean of both directions, is taken off, as the
+    set-up point is found there. Noise follows from ``seed`` alone: the same with any errors and
+    corrections. Raises UsageError for a plan of fewer than 4 or more than a million samples a run,
+    or an arc beyond 360 deg.
     """
     _check(plan)
     senses: tuple[Sense, Sense] = ("ccw", "cw") if plan.first == "ccw" else ("cw", "ccw")
     traverses = [
-        _traverse(errors, plan, sense, number, np.random.default_rng([seed, number, sense == "cw"]), corrections)
+        _traverse(
+            errors,
+            plan,
+            sense,
+            number,
+            np.random.default_rng([seed, number, sense == "cw"]),
+            corrections,
+        )
         for number in range(1, plan.runs + 1)
         for sense in senses
     ]
@@ -167,13 +194,23 @@ def record_circle(
 
 
 def _check(plan: CirclePlan) -> None:
-    if not (plan.radius > 0.0 and plan.feed > 0.0 and 0.0 < plan.arc[1] <= 360.0 and _FEWEST <= plan.samples <= _MOST):
+    if not (
+        plan.radius > 0.0
+        and plan.feed > 0.0
+        and 0.0 < plan.arc[1] <= 360.0
+        and _FEWEST <= plan.samples <= _MOST
+    ):
         raise UsageError(
             Fault(
                 message="is no circle that can be measured",
                 place=plan.name,
-                expected=f"radius and feed above 0, an arc up to 360 deg, {_FEWEST} to {_MOST} samples in a run",
-                found=f"radius {plan.radius:g} mm, feed {plan.feed:g} mm/min, arc {plan.arc[1]:g} deg",
+                expected=(
+                    f"radius and feed above 0, an arc up to 360 deg, {_FEWEST} to {_MOST} samples"
+                    " in a run"
+                ),
+                found=(
+                    f"radius {plan.radius:g} mm, feed {plan.feed:g} mm/min, arc {plan.arc[1]:g} deg"
+                ),
             )
         )
 
@@ -206,20 +243,28 @@ def _radii(
     travelled: FloatArray,
     corrections: CircleCorrection | None,
 ) -> FloatArray:
-    """Return the lengths (n,) mm that the bar shows at commanded ``angles`` (n,) deg, ``travelled`` (n,) rad after the start."""
+    """Return the lengths (n,) mm that the bar shows at commanded ``angles`` (n,) deg, ``travelled``
+    (n,) rad after the start.
+    """
     d = 1.0 if sense == "ccw" else -1.0
     theta = np.radians(angles)
     x, x_aside = _axis(errors.first, plan, 0, _Motion(theta, d, travelled), corrections)
-    y, y_aside = _axis(errors.second, plan, 1, _Motion(theta - 0.5 * math.pi, d, travelled), corrections)
+    y, y_aside = _axis(
+        errors.second, plan, 1, _Motion(theta - 0.5 * math.pi, d, travelled), corrections
+    )
     x, y = x + y_aside, y + x_aside
     x = x - errors.squareness * y
-    radii: FloatArray = np.hypot(x + errors.offset[0], y + errors.offset[1]) + errors.bar + d * errors.radius_change
+    radii: FloatArray = (
+        np.hypot(x + errors.offset[0], y + errors.offset[1]) + errors.bar + d * errors.radius_change
+    )
     return radii
 
 
 @dataclass(frozen=True, slots=True)
 class _Motion:
-    """Motion of one axis, u = R cos(``angle``): angle (n,) rad, the sense ``d``, ``travelled`` (n,) rad since the start."""
+    """Motion of one axis, u = R cos(``angle``): angle (n,) rad, the sense ``d``, ``travelled`` (n,)
+    rad since the start.
+    """
 
     angle: FloatArray
     d: float
@@ -227,42 +272,70 @@ class _Motion:
 
 
 def _axis(
-    axis: CircleAxis, plan: CirclePlan, index: int, motion: _Motion, corrections: CircleCorrection | None
+    axis: CircleAxis,
+    plan: CirclePlan,
+    index: int,
+    motion: _Motion,
+    corrections: CircleCorrection | None,
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the actual position of an axis from the centre and how far it shifts the other one, both (n,) mm."""
+    """Return the actual position of an axis from the centre and how far it shifts the other one,
+    both (n,) mm.
+    """
     w = plan.feed / 60.0 / plan.radius  # rad/s
     behind, shrunk = w * axis.lag, 1.0
-    if axis.gain is not None:  # steady state of a first-order lag: 1/sqrt(1 + (w/Kv)^2), late by atan(w/Kv)
+    if (
+        axis.gain is not None
+    ):  # steady state of a first-order lag: 1/sqrt(1 + (w/Kv)^2), late by atan(w/Kv)
         behind, shrunk = behind + math.atan(w / axis.gain), 1.0 / math.hypot(1.0, w / axis.gain)
     angle = motion.angle - motion.d * behind
     u = plan.radius * np.cos(angle)
-    direction = np.where(motion.d * np.sin(angle) >= 0.0, -1.0, 1.0)  # exactly at a reversal: the new direction
+    direction = np.where(
+        motion.d * np.sin(angle) >= 0.0, -1.0, 1.0
+    )  # exactly at a reversal: the new direction
     moved = shrunk * u
     if corrections is not None:
         moved = moved + _corrected(corrections, plan.axes[index], plan.centre[index], u, direction)
     lost = np.where(u > 0.0, *axis.lost_motion)
-    position = moved * (1.0 + axis.scale) - 0.5 * lost * direction + _spike(axis, plan.radius, angle, motion)
+    position = (
+        moved * (1.0 + axis.scale)
+        - 0.5 * lost * direction
+        + _spike(axis, plan.radius, angle, motion)
+    )
     position = position + axis.cyclic * np.cos(2.0 * math.pi * moved / axis.pitch + axis.phase)
     aside = 0.5 * axis.lateral_play * direction + axis.straightness * (u / plan.radius) ** 2
     return position, aside
 
 
 def _spike(axis: CircleAxis, radius: float, angle: FloatArray, motion: _Motion) -> FloatArray:
-    """Return the displacement after the last reversal, outward there; none before the first reversal since the start."""
+    """Return the displacement after the last reversal, outward there; none before the first
+    reversal since the start.
+    """
     since = np.mod(motion.d * angle, math.pi)
     outward = np.where(np.cos(angle - motion.d * since) > 0.0, 1.0, -1.0)
-    size: FloatArray = np.where(since <= motion.travelled, axis.spike * np.exp(-radius * since / axis.spike_length), 0.0)
+    size: FloatArray = np.where(
+        since <= motion.travelled, axis.spike * np.exp(-radius * since / axis.spike_length), 0.0
+    )
     return outward * size
 
 
-def _corrected(corrections: CircleCorrection, axis: str, centre: float, positions: FloatArray, direction: FloatArray) -> FloatArray:
+def _corrected(
+    corrections: CircleCorrection,
+    axis: str,
+    centre: float,
+    positions: FloatArray,
+    direction: FloatArray,
+) -> FloatArray:
     at_centre = corrections(axis, np.array([centre, centre]), np.array([1.0, -1.0]))
-    corrected: FloatArray = corrections(axis, centre + positions, direction) - float(np.mean(at_centre))
+    corrected: FloatArray = corrections(axis, centre + positions, direction) - float(
+        np.mean(at_centre)
+    )
     return corrected
 
 
 def _noise(errors: CircleErrors, count: int, rng: np.random.Generator) -> FloatArray:
-    """Return white noise and first-order autoregressive noise, stationary from the first sample, (count,) mm."""
+    """Return white noise and first-order autoregressive noise, stationary from the first sample,
+    (count,) mm.
+    """
     white, fresh = rng.standard_normal((2, count))
     rho = errors.correlation
     keep = math.sqrt(1.0 - rho * rho)

@@ -1,4 +1,6 @@
-"""A simulated circular test as the file that an instrument would leave: plain CSV, or the XML of a ballbar (``.b5r``)."""
+"""A simulated circular test as the file that an instrument would leave: plain CSV, or the XML of a
+ballbar (``.b5r``).
+"""
 
 from __future__ import annotations
 
@@ -11,10 +13,11 @@ from compwright.simulation.circular import CirclePlan, CircleRecording, Traverse
 
 
 def to_circular_csv(test: CircularTest, extra: Mapping[str, str] | None = None) -> bytes:
-    """Return ``test`` as plain CSV (UTF-8, LF): angles in deg with six decimals, deviations in µm with four.
+    """Return ``test`` as plain CSV (UTF-8, LF): angles in deg with six decimals, deviations in µm
+    with four.
 
-    Comment keys: what the test's header says, then ``extra``, then those that the test itself fixes. Rows stand run by run in the
-    order of time within each.
+    Comment keys: what the test's header says, then ``extra``, then those that the test itself
+    fixes. Rows stand run by run in the order of time within each.
     """
     own = {
         "plane": test.plane,
@@ -29,14 +32,14 @@ def to_circular_csv(test: CircularTest, extra: Mapping[str, str] | None = None) 
     lines.append("direction,run,angle_deg,deviation_um")
     for run in test.runs:
         lines.extend(
-            f"{run.sense},{run.number},{angle:.6f},{_signless_zero(deviation * MICROMETRES_PER_MILLIMETRE)}"
+            f"{run.sense},{run.number},{angle:.6f},{_micrometres(deviation)}"
             for angle, deviation in zip(run.angles, run.deviations, strict=True)
         )
     return ("\n".join(lines) + "\n").encode()
 
 
-def _signless_zero(value: float) -> str:
-    text = f"{value:.4f}"
+def _micrometres(deviation: float) -> str:
+    text = f"{deviation * MICROMETRES_PER_MILLIMETRE:.4f}"
     return text.removeprefix("-") if float(text) == 0.0 else text
 
 
@@ -45,13 +48,16 @@ def _listed(centre: tuple[float, ...]) -> str:
 
 
 def to_b5r(recording: CircleRecording, extra: Mapping[str, str] | None = None) -> bytes:
-    """Return ``recording`` in the structure of a ``.b5r`` file (UTF-8 with byte order mark), readings in mm with five decimals.
+    """Return ``recording`` in the structure of a ``.b5r`` file (UTF-8 with byte order mark),
+    readings in mm with five decimals.
 
-    ``extra``: ``machine`` and ``serial``. Printed results (FEATURE, ANALYSIS) and dates are left out: nothing is invented, and the
-    same recording gives the same bytes.
+    ``extra``: ``machine`` and ``serial``. Printed results (FEATURE, ANALYSIS) and dates are left
+    out: nothing is invented, and the same recording gives the same bytes.
     """
     plan = recording.plan
-    machine = " ".join(filter(None, ((extra or {}).get("machine", ""), (extra or {}).get("serial", ""))))
+    machine = " ".join(
+        filter(None, ((extra or {}).get("machine", ""), (extra or {}).get("serial", "")))
+    )
     directions = dict.fromkeys(traverse.run.sense.upper() for traverse in recording.traverses)
     lines = [
         '<?xml version="1.0" encoding="utf-8" standalone="yes"?>',

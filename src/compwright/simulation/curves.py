@@ -24,9 +24,9 @@ class Curve(Protocol):
 class RandomCurve:
     """A random smooth curve, the same for the same ``seed``.
 
-    A sum of cosines with normally distributed wave numbers of standard deviation 1/``length``: values about ``length`` (mm or
-    deg) apart are still related, farther ones are not. Over ``travel`` it runs exactly from -``amplitude`` to +``amplitude``
-    (mm or deg).
+    A sum of cosines with normally distributed wave numbers of standard deviation 1/``length``:
+    values about ``length`` (mm or deg) apart are still related, farther ones are not. Over
+    ``travel`` it runs exactly from -``amplitude`` to +``amplitude`` (mm or deg).
     """
 
     amplitude: float
@@ -41,20 +41,26 @@ class RandomCurve:
             return np.zeros(where.shape)
         over_travel = self._waves(np.linspace(*self.travel, _GRID))
         low, high = float(over_travel.min()), float(over_travel.max())
-        scaled: FloatArray = (self._waves(where) - 0.5 * (low + high)) * (2.0 * self.amplitude / (high - low))
+        scaled: FloatArray = (self._waves(where) - 0.5 * (low + high)) * (
+            2.0 * self.amplitude / (high - low)
+        )
         return scaled
 
     def _waves(self, positions: FloatArray) -> FloatArray:
         rng = np.random.default_rng(self.seed)
         wave_numbers = rng.standard_normal(_WAVES) / self.length
         phases = rng.uniform(0.0, 2.0 * np.pi, _WAVES)
-        total: FloatArray = np.cos((positions[..., None] - self.travel[0]) * wave_numbers + phases).sum(axis=-1)
+        total: FloatArray = np.cos(
+            (positions[..., None] - self.travel[0]) * wave_numbers + phases
+        ).sum(axis=-1)
         return total
 
 
 @dataclass(frozen=True, slots=True)
 class PointCurve:
-    """Straight lines through ``values`` at ``positions`` (both in mm or deg, positions ascending), the end values beyond."""
+    """Straight lines through ``values`` at ``positions`` (both in mm or deg, positions ascending),
+    the end values beyond.
+    """
 
     positions: tuple[float, ...]
     values: tuple[float, ...]

@@ -1,4 +1,6 @@
-"""Typed access to one mapping of a YAML file, collecting every fault instead of stopping at the first."""
+"""Typed access to one mapping of a YAML file, collecting every fault instead of stopping at the
+first.
+"""
 
 from __future__ import annotations
 
@@ -13,28 +15,49 @@ _LARGEST = 1e9  # mm or deg, µm or arcsec: nothing on a machine is larger
 
 
 class Section:
-    """A mapping in the document. Every getter returns a usable value; what was wrong is in ``faults``, shared by all sections."""
+    """A mapping in the document. Every getter returns a usable value; what was wrong is in
+    ``faults``, shared by all sections.
+    """
 
-    def __init__(self, document: YamlDocument, file: str, path: KeyPath, data: Any, faults: list[Fault]) -> None:
+    def __init__(
+        self, document: YamlDocument, file: str, path: KeyPath, data: Any, faults: list[Fault]
+    ) -> None:
         self.document, self.file, self.path, self.faults = document, file, path, faults
         self.data: Mapping[str, Any] = data if isinstance(data, dict) else {}
         self.known: set[str] = set()
         self.is_mapping = isinstance(data, dict)
         if not self.is_mapping:
-            self.faults.append(self._fault((), "is not a mapping", "keys with values", _shown(data)))
+            self.faults.append(
+                self._fault((), "is not a mapping", "keys with values", _shown(data))
+            )
 
     def has(self, key: str) -> bool:
         """Return whether ``key`` is there; it then counts as known."""
         self.known.add(key)
         return key in self.data
 
-    def number(self, key: str, default: float | None = None, *, least: float | None = None, above: float | None = None) -> float:
-        """Return a finite number; ``default`` None: required. ``least`` and ``above`` are lower limits (with, without equality)."""
+    def number(
+        self,
+        key: str,
+        default: float | None = None,
+        *,
+        least: float | None = None,
+        above: float | None = None,
+    ) -> float:
+        """Return a finite number; ``default`` None: required. ``least`` and ``above`` are lower
+        limits (with, without equality).
+        """
         if not self._given(key, required=default is None):
             return default if default is not None else 1.0
         value = self.data[key]
-        limit = (f" of at least {least:g}" if least is not None else "") + (f" above {above:g}" if above is not None else "")
-        if not _is_number(value) or (least is not None and value < least) or (above is not None and value <= above):
+        limit = (f" of at least {least:g}" if least is not None else "") + (
+            f" above {above:g}" if above is not None else ""
+        )
+        if (
+            not _is_number(value)
+            or (least is not None and value < least)
+            or (above is not None and value <= above)
+        ):
             self.reject(key, "is not such a number", f"a number{limit}")
             return default if default is not None else 1.0
         return float(value)
@@ -49,12 +72,20 @@ class Section:
             return default
         return value
 
-    def numbers(self, key: str, *, length: int | None = None, at_least: int = 1) -> tuple[float, ...]:
-        """Return a required list of finite numbers, of ``length`` entries or ``at_least`` so many; empty when at fault."""
+    def numbers(
+        self, key: str, *, length: int | None = None, at_least: int = 1
+    ) -> tuple[float, ...]:
+        """Return a required list of finite numbers, of ``length`` entries or ``at_least`` so many;
+        empty when at fault.
+        """
         if not self._given(key, required=True):
             return ()
         value = self.data[key]
-        wanted = f"a list of {length} numbers" if length is not None else f"a list of at least {at_least} numbers"
+        wanted = (
+            f"a list of {length} numbers"
+            if length is not None
+            else f"a list of at least {at_least} numbers"
+        )
         if (
             not isinstance(value, list)
             or not all(_is_number(entry) for entry in value)
@@ -100,7 +131,10 @@ class Section:
         if not isinstance(value, list):
             self.reject(key, "is not a list", "a list of mappings")
             return []
-        return [Section(self.document, self.file, (*self.path, key, i), entry, self.faults) for i, entry in enumerate(value)]
+        return [
+            Section(self.document, self.file, (*self.path, key, i), entry, self.faults)
+            for i, entry in enumerate(value)
+        ]
 
     def close(self) -> None:
         """Add a fault for every key that nobody asked for, with the nearest one that exists."""
@@ -127,7 +161,9 @@ class Section:
 
 
 def _is_number(value: object) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= _LARGEST  # false for nan as well
+    return (
+        isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= _LARGEST
+    )  # false for nan as well
 
 
 def _shown(value: object) -> str:

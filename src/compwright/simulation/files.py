@@ -1,4 +1,6 @@
-"""A simulated test as the file that an instrument would leave: the plain long CSV of the outside contract."""
+"""A simulated test as the file that an instrument would leave: the plain long CSV of the outside
+contract.
+"""
 
 from __future__ import annotations
 
@@ -14,8 +16,9 @@ from compwright.records.positioning import PositioningTest
 def to_csv(test: PositioningTest, extra: Mapping[str, str] | None = None) -> bytes:
     """Return ``test`` as plain long CSV (UTF-8, LF), deviations in um or arcsec with four decimals.
 
-    Comment keys: what the test's header says, then ``extra`` (which goes over it), then axis, cycle and sign, which the test itself
-    fixes. Rows stand traverse by traverse in the order of the run numbers; readings that were not made (NaN) are left out.
+    Comment keys: what the test's header says, then ``extra`` (which goes over it), then axis, cycle
+    and sign, which the test itself fixes. Rows stand traverse by traverse in the order of the run
+    numbers; readings that were not made (NaN) are left out.
     """
     unit = test.kind.unit
     keys = {**test.header, **(extra or {})}
@@ -25,7 +28,10 @@ def to_csv(test: PositioningTest, extra: Mapping[str, str] | None = None) -> byt
     factor = outside_factor(unit)
     width = max(test.positive.shape[1], test.negative.shape[1])
     for column in range(width):
-        for direction, runs in ((Direction.POSITIVE, test.runs_positive), (Direction.NEGATIVE, test.runs_negative)):
+        for direction, runs in (
+            (Direction.POSITIVE, test.runs_positive),
+            (Direction.NEGATIVE, test.runs_negative),
+        ):
             block = test.deviations(direction)
             if column >= block.shape[1]:
                 continue

@@ -1,6 +1,8 @@
-"""A virtual machine: axes with known errors, and the positioning tests that an instrument would record on them.
+"""A virtual machine: axes with known errors, and the positioning tests that an instrument would
+record on them.
 
-Everything is in mm or deg and in machine coordinates. Deviation = measured minus target, so a correction adds to the error.
+Everything is in mm or deg and in machine coordinates. Deviation = measured minus target, so a
+correction adds to the error.
 """
 
 from __future__ import annotations
@@ -24,7 +26,9 @@ Correction = Callable[[FloatArray, Direction], FloatArray]
 
 @dataclass(frozen=True, slots=True)
 class ScrewError:
-    """amplitude * sin(2 pi x / period + phase): ``period``, ``amplitude`` in mm or deg, ``phase`` in rad, x from machine zero."""
+    """amplitude * sin(2 pi x / period + phase): ``period``, ``amplitude`` in mm or deg, ``phase``
+    in rad, x from machine zero.
+    """
 
     period: float
     amplitude: float
@@ -35,10 +39,11 @@ class ScrewError:
 class AxisError:
     """The error of an axis.
 
-    ``slope`` is relative (mm per mm, > 0 travels too far) and acts from the axis' reference position. ``reversal`` is the mean of
-    B = mean(+) - mean(-), negative for lost motion, and ``reversal_variation`` what is added to it over the travel.
-    ``noise`` is the standard deviation of one reading. ``drift`` is the change of the deviation from the first reading of a test
-    to its last, in proportion to the number of readings made.
+    ``slope`` is relative (mm per mm, > 0 travels too far) and acts from the axis' reference
+    position. ``reversal`` is the mean of B = mean(+) - mean(-), negative for lost motion, and
+    ``reversal_variation`` what is added to it over the travel. ``noise`` is the standard deviation
+    of one reading. ``drift`` is the change of the deviation from the first reading of a test to its
+    last, in proportion to the number of readings made.
     """
 
     slope: float = 0.0
@@ -52,7 +57,9 @@ class AxisError:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestPlan:
-    """How an axis is measured: ``targets`` (m,) ascending, ``runs`` per direction, ``datum`` the instrument's zero offset."""
+    """How an axis is measured: ``targets`` (m,) ascending, ``runs`` per direction, ``datum`` the
+    instrument's zero offset.
+    """
 
     targets: FloatArray
     runs: int = 5
@@ -78,7 +85,9 @@ class VirtualAxis:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VirtualMachine:
-    """Axes and circles by name. ``name``, ``serial`` go into the files; ``format``, ``options``: which control it has."""
+    """Axes and circles by name. ``name``, ``serial`` go into the files; ``format``, ``options``:
+    which control it has.
+    """
 
     axes: Mapping[str, VirtualAxis]
     circles: Mapping[str, VirtualCircle] = field(default_factory=dict)
@@ -88,26 +97,34 @@ class VirtualMachine:
     options: Mapping[str, object] = field(default_factory=dict)
 
     def error(self, axis: str, positions: FloatArray, direction: Direction) -> FloatArray:
-        """Return the true deviation at ``positions`` (any shape) approached in ``direction``, mm or deg.
+        """Return the true deviation at ``positions`` (any shape) approached in ``direction``, mm or
+        deg.
 
-        Without noise, drift and the instrument's datum. Arriving in the axis' ``reference_return`` direction the axis shows slope,
-        smooth and screw error alone; arriving in the other direction the reversal comes on top, so that mean(+) - mean(-) is
-        the described B either way. Raises UsageError for an axis that the machine does not have.
+        Without noise, drift and the instrument's datum. Arriving in the axis' ``reference_return``
+        direction the axis shows slope, smooth and screw error alone; arriving in the other
+        direction the reversal comes on top, so that mean(+) - mean(-) is the described B either
+        way. Raises UsageError for an axis that the machine does not have.
         """
         own = self._axis(axis)
         where = np.asarray(positions, dtype=np.float64)
         deviation = own.error.slope * (where - own.axis.reference) + own.error.smooth.at(where)
         for screw in own.error.screw:
-            deviation = deviation + screw.amplitude * np.sin(2.0 * np.pi * where / screw.period + screw.phase)
+            deviation = deviation + screw.amplitude * np.sin(
+                2.0 * np.pi * where / screw.period + screw.phase
+            )
         if direction is not own.axis.reference_return:
-            deviation = deviation + direction.sign * (own.error.reversal + own.error.reversal_variation.at(where))
+            deviation = deviation + direction.sign * (
+                own.error.reversal + own.error.reversal_variation.at(where)
+            )
         return deviation
 
-    def measure(self, axis: str, *, rng: np.random.Generator, correction: Correction | None = None) -> PositioningTest:
+    def measure(
+        self, axis: str, *, rng: np.random.Generator, correction: Correction | None = None
+    ) -> PositioningTest:
         """Return one positioning test of ``axis``: error + correction + noise + drift + datum.
 
-        ``rng`` gives the noise and nothing else, so the same seed gives the same readings with any correction. Raises UsageError
-        for an axis that the machine does not have.
+        ``rng`` gives the noise and nothing else, so the same seed gives the same readings with any
+        correction. Raises UsageError for an axis that the machine does not have.
         """
         own = self._axis(axis)
         plan = own.test
@@ -131,21 +148,36 @@ class VirtualMachine:
             runs_negative=tuple(range(1, plan.runs_in(Direction.NEGATIVE) + 1)),
             cycle=plan.cycle,
             frame="machine",
-            header={key: text for key, text in (("machine", self.name), ("serial", self.serial)) if text},
+            header={
+                key: text for key, text in (("machine", self.name), ("serial", self.serial)) if text
+            },
         )
 
-    def record_circle(self, name: str, *, seed: int, corrections: Mapping[str, Correction] | None = None) -> CircleRecording:
-        """Return one circular test: the errors of the circle, those of the axes that the machine has, and ``corrections`` by axis.
+    def record_circle(
+        self, name: str, *, seed: int, corrections: Mapping[str, Correction] | None = None
+    ) -> CircleRecording:
+        """Return one circular test: the errors of the circle, those of the axes that the machine
+        has, and ``corrections`` by axis.
 
         Raises UsageError for a circle that the machine does not have.
         """
         if name not in self.circles:
-            raise UsageError(Fault(message="the machine has no such circle", expected=", ".join(self.circles), found=name))
+            raise UsageError(
+                Fault(
+                    message="the machine has no such circle",
+                    expected=", ".join(self.circles),
+                    found=name,
+                )
+            )
         own = self.circles[name]
-        return record_circle(own.errors, own.plan, seed=seed, corrections=self._along(corrections or {}))
+        return record_circle(
+            own.errors, own.plan, seed=seed, corrections=self._along(corrections or {})
+        )
 
     def _along(self, corrections: Mapping[str, Correction]) -> CircleCorrection:
-        """Return error and correction of any axis by position and direction of motion; an axis not described has none."""
+        """Return error and correction of any axis by position and direction of motion; an axis not
+        described has none.
+        """
 
         def total(axis: str, positions: FloatArray, direction: FloatArray) -> FloatArray:
             sums = np.zeros(positions.shape)
@@ -163,16 +195,23 @@ class VirtualMachine:
 
     def _axis(self, name: str) -> VirtualAxis:
         if name not in self.axes:
-            raise UsageError(Fault(message="the machine has no such axis", expected=", ".join(self.axes), found=name))
+            raise UsageError(
+                Fault(
+                    message="the machine has no such axis",
+                    expected=", ".join(self.axes),
+                    found=name,
+                )
+            )
         return self.axes[name]
 
 
 def _progress(plan: TestPlan) -> tuple[FloatArray, FloatArray]:
-    """Return when each reading is made, (m, n) for + and for -: 0 at the first reading of the test, 1 at the last.
+    """Return when each reading is made, (m, n) for + and for -: 0 at the first reading of the test,
+    1 at the last.
 
-    Standard cycle (ISO 230-2:1997 figure 1): a traverse up through all targets, then one down, run after run. Step cycle
-    (annex A): all approaches to one target, alternating + and -, before the next target. A direction that is not
-    measured takes no time.
+    Standard cycle (ISO 230-2:1997 figure 1): a traverse up through all targets, then one down, run
+    after run. Step cycle (annex A): all approaches to one target, alternating + and -, before the
+    next target. A direction that is not measured takes no time.
     """
     target, run = np.meshgrid(np.arange(plan.targets.size), np.arange(plan.runs), indexing="ij")
     m, n = target.shape

@@ -19,15 +19,28 @@ from compwright.records.positioning import Cycle
 from compwright.simulation.circles import read_circles
 from compwright.simulation.curves import FLAT, Curve, PointCurve, RandomCurve
 from compwright.simulation.fields import Section
-from compwright.simulation.machine import AxisError, ScrewError, TestPlan, VirtualAxis, VirtualMachine
+from compwright.simulation.machine import (
+    AxisError,
+    ScrewError,
+    TestPlan,
+    VirtualAxis,
+    VirtualMachine,
+)
 
 SCHEMA: Final = 1
-# One stream of random numbers for each thing that is random, so that a change of one leaves the others as they are.
+# One stream of random numbers for each thing that is random, so that a change of one leaves the
+# others as they are.
 _SMOOTH, _REVERSAL, _TARGETS = 1, 2, 3
 _AXIS_NAME: Final = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,31}")
 _TARGET_STEP: Final = 0.001  # mm or deg: targets as they would be programmed
-_NO_TRAVEL: Final = (0.0, 0.0)  # stands for a travel that was at fault: what depends on it is then not judged
-_SHORTEST, _LONGEST = 0.002, 10.0  # length of a random curve in terms of the travel: its sum of waves can show no other
+_NO_TRAVEL: Final = (
+    0.0,
+    0.0,
+)  # stands for a travel that was at fault: what depends on it is then not judged
+_SHORTEST, _LONGEST = (
+    0.002,
+    10.0,
+)  # length of a random curve in terms of the travel: its sum of waves can show no other
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,32 +56,45 @@ class _Units:
         return TO_INSIDE[self.deviation][1]
 
 
-_UNITS: Final = {AxisKind.LINEAR: _Units("mm", "um", "um_per_m"), AxisKind.ROTARY: _Units("deg", "arcsec", "arcsec_per_deg")}
+_UNITS: Final = {
+    AxisKind.LINEAR: _Units("mm", "um", "um_per_m"),
+    AxisKind.ROTARY: _Units("deg", "arcsec", "arcsec_per_deg"),
+}
 _SLOPE: Final = {AxisKind.LINEAR: 1e-6, AxisKind.ROTARY: 1.0 / 3600.0}
 
 
 def read_machine(content: bytes, file: str) -> VirtualMachine:
     """Return the virtual machine that a MACHINE.yaml describes.
 
-    Raises InputError when it is not YAML, and UsageError with every fault at once (file, line, key path, expected, found) when it
-    does not follow the schema.
+    Raises InputError when it is not YAML, and UsageError with every fault at once (file, line, key
+    path, expected, found) when it does not follow the schema.
     """
     document = read_yaml(content, file)
     faults: list[Fault] = []
     top = Section(document, file, (), document.data, faults)
     raise_all(UsageError, faults)
     if top.whole("virtual_machine", 0, least=0, most=10**9) != SCHEMA:
-        top.reject("virtual_machine", "is not a schema version that this compwright reads", str(SCHEMA))
+        top.reject(
+            "virtual_machine", "is not a schema version that this compwright reads", str(SCHEMA)
+        )
     name, serial = _identity(top)
     format_id, options = _control(top)
     circles = top.section("circles")
     axes = _axes(top, needed=circles is None)
-    measured = read_circles(circles, {name: virtual.axis for name, virtual in axes.items()}) if circles is not None else {}
+    measured = (
+        read_circles(circles, {name: virtual.axis for name, virtual in axes.items()})
+        if circles is not None
+        else {}
+    )
     if not axes and circles is not None and not circles.data:
-        top.reject("circles", "names no circle, and there is no axis", "a mapping of names to circles")
+        top.reject(
+            "circles", "names no circle, and there is no axis", "a mapping of names to circles"
+        )
     top.close()
     raise_all(UsageError, faults)
-    return VirtualMachine(axes=axes, circles=measured, name=name, serial=serial, format=format_id, options=options)
+    return VirtualMachine(
+        axes=axes, circles=measured, name=name, serial=serial, format=format_id, options=options
+    )
 
 
 def _identity(top: Section) -> tuple[str, str]:
@@ -91,7 +117,9 @@ def _control(top: Section) -> tuple[str, Mapping[str, object]]:
 
 
 def _axes(top: Section, *, needed: bool) -> dict[str, VirtualAxis]:
-    """Return the axes; ``needed`` is false where circles are to be measured, whose axes may go without errors of their own."""
+    """Return the axes; ``needed`` is false where circles are to be measured, whose axes may go
+    without errors of their own.
+    """
     axes = top.section("axes")
     if axes is None and not needed:
         return {}
@@ -102,8 +130,16 @@ def _axes(top: Section, *, needed: bool) -> dict[str, VirtualAxis]:
         if not _AXIS_NAME.fullmatch(name):  # it becomes part of file names
             axes.reject(name, "is not the name of an axis", "a letter, then letters, digits or _")
     if len({name.lower() for name in axes.data}) < len(axes.data):
-        top.reject("axes", "has names that differ in upper and lower case only", "names that make different file names")
-    return {name: _axis(name, section) for name in axes.data if (section := axes.section(name)) is not None}
+        top.reject(
+            "axes",
+            "has names that differ in upper and lower case only",
+            "names that make different file names",
+        )
+    return {
+        name: _axis(name, section)
+        for name in axes.data
+        if (section := axes.section(name)) is not None
+    }
 
 
 def _axis(name: str, section: Section) -> VirtualAxis:
@@ -125,7 +161,11 @@ def _axis(name: str, section: Section) -> VirtualAxis:
     result = VirtualAxis(
         axis=axis,
         error=_error(axis, error) if error is not None else AxisError(),
-        test=_test(axis, test) if test is not None else TestPlan(targets=_spread_targets(axis, _least_targets(axis), 0)),
+        test=(
+            _test(axis, test)
+            if test is not None
+            else TestPlan(targets=_spread_targets(axis, _least_targets(axis), 0))
+        ),
     )
     section.close()
     return result
@@ -167,13 +207,19 @@ def _smooth(axis: Axis, section: Section) -> Curve:
     return curve
 
 
-def _random_curve(axis: Axis, section: Section, amplitude: str, stream: int, default: float | None = None) -> Curve:
+def _random_curve(
+    axis: Axis, section: Section, amplitude: str, stream: int, default: float | None = None
+) -> Curve:
     units = _UNITS[axis.kind]
     span = axis.travel[1] - axis.travel[0]
     key = f"length_{units.position}"
     length = section.number(key, 0.25 * span, above=0.0)
     if span and section.has(key) and not _SHORTEST * span <= length <= _LONGEST * span:
-        section.reject(key, "does not fit the travel", f"{_SHORTEST * span:g} to {_LONGEST * span:g} {units.position}")
+        section.reject(
+            key,
+            "does not fit the travel",
+            f"{_SHORTEST * span:g} to {_LONGEST * span:g} {units.position}",
+        )
     return RandomCurve(
         amplitude=section.number(amplitude, default, least=0.0) * units.inside,
         length=length,
@@ -184,7 +230,11 @@ def _random_curve(axis: Axis, section: Section, amplitude: str, stream: int, def
 
 def _seed(axis: Axis, section: Section, stream: int) -> tuple[int, ...]:
     # The axis' name is part of it, so that two axes of one description do not get the same curve.
-    return (section.whole("seed", 0, least=0, most=2**31 - 1), stream, *axis.name.encode("utf-8", "replace"))
+    return (
+        section.whole("seed", 0, least=0, most=2**31 - 1),
+        stream,
+        *axis.name.encode("utf-8", "replace"),
+    )
 
 
 def _screw(axis: Axis, section: Section) -> ScrewError:
@@ -213,7 +263,9 @@ def _test(axis: Axis, section: Section) -> TestPlan:
         targets=_targets(axis, section, seed),
         runs=section.whole("runs", 5, least=1, most=1000),
         cycle=cast("Cycle", section.choice("cycle", ["standard", "step"], "standard")),
-        directions=cast("Literal['both', '+', '-']", section.choice("directions", ["both", "+", "-"], "both")),
+        directions=cast(
+            "Literal['both', '+', '-']", section.choice("directions", ["both", "+", "-"], "both")
+        ),
         datum=section.number(f"datum_{units.deviation}", 0.0) * units.inside,
     )
     section.close()
@@ -225,15 +277,25 @@ def _targets(axis: Axis, section: Section, seed: int) -> FloatArray:
         given = section.numbers("targets", at_least=2)
         if any(later <= earlier for earlier, later in pairwise(given)):
             section.reject("targets", "do not ascend", "positions in ascending order, each once")
-        if given and axis.travel != _NO_TRAVEL and not axis.travel[0] <= min(given) <= max(given) <= axis.travel[1]:
-            section.reject("targets", "leave the travel", f"{axis.travel[0]:g} to {axis.travel[1]:g} {axis.kind.unit}")
+        if (
+            given
+            and axis.travel != _NO_TRAVEL
+            and not axis.travel[0] <= min(given) <= max(given) <= axis.travel[1]
+        ):
+            section.reject(
+                "targets",
+                "leave the travel",
+                f"{axis.travel[0]:g} to {axis.travel[1]:g} {axis.kind.unit}",
+            )
         return np.array(given)
     count = section.whole("targets", _least_targets(axis), least=2, most=10_000)
     return _spread_targets(axis, count, seed)
 
 
 def _least_targets(axis: Axis) -> int:
-    """Return the smallest number of targets of ISO 230-2:1997: 4.3.2, 4.3.3 (linear axes), table 1 and 4.3.5 (rotary axes)."""
+    """Return the smallest number of targets of ISO 230-2:1997: 4.3.2, 4.3.3 (linear axes), table 1
+    and 4.3.5 (rotary axes).
+    """
     span = axis.travel[1] - axis.travel[0]
     if axis.kind is AxisKind.LINEAR:
         return max(5, math.ceil(span / (200.0 if span <= 2000.0 else 250.0)))
@@ -243,14 +305,21 @@ def _least_targets(axis: Axis) -> int:
 
 
 def _spread_targets(axis: Axis, count: int, seed: int) -> FloatArray:
-    """Return ``count`` targets P_i = (i - 1) p + r (ISO 230-2 clause 4.2), r random within ±0.3 p, to 0.001 mm or deg.
+    """Return ``count`` targets P_i = (i - 1) p + r (ISO 230-2 clause 4.2), r random within ±0.3 p,
+    to 0.001 mm or deg.
 
-    They keep a margin of 1 % of the travel from its ends, room to come from either side. The outer targets are moved inward only.
+    They keep a margin of 1 % of the travel from its ends, room to come from either side. The outer
+    targets are moved inward only.
     """
     low, high = axis.travel
     margin = 0.01 * (high - low)
     step = (high - low - 2.0 * margin) / (count - 1)
-    r = np.random.default_rng((seed, _TARGETS, *axis.name.encode("utf-8", "replace"))).uniform(-0.3, 0.3, count) * step
+    r = (
+        np.random.default_rng((seed, _TARGETS, *axis.name.encode("utf-8", "replace"))).uniform(
+            -0.3, 0.3, count
+        )
+        * step
+    )
     r[0], r[-1] = abs(r[0]), -abs(r[-1])
     exact = low + margin + np.arange(count) * step + r
     programmed = np.round(exact / _TARGET_STEP) * _TARGET_STEP

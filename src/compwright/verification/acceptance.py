@@ -1,4 +1,6 @@
-"""From the decisions about the limits and the verdicts about the loading to the one verdict of a verification."""
+"""From the decisions about the limits and the verdicts about the loading to the one verdict of a
+verification.
+"""
 
 from __future__ import annotations
 
@@ -11,12 +13,16 @@ from compwright.records.verification import LoadingName
 OverallVerdict = Literal["good", "bad", "undecided"]
 
 
-def overall_verdict(decisions: Iterable[Decision], loadings: Iterable[LoadingName], *, still_open: bool = False) -> OverallVerdict:
-    """Return the verdict of a verification from the decisions of all limits and the loading verdict of every axis.
+def overall_verdict(
+    decisions: Iterable[Decision], loadings: Iterable[LoadingName], *, still_open: bool = False
+) -> OverallVerdict:
+    """Return the verdict of a verification from the decisions of all limits and the loading verdict
+    of every axis.
 
-    ``good``: every limit is kept, every table is loaded and nothing is ``still_open`` (a proof that is lacking). ``bad``: a limit
-    is broken, or a table is known to act otherwise than planned (not active, inverted, ...). Everything else is ``undecided``, and
-    so is a verification without a loading verdict, and one with a fault of measurement: its values say nothing of the machine.
+    ``good``: every limit is kept, every table is loaded and nothing is ``still_open`` (a proof that
+    is lacking). ``bad``: a limit is broken, or a table is known to act otherwise than planned (not
+    active, inverted, ...). Everything else is ``undecided``, and so is a verification without a
+    loading verdict, and one with a fault of measurement: its values say nothing of the machine.
     """
     decided, loaded = set(decisions), set(loadings)
     if "measurement" in loaded:

@@ -1,9 +1,11 @@
-"""Did the loaded table act? The test after loading against what it would show with the table active and with it not active.
+"""Did the loaded table act? The test after loading against what it would show with the table active
+and with it not active.
 
-Both expectations come from the same estimate of the error, so its uncertainty is common to them and stands in one covariance
-together with the noise of the after test (a plain regression of after minus before on the correction is biased, because the
-noise of the before test is in both). The instrument's datum is free, once per test: an offset of its own for each direction
-would hide a fault in the backlash.
+Both expectations come from the same estimate of the error, so its uncertainty is common to them and
+stands in one covariance together with the noise of the after test (a plain regression of after
+minus before on the correction is biased, because the noise of the before test is in both). The
+instrument's datum is free, once per test: an offset of its own for each direction would hide a
+fault in the backlash.
 """
 
 from __future__ import annotations
@@ -24,27 +26,35 @@ from compwright.records.verification import LoadingName, LoadingVerdict, Measure
 
 __all__ = ["LoadingVerdict", "judge_loading"]
 
-# Odds of 100:1. With equal doubt before, the wrong one of two candidates passes in less than 0.2 % of the tests.
+# Odds of 100:1. With equal doubt before, the wrong one of two candidates passes in less than 0.2 %
+# of the tests.
 _CLEAR: Final = math.log(100.0)
-# A test that fits is refused in about 1 of 1000 cases by its residuals, in 1 of 1000 by the size of the effect.
+# A test that fits is refused in about 1 of 1000 cases by its residuals, in 1 of 1000 by the size of
+# the effect.
 _FITS: Final = 3.09
-# No fault of loading changes the effect by so little; a machine that has warmed up by a fraction of a degree does.
+# No fault of loading changes the effect by so little; a machine that has warmed up by a fraction of
+# a degree does.
 _AS_PLANNED: Final = 0.05
-# Effect in its own standard errors from which 95 % of the tests tell all of it from half of it at odds of 100:1:
-# D^2 / 8 - 1.645 D / 2 = ln 100.
+# Effect in its own standard errors from which 95 % of the tests tell all of it from half of it at
+# odds of 100:1: D^2 / 8 - 1.645 D / 2 = ln 100.
 _VISIBLE: Final = 10.2
-_OWN_NOISE_DOF: Final = 5.0  # from here on the after test's own scatter is better known than that of the before test
-_LEAST_NOISE: Final = 1e-5  # mm or deg: repeated readings that are all equal show the instrument's resolution, not a perfect axis
+_OWN_NOISE_DOF: Final = (
+    5.0  # from here on the after test's own scatter is better known than that of the before test
+)
+# mm or deg: repeated readings that are all equal show the instrument's resolution, not a perfect
+# axis
+_LEAST_NOISE: Final = 1e-5
 
 
 @dataclass(frozen=True, slots=True)
 class _Comparison:
     """After-test means (k,) against both expectations, the datum removed.
 
-    ``residual_loaded``, ``residual_inactive`` (k,): measured minus expected, mm or deg. ``effect``: length of loaded minus
-    inactive in standard errors. ``factor``: measured part of it, 1 loaded, 0 not active, with standard error 1 / effect.
-    ``chi2``: squared length of the residuals when that part is taken out. ``noise`` (mm or deg) of a reading with ``dof`` degrees
-    of freedom; ``size``: rms of loaded minus inactive, mm or deg.
+    ``residual_loaded``, ``residual_inactive`` (k,): measured minus expected, mm or deg. ``effect``:
+    length of loaded minus inactive in standard errors. ``factor``: measured part of it, 1 loaded, 0
+    not active, with standard error 1 / effect. ``chi2``: squared length of the residuals when that
+    part is taken out. ``noise`` (mm or deg) of a reading with ``dof`` degrees of freedom; ``size``:
+    rms of loaded minus inactive, mm or deg.
     """
 
     residual_loaded: FloatArray
@@ -61,7 +71,9 @@ class _Comparison:
         return int(self.residual_loaded.size)
 
     def log_likelihood(self, factor: float) -> float:
-        """Return the log-likelihood of a table that acts by ``factor``, up to a constant; of the t law where noise is estimated."""
+        """Return the log-likelihood of a table that acts by ``factor``, up to a constant; of the t
+        law where noise is estimated.
+        """
         chi2 = self.chi2 + (self.effect * (self.factor - factor)) ** 2
         if math.isinf(self.dof):
             return -0.5 * chi2
@@ -70,8 +82,13 @@ class _Comparison:
     def fits(self, factor: float) -> bool:
         """Return whether a table that acts by ``factor`` explains the after test but for noise."""
         off = abs(self.factor - factor)
-        size_fits = off <= _AS_PLANNED or normal_score((self.effect * off) ** 2, 1.0, self.dof) <= _FITS
-        return size_fits and normal_score(self.chi2 / (self.count - 2), self.count - 2, self.dof) <= _FITS
+        size_fits = (
+            off <= _AS_PLANNED or normal_score((self.effect * off) ** 2, 1.0, self.dof) <= _FITS
+        )
+        return (
+            size_fits
+            and normal_score(self.chi2 / (self.count - 2), self.count - 2, self.dof) <= _FITS
+        )
 
 
 def judge_loading(
@@ -90,24 +107,30 @@ def judge_loading(
 ) -> LoadingVerdict:
     """Return whether the after test shows the table as loaded, as not active, or cannot tell.
 
-    ``after_*`` (m, n): deviations of the after test, NaN for readings not made, width 0 for a direction not measured.
-    ``expected_*`` (m,): mean deviations expected with the new table active and with the control as it was before.
-    ``covariance`` (2m, 2m): uncertainty of the expected means, + then -, common to both; whatever else may change between the
-    tests (set-up, temperature) belongs in it. ``noise``: standard deviation of a single reading, with ``noise_dof`` degrees of
-    freedom; used where the after test has too few repeats of its own. All in mm or deg by ``unit``; ``positions`` (m,) for the
-    message.
+    ``after_*`` (m, n): deviations of the after test, NaN for readings not made, width 0 for a
+    direction not measured. ``expected_*`` (m,): mean deviations expected with the new table active
+    and with the control as it was before. ``covariance`` (2m, 2m): uncertainty of the expected
+    means, + then -, common to both; whatever else may change between the tests (set-up,
+    temperature) belongs in it. ``noise``: standard deviation of a single reading, with
+    ``noise_dof`` degrees of freedom; used where the after test has too few repeats of its own. All
+    in mm or deg by ``unit``; ``positions`` (m,) for the message.
 
-    ``loaded`` (``not_active``) needs all of: the measured part of the effect is 1 (0) within its error or within 0.05, what is left
-    besides is noise alone, and it is 100 times likelier than the other and than a table that acts by half. Anything else is
-    ``undecided``; when the test contradicts both, a finding CW-V001 says by how much and where.
+    ``loaded`` (``not_active``) needs all of: the measured part of the effect is 1 (0) within its
+    error or within 0.05, what is left besides is noise alone, and it is 100 times likelier than the
+    other and than a table that acts by half. Anything else is ``undecided``; when the test
+    contradicts both, a finding CW-V001 says by how much and where.
     """
     loaded = np.concatenate([expected_loaded_positive, expected_loaded_negative])
     inactive = np.concatenate([expected_inactive_positive, expected_inactive_negative])
     means = np.concatenate([mean_deviation(after_positive), mean_deviation(after_negative)])
     used = np.isfinite(means) & np.isfinite(loaded) & np.isfinite(inactive)
-    if np.count_nonzero(used) < 3:  # one value is the datum's, one the effect's: nothing would be left to contradict
+    if (
+        np.count_nonzero(used) < 3
+    ):  # one value is the datum's, one the effect's: nothing would be left to contradict
         return LoadingVerdict(
-            verdict="undecided", margin=0.0, message="Cannot tell: the after test has fewer than 3 measured means."
+            verdict="undecided",
+            margin=0.0,
+            message="Cannot tell: the after test has fewer than 3 measured means.",
         )
     sigma, dof = _after_noise(after_positive, after_negative, noise, noise_dof)
 
@@ -115,7 +138,9 @@ def judge_loading(
         return _compare_readings(up, down, loaded, inactive, covariance, sigma, dof)
 
     compared = compare(after_positive, after_negative)
-    verdict = _verdict(compared, _Words(np.flatnonzero(used), after_positive.shape[0], positions, unit))
+    verdict = _verdict(
+        compared, _Words(np.flatnonzero(used), after_positive.shape[0], positions, unit)
+    )
     turned = _turned(after_positive, after_negative, compare)
     return verdict if turned is None else _turned_verdict(verdict, *turned)
 
@@ -129,7 +154,9 @@ def _compare_readings(
     sigma: float,
     dof: float,
 ) -> _Comparison:
-    """Compare readings (m, n) of both directions with both expectations (2m,) where all three exist."""
+    """Compare readings (m, n) of both directions with both expectations (2m,) where all three
+    exist.
+    """
     means = np.concatenate([mean_deviation(positive), mean_deviation(negative)])
     readings = np.concatenate([count_readings(positive), count_readings(negative)])
     used = np.isfinite(means) & np.isfinite(loaded) & np.isfinite(inactive)
@@ -138,17 +165,22 @@ def _compare_readings(
 
 
 def _turned(
-    positive: FloatArray, negative: FloatArray, compare: Callable[[FloatArray, FloatArray], _Comparison]
+    positive: FloatArray,
+    negative: FloatArray,
+    compare: Callable[[FloatArray, FloatArray], _Comparison],
 ) -> tuple[MeasurementFault, float] | None:
-    """Return what was turned in the readings, and by which log-likelihood the loaded table explains them better turned back.
+    """Return what was turned in the readings, and by which log-likelihood the loaded table explains
+    them better turned back.
 
-    None where the readings fit the loaded table as they stand, or are not 100 times less likely than turned back: what a well
-    fitted table leaves may be too little to tell, and the noise of the first test then favours either way by chance.
+    None where the readings fit the loaded table as they stand, or are not 100 times less likely
+    than turned back: what a well fitted table leaves may be too little to tell, and the noise of
+    the first test then favours either way by chance.
     """
 
     def likelihood(up: FloatArray, down: FloatArray) -> tuple[float, bool]:
         compared = compare(up, down)
-        # Without the factor 1 of the loaded table nothing else may be turned: the size of the effect counts in the likelihood.
+        # Without the factor 1 of the loaded table nothing else may be turned: the size of the
+        # effect counts in the likelihood.
         return compared.log_likelihood(1.0), compared.fits(1.0)
 
     straight, stands = likelihood(positive, negative)
@@ -158,7 +190,9 @@ def _turned(
     if np.isfinite(positive).any() and np.isfinite(negative).any():
         ways.append(("direction", negative, positive))
     found = [(of, *likelihood(up, down)) for of, up, down in ways]
-    fitting = [(value - straight, of) for of, value, fits in found if fits and value - straight >= _CLEAR]
+    fitting = [
+        (value - straight, of) for of, value, fits in found if fits and value - straight >= _CLEAR
+    ]
     if not fitting:
         return None
     margin, of = max(fitting)
@@ -166,16 +200,27 @@ def _turned(
 
 
 def _turned_verdict(verdict: LoadingVerdict, of: MeasurementFault, margin: float) -> LoadingVerdict:
-    what = "the sign of its deviations is turned" if of == "sign" else "its directions + and − are exchanged"
-    message = (
-        f"The after test fits the loaded table when {what}, and not as it stands (log-likelihood better by {margin:.1f}). Check "
-        "sign and directions of the instrument and export the test again."
+    what = (
+        "the sign of its deviations is turned"
+        if of == "sign"
+        else "its directions + and − are exchanged"
     )
-    return replace(verdict, verdict="measurement", of=of, margin=margin, message=message, findings=())
+    message = (
+        f"The after test fits the loaded table when {what}, and not as it stands (log-likelihood"
+        f" better by {margin:.1f}). Check sign and directions of the instrument and export the test"
+        " again."
+    )
+    return replace(
+        verdict, verdict="measurement", of=of, margin=margin, message=message, findings=()
+    )
 
 
-def _after_noise(positive: FloatArray, negative: FloatArray, noise: float, noise_dof: float) -> tuple[float, float]:
-    """Return the standard deviation of a single reading of the after test and its degrees of freedom."""
+def _after_noise(
+    positive: FloatArray, negative: FloatArray, noise: float, noise_dof: float
+) -> tuple[float, float]:
+    """Return the standard deviation of a single reading of the after test and its degrees of
+    freedom.
+    """
     squares, dof = 0.0, 0.0
     for block in (positive, negative):
         s = standard_deviation(block)
@@ -188,13 +233,22 @@ def _after_noise(positive: FloatArray, negative: FloatArray, noise: float, noise
 
 
 def _compare(
-    means: FloatArray, loaded: FloatArray, inactive: FloatArray, covariance: FloatArray, sigma: float, dof: float
+    means: FloatArray,
+    loaded: FloatArray,
+    inactive: FloatArray,
+    covariance: FloatArray,
+    sigma: float,
+    dof: float,
 ) -> _Comparison:
     """Whiten by the covariance (k, k), remove the datum, and measure lengths."""
     root = np.linalg.cholesky(0.5 * (covariance + covariance.T))
-    white = np.linalg.solve(root, np.column_stack([np.ones(means.size), means - inactive, loaded - inactive]))
+    white = np.linalg.solve(
+        root, np.column_stack([np.ones(means.size), means - inactive, loaded - inactive])
+    )
     datum = white[:, 0]
-    shift = datum @ white[:, 1:] / (datum @ datum)  # generalised least squares offset of each column
+    shift = (
+        datum @ white[:, 1:] / (datum @ datum)
+    )  # generalised least squares offset of each column
     residual, step = (white[:, 1:] - datum[:, np.newaxis] * shift).T
     effect2 = float(step @ step)
     factor = float(step @ residual) / effect2 if effect2 > 0.0 else 0.0
@@ -211,10 +265,11 @@ def _compare(
 
 
 def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
-    """Return the standard normal value as improbable as a variance ratio F of ``dof`` and ``noise_dof`` degrees of freedom.
+    """Return the standard normal value as improbable as a variance ratio F of ``dof`` and
+    ``noise_dof`` degrees of freedom.
 
-    Paulson, Ann. Math. Statist. 13 (1942) 233: the cube root of F is nearly normal. With exactly known noise this is the
-    approximation of Wilson and Hilferty for chi-square / dof.
+    Paulson, Ann. Math. Statist. 13 (1942) 233: the cube root of F is nearly normal. With exactly
+    known noise this is the approximation of Wilson and Hilferty for chi-square / dof.
     """
     a, b = 2.0 / (9.0 * dof), 2.0 / (9.0 * noise_dof)
     root = math.cbrt(max(ratio, 0.0))
@@ -223,7 +278,9 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
 
 @dataclass(frozen=True, slots=True)
 class _Words:
-    """What the message needs to name a place: index (k,) of each mean in + then -, m targets, their positions."""
+    """What the message needs to name a place: index (k,) of each mean in + then -, m targets, their
+    positions.
+    """
 
     index: NDArray[np.intp]
     m: int
@@ -241,11 +298,17 @@ class _Words:
         index = int(self.index[which])
         direction = "+" if index < self.m else "-"
         target = index % self.m
-        where = f"target {target + 1}" if self.positions is None else f"{self.positions[target]:g} {self.unit}"
+        where = (
+            f"target {target + 1}"
+            if self.positions is None
+            else f"{self.positions[target]:g} {self.unit}"
+        )
         return f"{where} approached in {direction}"
 
     def between_directions(self, residual: FloatArray) -> float:
-        """Return mean(+) minus mean(-) of a residual (k,), 0 when one direction alone was measured."""
+        """Return mean(+) minus mean(-) of a residual (k,), 0 when one direction alone was
+        measured.
+        """
         positive = self.index < self.m
         if positive.all() or not positive.any():
             return 0.0
@@ -268,7 +331,9 @@ def _verdict(compared: _Comparison, words: _Words) -> LoadingVerdict:
     elif margin >= _CLEAR and first == "not_active" and fits_inactive:
         verdict, message = "not_active", _inactive_message(compared, words)
     elif fits_loaded or fits_inactive:
-        message = _open_message(compared, words, fits_loaded=fits_loaded, fits_inactive=fits_inactive)
+        message = _open_message(
+            compared, words, fits_loaded=fits_loaded, fits_inactive=fits_inactive
+        )
     else:
         message = _neither_message(compared, words)
         findings = (Finding("CW-V001", "warning", message),)
@@ -297,17 +362,25 @@ def _inactive_message(compared: _Comparison, words: _Words) -> str:
     )
 
 
-def _open_message(compared: _Comparison, words: _Words, *, fits_loaded: bool, fits_inactive: bool) -> str:
+def _open_message(
+    compared: _Comparison, words: _Words, *, fits_loaded: bool, fits_inactive: bool
+) -> str:
     text = (
-        f"Cannot tell: with and without the new table the targets differ by {words.length(compared.size)} rms, "
-        f"and the noise of a reading is {words.length(compared.noise)}"
+        "Cannot tell: with and without the new table the targets differ by"
+        f" {words.length(compared.size)} rms, and the noise of a reading is"
+        f" {words.length(compared.noise)}"
     )
     if compared.effect > 0.0:
         needed = compared.size * _VISIBLE / compared.effect
         if needed > compared.size:
-            text += f"; the correction is smaller than the {words.length(needed)} rms that this test can tell for sure"
+            text += (
+                f"; the correction is smaller than the {words.length(needed)} rms that this test"
+                " can tell for sure"
+            )
         text += f". Measured: {_effect_text(compared)}"
-    candidates = [name for name, fits in (("loaded", fits_loaded), ("not active", fits_inactive)) if fits]
+    candidates = [
+        name for name, fits in (("loaded", fits_loaded), ("not active", fits_inactive)) if fits
+    ]
     return f"{text}. Possible: {', '.join([*candidates, 'acting in part'])}."
 
 
@@ -320,7 +393,10 @@ def _neither_message(compared: _Comparison, words: _Words) -> str:
     offset = words.between_directions(compared.residual_loaded)
     if offset:
         sign = "above" if offset > 0.0 else "below"
-        parts.append(f"Against the prediction the + approaches lie {words.length(offset)} {sign} the - approaches on average.")
+        parts.append(
+            f"Against the prediction the + approaches lie {words.length(offset)} {sign} the -"
+            " approaches on average."
+        )
     if compared.effect > 0.0:
         parts.append(f"Measured: {_effect_text(compared)}.")
     return " ".join(parts)
@@ -329,6 +405,6 @@ def _neither_message(compared: _Comparison, words: _Words) -> str:
 def _off_text(against: str, residual: FloatArray, words: _Words) -> str:
     worst = int(np.argmax(np.abs(residual)))
     return (
-        f"{against} it is off by {words.length(_rms(residual))} rms and at worst by {words.length(float(residual[worst]))} "
-        f"({words.place(worst)})."
+        f"{against} it is off by {words.length(_rms(residual))} rms and at worst by"
+        f" {words.length(float(residual[worst]))} ({words.place(worst)})."
     )

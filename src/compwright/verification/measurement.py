@@ -1,7 +1,8 @@
-"""Can the test after loading be believed? It is held against the first test of its axis before any verdict is formed.
+"""Can the test after loading be believed? It is held against the first test of its axis before any
+verdict is formed.
 
-A named fault (`measurement_fault`) is certain: nothing but a fault of the measurement gives such readings. A doubt
-(`doubts_of_test`) is what lacks proof; each says what to measure. mm or deg.
+A named fault (`measurement_fault`) is certain: nothing but a fault of the measurement gives such
+readings. A doubt (`doubts_of_test`) is what lacks proof; each says what to measure. mm or deg.
 """
 
 from __future__ import annotations
@@ -14,7 +15,13 @@ from typing import Final, Literal
 import numpy as np
 
 from compwright.evaluation.copies import same_runs
-from compwright.evaluation.plausibility import FEWEST_TARGETS, certain_fault, pooled_scatter, spread_of, wrong_target_unit
+from compwright.evaluation.plausibility import (
+    FEWEST_TARGETS,
+    certain_fault,
+    pooled_scatter,
+    spread_of,
+    wrong_target_unit,
+)
 from compwright.evaluation.readings import position_text, text_of
 from compwright.evaluation.statistics import mean_deviation
 from compwright.foundations.findings import Finding
@@ -23,40 +30,54 @@ from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.verification import MeasurementFault
 from compwright.verification.loading import normal_score
 
-#: Honest tests of one axis scatter differently: another day, another averaging of the instrument. Up to three times as quiet or as
-#: loud is believed; beyond, the ratio of the pooled variances has to be as improbable as 1 in 1000 (normal score 3.09).
+#: Honest tests of one axis scatter differently: another day, another averaging of the instrument.
+#: Up to three times as quiet or as loud is believed; beyond, the ratio of the pooled variances has
+#: to be as improbable as 1 in 1000 (normal score 3.09).
 _BELIEVED: Final = 3.0
 _IMPROBABLE: Final = 3.09
-#: Readings rounded to a step scatter by 0.29 of it: a first test as coarse as that cannot say that another one is too quiet.
+#: Readings rounded to a step scatter by 0.29 of it: a first test as coarse as that cannot say that
+#: another one is too quiet.
 _ROUNDED: Final = 0.5
-#: The scatter of two tests has nothing to do with each other. Beyond this correlation, with so many degrees of
-#: freedom, it was copied.
+#: The scatter of two tests has nothing to do with each other. Beyond this correlation, with so many
+#: degrees of freedom, it was copied.
 _COPIED: Final = 0.95
 _ENOUGH: Final = 15
-#: How much wider than the widest gap of the first test's targets a gap may be: targets dithered by 0.3 of an interval give 1.6.
+#: How much wider than the widest gap of the first test's targets a gap may be: targets dithered by
+#: 0.3 of an interval give 1.6.
 _GAP: Final = 2.0
 _THOUSAND: Final = 1000.0
 
 
 @dataclass(frozen=True, slots=True)
 class NamedFault:
-    """A fault of the measurement that is certain: ``of`` by the contract's words, ``message`` what was seen and what to do."""
+    """A fault of the measurement that is certain: ``of`` by the contract's words, ``message`` what
+    was seen and what to do.
+    """
 
     of: MeasurementFault
     message: str
 
 
-def measurement_fault(after: PositioningTest, first: PositioningTest, travel: tuple[float, float]) -> NamedFault | None:
-    """Return the fault that the test after loading shows for certain against the ``first`` test of the axis, or None."""
+def measurement_fault(
+    after: PositioningTest, first: PositioningTest, travel: tuple[float, float]
+) -> NamedFault | None:
+    """Return the fault that the test after loading shows for certain against the ``first`` test of
+    the axis, or None.
+    """
     spread = spread_of(after)
     if spread <= SAME_READING or any(finding.code == "CW-R009" for finding in after.findings):
-        return NamedFault("zeros", "Every reading of the test is the same: nothing was measured. Measure the axis.")
+        return NamedFault(
+            "zeros",
+            "Every reading of the test is the same: nothing was measured. Measure the axis.",
+        )
     copy = _copied(after, first)
     if copy:
         return NamedFault("copied", f"{copy} Measure the axis anew.")
     unit = wrong_target_unit(after, travel) if not wrong_target_unit(first, travel) else ""
     if unit:
-        return NamedFault("unit", f"The targets of the test are in {unit}, not in mm. Export it in mm.")
+        return NamedFault(
+            "unit", f"The targets of the test are in {unit}, not in mm. Export it in mm."
+        )
     scale = _thousand(after, first)
     if scale:
         return NamedFault("unit", f"{scale} Export the test in the unit that its file states.")
@@ -73,14 +94,17 @@ def _copied(after: PositioningTest, first: PositioningTest) -> str:
         if _shifted(after, first, positive, negative):
             return f"The readings are those of the test {first.name} from before loading{words}."
     groups = same_runs(after)
-    every = all(len(groups[side]) == 1 and len(groups[side][0]) == after.deviations(side).shape[1] for side in _measured(after))
+    every = all(
+        len(groups[side]) == 1 and len(groups[side][0]) == after.deviations(side).shape[1]
+        for side in _measured(after)
+    )
     if every and not any(same_runs(first).values()) and after.positive.shape[0] > 3:
         return "All runs hold the same readings: one run was copied."
     correlation = copied_scatter(after, first)
     if correlation is not None:
         return (
-            f"The scatter of the readings is that of the test {first.name} run by run (correlation {correlation:.2f}): "
-            "the test was made from it."
+            f"The scatter of the readings is that of the test {first.name} run by run (correlation"
+            f" {correlation:.2f}): the test was made from it."
         )
     return ""
 
@@ -89,28 +113,37 @@ def _measured(test: PositioningTest) -> list[Direction]:
     return [side for side in Direction if test.readings(side).any()]
 
 
-def _shifted(after: PositioningTest, first: PositioningTest, positive: FloatArray, negative: FloatArray) -> bool:
-    """Return whether ``after`` holds these readings of ``first``, but for one constant (another zero of the instrument)."""
+def _shifted(
+    after: PositioningTest, first: PositioningTest, positive: FloatArray, negative: FloatArray
+) -> bool:
+    """Return whether ``after`` holds these readings of ``first``, but for one constant (another
+    zero of the instrument).
+    """
     if after.positive.shape != positive.shape or after.negative.shape != negative.shape:
         return False
     if not np.allclose(after.targets, first.targets, rtol=0.0, atol=1e-6):
         return False
-    gaps = np.concatenate([(after.positive - positive).ravel(), (after.negative - negative).ravel()])
+    gaps = np.concatenate(
+        [(after.positive - positive).ravel(), (after.negative - negative).ravel()]
+    )
     known = gaps[np.isfinite(gaps)]
     return bool(known.size > 3 and np.ptp(known) <= SAME_READING)
 
 
 def copied_scatter(one: PositioningTest, other: PositioningTest) -> float | None:
-    """Return the correlation of the scatter of two tests where it proves that one was made from the other, else None."""
+    """Return the correlation of the scatter of two tests where it proves that one was made from the
+    other, else None.
+    """
     correlation, dof = _scatter_alike(one, other)
     return correlation if dof >= _ENOUGH and correlation > _COPIED else None
 
 
 def _scatter_alike(after: PositioningTest, first: PositioningTest) -> tuple[float, int]:
-    """Return the correlation of the scatter of two tests at the same targets and its degrees of freedom; 0, 0 where it has none.
+    """Return the correlation of the scatter of two tests at the same targets and its degrees of
+    freedom; 0, 0 where it has none.
 
-    Scatter: readings less the mean of their target and less the straight line of their run, because a drift over the runs may well
-    be the same in two honest tests.
+    Scatter: readings less the mean of their target and less the straight line of their run, because
+    a drift over the runs may well be the same in two honest tests.
     """
     pairs = []
     for side in Direction:
@@ -132,42 +165,59 @@ def _scatter(block: FloatArray) -> FloatArray:
     for run in range(block.shape[1]):
         known = np.isfinite(left[:, run])
         if np.count_nonzero(known) > 2:
-            left[known, run] -= np.polyval(np.polyfit(along[known], left[known, run], 1), along[known])
+            left[known, run] -= np.polyval(
+                np.polyfit(along[known], left[known, run], 1), along[known]
+            )
     return left
 
 
 def _thousand(after: PositioningTest, first: PositioningTest) -> str:
-    """Return that the readings are 1000 times too small or too large, by their scatter beside the first test's."""
+    """Return that the readings are 1000 times too small or too large, by their scatter beside the
+    first test's.
+    """
     certain = certain_fault(after)
     if certain:
         return f"This cannot be right: {certain}."
     (s, dof), (s_first, dof_first) = pooled_scatter(after), pooled_scatter(first)
     if min(s, s_first) <= SAME_READING:
         return ""
-    for factor, words in ((_THOUSAND, "small (mm read as µm)"), (1.0 / _THOUSAND, "large (µm read as mm)")):
-        if noise_odds(s, dof, s_first, dof_first) and not noise_odds(s * factor, dof, s_first, dof_first):
+    for factor, words in (
+        (_THOUSAND, "small (mm read as µm)"),
+        (1.0 / _THOUSAND, "large (µm read as mm)"),
+    ):
+        if noise_odds(s, dof, s_first, dof_first) and not noise_odds(
+            s * factor, dof, s_first, dof_first
+        ):
             return (
-                f"The readings scatter by {text_of(s, after)}, those of the first test by {text_of(s_first, first)}: "
-                f"1000 times too {words}."
+                f"The readings scatter by {text_of(s, after)}, those of the first test by"
+                f" {text_of(s_first, first)}: 1000 times too {words}."
             )
     return ""
 
 
-def noise_odds(s: float, dof: float, s_first: float, dof_first: float) -> Literal["", "quiet", "loud"]:
-    """Return whether a scatter ``s`` is too quiet or too loud beside the first test's, each with its degrees of freedom.
+def noise_odds(
+    s: float, dof: float, s_first: float, dof_first: float
+) -> Literal["", "quiet", "loud"]:
+    """Return whether a scatter ``s`` is too quiet or too loud beside the first test's, each with
+    its degrees of freedom.
 
-    Too quiet: even a third of the first test's noise would show a scatter this small less than once in 1000 tests (ratio of two
-    variances, Paulson's normal score). Too loud: the same with three times the noise. With few degrees of freedom nothing is.
+    Too quiet: even a third of the first test's noise would show a scatter this small less than once
+    in 1000 tests (ratio of two variances, Paulson's normal score). Too loud: the same with three
+    times the noise. With few degrees of freedom nothing is.
     """
     if min(dof, dof_first) < 1.0 or s_first <= 0.0:
         return ""
     if s <= 0.0 or normal_score((s_first / _BELIEVED / s) ** 2, dof_first, dof) > _IMPROBABLE:
         return "quiet" if dof >= 4.0 else ""
-    return "loud" if normal_score((s / _BELIEVED / s_first) ** 2, dof, dof_first) > _IMPROBABLE else ""
+    return (
+        "loud" if normal_score((s / _BELIEVED / s_first) ** 2, dof, dof_first) > _IMPROBABLE else ""
+    )
 
 
 def proof_lacking(after: PositioningTest, first: PositioningTest) -> list[Finding]:
-    """Return what the test after loading lacks to prove anything beside the ``first`` test: CW-V020 (targets), CW-V021 (noise)."""
+    """Return what the test after loading lacks to prove anything beside the ``first`` test: CW-V020
+    (targets), CW-V021 (noise).
+    """
     return [*_coverage(after, first), *_noise(after, first)]
 
 
@@ -178,32 +228,50 @@ def _coverage(after: PositioningTest, first: PositioningTest) -> Iterable[Findin
     lacks = []
     fewest = FEWEST_TARGETS[after.kind]
     if after.targets.size < fewest:
-        lacks.append(f"it has {after.targets.size} targets, and the standard asks for {fewest} at least")
+        lacks.append(
+            f"it has {after.targets.size} targets, and the standard asks for {fewest} at least"
+        )
         wanted = f"{max(fewest, first.targets.size)} targets from {_ends(first)}"
     elif after.targets.size < first.targets.size:
         lacks.append(f"it has {after.targets.size} targets")
-    ends = after.targets[0] > first.targets[0] + interval or after.targets[-1] < first.targets[-1] - interval
+    ends = (
+        after.targets[0] > first.targets[0] + interval
+        or after.targets[-1] < first.targets[-1] - interval
+    )
     if ends and not (_full_turn(after) and _full_turn(first)):
         lacks.append(f"it covers {_ends(after)}")
     elif np.max(np.diff(after.targets), initial=0.0) > _GAP * widest:
-        lacks.append(f"{position_text(float(np.max(np.diff(after.targets))), after)} of the travel are without a target")
+        lacks.append(
+            f"{position_text(float(np.max(np.diff(after.targets))), after)} of the travel are"
+            " without a target"
+        )
     for side in _measured(first):
         runs, before = (int(np.max(test.readings(side), initial=0.0)) for test in (after, first))
         if runs < min(before, 5):
             lacks.append(f"it has {runs} approaches in {side.value} (the first test: {before})")
     if lacks:
-        message = f"The test after loading does not cover what the first one did: {'; '.join(lacks)}. Measure {wanted}, as before."
+        message = (
+            f"The test after loading does not cover what the first one did: {'; '.join(lacks)}."
+            f" Measure {wanted}, as before."
+        )
         yield Finding("CW-V020", "warning", message)
 
 
 def _full_turn(test: PositioningTest) -> bool:
-    """Return whether the targets go all around: then it does not matter from where they are counted."""
+    """Return whether the targets go all around: then it does not matter from where they are
+    counted.
+    """
     span = float(test.targets[-1] - test.targets[0])
-    return test.kind is AxisKind.ROTARY and span + 2.0 * span / max(test.targets.size - 1, 1) >= 360.0
+    return (
+        test.kind is AxisKind.ROTARY and span + 2.0 * span / max(test.targets.size - 1, 1) >= 360.0
+    )
 
 
 def _ends(test: PositioningTest) -> str:
-    return f"{position_text(float(test.targets[0]), test)} to {position_text(float(test.targets[-1]), test)}"
+    return (
+        f"{position_text(float(test.targets[0]), test)} to"
+        f" {position_text(float(test.targets[-1]), test)}"
+    )
 
 
 def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
@@ -216,9 +284,10 @@ def _noise(after: PositioningTest, first: PositioningTest) -> Iterable[Finding]:
     yield Finding(
         "CW-V021",
         "warning",
-        f"Repeated readings scatter by {text_of(s, after)}, {times} than in the first test ({text_of(s_first, first)}): an honest "
-        f"test whose noise differs by up to {_BELIEVED:g} times does so less than once in 1000. Are unit and readings right? "
-        "Measure again with the instrument set as for the first test.",
+        f"Repeated readings scatter by {text_of(s, after)}, {times} than in the first test"
+        f" ({text_of(s_first, first)}): an honest test whose noise differs by up to {_BELIEVED:g}"
+        " times does so less than once in 1000. Are unit and readings right? Measure again with"
+        " the instrument set as for the first test.",
     )
 
 

@@ -1,4 +1,6 @@
-"""What is in the control instead of the plan's table: exact comparison of two corrections, no measurement needed."""
+"""What is in the control instead of the plan's table: exact comparison of two corrections, no
+measurement needed.
+"""
 
 from __future__ import annotations
 
@@ -12,7 +14,8 @@ from compwright.records.verification import ReadBack
 
 Correction = Callable[[FloatArray, Direction], FloatArray]
 _Curves = dict[Direction, FloatArray]
-#: Two corrections are the same below this many mm or deg: far under every quantum of a control, far over rounding.
+#: Two corrections are the same below this many mm or deg: far under every quantum of a control, far
+#: over rounding.
 SAME = 1e-6
 #: Most nodes by which a loaded table may be shifted and still be recognised.
 _MOST_SHIFT = 5
@@ -28,10 +31,13 @@ _FACTORS = {
 }
 
 
-def judge_read_back(planned: Correction, loaded: Correction, old: Correction, nodes: FloatArray, spacing: float) -> ReadBack:
+def judge_read_back(
+    planned: Correction, loaded: Correction, old: Correction, nodes: FloatArray, spacing: float
+) -> ReadBack:
     """Hold what was read back against the plan, mm or deg; ``old``: what was in the control before.
 
-    The first explanation that is exact (within `SAME`) everywhere counts; a table that is all zero explains nothing.
+    The first explanation that is exact (within `SAME`) everywhere counts; a table that is all zero
+    explains nothing.
     """
     where = nodes if nodes.size > 1 else np.array([-100.0, 0.0, 100.0])
     wish = {side: planned(where, side) for side in Direction}
@@ -41,15 +47,25 @@ def judge_read_back(planned: Correction, loaded: Correction, old: Correction, no
     index = int(np.argmax(gaps[side]))
     worst = float(gaps[side][index])
     if worst <= SAME:
-        return ReadBack(worst, float(where[index]), side, "loaded", "what is in the control is the plan's table")
+        return ReadBack(
+            worst, float(where[index]), side, "loaded", "what is in the control is the plan's table"
+        )
     for verdict, message in _explanations(wish, found, where, planned, old, spacing):
         return ReadBack(worst, float(where[index]), side, verdict, message)
-    return ReadBack(worst, float(where[index]), side, "other", "the values differ; no single mistake explains all of them")
+    return ReadBack(
+        worst,
+        float(where[index]),
+        side,
+        "other",
+        "the values differ; no single mistake explains all of them",
+    )
 
 
 @dataclass(frozen=True, slots=True)
 class _Cause:
-    """What the control would do after one mistake, and how to say it: exactly so, or so apart from the backlash."""
+    """What the control would do after one mistake, and how to say it: exactly so, or so apart from
+    the backlash.
+    """
 
     verdict: str
     curves: _Curves
@@ -57,12 +73,15 @@ class _Cause:
     apart: str
 
 
-def _causes(wish: _Curves, where: FloatArray, planned: Correction, old: Correction, spacing: float) -> Iterator[_Cause]:
+def _causes(
+    wish: _Curves, where: FloatArray, planned: Correction, old: Correction, spacing: float
+) -> Iterator[_Cause]:
     yield _Cause(
         "not_active",
         {side: old(where, side) for side in Direction},
         "what was in the control before is still there",
-        "the table that was in the control before is still there; only the backlash differs from before",
+        "the table that was in the control before is still there; only the backlash differs from"
+        " before",
     )
     yield _Cause(
         "not_active",
@@ -94,16 +113,24 @@ def _causes(wish: _Curves, where: FloatArray, planned: Correction, old: Correcti
 
 
 def _explanations(
-    wish: _Curves, found: _Curves, where: FloatArray, planned: Correction, old: Correction, spacing: float
+    wish: _Curves,
+    found: _Curves,
+    where: FloatArray,
+    planned: Correction,
+    old: Correction,
+    spacing: float,
 ) -> Iterator[tuple[str, str]]:
     causes = list(_causes(wish, where, planned, old, spacing))
     for cause in causes:
-        if all(float(np.max(np.abs(found[side] - cause.curves[side]))) <= SAME for side in Direction):
+        if all(
+            float(np.max(np.abs(found[side] - cause.curves[side]))) <= SAME for side in Direction
+        ):
             yield cause.verdict, cause.exact
     yield from _one_side(wish, found)
     if all(_constant(wish[side]) for side in Direction):
         return
-    # Shapes only: backlash adds a constant per direction, and a control may count the table from a zero of its own.
+    # Shapes only: backlash adds a constant per direction, and a control may count the table from a
+    # zero of its own.
     for cause in causes:
         if all(_constant(found[side] - cause.curves[side]) for side in Direction):
             yield cause.verdict, cause.apart
@@ -119,7 +146,10 @@ def _one_side(wish: _Curves, found: _Curves) -> Iterator[tuple[str, str]]:
         return
     other = same[0].opposite
     if float(np.ptp(found[other] - wish[other])) <= SAME:
-        yield "backlash", f"arriving in {other.value} everything is off by one constant: another backlash value"
+        yield (
+            "backlash",
+            f"arriving in {other.value} everything is off by one constant: another backlash value",
+        )
     yield "one_direction", f"only the values for arriving in {same[0].value} are the plan's"
 
 

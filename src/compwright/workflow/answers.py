@@ -1,4 +1,6 @@
-"""What the commands say: documents to text and tables, written where the command line asks for it."""
+"""What the commands say: documents to text and tables, written where the command line asks for
+it.
+"""
 
 from __future__ import annotations
 
@@ -32,14 +34,21 @@ def run_summary(outcome: Any) -> list[Any]:
     from compwright.reporting import summaries
 
     doubts = outcome.prediction["doubts"]
-    listed = [*doubts, *(finding for axis in outcome.prediction["axes"].values() for finding in axis["findings"])]
+    listed = [
+        *doubts,
+        *(finding for axis in outcome.prediction["axes"].values() for finding in axis["findings"]),
+    ]
     told = {(finding["code"], finding["message"]) for finding in listed}
     tests = [
         {**finding, "message": f"{_words(result)}: {finding['message']}"}
         for result in outcome.evaluation["results"]
         for finding in result["findings"]
     ]
-    rest = [finding for finding in (*outcome.findings, *tests) if (finding["code"], finding["message"]) not in told]
+    rest = [
+        finding
+        for finding in (*outcome.findings, *tests)
+        if (finding["code"], finding["message"]) not in told
+    ]
     return [
         *summaries.doubt_lines(doubts),
         *summaries.assumed_table(outcome.assumed),
@@ -51,7 +60,11 @@ def run_summary(outcome: Any) -> list[Any]:
 
 def _words(result: Mapping[str, Any]) -> str:
     """Return how a result of an evaluation is called."""
-    return f"Axis {result['axis']}, test {result['name']}" if result["kind"] == "positioning" else f"Circle {result['name']}"
+    return (
+        f"Axis {result['axis']}, test {result['name']}"
+        if result["kind"] == "positioning"
+        else f"Circle {result['name']}"
+    )
 
 
 def decode_summary(document: Mapping[str, Any]) -> list[Any]:
@@ -83,7 +96,9 @@ def demo_summary(outcome: Any) -> list[Any]:
     """Return what ``demo`` says: the predictions, the verification, and where the pages are."""
     from compwright.reporting import summaries
 
-    pages = [path for path in (*outcome.run.files, *outcome.verification.files) if path.suffix == ".html"]
+    pages = [
+        path for path in (*outcome.run.files, *outcome.verification.files) if path.suffix == ".html"
+    ]
     return [
         *summaries.prediction_tables(outcome.run.prediction),
         *summaries.verification_tables(outcome.verification.document),

@@ -14,7 +14,9 @@ from compwright.workflow.control import Control
 def changed_neighbours(
     control: Control, old: Sequence[ControlFile], new: Sequence[ControlFile], axes: Sequence[Axis]
 ) -> list[Fault]:
-    """Return a fault for every entry of an axis outside ``axes`` (and their gantry partners) that the new files change."""
+    """Return a fault for every entry of an axis outside ``axes`` (and their gantry partners) that
+    the new files change.
+    """
     addresses = [name for axis in axes for name in (axis.address, axis.gantry) if name is not None]
     mine = all_names(control.definition, old, addresses)
     return [

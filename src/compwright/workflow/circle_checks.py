@@ -1,4 +1,6 @@
-"""Circles beside the laser: lost motion and scale of one axis told by both, each with its uncertainty."""
+"""Circles beside the laser: lost motion and scale of one axis told by both, each with its
+uncertainty.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +31,9 @@ class Stated:
 
     def differs(self, other: Stated) -> bool:
         """Whether two values lie further apart than both uncertainties allow."""
-        return abs(self.value - other.value) > SIGNIFICANT * float(np.hypot(self.std_error, other.std_error))
+        return abs(self.value - other.value) > SIGNIFICANT * float(
+            np.hypot(self.std_error, other.std_error)
+        )
 
     def words(self, factor: float, unit: str) -> str:
         """The value as people read it, with its 95 % uncertainty."""
@@ -38,16 +42,20 @@ class Stated:
 
 @dataclass(frozen=True, slots=True)
 class ByLaser:
-    """What the positioning test says of an axis over a circle, in the state in which the circle was measured."""
+    """What the positioning test says of an axis over a circle, in the state in which the circle was
+    measured.
+    """
 
     lost_motion: Stated
     scale: Stated
 
 
 def laser_over(work: CircleWork, axis: AxisWork, index: int, during: Acting) -> ByLaser:
-    """Return lost motion (mm, > 0 lags) and scale of an axis by its positioning test, at both ends of a circle.
+    """Return lost motion (mm, > 0 lags) and scale of an axis by its positioning test, at both ends
+    of a circle.
 
-    ``index`` 0: the axis is the circle's first one. The laser's own uncertainty per metre counts where the job gives it.
+    ``index`` 0: the axis is the circle's first one. The laser's own uncertainty per metre counts
+    where the job gives it.
     """
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[index]
     ends = np.array([middle - radius, middle + radius])
@@ -57,9 +65,14 @@ def laser_over(work: CircleWork, axis: AxisWork, index: int, during: Acting) -> 
     for direction in Direction:
         acts = during.along[name](ends, direction) if name in during.along else np.zeros(2)
         change[direction] = acts - axis.active(ends, direction)
-    positive, negative = draws.positive + change[Direction.POSITIVE], draws.negative + change[Direction.NEGATIVE]
+    positive, negative = (
+        draws.positive + change[Direction.POSITIVE],
+        draws.negative + change[Direction.NEGATIVE],
+    )
     lost = np.mean(negative - positive, axis=1)
-    scale = np.mean([curve[:, 1] - curve[:, 0] for curve in (positive, negative)], axis=0) / (2.0 * radius)
+    scale = np.mean([curve[:, 1] - curve[:, 0] for curve in (positive, negative)], axis=0) / (
+        2.0 * radius
+    )
     return ByLaser(
         lost_motion=Stated(float(np.mean(lost)), float(np.std(lost))),
         scale=Stated(float(np.mean(scale)), float(np.std(scale))),
@@ -78,7 +91,9 @@ def lost_motion(work: CircleWork, index: int) -> Stated | None:
 
 
 def scale_error(work: CircleWork, index: int) -> Stated | None:
-    """Return the scale error (relative) of the first or second axis; None without a calibrated bar."""
+    """Return the scale error (relative) of the first or second axis; None without a calibrated
+    bar.
+    """
     found = effect_of(work.result, f"scale_error_{ENDS[index]}")
     return None if found is None else Stated(found.value / _PPM, found.std_error / _PPM)
 
@@ -93,20 +108,28 @@ def mismatch(work: CircleWork) -> Stated | None:
 class Checks:
     """Holds every circle of a job against the positioning tests of its axes."""
 
-    def __init__(self, job: Job, works: Mapping[str, AxisWork], states: Mapping[str, Acting]) -> None:
+    def __init__(
+        self, job: Job, works: Mapping[str, AxisWork], states: Mapping[str, Acting]
+    ) -> None:
         self.job = job
         self.works = works
         self.states = states
 
     def laser(self, work: CircleWork, index: int) -> ByLaser | None:
-        """Return what the laser says of an axis of a circle; None for an axis without a positioning test in both directions."""
+        """Return what the laser says of an axis of a circle; None for an axis without a positioning
+        test in both directions.
+        """
         axis = self.works.get(work.planned.test.axes[index])
         if axis is None or not axis.results[0].test.bidirectional:
             return None
-        found = laser_over(work, axis, index, self.states.get(work.planned.measured_in, Acting({}, {})))
+        found = laser_over(
+            work, axis, index, self.states.get(work.planned.measured_in, Acting({}, {}))
+        )
         budget = self.job.uncertainty
         own = budget.device_per_m / 2.0 / _PPM if budget is not None else 0.0
-        return replace(found, scale=replace(found.scale, std_error=float(np.hypot(found.scale.std_error, own))))
+        return replace(
+            found, scale=replace(found.scale, std_error=float(np.hypot(found.scale.std_error, own)))
+        )
 
     def findings(self, circles: Sequence[CircleWork]) -> Iterator[Finding]:
         """Yield where laser and circle disagree beyond both uncertainties."""
@@ -125,8 +148,9 @@ class Checks:
             return
         counts = "circle" if self.job.apply.backlash_from == "circle" else "laser"
         message = (
-            f"{work.planned.test.axes[index]}: lost motion {laser.lost_motion.words(_UM, 'µm')} by the laser, "
-            f"{circle.words(_UM, 'µm')} by {work.name} (moving): they disagree; that of the {counts} counts."
+            f"{work.planned.test.axes[index]}: lost motion {laser.lost_motion.words(_UM, 'µm')} by"
+            f" the laser, {circle.words(_UM, 'µm')} by {work.name} (moving): they disagree; that of"
+            f" the {counts} counts."
         )
         yield Finding("CW-P114", "warning", message)
 
@@ -135,8 +159,8 @@ class Checks:
         if circle is None or not circle.differs(laser.scale):
             return
         message = (
-            f"{work.planned.test.axes[index]}: scale {laser.scale.words(_PPM, 'µm/m')} by the laser, "
-            f"{circle.words(_PPM, 'µm/m')} by {work.name}: they disagree; the laser counts."
+            f"{work.planned.test.axes[index]}: scale {laser.scale.words(_PPM, 'µm/m')} by the"
+            f" laser, {circle.words(_PPM, 'µm/m')} by {work.name}: they disagree; the laser counts."
         )
         yield Finding("CW-P115", "warning", message)
 
@@ -148,52 +172,72 @@ class Checks:
             return
         axes = " minus ".join(work.planned.test.axes)
         message = (
-            f"Scale of {axes}: {laser.words(_PPM, 'µm/m')} by the laser, {circle.words(_PPM, 'µm/m')} by {work.name}: "
-            "they disagree; the laser counts."
+            f"Scale of {axes}: {laser.words(_PPM, 'µm/m')} by the laser,"
+            f" {circle.words(_PPM, 'µm/m')} by {work.name}: they disagree; the laser counts."
         )
         yield Finding("CW-P116", "warning", message)
 
-    def with_circle_backlash(self, circles: Sequence[CircleWork]) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
-        """Return the axes with the lost motion of their circles in place of the laser's, where the job asks for that."""
+    def with_circle_backlash(
+        self, circles: Sequence[CircleWork]
+    ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
+        """Return the axes with the lost motion of their circles in place of the laser's, where the
+        job asks for that.
+        """
         works = dict(self.works)
         findings: list[Finding] = []
         if self.job.apply.backlash_from != "circle":
             return works, ()
-        findings += [self._no_test(name) for name, entry in self.job.axes.items() if not entry.before and _on(circles, name)]
+        findings += [
+            self._no_test(name)
+            for name, entry in self.job.axes.items()
+            if not entry.before and _on(circles, name)
+        ]
         for name, axis in self.works.items():
             shift = self._shift(name, circles)
             if shift is None:
                 findings.append(self._not_taken(name, circles))
                 continue
             works[name] = _shifted(axis, shift.value)
-            message = f"{name}: its lost motion is taken from the circles: {shift.words(_UM, 'µm')} against the laser's."
+            message = (
+                f"{name}: its lost motion is taken from the circles: {shift.words(_UM, 'µm')}"
+                " against the laser's."
+            )
             findings.append(Finding("CW-P117", "info", message))
         if not any(finding.code == "CW-P117" for finding in findings):
-            message = "apply.backlash_from: the lost motion of no axis is taken from circles: no circle of the job tells it."
+            message = (
+                "apply.backlash_from: the lost motion of no axis is taken from circles: no circle"
+                " of the job tells it."
+            )
             findings.append(Finding("CW-P130", "error", message))
         return works, tuple(findings)
 
     def _no_test(self, name: str) -> Finding:
         message = (
-            f"{name}: its lost motion by the circles is not corrected: it has no positioning test, and so no table to put it into."
+            f"{name}: its lost motion by the circles is not corrected: it has no positioning test,"
+            " and so no table to put it into."
         )
         return Finding("CW-P130", "error", message)
 
     def _not_taken(self, name: str, circles: Sequence[CircleWork]) -> Finding:
-        """Return why the lost motion of an axis stays that of the laser: no failure where no circle lies on the axis."""
+        """Return why the lost motion of an axis stays that of the laser: no failure where no circle
+        lies on the axis.
+        """
         if not _on(circles, name):
             message = (
-                f"{name}: no circle lies on it; its lost motion stays that of the laser, although the job asks for the circles'."
+                f"{name}: no circle lies on it; its lost motion stays that of the laser, although"
+                " the job asks for the circles'."
             )
             return Finding("CW-P130", "warning", message)
         message = (
-            f"{name}: its lost motion is not taken from the circles, as the job asks: they do not tell it, or its positioning test "
-            "has one direction only."
+            f"{name}: its lost motion is not taken from the circles, as the job asks: they do not"
+            " tell it, or its positioning test has one direction only."
         )
         return Finding("CW-P130", "error", message)
 
     def _shift(self, name: str, circles: Sequence[CircleWork]) -> Stated | None:
-        """Return how much more lost motion (mm) than the laser the circles of an axis show, their weighted mean."""
+        """Return how much more lost motion (mm) than the laser the circles of an axis show, their
+        weighted mean.
+        """
         values, weights = [], []
         for work in circles:
             if name not in work.planned.test.axes:
@@ -214,7 +258,9 @@ def _on(circles: Sequence[CircleWork], name: str) -> bool:
 
 
 def _shifted(work: AxisWork, more: float) -> AxisWork:
-    """Return the axis with ``more`` (mm) lost motion in its estimate, against the direction of the reference return."""
+    """Return the axis with ``more`` (mm) lost motion in its estimate, against the direction of the
+    reference return.
+    """
     axis: Axis = work.planned.axis
     estimate = work.planned.estimate
     if axis.reference_return is Direction.POSITIVE:

@@ -1,7 +1,8 @@
 """The scale of an axis without a positioning test, from circles: only where they can tell it.
 
-The radius of a circle also shrinks by the lag of the position loop, v²/(2 Kv² R), so a scale is taken from a calibrated bar
-at a low feed, from two feeds extrapolated to zero, or from the mismatch with an axis that the laser measured; else not at all.
+The radius of a circle also shrinks by the lag of the position loop, v²/(2 Kv² R), so a scale is
+taken from a calibrated bar at a low feed, from two feeds extrapolated to zero, or from the mismatch
+with an axis that the laser measured; else not at all.
 """
 
 from __future__ import annotations
@@ -27,7 +28,8 @@ from compwright.workflow.control import Control
 from compwright.workflow.cross import SIGNIFICANT
 from compwright.workflow.planning import dense_positions, wanted_correction
 
-#: A feed is low when the softest usual position loop shrinks the circle by no more than this part of its radius.
+#: A feed is low when the softest usual position loop shrinks the circle by no more than this part
+#: of its radius.
 LOW = 2e-6
 #: Two feeds tell the shrinking when their squares differ by this factor or more.
 APART = 2.0
@@ -46,7 +48,9 @@ class Scaled:
 def scaled_axes(
     job: Job, circles: Sequence[CircleWork], checks: Checks, control: Control, state: ControlState
 ) -> tuple[Scaled, ...]:
-    """Return what becomes of every axis of ``apply.scale``. The laser's slope wins where there is one."""
+    """Return what becomes of every axis of ``apply.scale``. The laser's slope wins where there is
+    one.
+    """
     found = []
     for name in job.apply.scale:
         entry = job.axes.get(name)
@@ -60,33 +64,57 @@ def scaled_axes(
     return tuple(found)
 
 
-def _scaled(entry: AxisJob, circles: Sequence[CircleWork], checks: Checks, control: Control, state: ControlState) -> Scaled:
+def _scaled(
+    entry: AxisJob,
+    circles: Sequence[CircleWork],
+    checks: Checks,
+    control: Control,
+    state: ControlState,
+) -> Scaled:
     name = entry.axis.name
     found = list(_values(name, circles, checks))
     values = [entry for entry in found if not isinstance(entry, str)]
     reasons = [entry for entry in found if isinstance(entry, str)]
     if not values:
         reason = "; ".join(reasons) or "no circle lies on it"
-        return Scaled(name, None, Finding("CW-P119", "error", f"{name}: its scale is not taken from a circle: {reason}."))
+        return Scaled(
+            name,
+            None,
+            Finding("CW-P119", "error", f"{name}: its scale is not taken from a circle: {reason}."),
+        )
     weights = [stated.std_error**-2 for stated, _ in values]
-    scale = Stated(float(np.average([stated.value for stated, _ in values], weights=weights)), float(np.sum(weights) ** -0.5))
+    scale = Stated(
+        float(np.average([stated.value for stated, _ in values], weights=weights)),
+        float(np.sum(weights) ** -0.5),
+    )
     source = "; ".join(how for _, how in values)
     words = f"{name}: scale {scale.words(_PPM, 'µm/m')} by {source}"
     if abs(scale.value) < SIGNIFICANT * scale.std_error:
-        return Scaled(name, None, Finding("CW-P119", "info", f"{words}; not significant, not corrected."))
+        return Scaled(
+            name, None, Finding("CW-P119", "info", f"{words}; not significant, not corrected.")
+        )
     try:
         planned = _planned(entry, scale, control, state)
     except CapacityError as error:
         message = f"{words}; not corrected: {'; '.join(str(fault) for fault in error.faults)}."
         return Scaled(name, None, Finding("CW-P119", "error", message))
-    message = f"{words}; its table corrects it. The temperature of bar and scale at the test is in it: 1 K is 11 µm/m of steel."
+    message = (
+        f"{words}; its table corrects it. The temperature of bar and scale at the test is in it: 1"
+        " K is 11 µm/m of steel."
+    )
     return Scaled(name, planned, Finding("CW-P120", "warning", message))
 
 
-def _values(name: str, circles: Sequence[CircleWork], checks: Checks) -> Iterator[tuple[Stated, str] | str]:
+def _values(
+    name: str, circles: Sequence[CircleWork], checks: Checks
+) -> Iterator[tuple[Stated, str] | str]:
     """Yield the scale as it is now with its source, or why a circle does not give it."""
     mine = [work for work in circles if name in work.planned.test.axes]
-    slow = [work for work in mine if shrinking(work) <= LOW and scale_error(work, _index(work, name)) is not None]
+    slow = [
+        work
+        for work in mine
+        if shrinking(work) <= LOW and scale_error(work, _index(work, name)) is not None
+    ]
     for work in slow:
         stated = scale_error(work, _index(work, name))
         if stated is not None:
@@ -96,7 +124,10 @@ def _values(name: str, circles: Sequence[CircleWork], checks: Checks) -> Iterato
     pairs = list(_two_feeds(mine, name))
     if pairs:
         fast, slower, stated = max(pairs, key=lambda pair: shrinking(pair[0]) / shrinking(pair[1]))
-        yield _now(stated, slower, name, checks), f"{slower.name} and {fast.name} extrapolated to no feed"
+        yield (
+            _now(stated, slower, name, checks),
+            f"{slower.name} and {fast.name} extrapolated to no feed",
+        )
         return
     for work in mine:
         yield _by_mismatch(work, name, checks)
@@ -107,15 +138,22 @@ def _by_mismatch(work: CircleWork, name: str, checks: Checks) -> tuple[Stated, s
     between, laser = mismatch(work), checks.laser(work, 1 - index)
     if between is None or laser is None:
         if not work.planned.test.calibrated:
-            return f"the bar of {work.name} was not calibrated, and its other axis has no positioning test"
+            return (
+                f"the bar of {work.name} was not calibrated, and its other axis has no positioning"
+                " test"
+            )
         return (
-            f"the lag of the axes may shrink {work.name} by {shrinking(work) * _PPM:.0f} µm/m at its feed "
-            "(a low feed, two feeds, or a positioning test of its other axis would settle it)"
+            f"the lag of the axes may shrink {work.name} by {shrinking(work) * _PPM:.0f} µm/m at"
+            " its feed (a low feed, two feeds, or a positioning test of its other axis would"
+            " settle it)"
         )
     # The mismatch is first minus second.
     own = laser.scale.value + (between.value if index == 0 else -between.value)
     stated = Stated(own, float(np.hypot(between.std_error, laser.scale.std_error)))
-    return _now(stated, work, name, checks), f"the mismatch of {work.name} and the laser on {work.planned.test.axes[1 - index]}"
+    return (
+        _now(stated, work, name, checks),
+        f"the mismatch of {work.name} and the laser on {work.planned.test.axes[1 - index]}",
+    )
 
 
 def shrinking(work: CircleWork) -> float:
@@ -124,11 +162,20 @@ def shrinking(work: CircleWork) -> float:
     return float((test.feed / 60.0) ** 2 / (2.0 * SOFTEST_LOOP**2 * test.nominal_radius**2))
 
 
-def _two_feeds(works: Sequence[CircleWork], name: str) -> Iterator[tuple[CircleWork, CircleWork, Stated]]:
-    """Yield (fast, slow, scale at no feed) of circles of one size about one centre in one state, at feeds far enough apart."""
+def _two_feeds(
+    works: Sequence[CircleWork], name: str
+) -> Iterator[tuple[CircleWork, CircleWork, Stated]]:
+    """Yield (fast, slow, scale at no feed) of circles of one size about one centre in one state, at
+    feeds far enough apart.
+    """
     for slow in works:
         for fast in works:
-            same = (slow.planned.test.axes, slow.planned.centre, slow.planned.measured_in, slow.planned.test.nominal_radius) == (
+            same = (
+                slow.planned.test.axes,
+                slow.planned.centre,
+                slow.planned.measured_in,
+                slow.planned.test.nominal_radius,
+            ) == (
                 *(fast.planned.test.axes, fast.planned.centre),
                 *(fast.planned.measured_in, fast.planned.test.nominal_radius),
             )
@@ -144,7 +191,9 @@ def _two_feeds(works: Sequence[CircleWork], name: str) -> Iterator[tuple[CircleW
 
 
 def _seen(work: CircleWork, name: str) -> Stated | None:
-    """Return the scale as the circle shows it, with the error of its fit alone: the lag is what two feeds tell."""
+    """Return the scale as the circle shows it, with the error of its fit alone: the lag is what two
+    feeds tell.
+    """
     stated = scale_error(work, _index(work, name))
     if stated is None:
         return None
@@ -161,18 +210,27 @@ def _now(stated: Stated, work: CircleWork, name: str, checks: Checks) -> Stated:
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
     during = checks.states.get(work.planned.measured_in)
     now = checks.states.get("as_found")
-    return replace(stated, value=stated.value + _slope(now, name, middle, radius) - _slope(during, name, middle, radius))
+    return replace(
+        stated,
+        value=stated.value
+        + _slope(now, name, middle, radius)
+        - _slope(during, name, middle, radius),
+    )
 
 
 def _slope(state: Acting | None, name: str, middle: float, radius: float) -> float:
     if state is None or name not in state.along:
         return 0.0
     ends = np.array([middle - radius, middle + radius])
-    return float(np.mean([np.diff(state.along[name](ends, direction))[0] for direction in Direction])) / (2.0 * radius)
+    return float(
+        np.mean([np.diff(state.along[name](ends, direction))[0] for direction in Direction])
+    ) / (2.0 * radius)
 
 
 def _planned(entry: AxisJob, scale: Stated, control: Control, state: ControlState) -> PlannedAxis:
-    """Return the table that takes a scale away, about the reference of the axis. Raises CapacityError."""
+    """Return the table that takes a scale away, about the reference of the axis. Raises
+    CapacityError.
+    """
     axis: Axis = entry.axis
     positions = dense_positions(axis)
     away = np.abs(positions - axis.reference) * scale.std_error
@@ -184,11 +242,15 @@ def _planned(entry: AxisJob, scale: Stated, control: Control, state: ControlStat
         mean_negative=means,
         std_positive=away,
         std_negative=away,
-        noise=max(float(np.max(away)), 1e-4),  # mm: a grid is not worth refining below a tenth of a micrometre
+        noise=max(
+            float(np.max(away)), 1e-4
+        ),  # mm: a grid is not worth refining below a tenth of a micrometre
         noise_dof=1.0,
         measured=axis.travel,
     )
-    active: AxisCompensation = state.axes.get(axis.address, no_compensation(axis.address, axis.kind, axis.reference_return))
+    active: AxisCompensation = state.axes.get(
+        axis.address, no_compensation(axis.address, axis.kind, axis.reference_return)
+    )
     wanted = wanted_correction(estimate, active, axis, reversal_log_odds=0.0)
     capacity = capacity_for(control.definition, axis, control.options, state)
     fitted = fit_table(wanted, capacity, entry.table, address=axis.address)

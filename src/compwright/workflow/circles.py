@@ -1,6 +1,7 @@
 """Circular tests for ``evaluate``: read, paired, evaluated and diagnosed.
 
-Apart from ``workflow.evaluate``, which loads it only when a file is no positioning test: the way of a positioning test stays short.
+Apart from ``workflow.evaluate``, which loads it only when a file is no positioning test: the way of
+a positioning test stays short.
 """
 
 from __future__ import annotations
@@ -18,16 +19,24 @@ from compwright.instruments.circular_reading import is_circular, read_circular
 from compwright.records.circular import CircularResult, CircularTest, Diagnosis
 from compwright.records.positioning import PositioningTest
 
-_NOT_SEPARABLE = "the samples do not tell the causes apart: no noise to judge them by, or too short an arc"
+_NOT_SEPARABLE = (
+    "the samples do not tell the causes apart: no noise to judge them by, or too short an arc"
+)
 
 
 def read_if_circular(content: bytes, file: str) -> CircularTest | None:
-    """Return the circular test in ``content``; None when it is none. Raises InputError for a circular test that is damaged."""
+    """Return the circular test in ``content``; None when it is none. Raises InputError for a
+    circular test that is damaged.
+    """
     return read_circular(content, file) if is_circular(content, file) else None
 
 
-def pairs_joined(tests: Sequence[PositioningTest | CircularTest]) -> list[PositioningTest | CircularTest]:
-    """Return the tests with the two files of a circular test joined (`circular_pairs.paired`), in the place of the first file."""
+def pairs_joined(
+    tests: Sequence[PositioningTest | CircularTest],
+) -> list[PositioningTest | CircularTest]:
+    """Return the tests with the two files of a circular test joined (`circular_pairs.paired`), in
+    the place of the first file.
+    """
     joined = paired([test for test in tests if isinstance(test, CircularTest)])
     by_source = {source: test for test in joined for source in test.sources}
     kept: dict[int, PositioningTest | CircularTest] = {}
@@ -38,7 +47,8 @@ def pairs_joined(tests: Sequence[PositioningTest | CircularTest]) -> list[Positi
 
 
 def evaluated_circle(test: CircularTest, standard: str) -> CircularResult:
-    """Return the test evaluated to ``standard`` with its causes; without them, and with the reason, where they cannot be told.
+    """Return the test evaluated to ``standard`` with its causes; without them, and with the reason,
+    where they cannot be told.
 
     Raises InputError for a test that cannot be evaluated.
     """
@@ -51,7 +61,9 @@ def evaluated_circle(test: CircularTest, standard: str) -> CircularResult:
 
 
 def _diagnosed(test: CircularTest) -> Diagnosis:
-    """Return the causes. Raises InputError where they cannot be told, as for computed samples: without noise nothing is judged."""
+    """Return the causes. Raises InputError where they cannot be told, as for computed samples:
+    without noise nothing is judged.
+    """
     with np.errstate(invalid="ignore"):  # a variance below zero is found by its root
         try:
             diagnosis = diagnose(test)

@@ -21,16 +21,21 @@ from compwright.records.plan import PlannedCross
 from compwright.workflow.circle_work import judged_cross
 from compwright.workflow.control import Control, DecodedState, decode
 
-#: Reading back may differ from what was planned by half a step of the value at either node, mm or deg.
+#: Reading back may differ from what was planned by half a step of the value at either node, mm or
+#: deg.
 READ_BACK = 2e-6
-#: Stands before the names of the control's own files while tables are written, to tell them from new ones.
+#: Stands before the names of the control's own files while tables are written, to tell them from
+#: new ones.
 _OWN = "own files/"
 #: What a control without tables between axes needs instead, by the beginning of its format's id.
 _INSTEAD = {
-    "siemens": "set the option cec: available, if the control has sag compensation, and name free indices in cec_tables",
+    "siemens": (
+        "set the option cec: available, if the control has sag compensation, and name free indices"
+        " in cec_tables"
+    ),
     "fanuc": (
-        "straightness compensation is an option of the control, and its parameter numbers are not confirmed here: "
-        "enter the two-point line by the machine's own manual"
+        "straightness compensation is an option of the control, and its parameter numbers are not"
+        " confirmed here: enter the two-point line by the machine's own manual"
     ),
 }
 
@@ -41,10 +46,12 @@ _MOST_SHOWN = 8
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CrossOutcome:
-    """What was ``planned`` and whether the control holds it, all ``files`` that it loads, and what is in it then.
+    """What was ``planned`` and whether the control holds it, all ``files`` that it loads, and what
+    is in it then.
 
-    ``after``: None where nothing was written: between the axes acts what acted before. ``totals``: what then acts between the axes
-    of ``planned``, read back by the judge, by the names of the job. ``sheets``: columns to type in, beside the card.
+    ``after``: None where nothing was written: between the axes acts what acted before. ``totals``:
+    what then acts between the axes of ``planned``, read back by the judge, by the names of the job.
+    ``sheets``: columns to type in, beside the card.
     """
 
     files: tuple[ControlFile, ...]
@@ -65,11 +72,13 @@ def write_planned(
     axes: Mapping[str, Axis],
     tabled: Collection[str] = (),
 ) -> CrossOutcome:
-    """Write the tables between axes beside ``tables`` (those of the single axes) and read everything back.
+    """Write the tables between axes beside ``tables`` (those of the single axes) and read
+    everything back.
 
-    ``tabled``: the axes (names of ``axes``) that get a table of their own in ``tables``. What the control cannot hold is not
-    written: a finding and a step of the card say so, and what would help. Raises CompwrightError (a fault of our own) when
-    something else comes back than was written.
+    ``tabled``: the axes (names of ``axes``) that get a table of their own in ``tables``. What the
+    control cannot hold is not written: a finding and a step of the card say so, and what would
+    help. Raises CompwrightError (a fault of our own) when something else comes back than was
+    written.
     """
     if not planned:
         return CrossOutcome(files=tables)
@@ -86,7 +95,12 @@ def write_planned(
         state = as_found.state if before is None else before.state
         new = _written(control, planned, state, base)
     except CapacityError as error:
-        return _not_held(control, planned, tables, "; ".join(str(fault) for fault in error.faults).replace(_OWN, ""))
+        return _not_held(
+            control,
+            planned,
+            tables,
+            "; ".join(str(fault) for fault in error.faults).replace(_OWN, ""),
+        )
     files = _together(tables, new)
     after = decode(control, _together(base, new), known, written=True)
     raise_all(CompwrightError, _wrong(planned, before, after))
@@ -96,21 +110,30 @@ def write_planned(
         files=files,
         after=after,
         totals=_totals(planned, after, axes),
-        steps=tuple(step for entry in planned for step in _written_steps(entry, new, before, after)),
+        steps=tuple(
+            step for entry in planned for step in _written_steps(entry, new, before, after)
+        ),
     )
 
 
 def _written(
-    control: Control, planned: Sequence[PlannedCross], state: ControlState, base: Sequence[ControlFile]
+    control: Control,
+    planned: Sequence[PlannedCross],
+    state: ControlState,
+    base: Sequence[ControlFile],
 ) -> tuple[ControlFile, ...]:
-    """Return the files of ``base`` that change, and new ones under names that no file of ``base`` has.
+    """Return the files of ``base`` that change, and new ones under names that no file of ``base``
+    has.
 
-    A new file may be called like one that a former round left in the control: it must not stand in for that one.
+    A new file may be called like one that a former round left in the control: it must not stand in
+    for that one.
     """
     marked = [replace(file, name=_OWN + file.name) for file in base]
     taken = {file.name for file in base}
     files = []
-    for file in write_cross(control.definition, [entry.added for entry in planned], control.options, state, marked):
+    for file in write_cross(
+        control.definition, [entry.added for entry in planned], control.options, state, marked
+    ):
         name = file.name.removeprefix(_OWN)
         stem, dot, ending = name.rpartition(".")
         number = 2
@@ -126,37 +149,75 @@ def _together(first: Sequence[ControlFile], then: Sequence[ControlFile]) -> tupl
     return tuple({file.name: file for file in (*first, *then)}.values())
 
 
-def _read(control: Control, files: tuple[ControlFile, ...], axes: Sequence[Axis]) -> DecodedState | None:
+def _read(
+    control: Control, files: tuple[ControlFile, ...], axes: Sequence[Axis]
+) -> DecodedState | None:
     return decode(control, files, axes) if files else None
 
 
-def _wrong(planned: Sequence[PlannedCross], before: DecodedState | None, after: DecodedState | None) -> list[Fault]:
-    """Return a fault for every pair of axes that does not read back as before plus what was planned."""
+def _wrong(
+    planned: Sequence[PlannedCross], before: DecodedState | None, after: DecodedState | None
+) -> list[Fault]:
+    """Return a fault for every pair of axes that does not read back as before plus what was
+    planned.
+    """
     faults = []
-    old = {} if before is None else {(entry.input, entry.output): entry for entry in judged_cross(before)}
-    new = {} if after is None else {(entry.input, entry.output): entry for entry in judged_cross(after)}
+    old = (
+        {}
+        if before is None
+        else {(entry.input, entry.output): entry for entry in judged_cross(before)}
+    )
+    new = (
+        {}
+        if after is None
+        else {(entry.input, entry.output): entry for entry in judged_cross(after)}
+    )
     for pair in dict.fromkeys((*old, *new)):
         mine = [entry.added for entry in planned if (entry.added.input, entry.added.output) == pair]
-        where = np.unique(np.concatenate([entry.positions for entry in (*_of(old, pair), *_of(new, pair), *mine)]))
+        where = np.unique(
+            np.concatenate([entry.positions for entry in (*_of(old, pair), *_of(new, pair), *mine)])
+        )
         for direction in Direction:
-            wanted = sum((entry.at(where, direction) for entry in (*_of(old, pair), *mine)), np.zeros(where.size))
-            found = sum((entry.at(where, direction) for entry in _of(new, pair)), np.zeros(where.size))
+            wanted = sum(
+                (entry.at(where, direction) for entry in (*_of(old, pair), *mine)),
+                np.zeros(where.size),
+            )
+            found = sum(
+                (entry.at(where, direction) for entry in _of(new, pair)), np.zeros(where.size)
+            )
             worst = float(np.max(np.abs(found - wanted)))
             if worst > READ_BACK:
-                message = f"what {pair[0]} does to {pair[1]} does not come back as it was written; please report this"
-                faults.append(Fault(message=message, place=f"direction {direction.value}", found=f"a difference of {worst:.3g}"))
+                message = (
+                    f"what {pair[0]} does to {pair[1]} does not come back as it was written; please"
+                    " report this"
+                )
+                faults.append(
+                    Fault(
+                        message=message,
+                        place=f"direction {direction.value}",
+                        found=f"a difference of {worst:.3g}",
+                    )
+                )
     return faults
 
 
-def _of(tables: Mapping[tuple[str, str], CrossCompensation], pair: tuple[str, str]) -> tuple[CrossCompensation, ...]:
+def _of(
+    tables: Mapping[tuple[str, str], CrossCompensation], pair: tuple[str, str]
+) -> tuple[CrossCompensation, ...]:
     return (tables[pair],) if pair in tables else ()
 
 
-def _totals(planned: Sequence[PlannedCross], after: DecodedState | None, axes: Mapping[str, Axis]) -> tuple[CrossCompensation, ...]:
+def _totals(
+    planned: Sequence[PlannedCross], after: DecodedState | None, axes: Mapping[str, Axis]
+) -> tuple[CrossCompensation, ...]:
     names = {axis.address: name for name, axis in axes.items()}
     mine = {(entry.added.input, entry.added.output) for entry in planned}
     return tuple(
-        replace(entry, input=names.get(entry.input, entry.input), output=names.get(entry.output, entry.output))
+        replace(
+            entry,
+            input=names.get(entry.input, entry.input),
+            output=names.get(entry.output, entry.output),
+        )
         for entry in (() if after is None else judged_cross(after))
         if (entry.input, entry.output) in mine
     )
@@ -170,10 +231,11 @@ def _typed(
     axes: Mapping[str, Axis],
     tabled: Collection[str],
 ) -> CrossOutcome:
-    """Return the columns that the engineer types into the table of the moving axis: its text form and sign are unconfirmed.
+    """Return the columns that the engineer types into the table of the moving axis: its text form
+    and sign are unconfirmed.
 
-    A column acts on an axis only while tables are selected for that axis, and then its linear error is dead: an axis that the
-    linear error corrects gets no column, and that is said.
+    A column acts on an axis only while tables are selected for that axis, and then its linear error
+    is dead: an axis that the linear error corrects gets no column, and that is said.
     """
     findings: list[Finding] = []
     steps: list[Mapping[str, str]] = []
@@ -188,8 +250,9 @@ def _typed(
         form = _table_values(control, axes.get(entry.input))
         sheets.append(_column_sheet(entry, form))
         message = (
-            f"{_label(entry)} is in no file: type it into {_column(entry)}, {_shown_rows(entry, form)} (values are {form}s), "
-            "as the card and its sheet say; the sign is unconfirmed."
+            f"{_label(entry)} is in no file: type it into {_column(entry)},"
+            f" {_shown_rows(entry, form)} (values are {form}s), as the card and its sheet say; the"
+            " sign is unconfirmed."
         )
         findings.append(Finding("CW-P113", "warning", message))
         select = _parameter(control, "enabled")
@@ -197,10 +260,16 @@ def _typed(
             {
                 "title": f"{entry.output} over {entry.input}: type in",
                 "text": (
-                    f"{_label(entry)}. Add to what stands in {_column(entry)}, on a straight line between: "
-                    f"{_shown_rows(entry, form)} (values are {form}s). "
-                    + (f"It acts on {entry.output} only while the bit of {entry.output} in {select} is 1. " if select else "")
-                    + "The sign is unconfirmed: check it with a square or a dial gauge, on and off, before production."
+                    f"{_label(entry)}. Add to what stands in {_column(entry)}, on a straight line"
+                    f" between: {_shown_rows(entry, form)} (values are {form}s). "
+                    + (
+                        f"It acts on {entry.output} only while the bit of {entry.output} in"
+                        f" {select} is 1. "
+                        if select
+                        else ""
+                    )
+                    + "The sign is unconfirmed: check it with a square or a dial gauge, on and off,"
+                    " before production."
                 ),
                 "evidence": "unconfirmed",
             }
@@ -215,9 +284,15 @@ def _typed(
 
 
 def _by_line(
-    control: Control, entry: PlannedCross, as_found: DecodedState, axes: Mapping[str, Axis], tabled: Collection[str]
+    control: Control,
+    entry: PlannedCross,
+    as_found: DecodedState,
+    axes: Mapping[str, Axis],
+    tabled: Collection[str],
 ) -> str:
-    """Return why a column cannot act on its axis: the linear error of that axis acts, now or by this job; empty where it can."""
+    """Return why a column cannot act on its axis: the linear error of that axis acts, now or by
+    this job; empty where it can.
+    """
     axis, linear = axes.get(entry.output), _parameter(control, "slope")
     if axis is None:
         return ""
@@ -229,16 +304,25 @@ def _by_line(
         why = f"{linear} acts on {axis.name} now ({-old.slope * 1e3:+.3f} mm/m)"
     else:
         return ""
-    return f"{why}, and a column acts only where tables do, never beside {linear}; give {axis.name} a test and a table of its own"
+    return (
+        f"{why}, and a column acts only where tables do, never beside {linear}; give {axis.name} a"
+        " test and a table of its own"
+    )
 
 
 def _parameter(control: Control, quantity: str) -> str:
     """Return the control's name of a parameter; empty where it has none."""
-    return parameter_name(control.definition, quantity) if quantity in control.definition.bindings else ""
+    return (
+        parameter_name(control.definition, quantity)
+        if quantity in control.definition.bindings
+        else ""
+    )
 
 
 def _table_values(control: Control, moving: Axis | None) -> str:
-    """Return what the values of a table are: the table is the moving axis' own, and so is the option."""
+    """Return what the values of a table are: the table is the moving axis' own, and so is the
+    option.
+    """
     return str(axis_options(control.definition, control.options, moving)["table_values"])
 
 
@@ -248,44 +332,76 @@ def _column(entry: PlannedCross) -> str:
 
 def _column_rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
     sign = -1.0 if form == "error" else 1.0
-    return [(float(x), sign * float(c)) for x, c in zip(entry.added.positions, entry.added.positive, strict=True)]
+    return [
+        (float(x), sign * float(c))
+        for x, c in zip(entry.added.positions, entry.added.positive, strict=True)
+    ]
 
 
 def _shown_rows(entry: PlannedCross, form: str) -> str:
     rows = _column_rows(entry, form)
     shown = rows if len(rows) <= _MOST_SHOWN else [rows[0], rows[-1]]
-    return ", ".join(f"{value + 0.0:+.4f} {entry.added.output_kind.unit} at {position:g}" for position, value in shown)
+    return ", ".join(
+        f"{value + 0.0:+.4f} {entry.added.output_kind.unit} at {position:g}"
+        for position, value in shown
+    )
 
 
 def _column_sheet(entry: PlannedCross, form: str) -> ControlFile:
     head = f"# column of {entry.output} in the table of {entry.input}\n# value: {form}\n"
     head += f"position_{entry.input},{entry.output},unit\n"
     unit = entry.added.output_kind.unit
-    body = "".join(f"{position:.4f},{value + 0.0:.4f},{unit}\n" for position, value in _column_rows(entry, form))
+    body = "".join(
+        f"{position:.4f},{value + 0.0:.4f},{unit}\n"
+        for position, value in _column_rows(entry, form)
+    )
     return ControlFile(f"cross_{entry.input}_{entry.output}.csv", (head + body).encode())
 
 
 def _straightness(
-    control: Control, planned: Sequence[PlannedCross], tables: tuple[ControlFile, ...], axes: Mapping[str, Axis]
+    control: Control,
+    planned: Sequence[PlannedCross],
+    tables: tuple[ControlFile, ...],
+    axes: Mapping[str, Axis],
 ) -> CrossOutcome:
-    """Return the parameters of FANUC's straightness compensation as sheets: all from memory, none confirmed by a page.
+    """Return the parameters of FANUC's straightness compensation as sheets: all from memory, none
+    confirmed by a page.
 
-    Two points of the moving axis' pitch numbers, the amounts absolute in detection units of the compensated axis: a straight line.
-    A curve, an axis without a table and a second pair are said instead.
+    Two points of the moving axis' pitch numbers, the amounts absolute in detection units of the
+    compensated axis: a straight line. A curve, an axis without a table and a second pair are said
+    instead.
     """
     read = decode(control, tables, list(axes.values())) if tables else None
     findings: list[Finding] = []
     steps: list[dict[str, str]] = []
     sheets: list[ControlFile] = []
     for entry in planned:
-        added, facts = entry.added, {} if read is None else read.state.facts.get(entry.added.input, {})
+        added, facts = (
+            entry.added,
+            ({} if read is None else read.state.facts.get(entry.added.input, {})),
+        )
         bent = axes.get(entry.output)
-        unit = None if bent is None else axis_options(control.definition, control.options, bent).get("detection_unit")
+        unit = (
+            None
+            if bent is None
+            else axis_options(control.definition, control.options, bent).get("detection_unit")
+        )
         first, last = (facts.get(name) for name in ("first_number", "last_number"))
-        nodes = read.state.axes[added.input].positions if read is not None and added.input in read.state.axes else np.empty(0)
+        nodes = (
+            read.state.axes[added.input].positions
+            if read is not None and added.input in read.state.axes
+            else np.empty(0)
+        )
         if added.positions.size > 2 or nodes.size < 2 or sheets or not isinstance(unit, float):
-            return _not_held(control, planned, tables, "straightness compensation is known for one straight line over a table only")
-        low, high = (float(added.at(nodes[[place]], Direction.POSITIVE)[0]) / unit for place in (1, -1))
+            return _not_held(
+                control,
+                planned,
+                tables,
+                "straightness compensation is known for one straight line over a table only",
+            )
+        low, high = (
+            float(added.at(nodes[[place]], Direction.POSITIVE)[0]) / unit for place in (1, -1)
+        )
         rows = [
             ("5711", added.input, "moving axis"),
             ("5721", added.output, "compensated axis"),
@@ -295,13 +411,28 @@ def _straightness(
             *((number, f"{high:.0f}", "amount, detection units") for number in ("5763", "5764")),
         ]
         body = "".join(f"{number},{value},{what}\n" for number, value, what in rows)
-        head = "# straightness compensation: numbers and signs UNCONFIRMED, from memory; check each in the manual of the control\n"
+        head = (
+            "# straightness compensation: numbers and signs UNCONFIRMED, from memory; check each in"
+            " the manual of the control\n"
+        )
         name = f"straightness_{entry.input}_{entry.output}.csv"
         sheets.append(ControlFile(name, f"{head}parameter,value,meaning\n{body}".encode()))
-        message = f"{_label(entry)} is in no file: its parameters stand in {name} beside the card, all unconfirmed."
+        message = (
+            f"{_label(entry)} is in no file: its parameters stand in {name} beside the card, all"
+            " unconfirmed."
+        )
         findings.append(Finding("CW-P113", "warning", message))
-        text = f"{message} Prove the sign with a square or a dial gauge, on and off, before production."
-        steps.append({"title": f"{entry.output} over {entry.input}: type in", "text": text, "evidence": "unconfirmed"})
+        text = (
+            f"{message} Prove the sign with a square or a dial gauge, on and off, before"
+            " production."
+        )
+        steps.append(
+            {
+                "title": f"{entry.output} over {entry.input}: type in",
+                "text": text,
+                "evidence": "unconfirmed",
+            }
+        )
     return CrossOutcome(
         planned=tuple(replace(entry, written=False) for entry in planned),
         files=tables,
@@ -320,9 +451,18 @@ def _not_held(
     findings, steps = [], []
     for entry in planned:
         helps = _matrixkins(entry) if control.id.startswith("linuxcnc") else why
-        message = f"{_label(entry)} is not corrected: this control, as the job describes it, cannot hold it; {helps}."
+        message = (
+            f"{_label(entry)} is not corrected: this control, as the job describes it, cannot hold"
+            f" it; {helps}."
+        )
         findings.append(Finding("CW-P113", "error", message))
-        steps.append({"title": f"Not corrected: {_label(entry)}", "text": f"{helps}.", "evidence": "inferred"})
+        steps.append(
+            {
+                "title": f"Not corrected: {_label(entry)}",
+                "text": f"{helps}.",
+                "evidence": "inferred",
+            }
+        )
     return CrossOutcome(
         planned=tuple(replace(entry, written=False) for entry in planned),
         files=tables,
@@ -337,35 +477,53 @@ def _label(entry: PlannedCross) -> str:
 
 
 def _instead(control: Control) -> str:
-    return next((text for start, text in _INSTEAD.items() if control.id.startswith(start)), "it has no tables between axes")
+    return next(
+        (text for start, text in _INSTEAD.items() if control.id.startswith(start)),
+        "it has no tables between axes",
+    )
 
 
 def _matrixkins(entry: PlannedCross) -> str:
-    """Return the values of LinuxCNC's matrixkins: joint of the bent axis = ... + C * position of the other one.
+    """Return the values of LinuxCNC's matrixkins: joint of the bent axis = ... + C * position of
+    the other one.
 
     Its leaning angle is minus squareness, and C is minus that angle.
     """
     pin = f"matrixkins.C_{entry.output.lower()}{entry.input.lower()}"
     added = entry.added
-    constant = entry.squareness * float(added.positions[0]) - float(added.positive[0])  # the line runs through machine zero
-    away = f", which also moves {entry.output} as a whole by {constant * 1e3:+.2f} µm" if abs(constant) > READ_BACK else ""
+    constant = entry.squareness * float(added.positions[0]) - float(
+        added.positive[0]
+    )  # the line runs through machine zero
+    away = (
+        f", which also moves {entry.output} as a whole by {constant * 1e3:+.2f} µm"
+        if abs(constant) > READ_BACK
+        else ""
+    )
     return (
-        f"with the kinematics matrixkins (LinuxCNC 2.10) add {entry.squareness:+.9f} to the value of {pin} that is in force{away}; "
-        "without it this control has no place for it"
+        f"with the kinematics matrixkins (LinuxCNC 2.10) add {entry.squareness:+.9f} to the value"
+        f" of {pin} that is in force{away}; without it this control has no place for it"
     )
 
 
 def _written_steps(
-    entry: PlannedCross, new: Sequence[ControlFile], before: DecodedState | None, after: DecodedState
+    entry: PlannedCross,
+    new: Sequence[ControlFile],
+    before: DecodedState | None,
+    after: DecodedState,
 ) -> list[dict[str, str]]:
-    """Return how the new tables between two axes get into a SINUMERIK: sign first, then the data, the switches last.
+    """Return how the new tables between two axes get into a SINUMERIK: sign first, then the data,
+    the switches last.
 
     Tables of the same axes that were there before are none of ours, and stay as they are.
     """
     added = entry.added
     pair = (added.input, added.output)
     others = {} if before is None else tables_in(before.state.facts)
-    mine = [str(index) for index, axes in sorted(tables_in(after.state.facts).items()) if axes == pair and index not in others]
+    mine = [
+        str(index)
+        for index, axes in sorted(tables_in(after.state.facts).items())
+        if axes == pair and index not in others
+    ]
     tables = " and ".join(mine)
     which = f"table {tables}" if len(mine) == 1 else f"tables {tables}"
     each = "it" if len(mine) == 1 else "each of them"
@@ -380,27 +538,34 @@ def _written_steps(
     label = f"{entry.output} over {entry.input}"
     texts = {
         "reserve and switch off": (
-            f"MD18342 $MN_MM_CEC_MAX_POINTS must be at least {added.positions.size} for {which}. Set {enable} = 0 and {switch} = 0 "
-            f"for {which}, NEW CONF. Note what MD32710 was before: if it was 0, find out what else sleeps on axis {pair[1]} (every "
-            "other table with this output axis and a value that is not 0), and switch it off (SD41300 = 0) before anything else. "
-            "MD32710 would wake it."
+            f"MD18342 $MN_MM_CEC_MAX_POINTS must be at least {added.positions.size} for {which}."
+            f" Set {enable} = 0 and {switch} = 0 for {which}, NEW CONF. Note what MD32710 was"
+            f" before: if it was 0, find out what else sleeps on axis {pair[1]} (every other table"
+            " with this output axis and a value that is not 0), and switch it off (SD41300 = 0)"
+            " before anything else. MD32710 would wake it."
         ),
         "check the sign": (
-            f"Before {named} is loaded: write 0.1 {own_unit} into every point of {which} and switch {each} on for this check: "
-            f"MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial gauge on {pair[1]} must show +0.1 {own_unit} for cec_sign: "
-            f"correction, -0.1 {own_unit} for cec_sign: error. If it does not: load nothing, and run again with the other one. "
-            "Write 0 again and switch off as in the step before."
+            f"Before {named} is loaded: write 0.1 {own_unit} into every point of {which} and switch"
+            f" {each} on for this check: MD32710, NEW CONF, SD41300, NEW CONF, NCK reset. A dial"
+            f" gauge on {pair[1]} must show +0.1 {own_unit} for cec_sign: correction, -0.1"
+            f" {own_unit} for cec_sign: error. If it does not: load nothing, and run again with the"
+            " other one. Write 0 again and switch off as in the step before."
         ),
         "load": (
-            f"Load {named}. {_capital(_label(entry))}: {entry.output} is moved by {ends}, 0 at the reference of {entry.input}."
+            f"Load {named}. {_capital(_label(entry))}: {entry.output} is moved by {ends}, 0 at the"
+            f" reference of {entry.input}."
         ),
         "switch on": (
-            f"If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {pair[1]}, first. Set {enable} = 1, NEW CONF, then "
-            f"{switch} = 1 for {which}, NEW CONF, NCK reset. Work offsets of {entry.output} shift with {entry.input}: probe them "
-            "again. Hold the result against a square or a dial gauge before production."
+            f"If MD32710 was 0 before: SD41300 = 0 for what else sleeps on axis {pair[1]}, first."
+            f" Set {enable} = 1, NEW CONF, then {switch} = 1 for {which}, NEW CONF, NCK reset. Work"
+            f" offsets of {entry.output} shift with {entry.input}: probe them again. Hold the"
+            " result against a square or a dial gauge before production."
         ),
     }
-    return [{"title": f"{label}: {title}", "text": text, "evidence": "inferred"} for title, text in texts.items()]
+    return [
+        {"title": f"{label}: {title}", "text": text, "evidence": "inferred"}
+        for title, text in texts.items()
+    ]
 
 
 def _capital(text: str) -> str:

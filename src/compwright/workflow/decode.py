@@ -18,12 +18,18 @@ MOST_POSITIONS = 1_000_000
 
 
 def decode_files(
-    paths: Sequence[Path], format_id: str, options: dict[str, object], *, axis: str | None = None, at: str | None = None
+    paths: Sequence[Path],
+    format_id: str,
+    options: dict[str, object],
+    *,
+    axis: str | None = None,
+    at: str | None = None,
 ) -> dict[str, Any]:
-    """Return the decode document of control files: at the nodes of each table, or at the positions of ``at``.
+    """Return the decode document of control files: at the nodes of each table, or at the positions
+    of ``at``.
 
-    ``axis`` restricts it to one address. Raises UsageError (options, a bad list) and InputError (files, or an axis that they do
-    not speak of).
+    ``axis`` restricts it to one address. Raises UsageError (options, a bad list) and InputError
+    (files, or an axis that they do not speak of).
     """
     control = open_control(format_id, options)
     wanted = None if at is None else positions_of(at)
@@ -42,9 +48,11 @@ def decode_files(
 
 
 def positions_of(text: str) -> FloatArray:
-    """Return the positions of a comma list of numbers and ``LO:HI:STEP`` ranges, in that order (mm or deg).
+    """Return the positions of a comma list of numbers and ``LO:HI:STEP`` ranges, in that order (mm
+    or deg).
 
-    A range ends with HI where a step falls on it (within 1e-9 of a step). Raises UsageError with every part that cannot be read.
+    A range ends with HI where a step falls on it (within 1e-9 of a step). Raises UsageError with
+    every part that cannot be read.
     """
     faults: list[Fault] = []
     positions: list[float] = []
@@ -52,7 +60,14 @@ def positions_of(text: str) -> FloatArray:
         try:
             positions.extend(_part(part.strip()))
         except ValueError as error:
-            faults.append(Fault(message="cannot be read", place="--at", expected="a number or LO:HI:STEP", found=str(error)))
+            faults.append(
+                Fault(
+                    message="cannot be read",
+                    place="--at",
+                    expected="a number or LO:HI:STEP",
+                    found=str(error),
+                )
+            )
     if faults:
         raise UsageError(*faults)
     return np.array(positions, dtype=np.float64)

@@ -1,4 +1,6 @@
-"""``demo``: the whole loop on a virtual machine: measure, compensate, load, measure again, verify."""
+"""``demo``: the whole loop on a virtual machine: measure, compensate, load, measure again,
+verify.
+"""
 
 from __future__ import annotations
 
@@ -57,7 +59,7 @@ axes:
       reversal: {mean_arcsec: -5}
       noise_arcsec: 0.8
     test: {targets: 16, runs: 5}
-"""
+"""  # noqa: E501 - the first line of a file that users get
 
 JOB = """\
 # The job of the demo: what the engineer writes. See docs/job-file.md for every key.
@@ -102,12 +104,15 @@ class DemoOutcome:
 
 
 def run_demo(out: Path, *, force: bool = False) -> DemoOutcome:
-    """Play the whole loop below ``out``: machine, measurement, job, tables, measurement with the tables loaded, verification.
+    """Play the whole loop below ``out``: machine, measurement, job, tables, measurement with the
+    tables loaded, verification.
 
     Raises StorageError when a file exists (unless ``force``) or cannot be written.
     """
     files = {"machine.yaml": MACHINE.encode(), "job.yaml": JOB.encode()}
-    machine_file, job_file = storage.write_files(out, files, force=force, known=lambda name, content: content == files[name])
+    machine_file, job_file = storage.write_files(
+        out, files, force=force, known=lambda name, content: content == files[name]
+    )
     machine = load_machine(machine_file)
     simulate_files(machine, out / "before", seed=1, force=force)
     job = read_job(storage.read_bytes(job_file), str(job_file))
@@ -115,5 +120,7 @@ def run_demo(out: Path, *, force: bool = False) -> DemoOutcome:
     run = run_job(job, out, result, force=force)
     tables = result / "tables" / job.format
     after = simulate_files(machine, out / "after", seed=2, tables=tables, force=force)
-    verification = verify_job(job, [str(path) for path in after], plan_file=result / "plan.json", out=result, force=force)
+    verification = verify_job(
+        job, [str(path) for path in after], plan_file=result / "plan.json", out=result, force=force
+    )
     return DemoOutcome(run=run, verification=verification, folder=out)

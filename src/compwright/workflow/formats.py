@@ -1,4 +1,6 @@
-"""``formats list | show ID | check [PATH...]``: what is known about each control, and whether a definition keeps its word."""
+"""``formats list | show ID | check [PATH...]``: what is known about each control, and whether a
+definition keeps its word.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +26,10 @@ _SHAPES = {
     "section_increments": "whole increments by section, numbered in one array for all axes",
     "user_tables": "rows in tables that the control exports, or typed in from a sheet",
 }
-_PAIRINGS = {"none": "one curve for both directions", "two_columns": "one curve for each direction, in two columns"}
+_PAIRINGS = {
+    "none": "one curve for both directions",
+    "two_columns": "one curve for each direction, in two columns",
+}
 _SIGNS = {
     "position": "position",
     "error": "error, the opposite of the correction",
@@ -36,21 +41,29 @@ _SIGNS = {
 
 
 def list_formats() -> tuple[str, ...]:
-    """Return one line per installed control: its id and what it is. Raises InputError for a definition that cannot be read."""
+    """Return one line per installed control: its id and what it is. Raises InputError for a
+    definition that cannot be read.
+    """
     definitions = definitions_from(storage.definition_files())
     width = max((len(name) for name in definitions), default=0)
     return tuple(f"{name:<{width}}  {definition.title}" for name, definition in definitions.items())
 
 
 def show_format(format_id: str) -> tuple[str, ...]:
-    """Return what is known about a control as lines: form, quantities, limits, options, each with its evidence.
+    """Return what is known about a control as lines: form, quantities, limits, options, each with
+    its evidence.
 
     Raises UsageError for an unknown id, naming those that exist.
     """
     definitions = definitions_from(storage.definition_files())
     if format_id not in definitions:
         raise UsageError(
-            Fault(message="no such control format", place="format", expected=" or ".join(definitions), found=format_id)
+            Fault(
+                message="no such control format",
+                place="format",
+                expected=" or ".join(definitions),
+                found=format_id,
+            )
         )
     definition = definitions[format_id]
     lines = [f"{definition.id}: {definition.title}", ""]
@@ -69,10 +82,11 @@ def show_format(format_id: str) -> tuple[str, ...]:
 
 
 def check_formats(paths: Sequence[Path]) -> tuple[str, ...]:
-    """Check the definitions in ``paths`` (files or folders; none: those that ship with compwright) and return one line for each.
+    """Check the definitions in ``paths`` (files or folders; none: those that ship with compwright)
+    and return one line for each.
 
-    Raises InputError with every fault of every file: keys, hand-worked corrections that do not come out, a sample that is not
-    read back as written.
+    Raises InputError with every fault of every file: keys, hand-worked corrections that do not come
+    out, a sample that is not read back as written.
     """
     lines: list[str] = []
     faults: list[Fault] = []
@@ -90,26 +104,45 @@ def check_formats(paths: Sequence[Path]) -> tuple[str, ...]:
         faults.extend(found)
         if definition.id in ids:
             faults.append(
-                Fault(message="the id is given twice", file=file, place="id", found=f"{definition.id} ({ids[definition.id]})")
+                Fault(
+                    message="the id is given twice",
+                    file=file,
+                    place="id",
+                    found=f"{definition.id} ({ids[definition.id]})",
+                )
             )
         ids[definition.id] = file
         if not found:
             positions = sum(len(expectation.at) for expectation in definition.expect)
-            says = "by the virtual control too" if judged else "not independently judged: there is no virtual control for it"
+            says = (
+                "by the virtual control too"
+                if judged
+                else "not independently judged: there is no virtual control for it"
+            )
             lines.append(
-                f"{file}: {definition.id}: {positions} positions worked by hand agree, {says}; the sample is read back as written; "
-                "every limit is kept"
+                f"{file}: {definition.id}: {positions} positions worked by hand agree, {says}; the"
+                " sample is read back as written; every limit is kept"
             )
     raise_all(InputError, faults)
     if not lines:
-        raise InputError(Fault(message="no definition was found", file=", ".join(str(path) for path in paths), expected="*.yaml"))
+        raise InputError(
+            Fault(
+                message="no definition was found",
+                file=", ".join(str(path) for path in paths),
+                expected="*.yaml",
+            )
+        )
     return tuple(lines)
 
 
 def _judge(definition: Definition) -> Iterator[Fault]:
-    """Yield a fault for every hand-worked correction on which the virtual control does not agree."""
+    """Yield a fault for every hand-worked correction on which the virtual control does not
+    agree.
+    """
     for expectation in definition.expect:
-        files = [ControlFile(name, text.encode("utf-8")) for name, text in expectation.files.items()]
+        files = [
+            ControlFile(name, text.encode("utf-8")) for name, text in expectation.files.items()
+        ]
         place = f"expect, {expectation.name}"
         try:
             control = virtual_control(
@@ -117,21 +150,40 @@ def _judge(definition: Definition) -> Iterator[Fault]:
                 files,
                 reference_return={expectation.axis: expectation.reference_return},
                 kinds={expectation.axis: expectation.kind},
-                options={**resolve_options(definition, expectation.options), "axis": expectation.axis},
+                options={
+                    **resolve_options(definition, expectation.options),
+                    "axis": expectation.axis,
+                },
             )
             factor = TO_INSIDE[expectation.unit][1]
             for point in expectation.at:
-                for direction, expected in ((Direction.POSITIVE, point.positive), (Direction.NEGATIVE, point.negative)):
-                    found = float(control.correction(expectation.axis, np.array([point.position]), direction)[0]) / factor
+                for direction, expected in (
+                    (Direction.POSITIVE, point.positive),
+                    (Direction.NEGATIVE, point.negative),
+                ):
+                    found = (
+                        float(
+                            control.correction(
+                                expectation.axis, np.array([point.position]), direction
+                            )[0]
+                        )
+                        / factor
+                    )
                     if not abs(found - expected) <= AGREEMENT:
                         yield Fault(
-                            message=f"the virtual control does not agree at {point.position:g} arriving in {direction.value}",
+                            message=(
+                                f"the virtual control does not agree at {point.position:g} arriving"
+                                f" in {direction.value}"
+                            ),
                             place=place,
                             expected=f"{expected:g} {expectation.unit}",
                             found=f"{found:.9g} {expectation.unit}",
                         )
         except CompwrightError as error:
-            yield from (Fault(message=f"the virtual control: {fault}", place=place) for fault in error.faults)
+            yield from (
+                Fault(message=f"the virtual control: {fault}", place=place)
+                for fault in error.faults
+            )
 
 
 def _contents(paths: Sequence[Path]) -> Iterator[tuple[str, bytes]]:
@@ -151,7 +203,9 @@ def _table(definition: Definition) -> Iterator[str]:
     yield f"below the table {ends[layout.below]}, above it {ends[layout.above]} [{layout.evidence}]"
     letters = definition.addresses.letters
     named = "a number" if definition.addresses.type == "integer" else "a name"
-    assumed = f"; a letter of {letters} is taken as its place in this row, from 0" if letters else ""
+    assumed = (
+        f"; a letter of {letters} is taken as its place in this row, from 0" if letters else ""
+    )
     yield f"an axis is named by {named}{assumed} [{definition.addresses.evidence}]"
 
 
@@ -160,11 +214,18 @@ def _quantities(definition: Definition) -> Iterator[str]:
         form = definition.statements[binding.statement].form.replace("{", "<").replace("}", ">")
         text = f"{name.replace('_', ' ')}: {form}"
         if isinstance(binding, Measure):
-            unit = f"option {binding.linear_unit.option}" if isinstance(binding.linear_unit, OptionValue) else binding.linear_unit
+            unit = (
+                f"option {binding.linear_unit.option}"
+                if isinstance(binding.linear_unit, OptionValue)
+                else binding.linear_unit
+            )
             signs = [binding.sign] if binding.sign else list(binding.signs.values())
             sign = " or ".join(_SIGNS[sign] for sign in signs)
             low, high = binding.range
-            text += f"; {sign}; {unit} (rotary: {binding.rotary_unit}), {binding.digits} decimals, {low:g} to {high:g}"
+            text += (
+                f"; {sign}; {unit} (rotary: {binding.rotary_unit}), {binding.digits} decimals,"
+                f" {low:g} to {high:g}"
+            )
         elif isinstance(binding, Choice):
             text += "; " + ", ".join(f"{value} = {word}" for value, word in binding.values.items())
         if binding.when_absent is not None:

@@ -10,7 +10,11 @@ from compwright.records.job import Job
 
 
 def without_effect(job: Job, definition: Definition) -> list[Finding]:
-    """Return what `idle_keys` says of a job; columns of tables on an equally spaced grid are named by the number of an axis."""
+    """Return what `idle_keys` says of a job; columns of tables on an equally spaced grid are named
+    by the number of an axis.
+    """
     statements = definition.statements
     systems = any("system" in statement.fields for statement in statements.values())
-    return idle_keys(job, systems=systems, numbers=VALUES in statements and "datum" in statements[VALUES].fields)
+    return idle_keys(
+        job, systems=systems, numbers=VALUES in statements and "datum" in statements[VALUES].fields
+    )

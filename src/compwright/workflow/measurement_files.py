@@ -9,22 +9,29 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.utf8 import shown_path
 
-#: Endings of what lies beside measurements in a folder and is none: plots, answers, jobs, reports, pictures.
-BESIDE_MEASUREMENTS = frozenset({".svg", ".png", ".pdf", ".jpg", ".jpeg", ".json", ".yaml", ".yml", ".html", ".htm", ".md"})
+#: Endings of what lies beside measurements in a folder and is none: plots, answers, jobs, reports,
+#: pictures.
+BESIDE_MEASUREMENTS = frozenset(
+    {".svg", ".png", ".pdf", ".jpg", ".jpeg", ".json", ".yaml", ".yml", ".html", ".htm", ".md"}
+)
 
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """The measurement files of a path in the order of their names, and what a folder holds beside them."""
+    """The measurement files of a path in the order of their names, and what a folder holds beside
+    them.
+    """
 
     files: tuple[Path, ...]
     skipped: tuple[Path, ...] = ()
 
 
 def measurement_files(path: Path) -> Found:
-    """Return the measurement files of ``path``: itself, or what its folder holds; plots, JSON, jobs, pages are left out.
+    """Return the measurement files of ``path``: itself, or what its folder holds; plots, JSON,
+    jobs, pages are left out.
 
-    Whether the others are measurements is found out when they are read. Raises InputError for a folder without any.
+    Whether the others are measurements is found out when they are read. Raises InputError for a
+    folder without any.
     """
     entries = storage.list_files(path)
     if entries == [path]:
@@ -32,9 +39,16 @@ def measurement_files(path: Path) -> Found:
     skipped = tuple(entry for entry in entries if entry.suffix.lower() in BESIDE_MEASUREMENTS)
     files = tuple(entry for entry in entries if entry not in skipped)
     if not files:
-        message = "the folder holds no measurement files" if skipped else "the folder holds no files"
+        message = (
+            "the folder holds no measurement files" if skipped else "the folder holds no files"
+        )
         found = ", ".join(entry.name for entry in skipped)
         raise InputError(
-            Fault(message=message, file=shown_path(path), expected="measurement files" if skipped else "", found=found)
+            Fault(
+                message=message,
+                file=shown_path(path),
+                expected="measurement files" if skipped else "",
+                found=found,
+            )
         )
     return Found(files, skipped)

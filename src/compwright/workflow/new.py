@@ -24,21 +24,32 @@ Facts = Mapping[str, float | int | str | bool]
 
 @dataclass(frozen=True, slots=True)
 class NewOutcome:
-    """The job file that was written, what the user still has to fill in, and which axes it leaves out, one line each."""
+    """The job file that was written, what the user still has to fill in, and which axes it leaves
+    out, one line each.
+    """
 
     path: Path
     open: tuple[str, ...]
     left_out: tuple[str, ...]
 
 
-def new_job(files: Sequence[Path], format_id: str, options: dict[str, object], out: Path, *, force: bool = False) -> NewOutcome:
+def new_job(
+    files: Sequence[Path],
+    format_id: str,
+    options: dict[str, object],
+    out: Path,
+    *,
+    force: bool = False,
+) -> NewOutcome:
     """Write a job for every axis on which the control's files say that something acts.
 
-    Where no axis has a table or backlash, every axis that the files name gets one. Raises UsageError, InputError (files that
-    contradict themselves) and StorageError.
+    Where no axis has a table or backlash, every axis that the files name gets one. Raises
+    UsageError, InputError (files that contradict themselves) and StorageError.
     """
     control = open_control(format_id, options)
-    unsaid = DETECTION_UNIT in control.definition.options and control.options.get(DETECTION_UNIT) is None
+    unsaid = (
+        DETECTION_UNIT in control.definition.options and control.options.get(DETECTION_UNIT) is None
+    )
     own = read_files(files)
     try:
         state, left_out = _read(control, own)
@@ -51,16 +62,23 @@ def new_job(files: Sequence[Path], format_id: str, options: dict[str, object], o
     asked = unsaid and any("options" not in draft.values for draft in drafts)
     if not drafts:
         raise InputError(Fault(message="the files name no axis", file=", ".join(map(str, files))))
-    given = {name: Prefilled(value, "as given on the command line") for name, value in options.items()}
+    given = {
+        name: Prefilled(value, "as given on the command line") for name, value in options.items()
+    }
     if asked:
-        given[DETECTION_UNIT] = Prefilled(None, "mm or deg per pulse, such as 0.001; nothing in the files says it")
-    text = job_text(format_id, given, [storage.relative(path, out.parent) for path in files], drafts)
+        given[DETECTION_UNIT] = Prefilled(
+            None, "mm or deg per pulse, such as 0.001; nothing in the files says it"
+        )
+    text = job_text(
+        format_id, given, [storage.relative(path, out.parent) for path in files], drafts
+    )
     storage.write_file(out, encoded(text), force=force)
     return NewOutcome(out, tuple(_open(given, drafts)), (*left_out, *_idle(control, state, drafts)))
 
 
 def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState, tuple[str, ...]]:
-    """Return what the files say, and which axes are left out because something about them is odd or not counted.
+    """Return what the files say, and which axes are left out because something about them is odd or
+    not counted.
 
     Raises InputError where nothing is left.
     """
@@ -97,7 +115,11 @@ def _open(options: Mapping[str, Prefilled], drafts: Sequence[AxisDraft]) -> Iter
 
 
 def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[AxisDraft]:
-    acting = [address for address, axis in state.axes.items() if axis.positions.size or axis.backlash or axis.slope or axis.others]
+    acting = [
+        address
+        for address, axis in state.axes.items()
+        if axis.positions.size or axis.backlash or axis.slope or axis.others
+    ]
     names: set[str] = set()
     for address in acting or list(state.axes):
         facts = state.facts.get(address, {})
@@ -115,26 +137,51 @@ def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[A
                 f"read from the control's files: {facts.get('detection_unit_evidence', '')}",
             )
         if partners:
-            values["gantry"] = Prefilled(partners[0], "the control's files drive this axis by two joints")
+            values["gantry"] = Prefilled(
+                partners[0], "the control's files drive this axis by two joints"
+            )
         yield AxisDraft(name=name, values=values)
 
 
 def _partners(address: str, name: str, facts: Facts) -> list[str]:
     """Return the other joints that the control's files give to the axis of a joint."""
     letters = str(facts.get("axis_letters", ""))
-    return [str(index) for index, letter in enumerate(letters) if letter == name and str(index) != address]
+    return [
+        str(index)
+        for index, letter in enumerate(letters)
+        if letter == name and str(index) != address
+    ]
 
 
 def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) -> Iterator[str]:
     """Say which axes of the files the job does not hold: nothing acts on them."""
-    held = {str(entry.value) for draft in drafts for key, entry in draft.values.items() if key in ("address", "gantry")}
-    names = {address: _name(control.definition, address, state.facts.get(address, {})) for address in state.axes}
-    # Where the control's files name its axes, those without a name are places for axes that the machine does not have.
-    named = [address for address, facts in state.facts.items() if isinstance(facts.get("axis_name"), str)]
-    left = [address for address in state.axes if address not in held and (not named or address in named)]
+    held = {
+        str(entry.value)
+        for draft in drafts
+        for key, entry in draft.values.items()
+        if key in ("address", "gantry")
+    }
+    names = {
+        address: _name(control.definition, address, state.facts.get(address, {}))
+        for address in state.axes
+    }
+    # Where the control's files name its axes, those without a name are places for axes that the
+    # machine does not have.
+    named = [
+        address for address, facts in state.facts.items() if isinstance(facts.get("axis_name"), str)
+    ]
+    left = [
+        address for address in state.axes if address not in held and (not named or address in named)
+    ]
     if left:
-        told = ", ".join(address if names[address] == address else f"{address} ({names[address]})" for address in left)
-        yield f"left out, because nothing in the files acts on them: {told}; add those that were measured"
+        told = ", ".join(
+            address if names[address] == address else f"{address} ({names[address]})"
+            for address in left
+        )
+        yield (
+            f"left out, because nothing in the files acts on them: {told}; add those that were"
+            " measured"
+        )
 
 
 def _name(definition: Definition, address: str, facts: Facts) -> str:
@@ -151,19 +198,39 @@ def _name(definition: Definition, address: str, facts: Facts) -> str:
 def _returning(facts: Facts, said: str) -> Prefilled:
     home = facts.get("reference_return")
     return (
-        Prefilled("+", "CHECK: direction in which the reference is approached") if home is None else Prefilled(home, f"from {said}")
+        Prefilled("+", "CHECK: direction in which the reference is approached")
+        if home is None
+        else Prefilled(home, f"from {said}")
     )
 
 
 def _values(address: str, axis: AxisCompensation, facts: Facts) -> Iterator[tuple[str, Prefilled]]:
     said = "the control's files"
     known = "rotary" in facts
-    yield "kind", Prefilled(axis.kind.value, f"from {said}" if known else "CHECK: linear or rotary; the files do not say it")
+    yield (
+        "kind",
+        Prefilled(
+            axis.kind.value,
+            f"from {said}" if known else "CHECK: linear or rotary; the files do not say it",
+        ),
+    )
     low, high = facts.get("limit_low"), facts.get("limit_high")
-    turn = axis.period if axis.period is not None else facts.get("turn") if facts.get("endless") == "yes" else None
+    turn = (
+        axis.period
+        if axis.period is not None
+        else facts.get("turn")
+        if facts.get("endless") == "yes"
+        else None
+    )
     if isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
         yield "travel", Prefilled([0.0, float(turn)], f"one turn of an endless axis, by {said}")
-    elif isinstance(low, (int, float)) and isinstance(high, (int, float)) and low < high and abs(low) < 99999 and abs(high) < 99999:
+    elif (
+        isinstance(low, (int, float))
+        and isinstance(high, (int, float))
+        and low < high
+        and abs(low) < 99999
+        and abs(high) < 99999
+    ):
         yield "travel", Prefilled([float(low), float(high)], f"software limits in {said}")
     else:
         unit = "deg" if axis.kind is AxisKind.ROTARY else "mm"
@@ -187,5 +254,8 @@ def _values(address: str, axis: AxisCompensation, facts: Facts) -> Iterator[tupl
     if encoder:
         yield "encoder", Prefilled(encoder, f"from {said}")
     if axis.kind is AxisKind.LINEAR and facts.get("diameter") in ("yes", "no"):
-        yield "programmed", Prefilled("diameter" if facts["diameter"] == "yes" else "radius", f"from {said}")
+        yield (
+            "programmed",
+            Prefilled("diameter" if facts["diameter"] == "yes" else "radius", f"from {said}"),
+        )
     yield "before", Prefilled(None, "[path of the measurement]")

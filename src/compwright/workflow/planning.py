@@ -14,7 +14,8 @@ from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.positioning import PositioningTest
 
-#: Points over the travel at which estimate and wanted correction are kept: at least, at most, and per period.
+#: Points over the travel at which estimate and wanted correction are kept: at least, at most, and
+#: per period.
 DENSE_LEAST = 401
 DENSE_MOST = 4001
 DENSE_PER_PERIOD = 10
@@ -24,9 +25,11 @@ LEAST_COVERED = 0.5
 
 @dataclass(frozen=True, slots=True)
 class MeasuredError:
-    """The error of an axis as one test shows it: that of the axis itself, estimated, and what the control added, which is known.
+    """The error of an axis as one test shows it: that of the axis itself, estimated, and what the
+    control added, which is known.
 
-    A table may be as rough as it likes: it is taken out before the smooth error is estimated, and put back exactly.
+    A table may be as rough as it likes: it is taken out before the smooth error is estimated, and
+    put back exactly.
     """
 
     own: AxisPosterior
@@ -44,7 +47,9 @@ class MeasuredError:
 
     @property
     def reversal_log_odds(self) -> float:
-        """Natural logarithm of the evidence for a reversal of the axis itself that varies with position."""
+        """Natural logarithm of the evidence for a reversal of the axis itself that varies with
+        position.
+        """
         return self.own.reversal_log_odds
 
     @property
@@ -53,7 +58,9 @@ class MeasuredError:
         return self.own.findings
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
-        """Return mean and standard deviation of the deviation at ``positions`` (g,), with what acted during the test."""
+        """Return mean and standard deviation of the deviation at ``positions`` (g,), with what
+        acted during the test.
+        """
         estimate = self.own.summary(positions)
         if self.active is None:
             return estimate
@@ -64,7 +71,9 @@ class MeasuredError:
         )
 
     def draw(self, positions: FloatArray, count: int, rng: np.random.Generator) -> Draws:
-        """Return ``count`` joint draws of the deviation at ``positions`` (k,), with what acted during the test."""
+        """Return ``count`` joint draws of the deviation at ``positions`` (k,), with what acted
+        during the test.
+        """
         draws = self.own.draw(positions, count, rng)
         if self.active is None:
             return draws
@@ -75,23 +84,29 @@ class MeasuredError:
         )
 
 
-def measured_error(test: PositioningTest, axis: Axis, active: AxisCompensation | None) -> MeasuredError:
-    """Return the error of ``axis`` as one test tells it; ``active``: what the control did meanwhile, None where nobody said.
+def measured_error(
+    test: PositioningTest, axis: Axis, active: AxisCompensation | None
+) -> MeasuredError:
+    """Return the error of ``axis`` as one test tells it; ``active``: what the control did
+    meanwhile, None where nobody said.
 
     The same test gives the same answer.
     """
     bare = test
     if active is not None:
         bare = with_change(test, *(-active.at(test.targets, direction) for direction in Direction))
-    return MeasuredError(estimate_axis(bare, travel=axis.travel, periods=axis.screw_pitch, turn=axis.modulo), active)
+    return MeasuredError(
+        estimate_axis(bare, travel=axis.travel, periods=axis.screw_pitch, turn=axis.modulo), active
+    )
 
 
 def check_coverage(file: str, axis: Axis, test: PositioningTest) -> None:
-    """Raise InputError where the targets of the test from which the table is made cover less than half of the axis' travel.
+    """Raise InputError where the targets of the test from which the table is made cover less than
+    half of the axis' travel.
 
-    What this test did not measure is continued by guess, whatever other tests show: over half the travel that is no table. Of an
-    endless axis the turn less the largest gap between neighbouring targets counts, against the travel as far as that is within one
-    turn.
+    What this test did not measure is continued by guess, whatever other tests show: over half the
+    travel that is no table. Of an endless axis the turn less the largest gap between neighbouring
+    targets counts, against the travel as far as that is within one turn.
     """
     low, high = axis.travel
     targets = test.targets
@@ -107,22 +122,32 @@ def check_coverage(file: str, axis: Axis, test: PositioningTest) -> None:
     unit = axis.kind.unit
     raise InputError(
         Fault(
-            message=f"the targets of test {test.name}, from which the table of axis {axis.name} is made, cover less than half of "
-            "its travel; the rest would be guessed",
+            message=(
+                f"the targets of test {test.name}, from which the table of axis {axis.name} is"
+                " made, cover less than half of its travel; the rest would be guessed"
+            ),
             file=file,
             place=f"axes.{axis.name}.travel",
-            expected=f"the travel that was measured, or targets over at least half of {travel:g} {unit}",
-            found=f"targets from {targets[0]:g} to {targets[-1]:g} {unit}, travel {low:g} to {high:g} {unit}",
+            expected=(
+                f"the travel that was measured, or targets over at least half of {travel:g} {unit}"
+            ),
+            found=(
+                f"targets from {targets[0]:g} to {targets[-1]:g} {unit}, travel {low:g} to {high:g}"
+                f" {unit}"
+            ),
         )
     )
 
 
 def dense_positions(axis: Axis) -> FloatArray:
-    """Return equally spaced positions over the travel (one turn from the reference of an endless axis).
+    """Return equally spaced positions over the travel (one turn from the reference of an endless
+    axis).
 
     They are close enough for the shortest known period.
     """
-    low, high = axis.travel if axis.modulo is None else (axis.reference, axis.reference + axis.modulo)
+    low, high = (
+        axis.travel if axis.modulo is None else (axis.reference, axis.reference + axis.modulo)
+    )
     wanted = DENSE_LEAST
     if axis.screw_pitch:
         wanted = int(np.ceil((high - low) / min(axis.screw_pitch) * DENSE_PER_PERIOD)) + 1
@@ -132,10 +157,12 @@ def dense_positions(axis: Axis) -> FloatArray:
 def wanted_correction(
     estimate: ErrorEstimate, active: AxisCompensation, axis: Axis, *, reversal_log_odds: float
 ) -> WantedCorrection:
-    """Return the totals that would remove the estimated error: what acted during the test minus the error.
+    """Return the totals that would remove the estimated error: what acted during the test minus the
+    error.
 
-    wanted(x, d) = active(x, d) - error(x, d), shifted by one constant so that it is zero at the reference approached in the
-    reference-return direction. Where the reference lies outside the travel, the nearest end of the travel stands for it.
+    wanted(x, d) = active(x, d) - error(x, d), shifted by one constant so that it is zero at the
+    reference approached in the reference-return direction. Where the reference lies outside the
+    travel, the nearest end of the travel stands for it.
     """
     positive = active.at(estimate.positions, Direction.POSITIVE) - estimate.mean_positive
     negative = active.at(estimate.positions, Direction.NEGATIVE) - estimate.mean_negative
@@ -154,6 +181,14 @@ def wanted_correction(
     )
 
 
-def with_change(test: PositioningTest, positive: FloatArray, negative: FloatArray) -> PositioningTest:
-    """Return the test as it would have come out with the correction changed by (m,) ``positive`` and ``negative``."""
-    return replace(test, positive=test.positive + positive[:, np.newaxis], negative=test.negative + negative[:, np.newaxis])
+def with_change(
+    test: PositioningTest, positive: FloatArray, negative: FloatArray
+) -> PositioningTest:
+    """Return the test as it would have come out with the correction changed by (m,) ``positive``
+    and ``negative``.
+    """
+    return replace(
+        test,
+        positive=test.positive + positive[:, np.newaxis],
+        negative=test.negative + negative[:, np.newaxis],
+    )

@@ -1,7 +1,7 @@
 """Measurements that cannot be what a job takes them for: refused before a table is made of them.
 
-What a single test gives away is judged by ``evaluation.plausibility``; here stands what takes the job: the travel of the axis, and
-other tests beside it.
+What a single test gives away is judged by ``evaluation.plausibility``; here stands what takes the
+job: the travel of the axis, and other tests beside it.
 """
 
 from __future__ import annotations
@@ -22,7 +22,9 @@ _TURN: Final = 360.0 - 1e-6
 
 
 def impossible_tests(job: Job, tests: Mapping[str, Sequence[PlannedTest]]) -> list[Fault]:
-    """Return the faults of tests that certainly are not what they say: unit of the readings, and of the targets by the travel."""
+    """Return the faults of tests that certainly are not what they say: unit of the readings, and of
+    the targets by the travel.
+    """
     return [
         fault
         for axis, planned in tests.items()
@@ -41,18 +43,25 @@ def _faults(job: Job, axis: str, index: int, planned: PlannedTest) -> Iterator[F
     travel = job.axes[axis].axis.travel
     unit = wrong_target_unit(test, travel) if index == 0 else ""
     if unit:
-        span = f"{test.targets[-1] - test.targets[0]:.6g} mm of {travel[1] - travel[0]:.6g} mm of travel"
-        message = f"the targets are in {unit}: taken for mm they span {span}, taken for {unit} they fit it"
+        span = (
+            f"{test.targets[-1] - test.targets[0]:.6g} mm of {travel[1] - travel[0]:.6g} mm of"
+            " travel"
+        )
+        message = (
+            f"the targets are in {unit}: taken for mm they span {span}, taken for {unit} they"
+            " fit it"
+        )
         yield Fault(message=message, file=file, place="targets", expected="target positions in mm")
     else:
         yield from _outside(job.axes[axis].axis, test, file)
 
 
 def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
-    """Yield the fault of targets where the axis cannot go: a table would be made for places that are not those that were measured.
+    """Yield the fault of targets where the axis cannot go: a table would be made for places that
+    are not those that were measured.
 
-    Half an interval of the targets (or a tenth of the travel) is left to travels that were rounded; it is a doubt (CW-T007).
-    Axes that turn endlessly go everywhere.
+    Half an interval of the targets (or a tenth of the travel) is left to travels that were rounded;
+    it is a doubt (CW-T007). Axes that turn endlessly go everywhere.
     """
     low, high = axis.travel
     if axis.kind is AxisKind.ROTARY and (axis.modulo is not None or high - low >= _TURN):
@@ -63,18 +72,26 @@ def _outside(axis: Axis, test: PositioningTest, file: str) -> Iterator[Fault]:
         return
     unit = axis.kind.unit
     yield Fault(
-        message=f"the targets lie where the axis cannot go, outside its travel of {low:.10g} to {high:.10g} {unit}",
+        message=(
+            f"the targets lie where the axis cannot go, outside its travel of {low:.10g} to"
+            f" {high:.10g} {unit}"
+        ),
         file=file,
         place="targets",
-        expected="targets within the travel in machine coordinates (position_map: {sense, offset}), or the true travel",
+        expected=(
+            "targets within the travel in machine coordinates (position_map: {sense, offset}), or"
+            " the true travel"
+        ),
         found=f"{first:.10g} to {last:.10g} {unit}",
     )
 
 
 def given_twice(named: Iterable[Named]) -> list[Fault]:
-    """Return a fault for every pair of tests that come from one measurement, and for a test that holds one file twice.
+    """Return a fault for every pair of tests that come from one measurement, and for a test that
+    holds one file twice.
 
-    One measurement: files that are the same byte for byte, or readings that scatter and are the same to the last digit.
+    One measurement: files that are the same byte for byte, or readings that scatter and are the
+    same to the last digit.
     """
     every = tuple(named)
     faults = []
@@ -82,14 +99,26 @@ def given_twice(named: Iterable[Named]) -> list[Fault]:
         seen: dict[str, str] = {}
         for source in entry.sources:
             if source.sha256 in seen:
-                message = f"is the same measurement as {seen[source.sha256]}: {entry.words} holds it twice"
-                faults.append(Fault(message=message, file=source.file, expected="a file for each measurement"))
+                message = (
+                    f"is the same measurement as {seen[source.sha256]}: {entry.words} holds it"
+                    " twice"
+                )
+                faults.append(
+                    Fault(message=message, file=source.file, expected="a file for each measurement")
+                )
             seen.setdefault(source.sha256, source.file)
     for one, other in combinations(every, 2):
         if same_measurement(one, other):
             file = other.sources[0].file if other.sources else other.words
             message = f"is the measurement of {one.words} and of {other.words}"
-            faults.append(Fault(message=message, file=file, expected="a measurement for each", found="the same readings twice"))
+            faults.append(
+                Fault(
+                    message=message,
+                    file=file,
+                    expected="a measurement for each",
+                    found="the same readings twice",
+                )
+            )
     return faults
 
 

@@ -1,4 +1,6 @@
-"""Circular tests after loading against the plan: which circle they repeat, what they show, and whether squareness is gone."""
+"""Circular tests after loading against the plan: which circle they repeat, what they show, and
+whether squareness is gone.
+"""
 
 from __future__ import annotations
 
@@ -11,14 +13,28 @@ import numpy as np
 from compwright.documents.verification import SquarenessCheck, VerifiedCircle
 from compwright.evaluation.decision import Decision
 from compwright.foundations import storage
-from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, collect, raise_all
+from compwright.foundations.errors import (
+    CompwrightError,
+    Fault,
+    InputError,
+    UsageError,
+    collect,
+    raise_all,
+)
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_reading import is_circular, read_circular
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularTest
 from compwright.records.plan import Plan, PlannedCircle, PlannedCross
 from compwright.workflow.circle_checks import effect_of
-from compwright.workflow.circle_work import CIRCULAR_STANDARD, Acting, acting, in_job_names, predicted_circle, read_circle
+from compwright.workflow.circle_work import (
+    CIRCULAR_STANDARD,
+    Acting,
+    acting,
+    in_job_names,
+    predicted_circle,
+    read_circle,
+)
 from compwright.workflow.circles import evaluated_circle
 from compwright.workflow.control import DecodedState
 from compwright.workflow.cross import SIGNIFICANT
@@ -26,10 +42,12 @@ from compwright.workflow.outlook import Correction
 
 
 def split_after(plan: Plan, specs: Sequence[str]) -> tuple[list[str], dict[str, list[Path]]]:
-    """Return the ``--after`` values that are no circular tests, and the files of those that are, by the circle they repeat.
+    """Return the ``--after`` values that are no circular tests, and the files of those that are, by
+    the circle they repeat.
 
-    ``TEST=FILE`` names the circle; else the plane decides, and of several circles of one plane the radius. Raises UsageError
-    where the plan holds no such circle, InputError for circular files that cannot be read.
+    ``TEST=FILE`` names the circle; else the plane decides, and of several circles of one plane the
+    radius. Raises UsageError where the plan holds no such circle, InputError for circular files
+    that cannot be read.
     """
     others: list[str] = []
     circles: dict[str, list[Path]] = {}
@@ -45,7 +63,9 @@ def split_after(plan: Plan, specs: Sequence[str]) -> tuple[list[str], dict[str, 
         else:
             circles.setdefault(found[0], []).append(found[1])
     if errors:
-        raise max((type(error) for error in errors), key=lambda kind: kind.exit_code)(*collect(errors))
+        raise max((type(error) for error in errors), key=lambda kind: kind.exit_code)(
+            *collect(errors)
+        )
     return others, circles
 
 
@@ -69,9 +89,16 @@ def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
         return abs(plan.circles[name].test.nominal_radius - test.nominal_radius)
 
     axes = {name.upper() for name in test.axes}
-    known = [name for name, circle in plan.circles.items() if {axis.upper() for axis in circle.test.axes} == axes]
+    known = [
+        name
+        for name, circle in plan.circles.items()
+        if {axis.upper() for axis in circle.test.axes} == axes
+    ]
     if not known:
-        planes = ", ".join(f"{name} ({circle.test.plane})" for name, circle in plan.circles.items()) or "no circle"
+        planes = (
+            ", ".join(f"{name} ({circle.test.plane})" for name, circle in plan.circles.items())
+            or "no circle"
+        )
         raise UsageError(
             Fault(
                 message=f"is a circular test in {test.plane}; the plan holds none of this plane",
@@ -84,9 +111,14 @@ def _repeated(plan: Plan, test: CircularTest, spec: str) -> str:
 
 
 def verify_circles(
-    plan: Plan, files: Mapping[str, Sequence[Path]], as_found: DecodedState, states: Mapping[str, DecodedState]
+    plan: Plan,
+    files: Mapping[str, Sequence[Path]],
+    as_found: DecodedState,
+    states: Mapping[str, DecodedState],
 ) -> dict[str, VerifiedCircle]:
-    """Evaluate the circular tests after loading beside what the plan expects. Raises InputError with the faults of all files."""
+    """Evaluate the circular tests after loading beside what the plan expects. Raises InputError
+    with the faults of all files.
+    """
     axes = {name: entry.axis for name, entry in plan.axes.items()}
     then = _planned(plan, as_found, axes)
     errors: list[CompwrightError] = []
@@ -102,7 +134,9 @@ def verify_circles(
     return verified
 
 
-def _verified(plan: Plan, circle: PlannedCircle, after: CircularTest, during: Acting, then: Acting) -> VerifiedCircle:
+def _verified(
+    plan: Plan, circle: PlannedCircle, after: CircularTest, during: Acting, then: Acting
+) -> VerifiedCircle:
     before = evaluated_circle(circle.test, CIRCULAR_STANDARD)
     prediction = predicted_circle(before, circle, during, then)
     result = evaluated_circle(replace(after, name=circle.test.name), CIRCULAR_STANDARD)
@@ -119,13 +153,19 @@ def _verified(plan: Plan, circle: PlannedCircle, after: CircularTest, during: Ac
 
 def squareness_decisions(circles: Mapping[str, VerifiedCircle]) -> list[Decision]:
     """Return the decisions about squareness of all circles whose plane was corrected."""
-    return [circle.squareness.decision for circle in circles.values() if circle.squareness is not None]
+    return [
+        circle.squareness.decision for circle in circles.values() if circle.squareness is not None
+    ]
 
 
 def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> Acting:
     """Return what the control does once the plan's tables are loaded."""
     now = acting(as_found, axes)
-    along = {name: entry.fitted.compensation.at for name, entry in plan.axes.items() if entry.fitted is not None}
+    along = {
+        name: entry.fitted.compensation.at
+        for name, entry in plan.axes.items()
+        if entry.fitted is not None
+    }
     across = dict(now.across)
     for entry in (entry for entry in plan.cross if entry.written):
         pair = (entry.input, entry.output)

@@ -1,8 +1,10 @@
-"""What a good verification needs beside its numbers: a plan of this very job, every planned axis, and tests that prove something.
+"""What a good verification needs beside its numbers: a plan of this very job, every planned axis,
+and tests that prove something.
 
-The rule for the findings of the evaluation (``docs/commands.md``, "What good needs"): a warning about the readings of the test
-after loading takes the verdict to undecided; a warning about how the test was planned does so where the first test did not have it
-already; warnings that can only make the values larger (drift, a traverse or a reading far off) leave it.
+The rule for the findings of the evaluation (``docs/commands.md``, "What good needs"): a warning
+about the readings of the test after loading takes the verdict to undecided; a warning about how the
+test was planned does so where the first test did not have it already; warnings that can only make
+the values larger (drift, a traverse or a reading far off) leave it.
 """
 
 from __future__ import annotations
@@ -29,12 +31,14 @@ from compwright.workflow.control import Control, open_control
 from compwright.workflow.inputs import read_test
 from compwright.workflow.work import AS_FOUND
 
-#: Warnings that only say that values are larger than those of a quiet machine, or that an assumption was stated: they leave the
-#: verdict.
+#: Warnings that only say that values are larger than those of a quiet machine, or that an
+#: assumption was stated: they leave the verdict.
 _HARMLESS: Final = frozenset({"CW-T012", "CW-T013", "CW-T014", "CW-T022"})
-#: The size of the readings is judged beside the first test's (`verification.measurement`), which knows more than the test alone.
+#: The size of the readings is judged beside the first test's (`verification.measurement`), which
+#: knows more than the test alone.
 _JUDGED_BESIDE: Final = frozenset({"CW-T030"})
-#: Warnings about the readings: they count whether or not the first test had them too. All others count where it had not.
+#: Warnings about the readings: they count whether or not the first test had them too. All others
+#: count where it had not.
 _OF_READINGS: Final = frozenset(
     {
         *("CW-R006", "CW-R008", "CW-R009", "CW-R010", "CW-R011", "CW-R012", "CW-R015"),
@@ -58,17 +62,28 @@ class AfterTest:
 
 
 def stale_plan(job: Job, plan: Plan, file: str) -> list[Fault]:
-    """Return how the job differs from what the plan was made of: axes, options, tests and circles; not its limits."""
+    """Return how the job differs from what the plan was made of: axes, options, tests and circles;
+    not its limits.
+    """
     told = [*_axes_differ(job, plan), *_options_differ(job, plan), *_states_differ(job, plan)]
     circles = {circle.name for circle in job.circles}
     if circles != set(plan.circles):
-        told.append(("circles", ", ".join(sorted(circles)) or "none", ", ".join(sorted(plan.circles)) or "none"))
+        told.append(
+            (
+                "circles",
+                ", ".join(sorted(circles)) or "none",
+                ", ".join(sorted(plan.circles)) or "none",
+            )
+        )
     return [stale(what, mine, theirs, file) for what, mine, theirs in told]
 
 
 def stale(what: str, mine: str, theirs: str, file: str) -> Fault:
     """Return the fault of a job that says ``mine`` where its plan says ``theirs``."""
-    message = "the plan was made for another job, or before the job was edited; run the job again, or name its own plan with --plan"
+    message = (
+        "the plan was made for another job, or before the job was edited; run the job again, or"
+        " name its own plan with --plan"
+    )
     return Fault(message=message, file=file, place=what, expected=mine, found=theirs)
 
 
@@ -108,10 +123,18 @@ def _tests_differ(job: Job, mine: AxisJob, theirs: PlannedAxis) -> Iterator[tupl
         return
     for request, planned in zip(mine.before, theirs.tests, strict=True):
         if request.measured_in != planned.measured_in:
-            yield f"axis {name}, test {request.name}: measured_in", request.measured_in, planned.measured_in
+            yield (
+                f"axis {name}, test {request.name}: measured_in",
+                request.measured_in,
+                planned.measured_in,
+            )
         now = _read_again(job, mine, request)
         if now is not None and not _same(now, planned.test):
-            yield f"axis {name}, test {request.name}", "the readings that its files hold now", "other readings"
+            yield (
+                f"axis {name}, test {request.name}",
+                "the readings that its files hold now",
+                "other readings",
+            )
 
 
 def _read_again(job: Job, entry: AxisJob, request: TestRequest) -> PositioningTest | None:
@@ -123,8 +146,15 @@ def _read_again(job: Job, entry: AxisJob, request: TestRequest) -> PositioningTe
 
 
 def _same(one: PositioningTest, other: PositioningTest) -> bool:
-    pairs = ((one.targets, other.targets), (one.positive, other.positive), (one.negative, other.negative))
-    return all(a.shape == b.shape and np.allclose(a, b, rtol=0.0, atol=SAME_READING, equal_nan=True) for a, b in pairs)
+    pairs = (
+        (one.targets, other.targets),
+        (one.positive, other.positive),
+        (one.negative, other.negative),
+    )
+    return all(
+        a.shape == b.shape and np.allclose(a, b, rtol=0.0, atol=SAME_READING, equal_nan=True)
+        for a, b in pairs
+    )
 
 
 def _options_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
@@ -136,11 +166,16 @@ def _options_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
 
 
 def _states_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
-    """Yield the states that the job names otherwise than its run; the contents of the files are the plan's own copies."""
+    """Yield the states that the job names otherwise than its run; the contents of the files are the
+    plan's own copies.
+    """
     for name in sorted({AS_FOUND, *job.states} & {AS_FOUND, *plan.states}):
         mine, theirs = job.states.get(name), plan.states.get(name)
         if (mine is None) != (theirs is None) or bool(mine) != bool(theirs):
-            was, now = ("not given" if state is None else "files" if state else "none" for state in (theirs, mine))
+            was, now = (
+                "not given" if state is None else "files" if state else "none"
+                for state in (theirs, mine)
+            )
             yield f"states.{name}", now, was
         elif job.active.get(name) != plan.active.get(name):
             yield f"states.{name}.active", _text(job.active.get(name)), _text(plan.active.get(name))
@@ -163,7 +198,9 @@ def _text(value: Any) -> str:
 
 
 def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
-    """Yield a finding for limits, standard and decision rule that are not those of the run (CW-V022)."""
+    """Yield a finding for limits, standard and decision rule that are not those of the run
+    (CW-V022).
+    """
     if job.standard != plan.standard:
         yield _changed(f"the standard was {plan.standard}, now it is {job.standard}")
     if plan.decision_rule and job.decision_rule != plan.decision_rule:
@@ -183,7 +220,10 @@ def _limits(accept: Any) -> str:
 
 
 def _changed(what: str) -> Finding:
-    message = f"The job was edited after the run: {what}. Run the job again, so that prediction and verdict speak of the same."
+    message = (
+        f"The job was edited after the run: {what}. Run the job again, so that prediction and"
+        " verdict speak of the same."
+    )
     return Finding("CW-V022", "warning", message)
 
 
@@ -193,30 +233,49 @@ def _changed(what: str) -> Finding:
 def not_measured(
     job: Job, plan: Plan, axes: Mapping[str, VerifiedAxis], circles: Mapping[str, VerifiedCircle]
 ) -> Iterator[Finding]:
-    """Yield what was planned or limited and has no test after loading (CW-V023), with what to measure."""
+    """Yield what was planned or limited and has no test after loading (CW-V023), with what to
+    measure.
+    """
     for name, entry in plan.axes.items():
         limited = name in job.axes and job.axes[name].accept is not None
         if entry.tests and name not in axes and (entry.fitted is not None or limited):
             test = _limited_test(job, name) or entry.tests[0].test.name
-            yield _missing(f"axis {name} was not measured after loading", f"Measure it as for the test {test}.")
+            yield _missing(
+                f"axis {name} was not measured after loading", f"Measure it as for the test {test}."
+            )
         elif name in axes and limited:
             meant, was = _limited_test(job, name), axes[name].before.test.name
             if meant != was:
-                about = f"the limits of axis {name} are for the test {meant}, and {was} was measured"
-                yield _missing(about, f"Measure as for {meant} and give it as --after {meant}=FILE.")
+                about = (
+                    f"the limits of axis {name} are for the test {meant}, and {was} was measured"
+                )
+                yield _missing(
+                    about, f"Measure as for {meant} and give it as --after {meant}=FILE."
+                )
     yield from _circles_missing(plan, circles)
 
 
 def _circles_missing(plan: Plan, circles: Mapping[str, VerifiedCircle]) -> Iterator[Finding]:
-    """Yield what was corrected by circles, scale of an axis or squareness of a plane, and has no circle after loading."""
+    """Yield what was corrected by circles, scale of an axis or squareness of a plane, and has no
+    circle after loading.
+    """
     for name, entry in plan.axes.items():
-        if not entry.tests and entry.fitted is not None and not any(name in circle.after.test.axes for circle in circles.values()):
-            what = f"the scale of axis {name} came from circles, and none was measured after loading"
+        if (
+            not entry.tests
+            and entry.fitted is not None
+            and not any(name in circle.after.test.axes for circle in circles.values())
+        ):
+            what = (
+                f"the scale of axis {name} came from circles, and none was measured after loading"
+            )
             yield _missing(what, _circles(plan, {name}))
     for cross in plan.cross:
         measured = any(cross.pair == frozenset(plan.circles[name].test.axes) for name in circles)
         if cross.written and cross.source == "circle" and not measured:
-            what = f"the squareness of {''.join(sorted(cross.pair))} was corrected and not measured after loading"
+            what = (
+                f"the squareness of {''.join(sorted(cross.pair))} was corrected and not measured"
+                " after loading"
+            )
             yield _missing(what, _circles(plan, set(cross.pair)))
 
 
@@ -234,18 +293,28 @@ def _circles(plan: Plan, axes: set[str]) -> str:
 
 
 def _missing(what: str, measure: str) -> Finding:
-    return Finding("CW-V023", "warning", f"Nothing is proven where nothing was measured: {what}. {measure}")
+    return Finding(
+        "CW-V023", "warning", f"Nothing is proven where nothing was measured: {what}. {measure}"
+    )
 
 
-def doubted(after: PositioningResult, before: PositioningResult, *, guarded: bool) -> Iterator[Finding]:
+def doubted(
+    after: PositioningResult, before: PositioningResult, *, guarded: bool
+) -> Iterator[Finding]:
     """Yield the warnings of the evaluation that take the verdict to undecided (CW-V024)."""
     had = {finding.code for finding in before.findings}
     for finding in after.findings:
         code = finding.code
-        if finding.severity == "info" or code in _HARMLESS | _JUDGED_BESIDE or (code in _OF_UNCERTAINTY and not guarded):
+        if (
+            finding.severity == "info"
+            or code in _HARMLESS | _JUDGED_BESIDE
+            or (code in _OF_UNCERTAINTY and not guarded)
+        ):
             continue
         if code in _OF_READINGS or code not in had:
-            message = f"The test after loading, {code}: {finding.message} Settle this, or measure again."
+            message = (
+                f"The test after loading, {code}: {finding.message} Settle this, or measure again."
+            )
             yield Finding("CW-V024", "warning", message)
 
 
@@ -253,17 +322,27 @@ def doubted(after: PositioningResult, before: PositioningResult, *, guarded: boo
 
 
 def copies(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
-    """Return by axis what was given twice: a file within one test, or one measurement for two axes."""
+    """Return by axis what was given twice: a file within one test, or one measurement for two
+    axes.
+    """
     every = tuple(tests)
     found = {
-        entry.axis: NamedFault("copied", f"The test of axis {entry.axis} holds one file twice. Give each measurement once.")
+        entry.axis: NamedFault(
+            "copied",
+            f"The test of axis {entry.axis} holds one file twice. Give each measurement once.",
+        )
         for entry in every
         if len({source.sha256 for source in entry.test.sources}) < len(entry.test.sources)
     }
     for one, other in combinations(every, 2):
-        same = same_measurement(*(Named(entry.axis, entry.test.sources, entry.test) for entry in (one, other)))
+        same = same_measurement(
+            *(Named(entry.axis, entry.test.sources, entry.test) for entry in (one, other))
+        )
         if same or copied_scatter(one.test, other.test) is not None:
-            message = f"Axis {one.axis} and axis {other.axis} were given the same measurement. Give each axis its own."
+            message = (
+                f"Axis {one.axis} and axis {other.axis} were given the same measurement. Give each"
+                " axis its own."
+            )
             found |= {entry.axis: NamedFault("copied", message) for entry in (one, other)}
     return found
 
@@ -272,5 +351,8 @@ def old_circles(plan: Plan, circles: Mapping[str, VerifiedCircle]) -> Iterator[F
     """Yield circles that are those from before loading, by the content of their files (CW-V025)."""
     for name, circle in circles.items():
         if share_a_file(plan.circles[name].test.sources, circle.after.test.sources):
-            message = f"The circle {name} given as measured after loading is the one from before. Measure it again."
+            message = (
+                f"The circle {name} given as measured after loading is the one from before. Measure"
+                " it again."
+            )
             yield Finding("CW-V025", "warning", message)

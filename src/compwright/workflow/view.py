@@ -19,10 +19,15 @@ from compwright.workflow.outlook import Change
 from compwright.workflow.work import AxisWork, correction_of
 
 
-def evaluations(tests: Sequence[PositioningResult], circles: Sequence[CircularResult]) -> dict[str, Any]:
+def evaluations(
+    tests: Sequence[PositioningResult], circles: Sequence[CircularResult]
+) -> dict[str, Any]:
     """Return the evaluation document of positioning and circular tests."""
     document = evaluation_document(tests)
-    return {**document, "results": [*document["results"], *(circular_document(circle) for circle in circles)]}
+    return {
+        **document,
+        "results": [*document["results"], *(circular_document(circle) for circle in circles)],
+    }
 
 
 def run_view(
@@ -35,12 +40,18 @@ def run_view(
     state_files: Sequence[str],
     **documents: Any,
 ) -> dict[str, Any]:
-    """Return the view that the report of a run is rendered from. ``documents`` are passed on under their own names."""
+    """Return the view that the report of a run is rendered from. ``documents`` are passed on under
+    their own names.
+    """
     state: str | list[str] | None = None
     if stated:
         state = list(state_files) or "none"
     return {
-        "title": f"Compensation of {', '.join(works)}" if len(works) < 6 else f"Compensation of {len(works)} axes",
+        "title": (
+            f"Compensation of {', '.join(works)}"
+            if len(works) < 6
+            else f"Compensation of {len(works)} axes"
+        ),
         "machine": dict(job.machine),
         "format": {"id": control.id, "title": control.definition.title},
         "axes": {name: {**axis_view(work, loaded), "state": state} for name, work in works.items()},
@@ -50,7 +61,9 @@ def run_view(
 
 
 def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
-    """Return one axis: its estimate, the wanted totals, the fit, and what its first test is expected to show."""
+    """Return one axis: its estimate, the wanted totals, the fit, and what its first test is
+    expected to show.
+    """
     planned = work.planned
     estimate, wanted, fitted = planned.estimate, planned.wanted, planned.fitted
     factor = outside_factor(planned.axis.kind.unit)
@@ -70,13 +83,15 @@ def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
             "std_positive": scaled(estimate.std_positive),
             "std_negative": scaled(estimate.std_negative),
         },
-        "wanted": None
-        if wanted is None
-        else {
-            "positions": wanted.positions.tolist(),
-            "positive": scaled(wanted.positive),
-            "negative": scaled(wanted.negative),
-        },
+        "wanted": (
+            None
+            if wanted is None
+            else {
+                "positions": wanted.positions.tolist(),
+                "positive": scaled(wanted.positive),
+                "negative": scaled(wanted.negative),
+            }
+        ),
         "mode": fitted.mode if fitted else None,
         "mode_reason": fitted.mode_reason if fitted else None,
         "certificate": dict(fitted.certificate) if fitted else {},
@@ -87,7 +102,9 @@ def axis_view(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
 
 
 def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, Any]:
-    """Return the deviations that a fresh test is expected to show at the first test's targets, and the scatter of one reading."""
+    """Return the deviations that a fresh test is expected to show at the first test's targets, and
+    the scatter of one reading.
+    """
     axis = work.planned.axis
     test = work.results[0].test
     factor = outside_factor(axis.kind.unit)
@@ -96,9 +113,11 @@ def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, A
     estimate = work.posterior.summary(test.targets)
     measured = {direction: bool(test.readings(direction).any()) for direction in Direction}
     expected = {
-        direction: ((estimate.mean(direction) + change.at(test.targets, direction)) * factor).tolist()
-        if measured[direction]
-        else []
+        direction: (
+            ((estimate.mean(direction) + change.at(test.targets, direction)) * factor).tolist()
+            if measured[direction]
+            else []
+        )
         for direction in Direction
     }
     return {
@@ -109,13 +128,20 @@ def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, A
     }
 
 
-def verify_view(job: Job, control: Control, axes: Mapping[str, Mapping[str, Any]], **documents: Any) -> dict[str, Any]:
-    """Return the view that the report of a verification is rendered from; ``axes`` are those of the verification document."""
+def verify_view(
+    job: Job, control: Control, axes: Mapping[str, Mapping[str, Any]], **documents: Any
+) -> dict[str, Any]:
+    """Return the view that the report of a verification is rendered from; ``axes`` are those of the
+    verification document.
+    """
     return {
         "title": f"Verification of {', '.join(axes)}",
         "machine": dict(job.machine),
         "format": {"id": control.id, "title": control.definition.title},
-        "axes": {name: {"unit": axis["unit"], "predicted_targets": axis["expected"]} for name, axis in axes.items()},
+        "axes": {
+            name: {"unit": axis["unit"], "predicted_targets": axis["expected"]}
+            for name, axis in axes.items()
+        },
         "version": __version__,
         **documents,
     }

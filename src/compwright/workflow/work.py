@@ -15,11 +15,22 @@ from compwright.fitting.beyond import beyond_limits
 from compwright.fitting.fit import fit_table
 from compwright.formats.capacity import capacity_for
 from compwright.formats.writing import write_tables
-from compwright.foundations.errors import CapacityError, CompwrightError, UsageError, collect, raise_all
+from compwright.foundations.errors import (
+    CapacityError,
+    CompwrightError,
+    UsageError,
+    collect,
+    raise_all,
+)
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.capacity import Capacity
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState, no_compensation
+from compwright.records.correction import (
+    AxisCompensation,
+    ControlFile,
+    ControlState,
+    no_compensation,
+)
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AxisJob, Job
@@ -53,7 +64,9 @@ AS_FOUND = "as_found"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisWork:
-    """One axis of a run. ``as_found``: what the control does now, by the judge; ``refused``: why its table is not written."""
+    """One axis of a run. ``as_found``: what the control does now, by the judge; ``refused``: why
+    its table is not written.
+    """
 
     entry: AxisJob
     results: tuple[PositioningResult, ...]
@@ -70,7 +83,9 @@ class AxisWork:
         active = self.planned.active
 
         def correction(positions: FloatArray, direction: Direction) -> FloatArray:
-            return np.zeros(np.shape(positions)) if active is None else active.at(positions, direction)
+            return (
+                np.zeros(np.shape(positions)) if active is None else active.at(positions, direction)
+            )
 
         return correction
 
@@ -87,14 +102,22 @@ class AxisWork:
             *(fitted.findings if fitted else ()),
         )
         if self.refused:
-            own = (*own, Finding("CW-P001", "error", f"No table is written for axis {self.entry.axis.name}: {self.refused}."))
+            own = (
+                *own,
+                Finding(
+                    "CW-P001",
+                    "error",
+                    f"No table is written for axis {self.entry.axis.name}: {self.refused}.",
+                ),
+            )
         return tuple(dict.fromkeys(own))
 
 
 def start_axis(job: Job, entry: AxisJob, inputs: JobInputs) -> AxisWork:
     """Evaluate the tests of an axis and estimate its error from the first.
 
-    Raises UsageError for tolerances that fit no test, InputError where the tests cover less than half of the travel.
+    Raises UsageError for tolerances that fit no test, InputError where the tests cover less than
+    half of the travel.
     """
     axis = entry.axis
     tests = inputs.tests[axis.name]
@@ -133,8 +156,12 @@ def start_axis(job: Job, entry: AxisJob, inputs: JobInputs) -> AxisWork:
     )
 
 
-def _disagreeing(tests: Sequence[PlannedTest], inputs: JobInputs, axis: Axis, posterior: MeasuredError) -> Iterator[Finding]:
-    """Yield the doubts of tests that contradict the first, each in the state that it was measured in."""
+def _disagreeing(
+    tests: Sequence[PlannedTest], inputs: JobInputs, axis: Axis, posterior: MeasuredError
+) -> Iterator[Finding]:
+    """Yield the doubts of tests that contradict the first, each in the state that it was measured
+    in.
+    """
     first, *others = tests
     before = _compensation(inputs.states.get(first.measured_in), axis)
     for other in others:
@@ -145,7 +172,10 @@ def _disagreeing(tests: Sequence[PlannedTest], inputs: JobInputs, axis: Axis, po
         estimate = posterior.summary(targets)
         expected = {direction: estimate.mean(direction) for direction in Direction}
         if now is not None and before is not None and other.measured_in != first.measured_in:
-            expected = {side: mean + now.at(targets, side) - before.at(targets, side) for side, mean in expected.items()}
+            expected = {
+                side: mean + now.at(targets, side) - before.at(targets, side)
+                for side, mean in expected.items()
+            }
         std = {Direction.POSITIVE: estimate.std_positive, Direction.NEGATIVE: estimate.std_negative}
         finding = disagreeing_test(other.test, expected, std, estimate.noise, first.test.name)
         if finding is not None:
@@ -156,11 +186,15 @@ def _compensation(decoded: DecodedState | None, axis: Axis) -> AxisCompensation 
     """Return what a state does on an axis; None where nobody said what the state is."""
     if decoded is None:
         return None
-    return decoded.state.axes.get(axis.address, no_compensation(axis.address, axis.kind, axis.reference_return))
+    return decoded.state.axes.get(
+        axis.address, no_compensation(axis.address, axis.kind, axis.reference_return)
+    )
 
 
 def correction_of(decoded: DecodedState | None, axis: Axis) -> Correction:
-    """Return the correction of an axis by the judge's reading of ``decoded``; zero where there are no files."""
+    """Return the correction of an axis by the judge's reading of ``decoded``; zero where there are
+    no files.
+    """
 
     def correction(positions: FloatArray, direction: Direction) -> FloatArray:
         if decoded is None:
@@ -170,44 +204,73 @@ def correction_of(decoded: DecodedState | None, axis: Axis) -> Correction:
     return correction
 
 
-def fit_all(works: Mapping[str, AxisWork], control: Control, state: ControlState, job_file: str) -> dict[str, AxisWork]:
-    """Fit every axis under the limits of the control. Raises CapacityError with the faults of all axes."""
+def fit_all(
+    works: Mapping[str, AxisWork], control: Control, state: ControlState, job_file: str
+) -> dict[str, AxisWork]:
+    """Fit every axis under the limits of the control. Raises CapacityError with the faults of all
+    axes.
+    """
     errors: list[CompwrightError] = []
     fitted: dict[str, AxisWork] = {}
     capacities: dict[str, Capacity] = {}
     for name, work in works.items():
         try:
             one_curve = work.planned.request.mode == "single"
-            capacities[name] = capacity_for(control.definition, work.planned.axis, control.options, state, one_curve=one_curve)
+            capacities[name] = capacity_for(
+                control.definition, work.planned.axis, control.options, state, one_curve=one_curve
+            )
         except CapacityError as error:
-            errors.append(CapacityError(*(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)))
-    capacities = shared_fairly(capacities, {name: work.planned for name, work in works.items() if work.planned.active is not None})
+            errors.append(
+                CapacityError(
+                    *(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)
+                )
+            )
+    capacities = shared_fairly(
+        capacities,
+        {name: work.planned for name, work in works.items() if work.planned.active is not None},
+    )
     for name, work in works.items():
         planned = work.planned
         if planned.active is None or name not in capacities:
             fitted[name] = work
             continue
         wanted = wanted_correction(
-            planned.estimate, planned.active, planned.axis, reversal_log_odds=work.posterior.reversal_log_odds
+            planned.estimate,
+            planned.active,
+            planned.axis,
+            reversal_log_odds=work.posterior.reversal_log_odds,
         )
         try:
             capacity = capacities[name]
             table = fit_within(wanted, capacity, planned.request, address=planned.axis.address)
         except CapacityError as error:
-            errors.append(CapacityError(*(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)))
+            errors.append(
+                CapacityError(
+                    *(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)
+                )
+            )
             continue
-        fitted[name] = replace(work, capacity=capacity, planned=replace(planned, wanted=wanted, fitted=table))
+        fitted[name] = replace(
+            work, capacity=capacity, planned=replace(planned, wanted=wanted, fitted=table)
+        )
     raise_all(CapacityError, collect(errors))
     return fitted
 
 
-def shared_fairly(capacities: Mapping[str, Capacity], planned: Mapping[str, PlannedAxis]) -> dict[str, Capacity]:
-    """Return the capacities with the points of a store that all axes share divided among those whose spacing nobody named.
+def shared_fairly(
+    capacities: Mapping[str, Capacity], planned: Mapping[str, PlannedAxis]
+) -> dict[str, Capacity]:
+    """Return the capacities with the points of a store that all axes share divided among those
+    whose spacing nobody named.
 
-    An axis whose spacing the job names gets what it needs; two tables need twice the points. What the job names stays as it is:
-    where it does not fit, writing refuses it.
+    An axis whose spacing the job names gets what it needs; two tables need twice the points. What
+    the job names stays as it is: where it does not fit, writing refuses it.
     """
-    sharing = {name: one for name, one in capacities.items() if one.shared_points and one.max_points and name in planned}
+    sharing = {
+        name: one
+        for name, one in capacities.items()
+        if one.shared_points and one.max_points and name in planned
+    }
     sets = {name: 2 if planned[name].request.mode == "bidirectional" else 1 for name in sharing}
     free = {name: one for name, one in sharing.items() if planned[name].request.spacing is None}
     named = 0
@@ -225,8 +288,12 @@ def shared_fairly(capacities: Mapping[str, Capacity], planned: Mapping[str, Plan
     return result
 
 
-def fit_within(wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str) -> FittedTable:
-    """Return the fitted table. Raises CapacityError where the control cannot hold it by more than the noise of a reading."""
+def fit_within(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str
+) -> FittedTable:
+    """Return the fitted table. Raises CapacityError where the control cannot hold it by more than
+    the noise of a reading.
+    """
     table = fit_table(wanted, capacity, request, address=address)
     raise_all(CapacityError, list(beyond_limits(table, wanted, capacity)))
     return table
@@ -235,17 +302,21 @@ def fit_within(wanted: WantedCorrection, capacity: Capacity, request: TableReque
 def write_fitted(
     control: Control, fitted: list[tuple[Axis, FittedTable]], as_found: DecodedState
 ) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
-    """Write fitted tables as the control's files and read them back with both readers; (), None where there are none.
+    """Write fitted tables as the control's files and read them back with both readers; (), None
+    where there are none.
 
-    What is in the control (``as_found``) is patched. Raises CapacityError where something cannot be held, and CompwrightError (a
-    fault of our own) when a table of an axis that was not asked for reads otherwise than before.
+    What is in the control (``as_found``) is patched. Raises CapacityError where something cannot be
+    held, and CompwrightError (a fault of our own) when a table of an axis that was not asked for
+    reads otherwise than before.
     """
     if not fitted:
         return (), None
     axes = [axis for axis, _ in fitted]
     compensations = [table.compensation for _, table in fitted]
     try:
-        files = write_tables(control.definition, compensations, axes, control.options, as_found.state, as_found.files)
+        files = write_tables(
+            control.definition, compensations, axes, control.options, as_found.state, as_found.files
+        )
     except UsageError as error:  # an option that the control's files do not answer
         named = all(fault.place in control.definition.options for fault in error.faults)
         raise (control.origin.named(error) if named else error) from error
@@ -256,7 +327,9 @@ def write_fitted(
 def export(
     works: Mapping[str, AxisWork], control: Control, as_found: DecodedState, *, accept_worse: bool
 ) -> tuple[dict[str, AxisWork], tuple[ControlFile, ...], DecodedState | None]:
-    """Write the tables, read them back through the judge, and leave out those that would not improve their axis."""
+    """Write the tables, read them back through the judge, and leave out those that would not
+    improve their axis.
+    """
     files, loaded = write_fitted(control, _fitted(works), as_found)
     if accept_worse or loaded is None:
         return dict(works), files, loaded
@@ -270,18 +343,28 @@ def export(
     return kept, files, loaded
 
 
-def predict_axis(work: AxisWork, loaded: DecodedState | None, rule: Literal["simple", "guarded"] = "simple") -> AxisPrediction:
-    """Return what fresh tests of an axis will show: with the table as read back, or with what is in the control now."""
+def predict_axis(
+    work: AxisWork, loaded: DecodedState | None, rule: Literal["simple", "guarded"] = "simple"
+) -> AxisPrediction:
+    """Return what fresh tests of an axis will show: with the table as read back, or with what is in
+    the control now.
+    """
     axis = work.planned.axis
     fitted = work.planned.fitted
     new = work.as_found if fitted is None else correction_of(loaded, axis)
-    tests = tuple(predict(result, work.posterior, Change(new, work.active), axis) for result in work.results)
+    tests = tuple(
+        predict(result, work.posterior, Change(new, work.active), axis) for result in work.results
+    )
     folded = any(finding.code == "CW-E010" for finding in work.posterior.findings)
     accept = accept_decisions(work.entry, tests, rule, folded=folded)
-    lacking = [name for name, entry in accept.items() if entry.rule == "guarded" and entry.U is None]
+    lacking = [
+        name for name, entry in accept.items() if entry.rule == "guarded" and entry.U is None
+    ]
     return AxisPrediction(
         tests=tests,
-        table=loaded.state.axes[axis.address] if fitted is not None and loaded is not None else None,
+        table=(
+            loaded.state.axes[axis.address] if fitted is not None and loaded is not None else None
+        ),
         quantum=work.capacity.quantum if work.capacity is not None else None,
         limits=fitted.limits if fitted is not None else (),
         accept=accept,
@@ -295,7 +378,9 @@ def _fitted(works: Mapping[str, AxisWork]) -> list[tuple[Axis, FittedTable]]:
 
 
 def _no_gain(work: AxisWork, loaded: DecodedState) -> str:
-    """Return why the table as read back would not improve the axis over what the control does now; empty when it does."""
+    """Return why the table as read back would not improve the axis over what the control does now;
+    empty when it does.
+    """
     axis = work.planned.axis
     if work.planned.fitted is None:
         return ""
@@ -303,8 +388,15 @@ def _no_gain(work: AxisWork, loaded: DecodedState) -> str:
     unchanged = Change(work.as_found, work.active)
     first = work.results[0]
     after, before = (
-        evaluate(with_change(first.test, *(change.at(first.test.targets, direction) for direction in Direction)), first.standard)
+        evaluate(
+            with_change(
+                first.test, *(change.at(first.test.targets, direction) for direction in Direction)
+            ),
+            first.standard,
+        )
         for change in (changed, unchanged)
     )
-    new, old = (predict_new_targets(first, work.posterior, change, axis) for change in (changed, unchanged))
+    new, old = (
+        predict_new_targets(first, work.posterior, change, axis) for change in (changed, unchanged)
+    )
     return why_not_better(before, after, old, new)
