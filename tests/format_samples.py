@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from compwright.formats.definitions import definitions_from
-from compwright.formats.reading import read_state
+from compwright.formats.definition.reading import definitions_from
+from compwright.formats.families.grid.reading import read_state
 from compwright.foundations.storage import definition_files
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState

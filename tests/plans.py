@@ -15,14 +15,14 @@ from numpy.typing import NDArray
 
 from compwright.controllers.virtual import virtual_control
 from compwright.fitting.fit import fit_table
-from compwright.formats.capacity import capacity_for
+from compwright.formats.families.grid.capacity import capacity_for
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import TableRequest
-from compwright.workflow.control import open_control
+from compwright.workflow.stages.control import open_control
 
 #: Formats that can write a table without files of the control: what to call the axis, and what to
 #: choose at random.

@@ -17,7 +17,7 @@ from compwright.cli import run as compwright
 from compwright.formats.card import card_steps, card_steps_of_all, card_values, loading_order
 from compwright.records.axis import Axis, AxisKind
 from compwright.reporting.card import card_html
-from compwright.workflow.card import check_positions
+from compwright.workflow.showing.card import check_positions
 from format_samples import DEFINITIONS, SIEMENS, axis_of, files, table
 from places import PROJECT
 from reporting_samples import sample_card

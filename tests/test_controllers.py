@@ -14,7 +14,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from compwright.controllers.linuxcnc_table import load_table, three_numbers
+from compwright.controllers.linuxcnc.table import load_table, three_numbers
 from compwright.controllers.virtual import KNOWN, VirtualControl, virtual_control
 from compwright.foundations.errors import CompwrightError, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction

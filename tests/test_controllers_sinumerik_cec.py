@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from compwright.controllers.request import Request
-from compwright.controllers.sinumerik import SinumerikControl, sinumerik_control
+from compwright.controllers.sinumerik.control import SinumerikControl, sinumerik_control
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile

@@ -13,7 +13,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.evaluation.copies import same_runs_findings
 from compwright.instruments.reading import read_positioning
-from compwright.workflow.inputs import read_measurement
+from compwright.workflow.stages.inputs import read_measurement
 from loop import Floats, Machine, csv_of
 
 MACHINE = Machine(noise=0.0006)

@@ -16,9 +16,9 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
-from compwright.formats.capacity import capacity_for
-from compwright.formats.definitions import load_definition
-from compwright.formats.options import resolve_options
+from compwright.formats.definition.options import resolve_options
+from compwright.formats.definition.reading import load_definition
+from compwright.formats.families.grid.capacity import capacity_for
 from compwright.formats.writing import write_tables
 from compwright.foundations import storage
 from compwright.foundations.errors import CapacityError, CompwrightError

@@ -10,17 +10,17 @@ from typing import Any
 
 import pytest
 
-from compwright.formats import definitions
 from compwright.formats.card import UNKNOWN, card_steps, card_values
-from compwright.formats.definitions import definitions_from, load_definition
-from compwright.formats.gate import check_definition
-from compwright.formats.options import describe_options, resolve_options
-from compwright.formats.patching import Change, apply_changes, set_field
-from compwright.formats.texts import TextReader
+from compwright.formats.definition import reading as definitions
+from compwright.formats.definition.options import describe_options, resolve_options
+from compwright.formats.definition.reading import definitions_from, load_definition
+from compwright.formats.gate.gate import check_definition
+from compwright.formats.text.patching import Change, apply_changes, set_field
+from compwright.formats.text.texts import TextReader
 from compwright.foundations.errors import InputError, UsageError
 from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.correction import ControlFile
-from compwright.workflow.formats import check_formats, list_formats, show_format
+from compwright.workflow.commands.formats import check_formats, list_formats, show_format
 from format_samples import CONTENT, DEFINITIONS, LINUXCNC, SIEMENS, axis_of, table
 
 TEXT = {name: content.decode() for name, content in CONTENT.items()}

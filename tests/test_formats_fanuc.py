@@ -16,18 +16,18 @@ import numpy as np
 import pytest
 
 from compwright.controllers.virtual import virtual_control
-from compwright.formats.capacity import capacity_for
-from compwright.formats.definitions import load_definition
-from compwright.formats.diff import compare_files
-from compwright.formats.numbering import NoRoom, Place, find_place, longest_gap
-from compwright.formats.options import resolve_options
-from compwright.formats.reading import read_state
-from compwright.formats.second_forms import second_forms
+from compwright.formats.definition.options import resolve_options
+from compwright.formats.definition.reading import load_definition
+from compwright.formats.families.grid.capacity import capacity_for
+from compwright.formats.families.grid.reading import read_state
+from compwright.formats.families.increments.numbering import NoRoom, Place, find_place, longest_gap
+from compwright.formats.families.sheets import second_forms
+from compwright.formats.text.diff import compare_files
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
-from compwright.workflow.control import DecodedState, decode, open_control
+from compwright.workflow.stages.control import DecodedState, decode, open_control
 from fanuc_backup import NUMBERS, OLD_POINTS, parameters, pitch_data
 from format_samples import CONTENT
 from plans import ADDRESSES, random_plan, tolerance, worst_difference

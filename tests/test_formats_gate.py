@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pytest
 
-from compwright.formats import gate_limits
-from compwright.formats.definitions import load_definition
-from compwright.formats.gate import check_definition
+from compwright.formats.definition.reading import load_definition
+from compwright.formats.gate import limits as gate_limits
+from compwright.formats.gate.gate import check_definition
 from compwright.foundations import storage
 from compwright.foundations.errors import InputError
-from compwright.workflow.formats import check_formats
+from compwright.workflow.commands.formats import check_formats
 
 SHIPPED: Mapping[str, bytes] = dict(storage.definition_files())
 

@@ -18,15 +18,15 @@ from hypothesis import strategies as st
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
-from compwright.formats.capacity import capacity_for
 from compwright.formats.card import UNKNOWN, card_steps, card_values
-from compwright.formats.gate import check_definition
-from compwright.formats.reading import read_state
+from compwright.formats.families.grid.capacity import capacity_for
+from compwright.formats.families.grid.reading import read_state
+from compwright.formats.gate.gate import check_definition
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
-from compwright.workflow.control import decode, open_control
+from compwright.workflow.stages.control import decode, open_control
 from format_samples import DEFINITIONS, axis_of, codes, correction, table
 from loop import Machine, accuracy, allowed, csv_of
 

@@ -7,10 +7,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from compwright.formats.addresses import normal_address
-from compwright.formats.capacity import capacity_for
-from compwright.formats.options import resolve_options
-from compwright.formats.reading import read_state
+from compwright.formats.definition.options import resolve_options
+from compwright.formats.families.grid.capacity import capacity_for
+from compwright.formats.families.grid.reading import read_state
+from compwright.formats.text.addresses import normal_address
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction

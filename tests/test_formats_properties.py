@@ -9,10 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from compwright.formats.capacity import capacity_for
-from compwright.formats.definitions import load_definition
-from compwright.formats.reading import read_state
-from compwright.formats.schema import Definition
+from compwright.formats.definition.reading import load_definition
+from compwright.formats.definition.schema import Definition
+from compwright.formats.families.grid.capacity import capacity_for
+from compwright.formats.families.grid.reading import read_state
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import InputError
 from compwright.records.axis import Axis, AxisKind, Direction

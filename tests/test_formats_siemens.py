@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from compwright.formats.capacity import capacity_for
-from compwright.formats.definitions import load_definition
-from compwright.formats.reading import read_state
+from compwright.formats.definition.reading import load_definition
+from compwright.formats.families.grid.capacity import capacity_for
+from compwright.formats.families.grid.reading import read_state
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction

@@ -7,14 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.formats.capacity import capacity_for
 from compwright.formats.card import card_steps, card_values
-from compwright.formats.reading import read_state
+from compwright.formats.families.grid.capacity import capacity_for
+from compwright.formats.families.grid.reading import read_state
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
-from compwright.workflow.control import decode, open_control
+from compwright.workflow.stages.control import decode, open_control
 from format_samples import LINUXCNC, SIEMENS, axis_of, codes, correction, files, siemens, table
 
 POSITIVE, NEGATIVE = Direction.POSITIVE, Direction.NEGATIVE

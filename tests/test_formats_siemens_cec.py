@@ -12,12 +12,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from compwright.formats.capacity import capacity_for
 from compwright.formats.card import UNKNOWN, card_steps, card_values
-from compwright.formats.cec import Cec
-from compwright.formats.cec_sums import cross_tables
-from compwright.formats.cec_writing import write_cross
-from compwright.formats.reading import read_state
+from compwright.formats.families.grid.capacity import capacity_for
+from compwright.formats.families.grid.reading import read_state
+from compwright.formats.families.pairs.reading import Cec
+from compwright.formats.families.pairs.sums import cross_tables
+from compwright.formats.families.pairs.writing import write_cross
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -27,7 +27,7 @@ from compwright.records.correction import (
     ControlState,
     CrossCompensation,
 )
-from compwright.workflow.control import decode, open_control
+from compwright.workflow.stages.control import decode, open_control
 from format_samples import LINUXCNC, SIEMENS, axis_of, codes, correction, files, siemens, table
 
 POSITIVE, NEGATIVE = Direction.POSITIVE, Direction.NEGATIVE
@@ -808,6 +808,6 @@ def test_a_difference_between_the_readers_is_found(monkeypatch: pytest.MonkeyPat
         (none, "do not agree"),
         (another, "different tables"),
     ):
-        monkeypatch.setattr("compwright.formats.reading.cross_tables", wrong)
+        monkeypatch.setattr("compwright.formats.families.grid.reading.cross_tables", wrong)
         with pytest.raises(CompwrightError, match=says):
             agreed(given)

@@ -13,13 +13,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from compwright.formats.own_files import styled
-from compwright.formats.reading import read_state
+from compwright.formats.families.grid.reading import read_state
+from compwright.formats.text.own_files import styled
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
-from compwright.workflow.control import decode, open_control
+from compwright.workflow.stages.control import decode, open_control
 from format_samples import SIEMENS, axis_of, table
 
 #: An archive as a control exports it: several programs, paths, comments, block numbers, checksums,

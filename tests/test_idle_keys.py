@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from compwright.jobs.reading import read_job
-from compwright.workflow.control import open_control
-from compwright.workflow.idle_keys import without_effect
+from compwright.workflow.stages.control import open_control
+from compwright.workflow.stages.idle_keys import without_effect
 
 
 @pytest.mark.parametrize(

@@ -19,8 +19,8 @@ from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document, read_plan
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
-from compwright.workflow import control as control_module
-from compwright.workflow import work as work_module
+from compwright.workflow.stages import control as control_module
+from compwright.workflow.stages import work as work_module
 from loop import Floats, Machine, csv_of
 
 MACHINE = Machine()

@@ -31,7 +31,7 @@ from compwright.records.correction import ControlFile
 from compwright.records.job import CircleRequest
 from compwright.simulation.circular import CircleAxis, CircleErrors, CirclePlan, simulate_circle
 from compwright.simulation.circular_files import to_circular_csv
-from compwright.workflow.circle_work import start_circle
+from compwright.workflow.stages.circle_work import start_circle
 from loop import Floats, Machine, csv_of
 
 SIEMENS = "siemens-840d-sl"

@@ -11,14 +11,14 @@ from dataclasses import replace
 
 import pytest
 
-from compwright.formats.capacity import capacity_for
-from compwright.formats.diff import compare_files
-from compwright.formats.reading import read_state
+from compwright.formats.families.grid.capacity import capacity_for
+from compwright.formats.families.grid.reading import read_state
+from compwright.formats.text.diff import compare_files
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Encoder
 from compwright.records.correction import ControlState
-from compwright.workflow.control import decode, open_control
+from compwright.workflow.stages.control import decode, open_control
 from format_samples import SIEMENS, axis_of, codes, files, table
 
 NAMES = '$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"\n$MN_AXCONF_MACHAX_NAME_TAB[1]="Y1"\n'

@@ -13,11 +13,11 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.formats.card import card_steps, card_values
-from compwright.formats.reading import read_state
+from compwright.formats.families.grid.reading import read_state
 from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError
 from compwright.records.correction import ControlFile
-from compwright.workflow.control import decode, open_control
+from compwright.workflow.stages.control import decode, open_control
 from format_samples import SIEMENS, axis_of, table
 from test_siemens_honoured import NAMES, OPTIONS, TWO, cec, eec, pair_into
 from virtual_sinumerik import VirtualSinumerik

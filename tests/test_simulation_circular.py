@@ -32,7 +32,7 @@ from compwright.simulation.circular import (
 )
 from compwright.simulation.circular_files import to_b5r, to_circular_csv
 from compwright.simulation.reading import read_machine
-from compwright.workflow.simulate import load_machine, simulate_files
+from compwright.workflow.commands.simulate import load_machine, simulate_files
 
 R = 100.0  # mm
 V = 1000.0 / 60.0  # mm/s

@@ -20,8 +20,8 @@ from compwright.documents.plan import read_plan
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.verification.measurement import noise_odds
-from compwright.workflow.jobs import read_job_file
-from compwright.workflow.verify_proof import stale_plan
+from compwright.workflow.stages.jobs import read_job_file
+from compwright.workflow.stages.verify_proof import stale_plan
 from loop import Floats, Machine, csv_of
 
 MACHINE = Machine()

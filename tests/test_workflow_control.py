@@ -6,7 +6,7 @@ import pytest
 
 from compwright.foundations import storage
 from compwright.foundations.errors import UsageError
-from compwright.workflow.control import open_control
+from compwright.workflow.stages.control import open_control
 from format_samples import DEFINITIONS
 
 

@@ -13,8 +13,12 @@ import pytest
 from rich.console import Console
 
 from compwright.foundations.errors import StorageError, UsageError
-from compwright.workflow.answers import document_text
-from compwright.workflow.evaluate import evaluate_files, evaluation_renderables, write_evaluation
+from compwright.workflow.commands.evaluate import (
+    evaluate_files,
+    evaluation_renderables,
+    write_evaluation,
+)
+from compwright.workflow.showing.answers import document_text
 from places import PROJECT
 
 pytestmark = pytest.mark.painted
@@ -187,8 +191,8 @@ def test_hostile_text_is_shown_as_it_is(tmp_path: Path) -> None:
 def test_the_evaluate_path_loads_nothing_heavy(tmp_path: Path) -> None:
     path = csv_file(tmp_path, "a.csv")
     code = (
-        "import sys; from pathlib import Path; from compwright.workflow.answers import"
-        " document_text;from compwright.workflow.evaluate import"
+        "import sys; from pathlib import Path; from compwright.workflow.showing.answers import"
+        " document_text;from compwright.workflow.commands.evaluate import"
         f" evaluate_files;document_text(evaluate_files([Path({str(path)!r})]).document);print([m"
         " for m in ('scipy', 'cvxpy', 'osqp', 'matplotlib', 'pydantic', 'rich') if m in"
         " sys.modules])"

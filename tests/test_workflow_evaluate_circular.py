@@ -28,8 +28,8 @@ from compwright.foundations.errors import UsageError
 from compwright.records.circular import CircularTest, Diagnosis
 from compwright.simulation.circular import CircleErrors, CirclePlan, record_circle
 from compwright.simulation.circular_files import to_b5r
-from compwright.workflow import circles
-from compwright.workflow.evaluate import evaluate_files, evaluation_renderables
+from compwright.workflow.commands.evaluate import evaluate_files, evaluation_renderables
+from compwright.workflow.stages import circles
 from places import PROJECT, REAL, needs_shared
 
 pytestmark = pytest.mark.painted
@@ -610,8 +610,8 @@ def test_the_terminal_shows_what_the_instrument_printed() -> None:
 def test_positioning_loads_nothing_circular_and_circles_nothing_heavy(tmp_path: Path) -> None:
     put(tmp_path, x=POSITIONING, xy=csv_of())
     code = (
-        "import sys; from pathlib import Path; from compwright.workflow.answers import"
-        " document_text;from compwright.workflow.evaluate import"
+        "import sys; from pathlib import Path; from compwright.workflow.showing.answers import"
+        " document_text;from compwright.workflow.commands.evaluate import"
         " evaluate_files;document_text(evaluate_files([Path(sys.argv[1])]).document);print(sorted(m"
         " for m in sys.modules if m.startswith('compwright.') and 'circ' in m or m in ('scipy',"
         " 'cvxpy', 'matplotlib', 'pydantic', 'rich', 'xml', 'compwright.instruments.b5r')))"

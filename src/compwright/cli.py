@@ -229,7 +229,7 @@ def _answer(
     document: Mapping[str, Any], json_path: Path | None, renderables: Callable[[], list[Any]]
 ) -> None:
     """Print the answer of a command: as JSON for ``--json -``, else for people."""
-    from compwright.workflow.answers import document_text, show
+    from compwright.workflow.showing.answers import document_text, show
 
     if _on_output(json_path):
         text = document_text(document).encode()  # always UTF-8, whatever the terminal speaks
@@ -287,7 +287,7 @@ def evaluate(
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Evaluate positioning and circular tests to a standard."""
-    from compwright.workflow.evaluate import (
+    from compwright.workflow.commands.evaluate import (
         evaluate_files,
         evaluation_renderables,
         write_evaluation,
@@ -344,9 +344,9 @@ def run_command(
     inputs: tuple[Path, ...], out: Path | None, json_path: Path | None, **words: Any
 ) -> int:
     """Evaluate, fit, export, predict and report: the whole job."""
-    from compwright.workflow.answers import run_summary
-    from compwright.workflow.jobs import job_of
-    from compwright.workflow.run import run_job
+    from compwright.workflow.commands.run import run_job
+    from compwright.workflow.showing.answers import run_summary
+    from compwright.workflow.stages.jobs import job_of
 
     job, folder, default_out = job_of(
         [str(path) for path in inputs],
@@ -400,7 +400,7 @@ def export(
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Write the tables of a plan again, for its control or another."""
-    from compwright.workflow.export import export_plan
+    from compwright.workflow.commands.export import export_plan
 
     outcome = export_plan(plan, format_id, _pairs(options), states, out, force=force)
     for entry in outcome.assumed:
@@ -442,8 +442,8 @@ def decode(
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Say what a control would do with these files."""
-    from compwright.workflow.answers import decode_summary, write_document
-    from compwright.workflow.decode import decode_files
+    from compwright.workflow.commands.decode import decode_files
+    from compwright.workflow.showing.answers import decode_summary, write_document
 
     document = decode_files(paths, format_id, _pairs(options), axis=axis, at=at)
     to_file = _json_file(json_path)
@@ -473,9 +473,9 @@ def compare(
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Hold what is really in the control against the plan."""
-    from compwright.workflow.answers import compare_summary, write_document
-    from compwright.workflow.compare import compare_plan
-    from compwright.workflow.verify import plan_path
+    from compwright.workflow.commands.compare import compare_plan
+    from compwright.workflow.commands.verify import plan_path
+    from compwright.workflow.showing.answers import compare_summary, write_document
 
     outcome = compare_plan(plan_path(plan, plan), loaded)
     to_file = _json_file(json_path)
@@ -514,7 +514,7 @@ def new(
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Write a job prefilled from the control's own files."""
-    from compwright.workflow.new import new_job
+    from compwright.workflow.commands.new import new_job
 
     outcome = new_job(files, format_id, _pairs(options), out, force=force)
     _print_lines([str(outcome.path)])
@@ -558,9 +558,9 @@ def verify(
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Judge the test after loading against the plan."""
-    from compwright.workflow.answers import verify_summary
-    from compwright.workflow.jobs import default_folder, read_job_file
-    from compwright.workflow.verify import plan_path, verify_job
+    from compwright.workflow.commands.verify import plan_path, verify_job
+    from compwright.workflow.showing.answers import verify_summary
+    from compwright.workflow.stages.jobs import default_folder, read_job_file
 
     job = read_job_file(job_file)
     folder = default_folder(job_file)
@@ -598,7 +598,7 @@ def simulate(
     force: bool,  # noqa: FBT001 - a flag of the command line
 ) -> int:
     """Measure a virtual machine; see docs/simulation.md."""
-    from compwright.workflow.simulate import load_machine, simulate_files
+    from compwright.workflow.commands.simulate import load_machine, simulate_files
 
     written = simulate_files(
         load_machine(machine), out, seed=seed, tables=tables, force=force, file=str(machine)
@@ -615,8 +615,8 @@ def simulate(
 @_exiting
 def demo(out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command line
     """Play the whole loop on a virtual machine."""
-    from compwright.workflow.answers import demo_summary, show
-    from compwright.workflow.demo import run_demo
+    from compwright.workflow.commands.demo import run_demo
+    from compwright.workflow.showing.answers import demo_summary, show
 
     outcome = run_demo(out, force=force)
     _print(lambda: show(demo_summary(outcome)))
@@ -634,7 +634,7 @@ def formats() -> None:
 @_exiting
 def formats_list() -> int:
     """List the controls that compwright can write for."""
-    from compwright.workflow.formats import list_formats
+    from compwright.workflow.commands.formats import list_formats
 
     _print_lines(list_formats())
     return 0
@@ -645,7 +645,7 @@ def formats_list() -> int:
 @_exiting
 def formats_show(format_id: str) -> int:
     """Show what a control can hold, its options, and how well each fact is known."""
-    from compwright.workflow.formats import show_format
+    from compwright.workflow.commands.formats import show_format
 
     _print_lines(show_format(format_id))
     return 0
@@ -656,7 +656,7 @@ def formats_show(format_id: str) -> int:
 @_exiting
 def formats_check(paths: tuple[Path, ...]) -> int:
     """Check definitions: those that ship with compwright, or files and folders of your own."""
-    from compwright.workflow.formats import check_formats
+    from compwright.workflow.commands.formats import check_formats
 
     _print_lines(check_formats(paths))
     return 0

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
-from compwright.controllers.fanuc import fanuc_0i_16i_control, fanuc_30i_control
-from compwright.controllers.heidenhain import itnc530_control, nck_control
-from compwright.controllers.linuxcnc import linuxcnc_control
+from compwright.controllers.fanuc.control import fanuc_0i_16i_control, fanuc_30i_control
+from compwright.controllers.heidenhain.control import itnc530_control, nck_control
+from compwright.controllers.linuxcnc.control import linuxcnc_control
 from compwright.controllers.request import Request
-from compwright.controllers.sinumerik import sinumerik_control
+from compwright.controllers.sinumerik.control import sinumerik_control
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile

@@ -8,16 +8,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from compwright.formats.addresses import normal_address
-from compwright.formats.axis_reading import Fact
-from compwright.formats.capacity import scale_for_writing
-from compwright.formats.cec import CEC_PAIR
-from compwright.formats.consistency import has_cross
-from compwright.formats.options import axis_options, resolve_options
-from compwright.formats.scale import Scale
-from compwright.formats.schema import Definition
-from compwright.formats.statements import field_names, print_form
-from compwright.formats.user_tables_capacity import user_card_values
+from compwright.formats.definition.consistency import has_cross
+from compwright.formats.definition.options import axis_options, resolve_options
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import field_names, print_form
+from compwright.formats.families.columns.capacity import user_card_values
+from compwright.formats.families.grid.axis_reading import Fact
+from compwright.formats.families.grid.capacity import scale_for_writing
+from compwright.formats.families.pairs.reading import CEC_PAIR
+from compwright.formats.text.addresses import normal_address
+from compwright.formats.text.scale import Scale
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, ControlFile, Evidence

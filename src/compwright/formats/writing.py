@@ -9,18 +9,18 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.addresses import normal_address, normal_text
-from compwright.formats.capacity import capacity_for
-from compwright.formats.consistency import has_cross
-from compwright.formats.gantry import partner_of
-from compwright.formats.increments_writing import write_increments
-from compwright.formats.options import axis_options, resolve_options
-from compwright.formats.schema import Definition
-from compwright.formats.table_writing import AxisTable, holds_two_curves, write_table_files
-from compwright.formats.tables import SAME_TURN
-from compwright.formats.user_tables import read_user_tables
-from compwright.formats.user_tables_capacity import broken_limits
-from compwright.formats.user_tables_writing import write_user_tables
+from compwright.formats.definition.consistency import has_cross
+from compwright.formats.definition.options import axis_options, resolve_options
+from compwright.formats.definition.schema import Definition
+from compwright.formats.families.columns.capacity import broken_limits
+from compwright.formats.families.columns.reading import read_user_tables
+from compwright.formats.families.columns.writing import write_user_tables
+from compwright.formats.families.gantry import partner_of
+from compwright.formats.families.grid.capacity import capacity_for
+from compwright.formats.families.grid.tables import SAME_TURN
+from compwright.formats.families.grid.writing import AxisTable, holds_two_curves, write_table_files
+from compwright.formats.families.increments.writing import write_increments
+from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity

@@ -1,0 +1,429 @@
+"""One axis of a FANUC from its parameters and points: which numbers it uses, whether they fit
+together, its totals.
+
+Every contradiction becomes a fault of the memory; what is left open a note or an assumption.
+Sources: ``fanuc``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from compwright.controllers.fanuc.memory import Memory, number_list
+from compwright.controllers.fanuc.options import Options
+from compwright.controllers.fanuc.table import PitchTable, totals
+from compwright.controllers.request import Request, by_address, finite_number
+from compwright.foundations.errors import Fault
+from compwright.records.axis import AxisKind, Direction
+from compwright.records.correction import Assumption
+
+_GRID = (3620, 3621, 3622, 3623, 3624)
+#: The intervals of a turn must fill it to this part of the turn, else node and turn drift apart;
+#: printed numbers are exact to 1e-7.
+_WHOLE_TURN = 1e-6
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Grid:
+    """What 3605#0 and 3620 to 3627 say of an axis. ``interval`` and ``turn`` in mm or deg,
+    ``offset`` in detection units.
+
+    ``negative_from``: 3626 with bidirectional data, else None. ``turn``: of an endless axis, else
+    None.
+    """
+
+    axis: int
+    reference: int
+    lowest: int
+    highest: int
+    magnification: int
+    interval: float
+    turn: float | None = None
+    negative_from: int | None = None
+    offset: int = 0
+
+    def starts(self) -> tuple[int, ...]:
+        """Return the first number of each set: of travel towards +, and of travel towards - where
+        that has its own.
+        """
+        return (self.lowest,) if self.negative_from is None else (self.lowest, self.negative_from)
+
+    def numbers(self) -> list[int]:
+        """Return all point numbers that the axis uses."""
+        return [start + i for start in self.starts() for i in range(self.highest - self.lowest + 1)]
+
+    def same_use(self, other: Grid) -> bool:
+        """Whether two axes mean the same by the same numbers (a gantry pair may)."""
+        return replace(self, axis=0) == replace(other, axis=0)
+
+
+class AxisLoader:
+    """Builds axes from the memory, where faults, notes and assumptions gather."""
+
+    def __init__(self, memory: Memory, request: Request) -> None:
+        self.memory = memory
+        self.request = request
+
+    def note(self, axis: int, text: str) -> None:
+        """Add a note about an axis."""
+        self.memory.notes.append(f"axis {axis}: {text}")
+
+    def asked(self, axis: int) -> bool:
+        """Whether the caller wants this axis; an odd one that nobody asks for stops nothing."""
+        return self.request.asks_for(str(axis))
+
+    def neighbour(self, axis: int, options: Options) -> Grid | None:
+        """Return the grid of an axis that nobody asks for; one with faults is noted and left
+        out.
+        """
+        before = len(self.memory.faults)
+        grid = self.grid(axis, options)
+        odd = self.memory.faults[before:]
+        del self.memory.faults[before:]
+        if odd:
+            self.note(axis, f"is odd and left alone: {odd[0].message}")
+        return None if odd else grid
+
+    def whole_if_sound(self, number: int, axis: int) -> int | None:
+        """Return a whole number of an axis; None where it is wrong, which is told elsewhere or
+        stops nothing.
+        """
+        before = len(self.memory.faults)
+        value = self.memory.whole(number, axis)
+        del self.memory.faults[before:]
+        return value
+
+    def grid(self, axis: int, options: Options) -> Grid | None:
+        """Return the grid of an axis, None when the control compensates nothing by points (or a
+        fault says why not).
+        """
+        before = len(self.memory.faults)
+        self.memory.faults += self.memory.machine.also_acts(axis)
+        values = {number: self.memory.whole(number, axis) for number in _GRID[:-1]}
+        absent = [number for number in _GRID if not self.memory.given(number, axis)]
+        if len(absent) == len(_GRID):
+            self.memory.assumed.append(
+                Assumption(
+                    f"pitch error compensation of {axis}",
+                    "none",
+                    "3620 to 3624 are not in the files",
+                )
+            )
+            return None
+        if values[3623] == 0 or len(self.memory.faults) > before:
+            return None
+        if absent:
+            self._fault(
+                axis,
+                f"pitch parameters of axis {axis} are incomplete",
+                "parameters " + number_list(absent),
+            )
+            return None
+        reference, lowest, highest, magnification = (values[number] or 0 for number in _GRID[:-1])
+        rotary = self._rotary(axis)
+        behind = rotary and lowest == reference + 1 and lowest < highest
+        if not lowest <= reference <= highest and not behind:
+            found = f"3621 {lowest}, 3620 {reference}, 3622 {highest}"
+            self._fault(axis, f"point numbers of axis {axis}", "3621 <= 3620 <= 3622", found)
+            return None
+        if lowest == highest:
+            self.note(axis, f"3621 = 3622 = {lowest}: no grid, so no pitch error compensation")
+            return None
+        interval = self.memory.length(3624, axis, rotary=rotary)
+        if interval is None:
+            return None
+        if interval == 0.0:
+            self._fault(axis, f"interval 3624 of axis {axis}", "above 0", "0")
+            return None
+        grid = Grid(
+            axis=axis,
+            reference=reference,
+            lowest=lowest,
+            highest=highest,
+            magnification=magnification,
+            interval=interval,
+        )
+        grid = self._endless(self._bidirectional(grid), rotary=rotary)
+        self._remarks(axis)
+        self._check_points(grid, options)
+        return grid if len(self.memory.faults) == before else None
+
+    def table(self, grid: Grid, options: Options, returning: Direction) -> PitchTable | None:
+        """Return the totals of a grid whose points are all there; None when its points are at
+        fault.
+
+        The set of the reference-return direction is 0 at the reference; the other one stands off it
+        by 3627.
+        """
+        # the number of the reference itself owns no section of an endless axis, and need not be
+        # among its numbers
+        used = grid.reference + 1 - grid.lowest if grid.turn is not None else 0
+        curves = []
+        for start in grid.starts():
+            numbers = range(start + used, start + grid.highest - grid.lowest + 1)
+            if any(number not in self.memory.increments for number in numbers):
+                return None
+            increments = [self.memory.increments[number] for number in numbers]
+            curve = totals(increments, grid.reference - grid.lowest + 1 - used)
+            self._check_turn(grid, int(sum(increments)))
+            curves.append(options.pitch_sign * grid.magnification * curve)
+        positive, negative = curves[0], curves[-1]
+        if grid.negative_from is not None:
+            offset = (
+                options.offset_sign
+                * grid.offset
+                * (grid.magnification if options.offset_magnified else 1)
+            )
+            if returning is Direction.POSITIVE:
+                negative = negative + offset
+            else:
+                positive = positive + offset
+                self.note(
+                    grid.axis,
+                    "3605#0 with a reference return towards -: 3627 is taken for travel towards +"
+                    " (unconfirmed)",
+                )
+        first = grid.lowest - grid.reference - 1 + used
+        return PitchTable(
+            first=first,
+            interval=grid.interval,
+            turn=grid.turn,
+            positive=positive,
+            negative=negative,
+        )
+
+    def backlash(self, axis: int) -> int:
+        """Return 1851 in detection units, 0 where the files do not hold it, or hold a wrong one of
+        an axis nobody asks for.
+        """
+        whole = self.memory.whole if self.asked(axis) else self.whole_if_sound
+        backlash = whole(1851, axis)
+        if self.memory.machine.bit(1800, 4, axis):
+            rapid = whole(1852, axis)
+            if rapid is not None and rapid != (backlash or 0):
+                self.note(
+                    axis,
+                    f"1800#4 = 1: at rapid traverse 1852 = {rapid} acts; judged at cutting feed"
+                    " with 1851",
+                )
+        if not self.memory.given(1851, axis):
+            self.memory.assumed.append(
+                Assumption(f"backlash 1851 of {axis}", "0", "not in the files")
+            )
+        return backlash or 0
+
+    def _rotary(self, axis: int) -> bool:
+        """Return whether an axis is rotary: 1006#0, else the caller, else a turn in 3625."""
+        bit = self.memory.bit(1006, 0, axis)
+        address = str(axis)
+        told = by_address(self.request.kinds, address)
+        if bit is not None:
+            if told is not None and bit != (told is AxisKind.ROTARY):
+                self.note(
+                    axis,
+                    f"1006#0 = {int(bit)} makes it a {'rotary' if bit else 'linear'} axis, not a"
+                    f" {told.value} one",
+                )
+            return bit
+        if told is not None:
+            return told is AxisKind.ROTARY
+        if by_address(self.request.modulo, address) is not None:
+            return True
+        unit = self.memory.setting(3624, axis).keyword
+        if unit in ("mm", "deg"):
+            return unit == "deg"
+        turn = self.memory.length(3625, axis, rotary=True)
+        rotary = turn is not None and turn > 0.0
+        why = "3625 holds a turn" if rotary else "neither 1006 nor the caller says it"
+        self.memory.assumed.append(
+            Assumption(f"kind of {axis}", "rotary" if rotary else "linear", why)
+        )
+        return rotary
+
+    def _endless(self, grid: Grid, *, rotary: bool) -> Grid:
+        """Return the grid with its turn where its numbers are those of an endless axis; a near miss
+        is a fault.
+        """
+        modulo = finite_number(by_address(self.request.modulo, str(grid.axis)))
+        if not rotary:
+            if modulo is not None:
+                self._fault(
+                    grid.axis,
+                    f"axis {grid.axis} is linear but was said to be endless",
+                    "1006#0 = 1",
+                    f"modulo {modulo:g}",
+                )
+            return grid
+        turn = (
+            self.memory.length(3625, grid.axis, rotary=True)
+            or self.memory.machine.turn(grid.axis)
+            or 360.0
+        )
+        covered = (grid.highest - grid.reference) * grid.interval
+        behind = grid.lowest == grid.reference + 1
+        fits = (behind or grid.lowest == grid.reference) and abs(
+            covered - turn
+        ) <= _WHOLE_TURN * turn
+        if self.memory.machine.goes_round(grid.axis) is False:
+            if modulo is not None:
+                self._fault(
+                    grid.axis,
+                    f"axis {grid.axis} has ends (1006#1 = 1) but was said to be endless",
+                    "no modulo",
+                    f"{modulo:g}",
+                )
+            return grid
+        if modulo is not None and abs(modulo - turn) > _WHOLE_TURN * turn:
+            self._fault(
+                grid.axis,
+                f"turn of axis {grid.axis} (3625, 0 means 360)",
+                f"{modulo:g} deg",
+                f"{turn:g} deg",
+            )
+        elif fits:
+            return replace(grid, turn=turn)
+        elif (
+            behind
+            or modulo is not None
+            or (grid.lowest == grid.reference and self._goes_round(grid.axis))
+        ):
+            count = turn / grid.interval
+            self._fault(
+                grid.axis,
+                f"axis {grid.axis} is endless but its numbers do not go once round",
+                f"3621 = 3620 and 3622 = 3620 + {count:g}, a whole number",
+                f"3620 {grid.reference}, 3621 {grid.lowest}, 3622 {grid.highest}, interval"
+                f" {grid.interval:g} deg",
+            )
+        else:
+            self.note(
+                grid.axis, "its numbers do not go once round: taken as a rotary axis with ends"
+            )
+        return grid
+
+    def _goes_round(self, axis: int) -> bool:
+        """Return whether the files mean an endless axis: a turn in 3625, and 1006#1 (linear type;
+        general knowledge) not set.
+        """
+        return bool(self.memory.length(3625, axis, rotary=True)) and not self.memory.bit(
+            1006, 1, axis
+        )
+
+    def _bidirectional(self, grid: Grid) -> Grid:
+        """Return the grid with the set for travel towards - where 3605#0 = 1."""
+        bit = self.memory.bit(3605, 0, grid.axis)
+        if bit is None:
+            self.memory.assumed.append(
+                Assumption(
+                    f"3605#0 of {grid.axis}", "0", "not in the files: one set for both directions"
+                )
+            )
+        if not bit:
+            return grid
+        start, offset = self.memory.whole(3626, grid.axis), self.memory.whole(3627, grid.axis)
+        absent = [number for number in (3626, 3627) if not self.memory.given(number, grid.axis)]
+        if start is None or offset is None:
+            if absent:
+                self._fault(
+                    grid.axis,
+                    f"3605#0 of axis {grid.axis} is 1 without its parameters",
+                    "parameters " + number_list(absent),
+                )
+            return grid
+        last = start + grid.highest - grid.lowest
+        if last > self.memory.series.highest_point:
+            limit = f"last number up to {self.memory.series.highest_point}"
+            self._fault(
+                grid.axis,
+                f"points for travel towards - of axis {grid.axis}",
+                limit,
+                f"{start} to {last}",
+            )
+        elif start <= grid.highest and last >= grid.lowest:
+            found = f"{grid.lowest} to {grid.highest} and {start} to {last}"
+            self._fault(
+                grid.axis,
+                f"the two sets of axis {grid.axis} overlap",
+                "3626 clear of 3621 to 3622",
+                found,
+            )
+        return replace(grid, negative_from=start, offset=offset)
+
+    def _remarks(self, axis: int) -> None:
+        """Note what bears on the table and is not judged."""
+        if self.memory.bit(1006, 3, axis):
+            self.note(
+                axis,
+                "1006#3 = 1, diameter programming: positions and 3624 are taken in radius"
+                " (unconfirmed)",
+            )
+        if self.memory.machine.bit(1001, 0, axis):
+            self.note(axis, "1001#0 = 1, an inch machine: lengths marked P are inches")
+        if self.memory.bit(3605, 2, axis):
+            self.note(
+                axis,
+                "3605#2 = 1 may mean interpolated compensation (bit unsure); option output decides",
+            )
+
+    def _check_points(self, grid: Grid, options: Options) -> None:
+        """All points of the grid have to be there and within the series' limit."""
+        needless = {
+            start
+            for start in grid.starts()
+            if grid.turn is not None and grid.lowest == grid.reference
+        }
+        absent = [number for number in grid.numbers() if number not in self.memory.increments]
+        if set(absent) - needless:
+            what = (
+                "holds no pitch data" if len(absent) == len(grid.numbers()) else "lacks pitch data"
+            )
+            names = number_list(10000 + number for number in absent)
+            self._fault(
+                grid.axis,
+                f"grid of axis {grid.axis} {what} (a separate file, or one cut short?)",
+                f"records N{names}",
+            )
+        for number in grid.numbers():
+            value = self.memory.increments.get(number, 0)
+            if not options.lowest <= value <= options.highest:
+                self.memory.faults.append(
+                    self.memory.points[number].fault(
+                        f"increment of point {number} of axis {grid.axis}",
+                        expected=f"{options.lowest} to {options.highest}",
+                    )
+                )
+        for start in needless:
+            last = start + grid.highest - grid.lowest
+            if self.memory.increments.get(start) != self.memory.increments.get(last):
+                self.note(
+                    grid.axis,
+                    f"points {start} and {last} are the same section of the turn and should hold"
+                    " the same value",
+                )
+
+    def _check_turn(self, grid: Grid, pulses: int) -> None:
+        """The increments of a turn have to add up to 0."""
+        if grid.turn is not None and pulses != 0:
+            creep = pulses * grid.magnification
+            self._fault(
+                grid.axis,
+                f"axis {grid.axis} creeps by {creep} detection units each turn",
+                "increments that add up to 0",
+            )
+
+    def _fault(self, axis: int, message: str, expected: str, found: str = "") -> None:
+        """Add a fault at the first grid parameter of the axis that is given."""
+        number = next((n for n in (3621, *_GRID) if self.memory.given(n, axis)), None)
+        if number is None:
+            self.memory.faults.append(Fault(message=message, expected=expected, found=found))
+            return
+        setting = self.memory.setting(number, axis)
+        self.memory.faults.append(
+            Fault(
+                message=message,
+                file=setting.file,
+                place=f"line {setting.line}",
+                expected=expected,
+                found=found,
+            )
+        )

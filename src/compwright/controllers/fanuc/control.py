@@ -1,0 +1,306 @@
+"""FANUC: stored pitch error compensation, one- or bidirectional, and backlash, for the 30i family
+and for the 0i / 16i family.
+
+Stated from the manuals, apart from the definition that writes the files:
+
+- 3620 number of the reference, 3621 .. 3622 the most negative and most positive number, 3623
+  magnification, 3624 interval; the data are increments (0i-PB parameter manual B-63980EN/01 p. 100;
+  totals: ``fanuc_table``). Correction = pulses * 3623 * detection unit, a positive pulse moves the
+  axis towards + (practice; option ``pitch_sign``).
+- Endless rotary axis: 3621 = 3620, 3622 = 3620 + turn / interval, the increments of a turn add up
+  to 0 (B-63980EN/01 p. 100).
+- 3605#0 = 1: the numbers 3621 .. 3622 count while the axis moves towards +, as many from 3626 on
+  while it moves towards -; 3627 is the correction at the reference, approached against the
+  direction of the reference return (A-77810E, section 2).
+- 1851 in detection units, nothing in the direction of the reference return, on reversal the whole
+  value in the direction of motion (0i-C parameter manual B-64120EN/01 p. 116): sgn(d) * 1851 *
+  detection unit. It acts beside bidirectional data too (practice).
+- Nothing acts before the reference return: the grid hangs on the reference position.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from compwright.controllers.fanuc.axis import AxisLoader, Grid
+from compwright.controllers.fanuc.machine import read_machine
+from compwright.controllers.fanuc.memory import (
+    SERIES_0I_16I,
+    SERIES_30I,
+    Memory,
+    Series,
+    number_list,
+)
+from compwright.controllers.fanuc.options import Options, read_options
+from compwright.controllers.fanuc.sheet import is_sheet, read_sheet
+from compwright.controllers.fanuc.table import PitchTable
+from compwright.controllers.fanuc.text import POINT_BASE, read_file
+from compwright.controllers.request import Request, by_address, unknown_axis
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.correction import Assumption, ControlFile
+
+#: Two detection units are the same within this part.
+_SAME_UNIT = 1e-4
+
+
+@dataclass(frozen=True, slots=True)
+class _Axis:
+    """``backlash`` in detection units of ``unit`` mm or deg; ``unit`` None where the caller did not
+    say it.
+    """
+
+    table: PitchTable | None
+    backlash: int
+    unit: float | None
+    ramp: bool
+    reference: float
+    reference_return: Direction
+
+
+@dataclass(frozen=True, slots=True)
+class FanucControl:
+    """A FANUC with files loaded, all axes referenced, at cutting feed. See
+    ``controllers.virtual.VirtualControl``.
+
+    Addresses are controlled axis numbers as text, ``"1"``.
+    """
+
+    axes: dict[str, _Axis]
+    assumed: tuple[Assumption, ...]
+    notes: tuple[str, ...]
+
+    def addresses(self) -> tuple[str, ...]:
+        """Return the controlled axes that the files speak of, ascending."""
+        return tuple(self.axes)
+
+    def nodes(self, address: str) -> FloatArray:
+        """Return the positions (k,) of the section ends, machine coordinates, mm or deg; empty
+        without a table.
+        """
+        axis = self._axis(address)
+        return np.empty(0) if axis.table is None else axis.table.positions() + axis.reference
+
+    def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return what is added to the command at ``positions`` (any shape) arriving in
+        ``direction``, mm or deg.
+
+        Raises UsageError for an axis that the files do not speak of or whose detection unit nobody
+        says (none is needed where nothing acts).
+        """
+        axis = self._axis(address)
+        x = np.asarray(positions, dtype=np.float64)
+        if axis.table is None and axis.backlash == 0:
+            return np.zeros(x.shape)
+        if axis.unit is None:
+            raise UsageError(_no_unit(address))
+        pulses = np.zeros(x.shape)
+        if axis.table is not None:
+            pulses = axis.table.pulses(
+                x - axis.reference, positive=direction is Direction.POSITIVE, ramp=axis.ramp
+            )
+        if direction is not axis.reference_return:
+            pulses = pulses + direction.sign * axis.backlash
+        return np.asarray(axis.unit * pulses, dtype=np.float64)
+
+    def cross(self) -> tuple[tuple[str, str], ...]:
+        """Return (): straightness compensation is not judged."""
+        return ()
+
+    def cross_correction(  # the protocol's names
+        self,
+        input: str,  # noqa: A002
+        output: str,
+        positions: FloatArray,  # noqa: ARG002
+        direction: Direction,  # noqa: ARG002
+    ) -> FloatArray:
+        """Raise UsageError: no table of one axis acts on another."""
+        raise UsageError(
+            Fault(
+                message="the control's files hold no table of one axis for another",
+                found=f"{input} for {output}",
+            )
+        )
+
+    def _axis(self, address: str) -> _Axis:
+        axis = by_address(self.axes, address)
+        if axis is None:
+            raise unknown_axis(address, self.addresses())
+        return axis
+
+
+def fanuc_30i_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
+    """Return a 30i, 31i, 32i (or 0i-F) with ``files`` loaded. See `_control`."""
+    return _control(files, request, SERIES_30I)
+
+
+def fanuc_0i_16i_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
+    """Return a 0i-A to D, 16i, 18i, 21i with ``files`` loaded. See `_control`."""
+    return _control(files, request, SERIES_0I_16I)
+
+
+def _control(files: Sequence[ControlFile], request: Request, series: Series) -> FanucControl:
+    """Return the control with parameter files, pitch data files and typed-entry sheets loaded, in
+    any order.
+
+    Options: ``detection_unit`` (mm or deg per pulse, required), ``output`` (step, ramp),
+    ``increment_limit``, ``pitch_sign``, ``offset_sign``, ``offset_magnified``. Raises InputError
+    for what the control would not take or what contradicts itself, every fault with file and line;
+    UsageError for wrong options, and when no axis is given a detection unit.
+    """
+
+    def pitch_sign(address: str) -> str:
+        return str(request.options_of(address).get("pitch_sign", "+"))
+
+    machine = read_machine(file for file in files if not is_sheet(file))
+    memory = Memory(
+        [read_sheet(file, pitch_sign) if is_sheet(file) else read_file(file) for file in files],
+        series,
+        machine,
+    )
+    if not memory.axes() and not memory.faults:
+        found = "pitch data only" if memory.points else ""
+        names = ", ".join(file.name for file in files)
+        memory.faults.append(
+            Fault(
+                message="no compensation parameters found",
+                file=names,
+                expected="parameters 3620 to 3624 or 1851",
+                found=found,
+            )
+        )
+    options = _options(request, memory, series)
+    loader = AxisLoader(memory, request)
+    grids = {axis: loader.grid(axis, options[axis]) for axis in memory.axes() if loader.asked(axis)}
+    grids |= {
+        axis: loader.neighbour(axis, options[axis]) for axis in memory.axes() if axis not in grids
+    }
+    _check_shared(loader, {axis: grid for axis, grid in grids.items() if grid is not None})
+    axes = {str(axis): _axis(loader, axis, grid, options[axis]) for axis, grid in grids.items()}
+    raise_all(InputError, list(dict.fromkeys(memory.faults)))
+    return FanucControl(
+        axes=axes,
+        assumed=tuple(dict.fromkeys(memory.assumed)),
+        notes=tuple(dict.fromkeys(memory.notes)),
+    )
+
+
+def _options(request: Request, memory: Memory, series: Series) -> dict[int, Options]:
+    """Return the options of each axis; its files say the detection unit where the caller does not,
+    and must not contradict him.
+    """
+    faults: list[Fault] = []
+    options: dict[int, Options] = {}
+    for axis in memory.axes():
+        own = read_options(request.options_of(str(axis)), series, str(axis), faults)
+        rotary = by_address(request.kinds, str(axis)) is AxisKind.ROTARY
+        said = memory.machine.detection_unit(axis, rotary=rotary)
+        if said is not None and own.detection_unit is None:
+            memory.assumed.append(
+                Assumption(f"detection unit of {axis}", f"{said:g}", "1820 with 1013 or 1004")
+            )
+            own = replace(own, detection_unit=said)
+        elif said is not None and request.asks_for(str(axis)) and memory.moves(axis):
+            given, entry = own.detection_unit or said, memory.machine.said(1820, axis)
+            if entry is not None and abs(given - said) > _SAME_UNIT * said:
+                memory.faults.append(
+                    entry.fault(f"detection_unit {given:g} of axis {axis}", f"{said:g} by 1820")
+                )
+        options[axis] = own
+    if options and not faults and all(entry.detection_unit is None for entry in options.values()):
+        faults.append(_no_unit(", ".join(map(str, options))))
+    raise_all(UsageError, faults)
+    return options
+
+
+def _no_unit(address: str) -> Fault:
+    return Fault(
+        message=f"option detection_unit of axis {address} is not given",
+        expected="mm or deg per pulse, such as 0.001",
+        found="nothing",
+    )
+
+
+def _axis(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) -> _Axis:
+    """Return one axis with its table and backlash; what was taken without being told goes to the
+    loader.
+    """
+    address = str(axis)
+    returning, assumption = loader.request.returning(address)
+    loader.memory.assumed += [assumption] if assumption is not None else []
+    reference, assumption = loader.request.referenced(address)
+    if grid is not None:
+        loader.memory.assumed += [assumption] if assumption is not None else []
+        if reference != 0.0:
+            loader.note(
+                axis,
+                f"the grid is taken to hang on the reference position {reference:g}, not on machine"
+                " zero (unconfirmed)",
+            )
+    return _Axis(
+        table=None if grid is None else loader.table(grid, options, returning),
+        backlash=loader.backlash(axis),
+        unit=options.detection_unit,
+        ramp=options.ramp,
+        reference=reference,
+        reference_return=returning,
+    )
+
+
+def _check_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
+    """All axes share one array of points: two that use a number differently contradict each other.
+
+    An axis whose magnification is 0 uses none; that its range meets another's is only noted.
+    """
+    owners: dict[int, list[int]] = {}
+    for axis, grid in grids.items():
+        for number in grid.numbers():
+            owners.setdefault(number, []).append(axis)
+    clashes: dict[tuple[int, int], list[int]] = {}
+    for number, sharing in owners.items():
+        for other in sharing[1:]:
+            clashes.setdefault((sharing[0], other), []).append(number)
+    for (first, second), numbers in clashes.items():
+        _clash(loader, grids[first], grids[second], numbers)
+    for axis in set(loader.memory.axes()) - set(grids):
+        low, high = (loader.whole_if_sound(number, axis) for number in (3621, 3622))
+        if (
+            low is not None
+            and high is not None
+            and low < high
+            and any(low <= number <= high for number in owners)
+        ):
+            loader.note(axis, f"its points {low} to {high}, not in use, meet those of another axis")
+    idle = [n for n, value in loader.memory.increments.items() if value != 0 and n not in owners]
+    if idle:
+        loader.memory.notes.append(
+            f"points {number_list(POINT_BASE + n for n in idle)} hold values, but no axis uses them"
+        )
+
+
+def _clash(loader: AxisLoader, first: Grid, second: Grid, numbers: Sequence[int]) -> None:
+    """Note or refuse what two axes that share ``numbers`` mean by them; two that nobody asks for
+    stop nothing.
+    """
+    shared = number_list(numbers)
+    if first.same_use(second):
+        loader.note(
+            second.axis, f"uses the same points {shared} as axis {first.axis}, in the same way"
+        )
+    elif not (loader.asked(first.axis) or loader.asked(second.axis)):
+        loader.note(
+            second.axis,
+            f"uses points {shared} of axis {first.axis} in another way; nobody asks for either",
+        )
+    else:
+        loader.memory.faults.append(
+            loader.memory.setting(3621, second.axis).fault(
+                f"points {shared} belong to axis {first.axis} and to axis {second.axis} (3621,"
+                " 3622, 3626)",
+                expected="ranges that do not overlap",
+                found=shared,
+            )
+        )

@@ -1,0 +1,331 @@
+"""The parameter memory of a FANUC with files loaded: settings and pitch data of all files, typed,
+each once.
+
+Ranges and types: 16i technical report A-77810E (bidirectional pitch error compensation) and 0i-PB
+parameter manual B-63980EN/01 p. 100 for the meaning of 3620 to 3627; 0i-C parameter manual
+B-64120EN/01 p. 116 for 1851, 1852 (-9999..9999); number ranges, and the integer type of 3624 on the
+older series, are known from practice only.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import TypeVar
+
+from compwright.controllers.fanuc.machine import Machine
+from compwright.controllers.fanuc.text import POINT_BASE, FileContent, PointRecord, Setting
+from compwright.foundations.units import MILLIMETRES_PER_INCH
+from compwright.records.correction import Assumption
+
+Value = TypeVar("Value")
+
+#: Bits that are read: parameter -> bits, 0 the rightmost.
+_BITS = {1001: (0,), 1004: (0, 1), 1006: (0, 1, 3), 1013: (0, 1), 1800: (4,), 3605: (0, 2)}
+#: Parameters that only say something about the machine: what they say in another form is passed
+#: over, not refused.
+_ASIDE = frozenset({1001, 1004, 1006, 1013, 1800})
+#: Parameters that count only with an axis number.
+_BY_AXIS = frozenset({1006, 1013, 1851, 1852, 3605, *range(3620, 3628)})
+_LENGTHS = frozenset({3624, 3625})
+#: An increment is a signed byte (fwlib32.h, cnc_rdpitchr), whatever the series.
+BYTE = (-128, 127)
+
+_WHOLE = re.compile(r"-?[0-9]{1,12}")
+_EIGHT_BITS = re.compile("[01]{8}")
+
+
+@dataclass(frozen=True, slots=True)
+class Series:
+    """What differs between the families. ``whole_lengths``: 3624 without a point counts least input
+    increments (16i and older).
+    """
+
+    name: str
+    highest_point: int
+    increment_limit: int
+    whole_lengths: bool
+
+
+SERIES_30I = Series("30i", highest_point=1535, increment_limit=127, whole_lengths=False)
+SERIES_0I_16I = Series("0i/16i", highest_point=1023, increment_limit=7, whole_lengths=True)
+
+
+class Memory:
+    """Settings and pitch data of all files. Faults and notes gather here; a value given twice has
+    to be the same.
+    """
+
+    def __init__(self, contents: Sequence[FileContent], series: Series, machine: Machine) -> None:
+        self.series = series
+        self.machine = machine
+        self.faults = [fault for content in contents for fault in content.faults]
+        self.notes = [note for content in contents for note in content.notes]
+        self.assumed: list[Assumption] = []
+        self._settings: dict[tuple[int, int | None, int | None], list[Setting]] = defaultdict(list)
+        for content in contents:
+            for setting in content.settings:
+                self._keep(setting)
+        self.points: dict[int, PointRecord] = {}
+        #: Increments by point number, for the records in ``points``.
+        self.increments: dict[int, int] = {}
+        self._keep_points([record for content in contents for record in content.points])
+
+    def axes(self) -> tuple[int, ...]:
+        """Return the controlled axes of which a 36xx parameter or 1851 is given, ascending."""
+        return tuple(
+            sorted(
+                {
+                    axis
+                    for number, axis, _ in self._settings
+                    if axis is not None and (number >= 3605 or number == 1851)
+                }
+            )
+        )
+
+    def given(self, number: int, axis: int) -> bool:
+        """Whether a parameter of an axis is in the files."""
+        return bool(self._settings.get((number, axis, None)))
+
+    def setting(self, number: int, axis: int) -> Setting:
+        """Return the setting of an axis for a fault's file and line; it must be `given`."""
+        return self._settings[number, axis, None][0]
+
+    def moves(self, axis: int) -> bool:
+        """Whether an axis has a table that is on, or a backlash value: else its detection unit
+        decides nothing.
+        """
+        low, high = self.whole(3621, axis), self.whole(3622, axis)
+        return bool((self.whole(3623, axis) and low != high) or self.whole(1851, axis))
+
+    def whole(self, number: int, axis: int) -> int | None:
+        """Return a whole number, None when it is not in the files (or wrong: then there is a
+        fault).
+        """
+        lowest, highest = self._range(number)
+
+        def convert(setting: Setting) -> int | None:
+            if setting.keyword in ("M", "I") or not _WHOLE.fullmatch(setting.text):
+                self.faults.append(
+                    setting.fault(
+                        f"value of {setting.label}", expected="a whole number P.. without a point"
+                    )
+                )
+                return None
+            value = int(setting.text)
+            if not lowest <= value <= highest:
+                self.faults.append(
+                    setting.fault(f"value of {setting.label}", expected=f"{lowest} to {highest}")
+                )
+                return None
+            return value
+
+        return self._one((number, axis, None), convert)
+
+    def bit(self, number: int, bit: int, axis: int | None) -> bool | None:
+        """Return a bit, None when it is not in the files. ``axis`` None: a parameter of no axis."""
+        return self._one((number, axis, bit), lambda setting: setting.text == "1")
+
+    def length(self, number: int, axis: int, *, rotary: bool) -> float | None:
+        """Return 3624 or 3625 in mm or deg; None when it is not in the files (or wrong: then there
+        is a fault).
+        """
+        return self._one((number, axis, None), lambda setting: self._length(setting, rotary=rotary))
+
+    def increment_size(self, axis: int) -> float:
+        """Return the least input increment of an axis, mm or deg: 0.001 for IS-B, 0.01 for IS-A,
+        0.0001 for IS-C.
+
+        Bits 0 (IS-A) and 1 (IS-C) of 1013 by axis, of 1004 on the older series (general knowledge,
+        no page at hand); else IS-B.
+        """
+        if all(
+            self.bit(number, 1, owner) is None for number, owner in ((1013, axis), (1004, None))
+        ):
+            self.assumed.append(
+                Assumption(
+                    f"increment system of {axis}", "IS-B", "neither 1013 nor 1004 is in the files"
+                )
+            )
+        coarse, fine = (
+            next(
+                (
+                    bit
+                    for place in ((1013, axis), (1004, None))
+                    if (bit := self.bit(place[0], number, place[1])) is not None
+                ),
+                False,
+            )
+            for number in (0, 1)
+        )
+        return 0.0001 if fine else 0.01 if coarse else 0.001
+
+    def _length(self, setting: Setting, *, rotary: bool) -> float | None:
+        if setting.keyword in ("mm", "deg") and (setting.keyword == "deg") != rotary:
+            self.faults.append(
+                setting.fault(
+                    f"unit of {setting.label}",
+                    expected="deg" if rotary else "mm",
+                    found=setting.keyword,
+                )
+            )
+            return None
+        counts = setting.axis is not None and bool(self.machine.bit(1001, 0, setting.axis))
+        inch = not rotary and (setting.keyword == "I" or (setting.keyword == "P" and counts))
+        value = float(setting.text)
+        if value < 0.0:
+            self.faults.append(setting.fault(f"value of {setting.label}", expected="0 or more"))
+            return None
+        if "." not in setting.text and setting.keyword not in ("mm", "deg"):
+            if not self.series.whole_lengths and value != 0.0:
+                self.faults.append(
+                    setting.fault(
+                        f"{setting.label} has no decimal point, so its unit is open",
+                        expected="a real number such as 50.0",
+                    )
+                )
+                return None
+            # the least input increment of an inch machine is a tenth of the same number of inches
+            # (IS-B: 0.0001 inch)
+            value *= self.increment_size(setting.axis or 0) * (0.1 if inch else 1.0)
+        return value * (MILLIMETRES_PER_INCH if inch else 1.0)
+
+    def _range(self, number: int) -> tuple[int, int]:
+        if number in (1851, 1852):
+            return -9999, 9999
+        if number == 3623:
+            return 0, 100
+        return (-32768, 32767) if number == 3627 else (0, self.series.highest_point)
+
+    def _one(
+        self, key: tuple[int, int | None, int | None], convert: Callable[[Setting], Value | None]
+    ) -> Value | None:
+        """Return the one value that all settings of ``key`` agree on; what differs from the first
+        is a fault.
+        """
+        first: Value | None = None
+        settings = self._settings.get(key, [])
+        for setting in settings:
+            value = convert(setting)
+            if first is not None and value is not None and value != first:
+                other = settings[0]
+                self.faults.append(
+                    setting.fault(
+                        f"{setting.label} contradicts {other.file}, line {other.line}",
+                        expected=other.text,
+                    )
+                )
+            first = value if first is None else first
+        return first
+
+    def _keep(self, setting: Setting) -> None:
+        """File a setting under its number, axis and bit."""
+        number = setting.number
+        if number in _BY_AXIS and setting.axis is None:
+            self.faults.append(
+                setting.fault(f"parameter {number} names no axis", expected=f"N{number:05d}Q1A1P..")
+            )
+            return
+        if number not in _BITS:
+            if setting.bit is None:
+                self._settings[number, setting.axis, None].append(setting)
+            else:
+                self.faults.append(
+                    setting.fault(f"{setting.label} is no bit", expected="a whole value")
+                )
+            return
+        if setting.bit is not None and setting.text in ("0", "1"):
+            self._settings[number, setting.axis, setting.bit].append(setting)
+        elif setting.bit is None and setting.keyword == "P" and _EIGHT_BITS.fullmatch(setting.text):
+            for bit in _BITS[number]:
+                single = Setting(
+                    number,
+                    setting.axis,
+                    bit,
+                    "P",
+                    setting.text[7 - bit],
+                    setting.file,
+                    setting.line,
+                )
+                self._settings[number, setting.axis, bit].append(single)
+        elif number in _ASIDE:
+            self.notes.append(
+                f"{setting.file}: line {setting.line}: {setting.label} is not eight binary digits"
+                " and is passed over"
+            )
+        else:
+            self.faults.append(
+                setting.fault(
+                    f"value of {setting.label}",
+                    expected="eight binary digits, or 0 or 1 for one bit",
+                )
+            )
+
+    def _keep_points(self, records: list[PointRecord]) -> None:
+        """Keep pitch data. Records without Q beside parameters count where nothing else does and
+        they fill a whole range.
+        """
+        certain = [record for record in records if record.mark != "beside"]
+        held = {record.number for record in records}
+        for record in certain or (
+            records if any(held.issuperset(numbers) for numbers in self._ranges()) else []
+        ):
+            self._keep_point(record)
+
+    def _ranges(self) -> list[range]:
+        """Return the ranges 3621 to 3622 of all axes, as far as they can be read."""
+        texts = {
+            axis: [
+                self._settings[number, axis, None][0].text
+                for number in (3621, 3622)
+                if self._settings.get((number, axis, None))
+            ]
+            for _, axis, _ in list(self._settings)
+        }
+        ends = [
+            tuple(map(int, text))
+            for text in texts.values()
+            if len(text) == 2 and all(map(_WHOLE.fullmatch, text))
+        ]
+        return [range(low, high + 1) for low, high in ends if low < high]
+
+    def _keep_point(self, record: PointRecord) -> None:
+        name = f"pitch data of point {record.number} (N{POINT_BASE + record.number})"
+        if record.number > self.series.highest_point:
+            self.faults.append(
+                record.fault(
+                    f"the control has no {name}",
+                    expected=f"points 0 to {self.series.highest_point}",
+                    found=str(record.number),
+                )
+            )
+        elif not _WHOLE.fullmatch(record.text):
+            self.faults.append(record.fault(name, expected="a whole number without a point"))
+        elif not BYTE[0] <= int(record.text) <= BYTE[1]:
+            self.faults.append(
+                record.fault(f"increment of {name}", expected=f"{BYTE[0]} to {BYTE[1]}")
+            )
+        elif self.increments.get(record.number, int(record.text)) != int(record.text):
+            other = self.points[record.number]
+            self.faults.append(
+                record.fault(
+                    f"{name} contradicts {other.file}, line {other.line}", expected=other.text
+                )
+            )
+        else:
+            self.points.setdefault(record.number, record)
+            self.increments[record.number] = int(record.text)
+
+
+def number_list(numbers: Iterable[int]) -> str:
+    """Return numbers as runs: ``10037, 10040 to 10044``; long lists end in dots."""
+    runs: list[list[int]] = []
+    for number in sorted(numbers):
+        if runs and number == runs[-1][1] + 1:
+            runs[-1][1] = number
+        else:
+            runs.append([number, number])
+    shown = [f"{low}" if low == high else f"{low} to {high}" for low, high in runs[:8]]
+    return ", ".join(shown) + (" ..." if len(runs) > 8 else "")

@@ -1,0 +1,92 @@
+"""What a FANUC's files leave open: the options of one axis."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from compwright.controllers.fanuc.memory import BYTE, Series
+from compwright.controllers.request import finite_number
+from compwright.foundations.errors import Fault
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Options:
+    """``detection_unit``: mm or deg per pulse, None when this axis has none.
+
+    ``ramp``: the pulses of a section come evenly over it, not in its middle. ``pitch_sign``,
+    ``offset_sign``: +1 or -1, of the pitch data and of 3627 (signs that no manual page confirms).
+    ``offset_magnified``: 3623 multiplies 3627. ``lowest`` to ``highest``: increments that the
+    control takes.
+    """
+
+    detection_unit: float | None
+    ramp: bool
+    pitch_sign: int
+    offset_sign: int
+    offset_magnified: bool
+    lowest: int
+    highest: int
+
+
+def read_options(
+    given: Mapping[str, object], series: Series, address: str, faults: list[Fault]
+) -> Options:
+    """Return the options of an axis; what is wrong is added to ``faults`` and its default is
+    taken.
+    """
+
+    def choice(name: str, choices: tuple[str, ...]) -> str:
+        value = given.get(name, choices[0])
+        if value not in choices:
+            faults.append(
+                Fault(
+                    message=f"option {name} of axis {address}",
+                    expected=" or ".join(choices),
+                    found=repr(value),
+                )
+            )
+            return choices[0]
+        return str(value)
+
+    def sign(name: str) -> int:
+        return 1 if choice(name, ("+", "-")) == "+" else -1
+
+    limit = finite_number(given.get("increment_limit", series.increment_limit))
+    if limit is None or limit != int(limit) or not 1 <= limit <= BYTE[1]:
+        found = repr(given.get("increment_limit"))
+        faults.append(
+            Fault(
+                message=f"option increment_limit of axis {address}",
+                expected=f"a whole number 1 to {BYTE[1]}",
+                found=found,
+            )
+        )
+        limit = float(series.increment_limit)
+    return Options(
+        detection_unit=_detection_unit(given, address, faults),
+        ramp=choice("output", ("step", "ramp")) == "ramp",
+        pitch_sign=sign("pitch_sign"),
+        offset_sign=sign("offset_sign"),
+        offset_magnified=choice("offset_magnified", ("no", "yes")) == "yes",
+        # a limit of 127 is that of the signed byte, which reaches one further downwards
+        lowest=BYTE[0] if limit == BYTE[1] else -int(limit),
+        highest=int(limit),
+    )
+
+
+def _detection_unit(given: Mapping[str, object], address: str, faults: list[Fault]) -> float | None:
+    if given.get("detection_unit") is None:
+        return None
+    unit = finite_number(given["detection_unit"])
+    if unit is None or unit <= 0.0:
+        found = repr(given["detection_unit"])
+        faults.append(
+            Fault(
+                message=f"option detection_unit of axis {address}",
+                expected="mm or deg per pulse, above 0",
+                found=found,
+            )
+        )
+        return None
+    return unit

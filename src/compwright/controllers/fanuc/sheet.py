@@ -1,0 +1,180 @@
+"""Typed-entry sheets ``entry_<axis>.csv`` for a FANUC: what an engineer types at the control, row
+by row.
+
+Comments ``# key: value`` (``address`` or ``axis``: controlled axis number; ``value``: what the
+numbers are), a header ``point,position,value,unit``, then rows: the point is a number of pitch data
+(10000 + n, or n) with its increment in pulses, or a parameter (``3620``, ``3605#0``) without
+position. Comma and decimal point.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+
+from compwright.controllers.fanuc.text import POINT_BASE, FileContent, PointRecord, Setting
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+#: Parameter (number, bit) -> units that its value may carry.
+PARAMETERS: dict[tuple[int, int | None], frozenset[str]] = {
+    **{
+        (number, None): frozenset({"", "pulse"})
+        for number in (1851, 1852, 3620, 3621, 3622, 3623, 3626, 3627)
+    },
+    **{(number, None): frozenset({"mm", "deg"}) for number in (3624, 3625)},
+    (3605, 0): frozenset({""}),
+}
+#: No FANUC has more points; below the parameters' numbers, so a bare number is one or the other.
+_POINTS_BELOW = 1536
+
+_HEADER = ("point", "position", "value", "unit")
+_POINT = re.compile(r"([0-9]{1,6})(?:#([0-7]))?")
+_NUMBER = re.compile(r"-?(?:[0-9]{1,12}(?:\.[0-9]{0,12})?|\.[0-9]{1,12})")
+_COMMENT = re.compile(r"#\s*(\w+)\s*:(.*)")
+_AXIS = re.compile(r"0?[1-9]|[1-9][0-9]", re.ASCII)
+
+
+def is_sheet(file: ControlFile) -> bool:
+    """Whether a file is a typed-entry sheet, by its name."""
+    return file.name.casefold().endswith(".csv")
+
+
+def read_sheet(file: ControlFile, pitch_sign: Callable[[str], str]) -> FileContent:
+    """Return what a sheet says. ``pitch_sign``: axis address -> option; a sheet that calls its
+    values errors needs a ``-``.
+    """
+    try:
+        text = file.content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        return FileContent(
+            faults=[Fault(message="is no UTF-8 text", file=file.name, place=f"byte {error.start}")]
+        )
+    lines = [
+        (number, line.strip()) for number, line in enumerate(re.split(r"\r\n|\n|\r", text), start=1)
+    ]
+    sheet = _Sheet(file.name, pitch_sign)
+    for number, line in lines:
+        if line.startswith("#"):
+            sheet.comment(line, number)
+    sheet.find_axis()
+    for number, line in lines:
+        if line and not line.startswith("#"):
+            sheet.row(tuple(cell.strip() for cell in line.split(",")), number)
+    sheet.finish()
+    return sheet.found
+
+
+class _Sheet:
+    def __init__(self, file: str, pitch_sign: Callable[[str], str]) -> None:
+        self.file = file
+        self.pitch_sign = pitch_sign
+        self.errors_at = 0
+        self.found = FileContent()
+        self.keys: dict[str, str] = {}
+        self.axis: int | None = None
+        self.headed = False
+
+    def comment(self, line: str, number: int) -> None:
+        """Take ``# key: value``; other comments are text."""
+        match = _COMMENT.match(line)
+        if match is None:
+            return
+        key, value = match[1].casefold(), match[2].strip()
+        if key == "value":
+            if value not in ("error", "correction"):
+                self._wrong(number, "what the values are", "error or correction", value)
+            self.errors_at = number if value == "error" else self.errors_at
+        if key in ("address", "axis") and self.keys.get(key, value) != value:
+            self._wrong(number, f"a second {key}", self.keys[key], value)
+        self.keys.setdefault(key, value)
+
+    def find_axis(self) -> None:
+        """Settle the controlled axis number: comment ``address``, else ``axis``, else the file's
+        name.
+        """
+        named = re.fullmatch(r"entry_(.*)\.csv", self.file, re.IGNORECASE | re.DOTALL)
+        given = self.keys.get("address") or self.keys.get("axis") or (named[1] if named else "")
+        if _AXIS.fullmatch(given):
+            self.axis = int(given)
+            if self.errors_at and self.pitch_sign(str(self.axis)) == "+":
+                self._wrong(
+                    self.errors_at,
+                    "values are said to be errors while option pitch_sign is +",
+                    "correction",
+                    "error",
+                )
+        else:
+            self._wrong(
+                0, "which controlled axis the sheet is for", "a comment such as # address: 1", given
+            )
+
+    def row(self, cells: tuple[str, ...], number: int) -> None:
+        """Read the header or one row."""
+        if not self.headed:
+            self.headed = True
+            if tuple(cell.casefold() for cell in cells) != _HEADER:
+                self._wrong(number, "header", ",".join(_HEADER), ",".join(cells))
+            return
+        if len(cells) != len(_HEADER):
+            self._wrong(number, "row", "four cells: " + ",".join(_HEADER), ",".join(cells))
+            return
+        point, position, value, unit = cells
+        match = _POINT.fullmatch(point)
+        if match is None:
+            self._wrong(number, "point", "a number such as 10040, 3620 or 3605#0", point)
+            return
+        key = (int(match[1]), None if match[2] is None else int(match[2]))
+        if not _NUMBER.fullmatch(value):
+            self._wrong(number, f"value of {point}", "a number with a decimal point", value)
+        elif key in PARAMETERS:
+            self._parameter(key, position, value, unit, number)
+        elif key[1] is None and (key[0] < _POINTS_BELOW or key[0] >= POINT_BASE):
+            self._point(key[0], position, value, unit, number)
+        else:
+            self._wrong(
+                number,
+                "point is neither pitch data nor a parameter of the compensation",
+                "10040, 3620, 3605#0 ..",
+                point,
+            )
+
+    def finish(self) -> None:
+        """A sheet that says nothing is none."""
+        if not self.found.settings and not self.found.points and not self.found.faults:
+            self.found.faults.append(
+                Fault(message="the sheet holds neither points nor parameters", file=self.file)
+            )
+
+    def _parameter(
+        self, key: tuple[int, int | None], position: str, value: str, unit: str, line: int
+    ) -> None:
+        if position:
+            self._wrong(line, f"parameter {key[0]} has a position", "an empty cell", position)
+        elif unit not in PARAMETERS[key]:
+            self._wrong(
+                line,
+                f"unit of parameter {key[0]}",
+                " or ".join(sorted(PARAMETERS[key])) or "none",
+                unit,
+            )
+        else:
+            self.found.settings.append(
+                Setting(key[0], self.axis, key[1], unit or "P", value, self.file, line)
+            )
+
+    def _point(self, number: int, position: str, value: str, unit: str, line: int) -> None:
+        if position and not (_NUMBER.fullmatch(position) and math.isfinite(float(position))):
+            self._wrong(line, "position", "a number or nothing", position)
+        elif unit != "pulse":
+            self._wrong(line, "unit of pitch data", "pulse", unit)
+        else:
+            point = number - POINT_BASE if number >= POINT_BASE else number
+            self.found.points.append(PointRecord(point, value, "sheet", self.file, line))
+
+    def _wrong(self, line: int, message: str, expected: str, found: str) -> None:
+        place = f"line {line}" if line else ""
+        self.found.faults.append(
+            Fault(message=message, file=self.file, place=place, expected=expected, found=found)
+        )

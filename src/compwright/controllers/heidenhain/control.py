@@ -1,0 +1,160 @@
+"""HEIDENHAIN: iTNC 530 (and TNC 407 to 430) with MP710, MP720, MP730 and .COM/.CMA; NCK controls
+with CfgAxisComp and .COM/.CMA.
+
+Stated from the manuals, apart from the definitions that write the files:
+
+- Linear error MP720, mm/m, positive when the axis travels too far; it starts at the reference mark:
+  the control adds -MP720 * (p - reference) / 1000. No effect on rotary axes; per axis either this
+  or the tables (MP730 bit), TNC 407 p. 151.
+- A column Y in the .COM that the active .CMA line names under X is Y = F(X) (MANUALplus 620 p.
+  718). Point k lies at DATUM + k * spacing; the spacing is 2^n * 0.1 µm (TNC 407 p. 153) or free
+  (iTNC 530 HSCI p. 655). NCK: AXISPOS (p. 716).
+- MP710 / backLash positive: the encoder runs ahead, the travel is too short (TNC 426/430 p. 366,
+  MANUALplus 620 p. 707). Nothing in the direction of referencing, on reversal the whole value in
+  the direction of motion; that zero state is not confirmed.
+- Unconfirmed and so an option or an assumption: the sign of the table values, what acts outside a
+  table, BACKLASH.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.controllers.heidenhain.curve import Curve, HeidenhainAxis
+from compwright.controllers.heidenhain.loading import Loader
+from compwright.controllers.heidenhain.sheet import Sheet, is_sheet, read_sheet
+from compwright.controllers.heidenhain.table import Content, read_text
+from compwright.controllers.heidenhain.words import ITNC530, NCK, Generation
+from compwright.controllers.request import Request, unknown_axis
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.correction import Assumption, ControlFile
+
+
+@dataclass(frozen=True, slots=True)
+class HeidenhainControl:
+    """A HEIDENHAIN control with files loaded, all axes referenced. See
+    ``controllers.virtual.VirtualControl``.
+    """
+
+    generation: Generation
+    axes: dict[str, HeidenhainAxis]
+    crossed: dict[tuple[str, str], Curve]
+    assumed: tuple[Assumption, ...]
+    notes: tuple[str, ...]
+
+    def addresses(self) -> tuple[str, ...]:
+        """Return the axes that the files correct, by tables or parameters, whether these act or
+        not.
+        """
+        return tuple(self.axes)
+
+    def nodes(self, address: str) -> FloatArray:
+        """Return the positions (k,) of the axis' own table, mm or deg; empty without one, also
+        where it is switched off.
+        """
+        table = self._axis(address).table
+        return np.empty(0) if table is None else table.nodes()
+
+    def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return the shift of the axis at ``positions`` (any shape) arriving in ``direction``, mm
+        or deg; no cross tables.
+        """
+        return self._axis(address).correction(np.asarray(positions, dtype=np.float64), direction)
+
+    def cross(self) -> tuple[tuple[str, str], ...]:
+        """Return (moving axis, corrected axis) of the tables that correct another axis."""
+        return tuple(self.crossed)
+
+    def cross_correction(
+        self,
+        input: str,  # noqa: A002
+        output: str,
+        positions: FloatArray,
+        direction: Direction,  # noqa: ARG002
+    ) -> FloatArray:
+        """Return the shift of ``output`` (mm, deg for a rotary one) with ``input`` at ``positions``
+        (any shape).
+
+        The same in either ``direction``. Raises UsageError for a pair without a table.
+        """
+        pair = (self.generation.address(input), self.generation.address(output))
+        if pair not in self.crossed:
+            known = ", ".join(f"{corrected} by {moving}" for moving, corrected in self.crossed)
+            raise UsageError(
+                Fault(
+                    message="no table corrects this axis by that one",
+                    expected=known,
+                    found=f"{output} by {input}",
+                )
+            )
+        where = np.asarray(positions, dtype=np.float64)
+        return (
+            self.crossed[pair].at(where) if self.axes[pair[1]].nonlinear else np.zeros(where.shape)
+        )
+
+    def _axis(self, address: str) -> HeidenhainAxis:
+        axis = self.axes.get(self.generation.address(address))
+        if axis is None:
+            raise unknown_axis(address, self.addresses())
+        return axis
+
+
+def itnc530_control(files: Sequence[ControlFile], request: Request) -> HeidenhainControl:
+    """Return an iTNC 530 with entry sheets, .COM, .CMA and lines of machine parameters loaded, in
+    any order.
+
+    Options: ``table_values`` (``error``, ``correction``) of exported tables, ``spacing_rule``
+    (``free``, ``power_of_two``). Raises InputError for what the control would not take or what
+    contradicts itself, every fault with file and line; UsageError for a wrong option or a turn
+    other than 360 deg.
+    """
+    return _control(files, request, ITNC530)
+
+
+def nck_control(files: Sequence[ControlFile], request: Request) -> HeidenhainControl:
+    """Return an NCK control with entry sheets, .COM and .CMA loaded, in any order.
+
+    Options: ``table_values`` (``error``, ``correction``) of exported tables, ``backlash_column``
+    (``absent``, ``second_curve``). Raises InputError and UsageError as ``itnc530_control`` does.
+    """
+    return _control(files, request, NCK)
+
+
+def _control(
+    files: Sequence[ControlFile], request: Request, generation: Generation
+) -> HeidenhainControl:
+    sheets: list[Sheet] = []
+    contents: list[Content] = []
+    faults: list[Fault] = []
+    for file in files:
+        if is_sheet(file):
+            sheet, wrong = read_sheet(file, generation)
+            sheets += [sheet] if sheet is not None else []
+            faults += wrong
+        else:
+            contents.append(read_text(file, generation))
+            faults += contents[-1].faults
+    raise_all(InputError, faults)
+    loader = Loader(generation, request, sheets, contents)
+    axes = loader.axes()
+    if not axes and not loader.faults:
+        names = ", ".join(file.name for file in files)
+        loader.faults.append(
+            Fault(
+                message="no compensation data found",
+                file=names,
+                expected="an entry sheet, .COM or parameters",
+            )
+        )
+    raise_all(InputError, loader.faults)
+    return HeidenhainControl(
+        generation=generation,
+        axes=axes,
+        crossed=loader.crossed,
+        assumed=tuple(dict.fromkeys(loader.assumed)),
+        notes=tuple(dict.fromkeys(loader.notes)),
+    )

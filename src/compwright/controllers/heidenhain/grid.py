@@ -1,0 +1,206 @@
+"""HEIDENHAIN tables as blocks of text, and their cells: what stands under which heading.
+
+The shape of the classic tables is known from memory only; what is sure is taken as written, the
+rest is refused, never guessed: a cell belongs to the column whose heading stands above it, a table
+without its end line has been cut short.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.controllers.heidenhain.words import Place, number
+from compwright.foundations.errors import Fault, InputError
+from compwright.records.axis import FloatArray
+
+_WORD = re.compile(r"\S+")
+_WHOLE = re.compile(r"[0-9]{1,6}")
+#: More columns than any such table has; bounds the work on a line of rubbish.
+_MOST_COLUMNS = 64
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Lines from BEGIN to the end line, both left out; ``rest`` is what follows the unit in the
+    BEGIN line.
+    """
+
+    name: str
+    kind: str
+    inch: bool
+    rest: str
+    lines: list[tuple[Place, str]]
+    place: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Grid:
+    """Cells by column name; None where blank. The column NR is checked and left out."""
+
+    names: tuple[str, ...]
+    rows: tuple[tuple[str | None, ...], ...]
+    places: tuple[Place, ...]
+
+    def column(self, name: str) -> list[str | None]:
+        """Return the cells of one column."""
+        index = self.names.index(name)
+        return [row[index] for row in self.rows]
+
+
+def split_tables(
+    lines: list[tuple[Place, str]], faults: list[Fault]
+) -> tuple[list[Block], list[tuple[Place, str]]]:
+    """Split the lines into tables and what stands outside of them; faults are added to
+    ``faults``.
+    """
+    blocks: list[Block] = []
+    outside: list[tuple[Place, str]] = []
+    opened: Block | None = None
+    for place, line in lines:
+        words = line.upper().split(maxsplit=3)
+        first = words[0] if words else ""
+        if first == "BEGIN":
+            _cut_short(opened, faults)
+            opened = _opened(line, place, faults)
+            blocks += [opened] if opened else []
+        elif first in {"END", "[END]"} and opened is not None:
+            ends = first == "[END]" or _table_name(line.upper().split()[1:])[:2] == (
+                opened.name.upper(),
+                opened.kind,
+            )
+            if not ends:
+                faults.append(
+                    place.fault(
+                        "end of another table",
+                        expected=f"END {opened.name} .{opened.kind}",
+                        found=repr(line.strip()[:80]),
+                    )
+                )
+            opened = None
+        elif opened is not None:
+            opened.lines.append((place, line))
+        else:
+            outside.append((place, line))
+    _cut_short(opened, faults)
+    return blocks, outside
+
+
+def _cut_short(opened: Block | None, faults: list[Fault]) -> None:
+    if opened is not None:
+        faults.append(
+            opened.place.fault(
+                "the table has no end line (cut short?)",
+                expected=f"END {opened.name} .{opened.kind}",
+            )
+        )
+
+
+def _table_name(words: list[str]) -> tuple[str, str, list[str]]:
+    """Return name, kind (COM, CMA or empty) and the words behind them of ``X .COM ...`` or ``X.COM
+    ...``.
+    """
+    if words and words[0][-4:].upper() in {".COM", ".CMA"} and len(words[0]) > 4:
+        return words[0][:-4], words[0][-3:].upper(), words[1:]
+    if len(words) > 1 and words[1].upper() in {".COM", ".CMA"}:
+        return words[0], words[1][1:].upper(), words[2:]
+    return "", "", words
+
+
+def _opened(line: str, place: Place, faults: list[Fault]) -> Block | None:
+    name, kind, words = _table_name(line.split()[1:])
+    unit = words[0].upper() if words else ""
+    if not kind or (kind == "COM" and unit not in {"MM", "INCH"}):
+        faults.append(
+            place.fault(
+                "head of the table cannot be read",
+                expected="BEGIN X .COM MM or BEGIN NAME .CMA MM",
+                found=repr(line[:80]),
+            )
+        )
+        return None
+    return Block(
+        name=name, kind=kind, inch=unit == "INCH", rest=" ".join(words[1:]), lines=[], place=place
+    )
+
+
+def read_grid(block: Block) -> Grid:
+    """Return the cells of a table. Raises InputError with every row that cannot be told apart."""
+    filled = [(place, line) for place, line in block.lines if line.strip()]
+    heading = (
+        [(match.group().upper(), match.span()) for match in _WORD.finditer(filled[0][1])]
+        if filled
+        else []
+    )
+    if not heading or heading[0][0] != "NR" or len(heading) > _MOST_COLUMNS:
+        place = filled[0][0] if filled else block.place
+        raise InputError(
+            place.fault(
+                "no line of column headings",
+                expected="NR and the columns",
+                found=repr(filled[0][1][:80] if filled else ""),
+            )
+        )
+    names = tuple(match.group() for match in _WORD.finditer(filled[0][1]))[1:]
+    faults = [
+        filled[0][0].fault("two columns of one name", found=name)
+        for name in dict.fromkeys(names)
+        if names.count(name) > 1
+    ]
+    rows: list[tuple[str | None, ...]] = []
+    for wanted, (place, line) in enumerate(filled[1:]):
+        row = _row(line, [span for _, span in heading], place, wanted)
+        if isinstance(row, Fault):
+            faults.append(row)
+        else:
+            rows.append(row)
+    if faults:
+        raise InputError(*faults)
+    return Grid(names, tuple(rows), tuple(place for place, _ in filled[1:]))
+
+
+def _row(
+    line: str, spans: Sequence[tuple[int, int]], place: Place, wanted: int
+) -> tuple[str | None, ...] | Fault:
+    """Return the cells of a row without its number, or what is wrong with it.
+
+    With every cell filled the blanks tell the columns apart; with fewer, a cell must stand under
+    exactly one heading.
+    """
+    words = [(match.group(), match.span()) for match in _WORD.finditer(line)]
+    if not _WHOLE.fullmatch(words[0][0]) or int(words[0][0]) != wanted:
+        return place.fault(
+            "row number (a line lost?)", expected=str(wanted), found=repr(words[0][0][:40])
+        )
+    if len(words) == len(spans):
+        return tuple(word for word, _ in words[1:])
+    cells: list[str | None] = [None] * (len(spans) - 1)
+    for word, (start, end) in words[1:]:
+        under = [index for index, (left, right) in enumerate(spans) if start < right and left < end]
+        if len(under) != 1 or under[0] == 0 or cells[under[0] - 1] is not None or "\t" in line:
+            return place.fault(
+                "column of a cell is ambiguous",
+                expected="each cell below its own heading",
+                found=repr(word[:40]),
+            )
+        cells[under[0] - 1] = word
+    return tuple(cells)
+
+
+def numbers(
+    cells: Sequence[str | None], places: Sequence[Place], label: str, faults: list[Fault]
+) -> FloatArray:
+    """Return the numbers of a column, NaN where blank; every other content is a fault."""
+    values = np.full(len(cells), np.nan)
+    for index, (cell, place) in enumerate(zip(cells, places, strict=True)):
+        parsed = None if cell is None else number(cell)
+        if cell is not None and parsed is None:
+            faults.append(
+                place.fault(label, expected="a number with a decimal point", found=repr(cell[:40]))
+            )
+        elif parsed is not None:
+            values[index] = parsed
+    return values

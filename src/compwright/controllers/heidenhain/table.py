@@ -1,0 +1,365 @@
+"""HEIDENHAIN tables: ``.COM`` (values) and ``.CMA`` (which .COM acts under which axis).
+
+iTNC 530: one row per point, the point k lies at DATUM + k * spacing (TNC 407 technical manual p.
+153, iTNC 530 HSCI p. 655). NCK: the column AXISPOS lists the positions (MANUALplus 620 p. 716).
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from compwright.controllers.heidenhain.grid import Block, Grid, numbers, read_grid, split_tables
+from compwright.controllers.heidenhain.parameters import read_parameters
+from compwright.controllers.heidenhain.words import (
+    ITNC530,
+    MOST_AXES,
+    Generation,
+    Parameter,
+    Place,
+    axis_of_number,
+    binary_fault,
+    lines_of,
+    number,
+)
+from compwright.foundations.errors import Fault, InputError
+from compwright.records.axis import FloatArray
+from compwright.records.correction import ControlFile
+
+_AXIS_NUMBER = re.compile(r"[0-9]{1,6}")
+_COLUMN = re.compile(r"([0-9]{1,2})=F\(\)", re.IGNORECASE)
+#: Columns of KinematicsComp in an iTNC 530 .COM: no axis columns (HSCI manual p. 680).
+_KINEMATICS = {f"C{n}" for n in range(1, 7)}
+
+
+@dataclass(frozen=True, slots=True)
+class Com:
+    """One .COM. ``values`` (k, columns) as written, NaN where a cell is blank; ``columns`` name the
+    corrected axes.
+
+    iTNC 530: ``datum`` and ``distance`` as written, ``listed`` is None. NCK: ``listed`` (k,) =
+    AXISPOS, ``negative`` (k,) = BACKLASH, None without that column. ``names``: what a .CMA may call
+    the table, in capitals without the ending.
+    """
+
+    name: str
+    names: frozenset[str]
+    inch: bool
+    columns: tuple[str, ...]
+    values: FloatArray
+    place: Place
+    datum: float = 0.0
+    distance: float = 0.0
+    listed: FloatArray | None = None
+    negative: FloatArray | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Cma:
+    """One .CMA: moving axis -> name of its .COM (capitals, no ending) in the active line; ``axes``
+    are all its axis columns.
+    """
+
+    axes: tuple[str, ...]
+    active: dict[str, str] | None
+    marked: bool
+    place: Place
+
+
+@dataclass(slots=True)
+class Content:
+    """What one text file holds, and what is wrong with it."""
+
+    coms: list[Com] = field(default_factory=list)
+    cmas: list[Cma] = field(default_factory=list)
+    parameters: list[Parameter] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+
+
+def read_text(file: ControlFile, generation: Generation) -> Content:
+    """Return the tables and parameters of one file (bytes, ASCII). Faults are collected, nothing is
+    raised.
+    """
+    found = Content()
+    fault = binary_fault(file.name, file.content)
+    if fault is not None:
+        found.faults.append(fault)
+        return found
+    text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf")
+    lines = [
+        (Place(file.name, line), content) for line, content in enumerate(lines_of(text), start=1)
+    ]
+    blocks, outside = split_tables(lines, found.faults)
+    stem = file.name[:-4].upper() if file.name.upper().endswith(".COM") else None
+    alone = [block.kind for block in blocks].count("COM") == 1
+    for block in blocks:
+        try:
+            if block.kind == "COM":
+                found.coms.append(_com(block, generation, stem if alone else None, found))
+            else:
+                found.cmas.append(_cma(block, generation))
+        except InputError as error:
+            found.faults.extend(error.faults)
+    _read_outside(outside, generation, found, strict=bool(blocks))
+    return found
+
+
+def _read_outside(
+    lines: list[tuple[Place, str]], generation: Generation, found: Content, *, strict: bool
+) -> None:
+    """Read what stands outside of tables: parameters. Anything else is a fault beside tables, else
+    worth a note.
+    """
+    read = read_parameters(lines)
+    if read.parameters and generation is not ITNC530:
+        at = read.parameters[0].place
+        read.faults.append(
+            at.fault(
+                "MP710, MP720, MP730 are not of this control",
+                expected=", ".join(generation.parameters),
+            )
+        )
+    found.parameters += read.parameters
+    found.faults += read.faults
+    if not read.stray or found.faults:
+        return
+    place, code = read.stray[0]
+    if strict or not read.parameters:
+        found.faults.append(
+            place.fault(
+                "line cannot be read",
+                expected="BEGIN X .COM MM ... or BEGIN NAME .CMA",
+                found=repr(code[:80]),
+            )
+        )
+    else:
+        found.notes.append(
+            f"{place}: not a machine parameter, not read (lines of this sort: {len(read.stray)})"
+        )
+
+
+def _com(block: Block, generation: Generation, stem: str | None, found: Content) -> Com:
+    grid = read_grid(block)
+    faults: list[Fault] = []
+    most = generation.most_points
+    if most is not None and len(grid.rows) > most:
+        faults.append(
+            block.place.fault(
+                "too many points in one table",
+                expected=f"at most {most}",
+                found=str(len(grid.rows)),
+            )
+        )
+    if not grid.rows:
+        faults.append(block.place.fault("the table holds no rows"))
+    read = _by_spacing if generation is ITNC530 else _by_position
+    com = read(block, grid, stem, found, faults)
+    if grid.rows and not faults and bool(np.all(np.isnan(com.values))):
+        faults.append(
+            block.place.fault(
+                "the table holds no values", expected="a value in at least one axis column"
+            )
+        )
+    if faults:
+        raise InputError(*faults)
+    return com
+
+
+def _names(block: Block, stem: str | None) -> frozenset[str]:
+    return frozenset({block.name.upper()} | ({stem} if stem else set()))
+
+
+def _values(grid: Grid, columns: dict[str, str], faults: list[Fault]) -> FloatArray:
+    """Return (rows, columns) of numbers; a column with any value must have one in its first and its
+    last row.
+    """
+    table = np.full((len(grid.rows), len(columns)), np.nan)
+    for index, name in enumerate(columns):
+        cells = grid.column(name)
+        table[:, index] = numbers(cells, grid.places, f"column {name}", faults)
+        if any(cells):
+            blank = [grid.places[end] for end in (0, -1) if cells[end] is None]
+            faults += [
+                place.fault(f"column {name} is blank at an end of the table", expected="a value")
+                for place in blank
+            ]
+    return table
+
+
+def _by_spacing(
+    block: Block, grid: Grid, stem: str | None, found: Content, faults: list[Fault]
+) -> Com:
+    """iTNC 530: DATUM and DIST in the head, columns ``1=F()``."""
+    head = _head(block, faults)
+    columns: dict[str, str] = {}
+    for name in grid.names:
+        match = _COLUMN.fullmatch(name)
+        if match and 1 <= int(match.group(1)) <= MOST_AXES:
+            columns[name] = axis_of_number(int(match.group(1)))
+        elif name.upper() in _KINEMATICS:
+            if any(grid.column(name)):
+                found.notes.append(
+                    f"{block.place}: column {name} of {block.name}.COM (KinematicsComp) is not"
+                    " judged"
+                )
+        else:
+            faults.append(
+                block.place.fault(
+                    "column heading", expected="1=F(), 2=F(), ...", found=repr(name[:40])
+                )
+            )
+    if len(set(columns.values())) < len(columns):
+        faults.append(block.place.fault("two columns of one axis", found=" ".join(columns)))
+    return Com(
+        name=block.name,
+        names=_names(block, stem),
+        inch=block.inch,
+        columns=tuple(columns.values()),
+        values=_values(grid, columns, faults),
+        place=block.place,
+        datum=head["DATUM"],
+        distance=head["DIST"],
+    )
+
+
+def _head(block: Block, faults: list[Fault]) -> dict[str, float]:
+    """Return DATUM and DIST of a BEGIN line."""
+    head: dict[str, float] = {}
+    for entry in block.rest.replace(": ", ":").split():
+        key, colon, text = entry.partition(":")
+        value = number(text)
+        if (
+            not colon
+            or key.upper() not in {"DATUM", "DIST"}
+            or value is None
+            or key.upper() in head
+        ):
+            faults.append(
+                block.place.fault(
+                    "head of the table", expected="DATUM:number DIST:number", found=repr(entry[:40])
+                )
+            )
+        else:
+            head[key.upper()] = value
+    missing = [key for key in ("DATUM", "DIST") if key not in head]
+    if missing:
+        faults.append(
+            block.place.fault(
+                f"head of the table without {' and '.join(missing)}",
+                expected="DATUM:number DIST:number",
+            )
+        )
+    return {"DATUM": 0.0, "DIST": 0.0, **head}
+
+
+def _by_position(
+    block: Block, grid: Grid, stem: str | None, _found: Content, faults: list[Fault]
+) -> Com:
+    """NCK: AXISPOS, perhaps BACKLASH, then one column per axis key."""
+    if block.rest:
+        faults.append(
+            block.place.fault(
+                "head of the table", expected="nothing behind the unit", found=repr(block.rest[:40])
+            )
+        )
+    special = {name.upper(): name for name in grid.names if name.upper() in {"AXISPOS", "BACKLASH"}}
+    if "AXISPOS" not in special:
+        raise InputError(
+            *faults,
+            block.place.fault(
+                "column headings",
+                expected="NR AXISPOS and the axes",
+                found=" ".join(grid.names)[:80],
+            ),
+        )
+    positions = grid.column(special["AXISPOS"])
+    listed = numbers(positions, grid.places, "column AXISPOS", faults)
+    for index, (cell, place) in enumerate(zip(positions, grid.places, strict=True)):
+        if cell is None:
+            faults.append(place.fault("a row without a position", expected="a value in AXISPOS"))
+        elif index and listed[index] <= listed[index - 1]:
+            faults.append(
+                place.fault(
+                    "positions do not ascend",
+                    expected=f"above {listed[index - 1]:g}",
+                    found=f"{listed[index]:g}",
+                )
+            )
+    columns = {name: name for name in grid.names if name not in special.values()}
+    negative = None
+    if "BACKLASH" in special:
+        negative = numbers(grid.column(special["BACKLASH"]), grid.places, "column BACKLASH", faults)
+    return Com(
+        name=block.name,
+        names=_names(block, stem),
+        inch=block.inch,
+        columns=tuple(columns),
+        values=_values(grid, columns, faults),
+        place=block.place,
+        listed=listed,
+        negative=negative,
+    )
+
+
+def _cma(block: Block, generation: Generation) -> Cma:
+    """Return the active line. NCK: ``*`` in ACTIVE; iTNC 530: the only line, or the one with ``M``
+    in STATUS or ACTIVE.
+    """
+    grid = read_grid(block)
+    mark = "M" if generation is ITNC530 else "*"
+    states = ("STATUS", "ACTIVE") if generation is ITNC530 else ("ACTIVE",)
+    state = next((name for name in grid.names if name.upper() in states), None)
+    marks = grid.column(state) if state else [None] * len(grid.rows)
+    faults = [
+        place.fault(f"column {state}", expected=f"{mark} or blank", found=repr(cell[:40]))
+        for cell, place in zip(marks, grid.places, strict=True)
+        if cell not in {None, mark}
+    ]
+    axes = tuple(name for name in grid.names if name != state)
+    named = tuple(
+        (
+            axis_of_number(int(name))
+            if generation is ITNC530 and _AXIS_NUMBER.fullmatch(name)
+            else generation.address(name)
+        )
+        for name in axes
+    )
+    beyond = [
+        name
+        for name in axes
+        if _AXIS_NUMBER.fullmatch(name)
+        and not 1 <= int(name) <= MOST_AXES
+        and generation is ITNC530
+    ]
+    if len(set(named)) < len(named) or not named or beyond:
+        faults.append(
+            block.place.fault(
+                "column headings", expected="each axis once, from 1", found=" ".join(axes)[:80]
+            )
+        )
+    active = [index for index, cell in enumerate(marks) if cell == mark]
+    single = len(grid.rows) == 1 and (generation is ITNC530 or state is None)
+    if len(active) > 1 or (
+        not active and not single and grid.rows and (state is None or generation is ITNC530)
+    ):
+        faults.append(
+            block.place.fault(
+                "which line is active",
+                expected=f"exactly one line marked {mark}",
+                found=f"{len(active)} of {len(grid.rows)}",
+            )
+        )
+    if faults:
+        raise InputError(*faults)
+    chosen = active[0] if active else 0 if single else None
+    cells = {
+        axis: cell.upper().removesuffix(".COM")
+        for axis, name in zip(named, axes, strict=True)
+        if chosen is not None and (cell := grid.column(name)[chosen]) is not None
+    }
+    return Cma(
+        axes=named, active=None if chosen is None else cells, marked=bool(active), place=block.place
+    )

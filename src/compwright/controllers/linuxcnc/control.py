@@ -1,0 +1,448 @@
+"""LinuxCNC: screw compensation (``COMP_FILE``) and ``BACKLASH`` of each joint.
+
+Stated from the control's source and from runs of LinuxCNC 2.9.0~pre1, apart from the definition
+that writes the files:
+
+- While the joint moves towards + the table's second column counts, towards - the third; the
+  correction is added to the command. COMP_FILE_TYPE 0 (the default): the columns are actual
+  positions, correction = nominal - actual. Any other type: the columns are the corrections.
+- Looked up at the commanded joint position, linear between rows, the end row's value held outside;
+  no modulo, rotary joints included.
+- BACKLASH (the full gap) acts only where the table holds no row: +BACKLASH/2 going +, -BACKLASH/2
+  going -.
+- Everything is in machine units ([TRAJ] LINEAR_UNITS, ANGULAR_UNITS). Which direction the reference
+  is approached in plays no part.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.controllers.linuxcnc.ini import IniFile, Value, bare_name, read_inis
+from compwright.controllers.linuxcnc.table import CompTable, leading_number, load_table
+from compwright.controllers.request import Request, by_address, unknown_axis
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.foundations.units import MILLIMETRES_PER_INCH
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.correction import Assumption, ControlFile
+
+_LINEAR_UNITS = {
+    "mm": 1.0,
+    "metric": 1.0,
+    "in": MILLIMETRES_PER_INCH,
+    "inch": MILLIMETRES_PER_INCH,
+    "imperial": MILLIMETRES_PER_INCH,
+}
+_ANGULAR_UNITS = {
+    "deg": 1.0,
+    "degree": 1.0,
+    "grad": 0.9,
+    "gon": 0.9,
+    "rad": math.degrees(1.0),
+    "radian": math.degrees(1.0),
+}
+_LETTERS = "XYZABCUVW"
+#: Kinematics in which a motion of one axis moves several joints (LinuxCNC's own modules).
+_MIXING = frozenset(
+    {
+        *(
+            "corexykins",
+            "rotatekins",
+            "scarakins",
+            "scorbot-kins",
+            "pumakins",
+            "rosekins",
+            "lineardeltakins",
+        ),
+        *("rotarydeltakins", "genhexkins", "genserkins", "genser", "pentakins", "tripodkins"),
+    }
+)
+
+
+@dataclass(frozen=True, slots=True)
+class _Joint:
+    """``unit``: mm or deg per machine unit."""
+
+    table: CompTable | None
+    backlash: float
+    unit: float
+
+
+@dataclass(frozen=True, slots=True)
+class LinuxCncControl:
+    """LinuxCNC with files loaded, all joints homed. See ``controllers.virtual.VirtualControl``.
+
+    Addresses are joint numbers as text. Where a table holds a number that is not finite the answer
+    is NaN.
+    """
+
+    joints: dict[str, _Joint]
+    assumed: tuple[Assumption, ...]
+    notes: tuple[str, ...]
+
+    def addresses(self) -> tuple[str, ...]:
+        """Return the joint numbers that the files speak of, ascending."""
+        return tuple(self.joints)
+
+    def nodes(self, address: str) -> FloatArray:
+        """Return the positions (k,) of the rows that the control really loaded, mm or deg."""
+        joint = self._joint(address)
+        return np.empty(0) if joint.table is None else joint.table.nominal * joint.unit
+
+    def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return what is added to the command at ``positions`` (any shape) arriving in
+        ``direction``, mm or deg.
+        """
+        joint = self._joint(address)
+        x = np.asarray(positions, dtype=np.float64) / joint.unit
+        if joint.table is None or joint.table.nominal.size == 0:
+            return np.full(x.shape, direction.sign * joint.backlash / 2.0 * joint.unit)
+        return _looked_up(joint.table, x, direction) * joint.unit
+
+    def cross(self) -> tuple[tuple[str, str], ...]:
+        """Return (): no table of one joint acts on another."""
+        return ()
+
+    def cross_correction(  # the protocol's names
+        self,
+        input: str,  # noqa: A002
+        output: str,
+        positions: FloatArray,  # noqa: ARG002
+        direction: Direction,  # noqa: ARG002
+    ) -> FloatArray:
+        """Raise UsageError: no table of one joint acts on another."""
+        raise UsageError(
+            Fault(
+                message=(
+                    f"no table by which {input} corrects {output}: LinuxCNC has none between joints"
+                )
+            )
+        )
+
+    def _joint(self, address: str) -> _Joint:
+        joint = self.joints.get(joint_number(address))
+        if joint is None:
+            raise unknown_axis(address, self.addresses())
+        return joint
+
+
+def joint_number(address: str) -> str:
+    """Return the joint number of an address; an axis letter stands for its place among XYZABCUVW (X
+    is joint 0).
+    """
+    letter = address.strip().upper()
+    return (
+        str(_LETTERS.index(letter)) if len(letter) == 1 and letter in _LETTERS else address.strip()
+    )
+
+
+def _looked_up(table: CompTable, x: FloatArray, direction: Direction) -> FloatArray:
+    """Return the table's correction at ``x`` (machine units) as the servo loop does: row below, its
+    slope times the distance.
+    """
+    if not table.defined:
+        return np.full(x.shape, np.nan)
+    trim, slope = (
+        (table.forward, table.forward_slope)
+        if direction is Direction.POSITIVE
+        else (table.reverse, table.reverse_slope)
+    )
+    row = np.searchsorted(table.nominal, x, side="right") - 1
+    below = row < 0
+    row = np.maximum(row, 0)
+    distance = np.where(below | (row == table.nominal.size - 1), 0.0, x - table.nominal[row])
+    return np.asarray(trim[row] + slope[row] * distance, dtype=np.float64)
+
+
+def linuxcnc_control(files: Sequence[ControlFile], request: Request) -> LinuxCncControl:
+    """Return the control with ``files`` loaded: INI files (whole or only their joint sections) and
+    the tables they name.
+
+    A table without an INI belongs to the joint of its name ``joint_N...``, else to the option
+    ``axis``. Whatever the control would leave out silently is left out here too and stands in
+    ``notes``. Raises InputError where it would not start (a table that is missing, a key without a
+    number) and where the files do not say which joint loads a table.
+    """
+    names = [file.name for file in files]
+    if len(set(names)) != len(names):
+        raise InputError(
+            Fault(
+                message="two files have the same name",
+                found=", ".join(sorted({n for n in names if names.count(n) > 1})),
+            )
+        )
+    inis, used = read_inis(files)
+    tables = {file.name: file.content for file in files if file.name not in used}
+    raise_all(InputError, [fault for ini in inis for fault in ini.faults])
+    loader = _Loader(inis, tables, request)
+    joints = loader.joints()
+    raise_all(InputError, loader.faults)
+    return LinuxCncControl(joints=joints, assumed=tuple(loader.assumed), notes=tuple(loader.notes))
+
+
+class _Loader:
+    """Builds the joints and gathers what is assumed, worth a note, or keeps the control from
+    starting.
+    """
+
+    def __init__(
+        self, inis: tuple[IniFile, ...], tables: dict[str, bytes], request: Request
+    ) -> None:
+        self.inis = inis
+        self.tables = tables
+        self.request = request
+        self.assumed: list[Assumption] = []
+        self.notes: list[str] = [remark for ini in inis for remark in ini.repeated()]
+        self.faults: list[Fault] = []
+
+    def joints(self) -> dict[str, _Joint]:
+        """Return all joints that the files speak of, by number."""
+        numbers = {number for ini in self.inis for number in ini.joints()}
+        orphans = self._orphans(numbers)
+        self._kinematics()
+        self._wrapped(numbers | set(orphans))
+        found = {number: self._from_ini(number) for number in numbers}
+        found |= {number: self._from_orphan(number, name) for number, name in orphans.items()}
+        if not found and not self.faults:
+            given = ", ".join([ini.name for ini in self.inis] + list(self.tables))
+            self.faults.append(
+                Fault(
+                    message="no joint found",
+                    file=given,
+                    expected="an INI with a section [JOINT_N], or a table joint_N.comp",
+                )
+            )
+        return {str(number): joint for number, joint in sorted(found.items()) if joint is not None}
+
+    def _kinematics(self) -> None:
+        """A table belongs to a joint: where kinematics mix joints into axes, none of them is the
+        axis that was measured.
+        """
+        for ini in self.inis if self.request.reference else ():
+            value = ini.find("KINS", "KINEMATICS")
+            if value is not None and value.text.split()[0].lower() in _MIXING:
+                message = (
+                    "[KINS] KINEMATICS: an axis moves several joints here, and a table acts on one"
+                    " joint"
+                )
+                self.faults.append(
+                    value.fault(message, expected="trivkins, where each joint is an axis")
+                )
+
+    def _wrapped(self, numbers: set[int]) -> None:
+        """A wrapped rotary axis counts on past its turn, where the end of a table holds: no table
+        can serve it.
+        """
+        for ini in self.inis if self.request.reference else ():
+            kinematics = ini.find("KINS", "KINEMATICS")
+            said = (
+                re.search("coordinates=([A-Za-z]+)", kinematics.text)
+                if kinematics is not None
+                else None
+            )
+            letters = said.group(1).upper() if said is not None else _LETTERS
+            for number in sorted(numbers):
+                if number >= len(letters) or not self.request.asks_for(str(number)):
+                    continue
+                value = ini.find(f"AXIS_{letters[number]}", "WRAPPED_ROTARY")
+                if value is not None and leading_number(value.text) not in (None, 0.0):
+                    message = (
+                        f"[AXIS_{letters[number]}] WRAPPED_ROTARY: the axis counts on past its"
+                        f" turn, and a table of joint {number} does not repeat: beyond its last row"
+                        " its end value acts"
+                    )
+                    self.faults.append(
+                        value.fault(message, expected="WRAPPED_ROTARY = 0 and an axis with ends")
+                    )
+
+    def _orphans(self, numbers: set[int]) -> dict[int, str]:
+        """Return the tables that no INI names, by the joint that is taken to load them."""
+        named = {
+            bare_name(value.text)
+            for number in numbers
+            if (value := self._value(number, "COMP_FILE")) is not None
+        }
+        found: dict[int, str] = {}
+        for name in self.tables:
+            if name in named:
+                continue
+            number = self._number_of(name)
+            if number is not None and number not in numbers and number not in found:
+                found[number] = name
+            elif numbers or number in found:
+                self.notes.append(f"{name}: no INI names this file: the control does not load it")
+            else:
+                self.faults.append(
+                    Fault(
+                        message="nothing says which joint loads this table",
+                        file=name,
+                        expected="a name such as joint_0.comp, or its INI",
+                    )
+                )
+        return found
+
+    def _number_of(self, name: str) -> int | None:
+        match = re.fullmatch(r"joint[_-]?([0-9]{1,3})(?:\D.*)?", name, re.IGNORECASE)
+        if match:
+            return int(match.group(1))
+        axis = joint_number(str(self.request.options.get("axis", "")))
+        return int(axis) if re.fullmatch("[0-9]{1,3}", axis) and len(self.tables) == 1 else None
+
+    def _value(self, number: int, key: str) -> Value | None:
+        """Return a joint's key over all INI files; two that differ are a fault."""
+        found = [
+            value for ini in self.inis if (value := ini.find(f"JOINT_{number}", key)) is not None
+        ]
+        differing = [value for value in found[1:] if value.text != found[0].text]
+        faults = [
+            value.fault(
+                f"{key} of joint {number} differs from {found[0].line.file}",
+                expected=repr(found[0].text),
+            )
+            for value in differing
+        ]
+        self.faults += [fault for fault in faults if fault not in self.faults]
+        return found[0] if found else None
+
+    def _number(self, number: int, key: str) -> float | None:
+        value = self._value(number, key)
+        if value is None:
+            return None
+        parsed = leading_number(value.text)
+        if parsed is None or not math.isfinite(parsed):
+            self.faults.append(
+                value.fault(
+                    f"{key} of joint {number}: the control does not start", expected="a number"
+                )
+            )
+            return None
+        return parsed
+
+    def _from_ini(self, number: int) -> _Joint | None:
+        backlash = self._number(number, "BACKLASH") or 0.0
+        comp_type = self._type(number)
+        named = self._value(number, "COMP_FILE")
+        table = None
+        if named is not None:
+            name = bare_name(named.text)
+            if name not in self.tables:
+                self.faults.append(
+                    named.fault(
+                        f"table of joint {number} was not given; without it the control does not"
+                        " start",
+                        expected=name,
+                    )
+                )
+                return None
+            if self._value(number, "COMP_FILE_TYPE") is None:
+                self.assumed.append(
+                    Assumption(f"COMP_FILE_TYPE of joint {number}", "0", "the control's default")
+                )
+            table = self._load(number, name, comp_type)
+        if table is not None and table.nominal.size and backlash != 0.0:
+            self.notes.append(
+                f"joint {number}: BACKLASH {backlash:g} is ignored, because a table is loaded"
+            )
+        return _Joint(table=table, backlash=backlash, unit=self._unit(number))
+
+    def _type(self, number: int) -> int:
+        """Return COMP_FILE_TYPE as the control reads it (C's ``%i``); 0 where it is absent."""
+        value = self._value(number, "COMP_FILE_TYPE")
+        if value is None:
+            return 0
+        match = re.match(r"\s*([+-]?)(0x[0-9a-f]+|0[0-7]*|[1-9][0-9]*)", value.text, re.IGNORECASE)
+        if match is None:
+            self.faults.append(
+                value.fault(
+                    f"COMP_FILE_TYPE of joint {number}: the control does not start",
+                    expected="0 or 1",
+                )
+            )
+            return 0
+        digits = match.group(2)
+        base = 16 if digits[:2].lower() == "0x" else 8 if digits[0] == "0" else 10
+        parsed = int(digits, base)
+        if match.group(1) == "-" or parsed > 1:
+            self.notes.append(f"joint {number}: COMP_FILE_TYPE {value.text} acts like 1")
+        return parsed
+
+    def _from_orphan(self, number: int, name: str) -> _Joint:
+        option = self.request.options.get("comp_file_type", 0)
+        if str(option) not in {"0", "1"}:
+            raise UsageError(
+                Fault(message="option comp_file_type", expected="0 or 1", found=repr(option))
+            )
+        evidence = "option" if "comp_file_type" in self.request.options else "the control's default"
+        self.assumed.append(Assumption(f"joint that loads {name}", str(number), "no INI was given"))
+        self.assumed.append(Assumption(f"COMP_FILE_TYPE of joint {number}", str(option), evidence))
+        table = self._load(number, name, int(str(option)))
+        return _Joint(table=table, backlash=0.0, unit=self._unit(number))
+
+    def _load(self, number: int, name: str, comp_type: int) -> CompTable:
+        table = load_table(self.tables[name], name, comp_type)
+        self.notes += table.notes
+        if table.nominal.size == 0:
+            self.notes.append(
+                f"joint {number}: {name} gives no row: there is no compensation by table, and"
+                " BACKLASH acts instead"
+            )
+        return table
+
+    def _unit(self, number: int) -> float:
+        """Return mm or deg per machine unit of a joint."""
+        value = self._value(number, "TYPE")
+        kind = by_address(self.request.kinds, str(number))
+        if value is not None and value.text.upper() not in {"LINEAR", "ANGULAR"}:
+            self.faults.append(
+                value.fault(
+                    f"TYPE of joint {number}: the control does not start",
+                    expected="LINEAR or ANGULAR",
+                )
+            )
+        angular = value.text.upper() == "ANGULAR" if value is not None else kind is AxisKind.ROTARY
+        if angular:
+            return self._named_unit("ANGULAR_UNITS", _ANGULAR_UNITS) or 1.0
+        named = self._named_unit("LINEAR_UNITS", _LINEAR_UNITS)
+        if named is not None:
+            return named
+        option = self.request.options.get("units", "mm")
+        if option not in {"mm", "inch"}:
+            raise UsageError(
+                Fault(message="option units", expected="mm or inch", found=repr(option))
+            )
+        evidence = "option" if "units" in self.request.options else "default"
+        self.assumed.append(Assumption(f"machine units of joint {number}", str(option), evidence))
+        return _LINEAR_UNITS[str(option)]
+
+    def _named_unit(self, key: str, units: dict[str, float]) -> float | None:
+        """Return mm or deg per unit from [TRAJ]; a number there counts machine units per mm
+        (degree).
+        """
+        found = [value for ini in self.inis if (value := ini.find("TRAJ", key)) is not None]
+        sizes: list[float] = []
+        for value in found:
+            number = leading_number(value.text)
+            size = (
+                1.0 / number
+                if number is not None and 0.0 < number < math.inf
+                else units.get(value.text.lower())
+            )
+            if size is None:
+                fault = value.fault(
+                    f"[TRAJ] {key}: the control does not start", expected=" or ".join(units)
+                )
+                self.faults += [] if fault in self.faults else [fault]
+            else:
+                sizes.append(size)
+        if len(set(sizes)) > 1:
+            self.faults.append(
+                found[1].fault(
+                    f"[TRAJ] {key} differs from {found[0].line.file}", expected=repr(found[0].text)
+                )
+            )
+        return sizes[0] if sizes else None

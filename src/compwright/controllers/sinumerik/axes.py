@@ -1,0 +1,80 @@
+"""The names of a machine axis of a SINUMERIK: AXn by its place, the name of MD10000, the channel's
+name (MD20080, MD20070).
+
+A real archive mixes them (``$MN_AXCONF_MACHAX_NAME_TAB[0]="X1"`` beside ``[0,AX1]``): they are one
+axis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from compwright.controllers.request import Request
+from compwright.controllers.sinumerik.text import Assignment, FileContent
+
+
+@dataclass(frozen=True, slots=True)
+class AxisNames:
+    """``by_name``: upper-case name -> AXn; ``called``: AXn -> the name by which the axis was asked
+    for.
+    """
+
+    by_name: dict[str, str]
+    called: dict[str, str]
+
+    def name(self, text: str) -> str:
+        """Return the one name of an axis; a name that no list holds stays as it is."""
+        place = self.by_name.get(text.upper())
+        if place is None:
+            return self.called.get(text.upper(), text)
+        return self.called.get(place, place)
+
+    def is_machine_axis(self, name: str) -> bool:
+        """Return whether a name is that of a machine axis; without lists every name is."""
+        upper = name.upper()
+        numbered = upper.startswith("AX") and upper[2:].isdigit()
+        return (
+            not self.by_name
+            or upper in self.by_name
+            or upper in map(str.upper, self.called.values())
+            or numbered
+        )
+
+    def renamed(self, entry: Assignment) -> Assignment:
+        """Return an assignment with its axes under their one name."""
+        axis = self.name(entry.axis) if entry.axis else ""
+        names = self.name(entry.names) if entry.names else ""
+        return (
+            entry
+            if (axis, names) == (entry.axis, entry.names)
+            else replace(entry, axis=axis, names=names)
+        )
+
+
+def axis_names(contents: Sequence[FileContent], request: Request) -> AxisNames:
+    """Return the names that the files list; a name that stands for two axes stands for none."""
+    meant: dict[str, set[str]] = {}
+    for content in contents:
+        for place, names in content.machine_names.items():
+            for name in names:
+                meant.setdefault(name, set()).add(f"AX{place + 1}")
+    channel: dict[str, set[str]] = {}
+    for content in contents:
+        for place, names in content.channel_names.items():
+            used = {
+                number
+                for other in contents
+                for number in other.channel_places.get(place, ())
+                if number > 0
+            }
+            for name in names - set(meant):
+                channel.setdefault(name, set()).update(f"AX{number}" for number in used)
+    by_name = {
+        name: next(iter(places))
+        for name, places in {**channel, **meant}.items()
+        if len(places) == 1
+    }
+    asked = dict.fromkeys((*request.reference_return, *request.encoder))
+    called = {by_name.get(name.upper(), name.upper()): name for name in asked}
+    return AxisNames(by_name, called)

@@ -1,0 +1,391 @@
+"""SINUMERIK 840D sl: leadscrew compensation (EEC, ``$AA_ENC_COMP``), sag and cross tables (CEC) and
+backlash (MD32450).
+
+Stated from the manuals, apart from the definition that writes the files; the sag tables in
+``sinumerik_cec``:
+
+- The leadscrew table's value is added to the actual value, so a positive value moves the axis
+  towards minus: the shift of the axis is minus the value (Function Manual Extended Functions
+  03/2013, p. 238; 808D Function Manual 01/2017, p. 106).
+- Linear between points (p. 237). Outside the end values stay: that of point 0 below MIN, the last
+  one above MAX (p. 240). A modulo table repeats with the period MAX - MIN (p. 242); its two end
+  values have to be equal (p. 249).
+- MD32700 must be 1 for the table to act (p. 237); a load sequence counts by its last value.
+- MD32450 positive: the encoder leads the machine part, plain lost motion (808D ADVANCED parameter
+  manual p. 241). Nothing in the direction of referencing, on reversal the whole value in the
+  direction of motion: shift = sgn(d) * MD32450 * MD32452.
+- Leadscrew table, sag tables of the axis over itself and backlash add up.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.controllers.request import Request, by_address, unknown_axis
+from compwright.controllers.sinumerik.axes import AxisNames, axis_names
+from compwright.controllers.sinumerik.cec import Pair, Sag, load_sag, union
+from compwright.controllers.sinumerik.tables import (
+    Remarks,
+    Table,
+    build_table,
+    is_default,
+    last_value,
+    too_few_points,
+)
+from compwright.controllers.sinumerik.text import READ, Assignment, FileContent, read_file
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.correction import Assumption, ControlFile
+
+_PREFIX = "AA_ENC_COMP"
+#: No position, value or factor of a machine is larger; what is would overflow in a product.
+_LARGEST = 1e9
+
+
+@dataclass(frozen=True, slots=True)
+class _Axis:
+    """``table``: of the active measuring system, values as in the file (errors). ``screw_on``: the
+    files end with a table on.
+    """
+
+    table: Table | None = None
+    enabled: bool = False
+    backlash: float = 0.0
+    reference_return: Direction = Direction.POSITIVE
+    screw_on: bool = False
+
+    def shift(self, positions: FloatArray) -> FloatArray:
+        """Return how far the leadscrew table moves the axis at ``positions`` (any shape)."""
+        if self.table is None or not self.enabled:
+            return np.zeros(positions.shape)
+        return np.asarray(0.0 - self.table.value(positions), dtype=np.float64)
+
+
+@dataclass(frozen=True, slots=True)
+class SinumerikControl:
+    """A SINUMERIK 840D sl with files loaded, all axes referenced. See
+    ``controllers.virtual.VirtualControl``.
+    """
+
+    axes: dict[str, _Axis]
+    sag: Sag
+    names: AxisNames
+    assumed: tuple[Assumption, ...]
+    notes: tuple[str, ...]
+
+    def addresses(self) -> tuple[str, ...]:
+        """Return the machine axes that the files speak of, those with sag tables over themselves
+        alone last.
+
+        An axis that is only input or output of another one's table is not among them (`cross`).
+        """
+        return tuple(self.axes)
+
+    def nodes(self, address: str) -> FloatArray:
+        """Return the positions (k,) of all points of the axis' own tables, whether they are
+        switched on or not.
+        """
+        name, axis = self._axis(address)
+        return union(
+            [
+                self.sag.nodes((name, name)),
+                *([] if axis.table is None else [axis.table.positions()]),
+            ]
+        )
+
+    def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return the shift of the axis at ``positions`` (any shape) arriving in ``direction``, mm
+        or deg.
+
+        What other axes do to it is not in it (`cross_correction`). Raises UsageError for an axis
+        that the files do not speak of, and for one whose own tables are multiplied by tables over
+        another axis.
+        """
+        name, axis = self._axis(address)
+        x = np.asarray(positions, dtype=np.float64)
+        total = axis.shift(x) + self.sag.own_shift(name, x, direction)
+        if direction is not axis.reference_return:
+            total = total + direction.sign * axis.backlash
+        return total
+
+    def cross(self) -> tuple[Pair, ...]:
+        """Return (input, output) of the tables by which one axis corrects another, in order of
+        their index, switched on or not.
+
+        A pair that depends on a third axis or has a table that is not a curve is left out and
+        stands in ``notes``; so is every pair where the option ``cec_sign`` is not given.
+        """
+        return tuple(
+            pair for pair in self.sag.pairs() if pair[0] != pair[1] and self.sag.is_judged(pair)
+        )
+
+    def cross_correction(
+        self,
+        input: str,  # noqa: A002
+        output: str,
+        positions: FloatArray,
+        direction: Direction,
+    ) -> FloatArray:
+        """Return the shift of ``output`` (mm, deg for a rotary one) with ``input`` at ``positions``
+        (any shape).
+
+        ``direction`` is that in which ``input`` moves. Raises UsageError for a pair without a
+        table, and for one that depends on the position of a third axis.
+        """
+        wanted = (self.names.name(input).casefold(), self.names.name(output).casefold())
+        crossing = [pair for pair in self.sag.pairs() if pair[0] != pair[1]]
+        pair = next(
+            (pair for pair in crossing if (pair[0].casefold(), pair[1].casefold()) == wanted), None
+        )
+        if pair is None:
+            known = " or ".join(f"{base} on {corrected}" for base, corrected in crossing)
+            raise UsageError(
+                Fault(
+                    message=f"no table by which {input} corrects {output}",
+                    expected=known or "cross tables in the files",
+                )
+            )
+        return self.sag.shift(pair, np.asarray(positions, dtype=np.float64), direction)
+
+    def _axis(self, address: str) -> tuple[str, _Axis]:
+        """Return an axis by the name that the files use."""
+        known = {name: name for name in self.axes}
+        name = by_address(known, self.names.name(address))
+        if name is None:
+            raise unknown_axis(address, self.addresses())
+        return name, self.axes[name]
+
+
+def sinumerik_control(files: Sequence[ControlFile], request: Request) -> SinumerikControl:
+    """Return the control with ``files`` loaded (table files, machine data, whole text archives, in
+    any order).
+
+    The active measuring system is ``request.encoder``; where it is not given, the only one with a
+    table, and this is listed in ``assumed``. Option ``cec_sign``: ``correction`` when a positive
+    CEC value moves the output axis towards +, ``error`` when towards -; without it nothing is said
+    of what CEC tables do. All names of a machine axis (MD10000, MD20080) are one axis. Raises
+    InputError for what the control would not take or what contradicts itself: every fault with file
+    and line. UsageError for a measuring system other than 1 or 2, or another ``cec_sign``.
+    """
+    contents = [read_file(file) for file in files]
+    faults = [fault for content in contents for fault in content.faults]
+    names = axis_names(contents, request)
+    assignments = [names.renamed(entry) for content in contents for entry in content.assignments]
+    faults += _inch(contents, files, assignments, request)
+    if not assignments and not faults:
+        given = ", ".join(file.name for file in files)
+        faults.append(
+            Fault(
+                message="no compensation data found",
+                file=given,
+                expected="$AA_ENC_COMP, $AN_CEC or $MA_BACKLASH",
+            )
+        )
+    faults += [fault for entry in assignments if (fault := _out_of_range(entry)) is not None]
+    raise_all(InputError, faults)
+    remarks = Remarks(notes=[note for content in contents for note in content.notes])
+    by_axis: dict[str, list[Assignment]] = defaultdict(list)
+    for entry in assignments:
+        if "system" in READ[entry.name]:
+            by_axis[entry.axis.upper()].append(entry)
+    loader = _Loader(request, remarks)
+    axes = {entries[0].axis: loader.axis(entries) for entries in by_axis.values()}
+    keys = {table: key for content in contents for table, key in content.unknown_keys.items()}
+    screws = frozenset(name.upper() for name, axis in axes.items() if axis.screw_on)
+    sag = load_sag(
+        assignments, request, {name.upper(): name for name in axes}, remarks, keys, names, screws
+    )
+    raise_all(InputError, remarks.faults)
+    for base, corrected in sag.pairs():
+        if base == corrected:
+            axes.setdefault(base, _Axis())
+    return SinumerikControl(
+        axes=axes, sag=sag, names=names, assumed=tuple(remarks.assumed), notes=tuple(remarks.notes)
+    )
+
+
+def _inch(
+    contents: Sequence[FileContent],
+    files: Sequence[ControlFile],
+    assignments: Sequence[Assignment],
+    request: Request,
+) -> list[Fault]:
+    """Refuse a control whose basic system is the inch, unless only rotary axes are asked for: its
+    lengths are not judged.
+    """
+    kinds = list(request.kinds.values())
+    if not assignments or (kinds and all(kind == "rotary" for kind in kinds)):
+        return []
+    return [
+        Fault(
+            message="the basic system is the inch, which is not judged",
+            file=file.name,
+            place=f"line {content.inch[0]}",
+        )
+        for content, file in zip(contents, files, strict=True)
+        if content.inch
+    ]
+
+
+def _out_of_range(entry: Assignment) -> Fault | None:
+    """Return the fault of a value that no SINUMERIK takes, None for a good one."""
+    value, expected = entry.value, ""
+    if not math.isfinite(value):
+        return entry.fault(f"value of ${entry.name} is not a finite number", found=str(value))
+    if abs(value) > _LARGEST:
+        expected = f"at most {_LARGEST:g}"
+    elif entry.name.endswith(("_ENABLE", "_IS_MODULO", "_METRIC")):
+        expected = "" if value in {0.0, 1.0} else "0 or 1"
+    elif entry.name == "AN_CEC_DIRECTION":
+        expected = "" if value in {-1.0, 0.0, 1.0} else "0, 1 or -1"
+    elif entry.name == "AN_CEC_MULT_BY_TABLE":
+        expected = (
+            ""
+            if value >= 0.0 and value.is_integer()
+            else "0 or the number of a table, its index + 1"
+        )
+    elif entry.name == "MA_CEC_MAX_SUM":
+        expected = "" if value >= 0.0 else "0 or more"
+    elif entry.name == "MA_BACKLASH_FACTOR":
+        expected = "" if 0.01 <= value <= 100.0 else "0.01 to 100"
+    if expected:
+        return entry.fault(f"value of ${entry.name}", expected=expected, found=f"{value:g}")
+    if (
+        "system" in READ[entry.name]
+        and entry.name != "MA_BACKLASH_FACTOR"
+        and entry.number not in {0, 1}
+    ):
+        return entry.fault(
+            "index of the measuring system", expected="0 or 1", found=str(entry.number)
+        )
+    return None
+
+
+class _Loader:
+    """Builds leadscrew table and backlash of the axes from their assignments."""
+
+    def __init__(self, request: Request, remarks: Remarks) -> None:
+        self.request = request
+        self.remarks = remarks
+
+    def axis(self, entries: list[Assignment]) -> _Axis:
+        """Return one axis from its assignments in the order of the files."""
+        name = entries[0].axis
+        by_system = {
+            system: [entry for entry in entries if entry.number == system] for system in (0, 1)
+        }
+        tables = {system: self._table(name, system, given) for system, given in by_system.items()}
+        system = self._system(name, by_system, tables)
+        for other, table in tables.items():
+            if table is not None and other != system:
+                self.remarks.notes.append(
+                    f"{name}: the table of measuring system {other + 1} does not act; system"
+                    f" {system + 1} is the active one"
+                )
+        table = tables[system]
+        enabled = last_value(by_system[system], "MA_ENC_COMP_ENABLE")
+        if table is not None and enabled is None:
+            self.remarks.assumed.append(
+                Assumption(
+                    f"MD32700 $MA_ENC_COMP_ENABLE of {name}",
+                    "1",
+                    "not in the files: counted as active",
+                )
+            )
+        acts = self.request.acts([enabled])
+        if table is not None and not acts:
+            ends = (
+                "ends as 0"
+                if enabled == 0.0
+                else "is not in the files and the table did not act, as the job says"
+            )
+            self.remarks.notes.append(
+                f"{name}: MD32700 $MA_ENC_COMP_ENABLE[{system}] {ends}: the table does not act"
+            )
+        backlash = last_value(by_system[system], "MA_BACKLASH") or 0.0
+        returning, assumption = self.request.returning(name)
+        if assumption is not None:
+            self.remarks.assumed.append(assumption)
+        return _Axis(
+            table=table,
+            enabled=acts,
+            backlash=backlash * self._factor(name, entries),
+            reference_return=returning,
+            screw_on=any(
+                last_value(given, "MA_ENC_COMP_ENABLE") == 1.0
+                and any(e.name == _PREFIX and e.value for e in given)
+                for given in by_system.values()
+            ),
+        )
+
+    def _table(self, name: str, system: int, given: Sequence[Assignment]) -> Table | None:
+        """Return the table of one measuring system; None without one, or when it is wrong (then
+        there are faults).
+        """
+        data = [entry for entry in given if entry.name.startswith(_PREFIX)]
+        label = f"table of {name}, measuring system {system + 1}"
+        if not data:
+            return None
+        if is_default(data, _PREFIX):
+            self.remarks.notes.append(f"{label}: all zero, the control's own default for no table")
+            return None
+        table = build_table(
+            data, _PREFIX, label, name, self.remarks, stranger=not self.request.asks_for(name)
+        )
+        if table is not None:
+            reserved = [entry for entry in given if entry.name == "MA_MM_ENC_COMP_MAX_POINTS"]
+            self.remarks.faults += too_few_points(reserved, table, f"MD38000 of {name}")
+        return table
+
+    def _factor(self, name: str, entries: list[Assignment]) -> float:
+        """Return MD32452 of the first parameter set, 1 when the files do not hold it."""
+        if any(e.name == "MA_BACKLASH_DYN" and e.value != 0.0 for e in entries):
+            self.remarks.assumed.append(
+                Assumption(
+                    f"dynamic backlash MD32456 of {name}", "off", "switched on by the PLC only"
+                )
+            )
+        factors = {e.number: e.value for e in entries if e.name == "MA_BACKLASH_FACTOR"}
+        if len(set(factors.values())) > 1:
+            self.remarks.assumed.append(
+                Assumption(f"parameter set of {name} (MD32452)", "0", "default")
+            )
+        return factors.get(0, 1.0)
+
+    def _system(
+        self, name: str, by_system: dict[int, list[Assignment]], tables: dict[int, Table | None]
+    ) -> int:
+        """Return the index of the active measuring system."""
+        given = by_address(self.request.encoder, name)
+        if given is not None:
+            if given not in {1, 2}:
+                raise UsageError(
+                    Fault(
+                        message=f"measuring system of {name}", expected="1 or 2", found=repr(given)
+                    )
+                )
+            return given - 1
+        holding = [system for system, table in tables.items() if table is not None]
+        switched_on = [
+            system
+            for system in holding
+            if last_value(by_system[system], "MA_ENC_COMP_ENABLE") != 0.0
+        ]
+        play = [system for system in tables if last_value(by_system[system], "MA_BACKLASH")]
+        rules = (
+            (holding, "the only one with a table"),
+            (switched_on, "the only one whose table is switched on"),
+            (play if not holding else [], "the only one with a backlash value"),
+        )
+        system, why = next(
+            ((found[0], why) for found, why in rules if len(found) == 1), (0, "default")
+        )
+        self.remarks.assumed.append(
+            Assumption(f"active measuring system of {name}", str(system + 1), why)
+        )
+        return system

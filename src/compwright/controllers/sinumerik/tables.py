@@ -1,0 +1,287 @@
+"""Tables by index of a SINUMERIK: MIN + N * STEP up to MAX, one value for each N, straight lines
+between (manual pages 237-249).
+
+The leadscrew tables and the sag tables have the same four parameters and the same contradictions.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from compwright.controllers.sinumerik.text import Assignment
+from compwright.foundations.errors import Fault
+from compwright.records.axis import FloatArray
+from compwright.records.correction import Assumption
+
+#: MIN + k * STEP must meet MAX to this part of a step, else the control and the file count
+#: different points.
+_WHOLE_STEPS = 1e-6
+#: No control divides a millimetre or a degree further; below it positions and steps leave double
+#: precision.
+_LEAST_STEP = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Values (k + 1,) as the file has them, mm or deg, at ``lowest`` + i * ``step``; ``modulo``:
+    repeats after MAX - MIN.
+    """
+
+    lowest: float
+    highest: float
+    step: float
+    modulo: bool
+    values: FloatArray
+
+    def positions(self) -> FloatArray:
+        """Return the positions (k + 1,) of the points."""
+        nodes = np.asarray(self.lowest + self.step * np.arange(self.values.size), dtype=np.float64)
+        nodes[-1] = self.highest
+        return nodes
+
+    def value(self, positions: FloatArray) -> FloatArray:
+        """Return the table's value at ``positions`` (any shape); outside the end values hold."""
+        x = (
+            self.lowest + np.mod(positions - self.lowest, self.highest - self.lowest)
+            if self.modulo
+            else positions
+        )
+        if self.values.size == 1:
+            return np.full(x.shape, self.values[0])
+        steps = np.clip((x - self.lowest) / self.step, 0.0, float(self.values.size - 1))
+        left = np.minimum(np.floor(steps), self.values.size - 2).astype(np.intp)
+        part = steps - left
+        value = (1.0 - part) * self.values[left] + part * self.values[left + 1]
+        return np.asarray(np.where(x >= self.highest, self.values[-1], value), dtype=np.float64)
+
+
+@dataclass(slots=True)
+class Remarks:
+    """What was assumed, is worth a note, or is wrong; all parts of the control write into one."""
+
+    assumed: list[Assumption] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+
+
+def last_value(entries: Sequence[Assignment], name: str) -> float | None:
+    """Return the last value assigned to a variable, None without one: a load sequence switches off
+    and on again.
+    """
+    return next((entry.value for entry in reversed(entries) if entry.name == name), None)
+
+
+def single(entries: Sequence[Assignment], name: str, faults: list[Fault]) -> Assignment | None:
+    """Return the assignment of a variable that may be given once; a repetition must agree."""
+    given = [entry for entry in entries if entry.name == name]
+    _agree(given, faults)
+    return given[0] if given else None
+
+
+def is_default(entries: Sequence[Assignment], prefix: str) -> bool:
+    """Return whether a table is the control's own default: STEP, MIN and MAX given as 0 and no
+    value other than 0.
+    """
+    grid = [
+        entry
+        for entry in entries
+        if entry.name in {f"{prefix}_STEP", f"{prefix}_MIN", f"{prefix}_MAX"}
+    ]
+    values = [entry for entry in entries if entry.name == prefix]
+    return len({entry.name for entry in grid}) == 3 and not any(
+        entry.value for entry in (*grid, *values)
+    )
+
+
+def build_table(
+    entries: Sequence[Assignment],
+    prefix: str,
+    label: str,
+    owner: str,
+    remarks: Remarks,
+    *,
+    stranger: bool = False,
+) -> Table | None:
+    """Return the table of one measuring system or index from all its assignments, or None with the
+    faults in ``remarks``.
+
+    ``prefix``: name of the values' variable; ``label``: how messages call the table; ``owner``: the
+    axis or table whose IS_MODULO may have to be assumed; ``stranger``: nobody asks for it, so that
+    a whole one that is odd (its turn does not close) is left alone and noted.
+    """
+    faults: list[Fault] = []
+    first = entries[0]
+    given = {
+        key: single(entries, f"{prefix}_{key}", faults)
+        for key in ("STEP", "MIN", "MAX", "IS_MODULO")
+    }
+    values = _values([entry for entry in entries if entry.name == prefix], faults)
+    missing = [f"${prefix}_{key}" for key in ("STEP", "MIN", "MAX") if given[key] is None]
+    if missing:
+        faults.append(first.fault(f"{label} is incomplete", expected=", ".join(missing)))
+    step, low, high = (
+        entry.value if (entry := given[key]) is not None else 0.0 for key in ("STEP", "MIN", "MAX")
+    )
+    count = None if faults else _count(first, label, (step, low, high), faults)
+    column = None if count is None else _column(first, label, values, count, faults)
+    if count is not None and column is not None:
+        beyond = sorted(point for point in values if point >= count)
+        if beyond:
+            remarks.notes.append(
+                f"{label}: points {beyond[0]} to {beyond[-1]} lie above MAX and are not used (all"
+                " zero)"
+            )
+        modulo = given["IS_MODULO"]
+        if modulo is None:
+            remarks.assumed.append(
+                Assumption(f"${prefix}_IS_MODULO of {owner}", "0", "not in the files")
+            )
+        table = Table(low, high, step, modulo is not None and modulo.value == 1.0, column)
+        odd = _impossible(first, label, table)
+        if stranger and odd:
+            remarks.notes += [f"{fault.message}: left alone" for fault in odd]
+            return None
+        faults += odd
+        if not faults:
+            return table
+    remarks.faults += faults
+    return None
+
+
+def too_few_points(reserved: Sequence[Assignment], table: Table, label: str) -> list[Fault]:
+    """Return the fault of machine data that reserve fewer points than the table has: the control
+    would shorten it.
+    """
+    return [
+        entry.fault(
+            f"{label} reserves fewer points than the table needs",
+            expected=f"at least {table.values.size}",
+            found=f"{entry.value:g}",
+        )
+        for entry in reserved
+        if entry.value < table.values.size
+    ]
+
+
+def _impossible(first: Assignment, label: str, table: Table) -> list[Fault]:
+    """Return the faults of a table that is complete but cannot be followed."""
+    if np.any(np.diff(table.positions()) <= 0.0):
+        return [
+            first.fault(
+                f"STEP of the {label} is lost beside the size of MIN",
+                found=f"STEP {table.step!r}, MIN {table.lowest!r}",
+            )
+        ]
+    if table.modulo and table.values.size < 2:
+        return [
+            first.fault(
+                f"{label} repeats (IS_MODULO = 1) but has a single point", expected="MAX above MIN"
+            )
+        ]
+    jump = float(table.values[0] - table.values[-1])
+    if table.modulo and jump != 0.0:
+        return [
+            first.fault(
+                f"{label} repeats (IS_MODULO = 1) and jumps by {jump:.9g} at every turn",
+                expected=f"the last value equal to the first, {table.values[0]:g}",
+                found=f"{table.values[-1]:g}",
+            )
+        ]
+    return []
+
+
+def _count(
+    first: Assignment, label: str, grid: tuple[float, float, float], faults: list[Fault]
+) -> int | None:
+    """Return the number of points k + 1, k = (MAX - MIN) / STEP; None with a fault when it is no
+    whole number.
+    """
+    step, low, high = grid
+    if step <= 0.0 or high < low:
+        faults.append(
+            first.fault(
+                f"grid of the {label}",
+                expected="STEP > 0 and MAX >= MIN",
+                found=f"STEP {step:g}, MIN {low:g}, MAX {high:g}",
+            )
+        )
+        return None
+    steps = (high - low) / step
+    if step < _LEAST_STEP or not steps < 1e6:
+        faults.append(
+            first.fault(
+                f"STEP of the {label} is too small",
+                expected=f"{_LEAST_STEP:g} or more",
+                found=f"{step!r}",
+            )
+        )
+        return None
+    if abs(steps - round(steps)) > _WHOLE_STEPS:
+        faults.append(
+            first.fault(
+                f"(MAX - MIN) / STEP of the {label} is no whole number of steps",
+                found=f"({high!r} - {low!r}) / {step!r} = {steps!r}",
+            )
+        )
+        return None
+    return round(steps) + 1
+
+
+def _column(
+    first: Assignment, label: str, values: dict[int, float], count: int, faults: list[Fault]
+) -> FloatArray | None:
+    """Return the values (count,) of points 0..count-1; None with a fault when they do not fill the
+    grid.
+    """
+    # one of the first len(values) + 5 points is absent, or none: the grid may be far larger than
+    # the file
+    absent = [point for point in range(min(count, len(values) + 6)) if point not in values]
+    beyond = [point for point, value in values.items() if point >= count and value]
+    if absent:
+        faults.append(
+            first.fault(
+                f"{label} has missing points (a file cut short?)",
+                expected=f"points 0 to {count - 1}",
+                found="no point "
+                + ", ".join(map(str, absent[:5]))
+                + (" ..." if len(absent) > 5 else ""),
+            )
+        )
+    elif beyond:
+        faults.append(
+            first.fault(
+                f"{label} has points above MAX",
+                expected=f"points 0 to {count - 1}",
+                found=f"point {max(beyond)}",
+            )
+        )
+    else:
+        return np.array([values[point] for point in range(count)], dtype=np.float64)
+    return None
+
+
+def _values(entries: Sequence[Assignment], faults: list[Fault]) -> dict[int, float]:
+    """Return point -> value; the same point given twice must agree."""
+    points: dict[int, list[Assignment]] = defaultdict(list)
+    for entry in entries:
+        if entry.point is not None:
+            points[entry.point].append(entry)
+    for same in points.values():
+        _agree(same, faults)
+    return {point: same[0].value for point, same in points.items()}
+
+
+def _agree(same: Sequence[Assignment], faults: list[Fault]) -> None:
+    faults += [
+        entry.fault(
+            f"{entry.variable} contradicts {same[0].file}, line {same[0].line}",
+            expected=same[0].names or f"{same[0].value:g}",
+            found=entry.names or f"{entry.value:g}",
+        )
+        for entry in same[1:]
+        if entry.said != same[0].said
+    ]

@@ -1,0 +1,332 @@
+"""Whether the parts of a definition fit together: every name that one part uses has to exist in
+another.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator
+
+from compwright.formats.definition.schema import (
+    CHOICES,
+    CROSS,
+    PLAIN,
+    Choice,
+    Definition,
+    Measure,
+    OptionRule,
+    OptionValue,
+)
+from compwright.formats.definition.statements import field_names
+from compwright.foundations.errors import Fault
+from compwright.foundations.yaml_reader import KeyPath, YamlDocument
+
+#: Quantities that stand alone, one value each.
+SINGLES = tuple(name for name in ("backlash", "slope", *CHOICES, *PLAIN) if name not in CROSS)
+#: The neutral words that the engine knows for a choice; `table_form` has its own.
+WORDS = {
+    "rotary": {"linear", "rotary"},
+    "length_unit": {"mm", "inch"},
+    "angle_unit": {"deg"},
+    **{
+        name: {"yes", "no"}
+        for name in CHOICES
+        if name not in ("rotary", "length_unit", "angle_unit", "table_form")
+    },
+}
+_SIGNS = {
+    "backlash": {"lost_motion", "half_each_way"},
+    "slope": {"error", "correction"},
+    "value": {"error", "correction", "actual_position"},
+    "value_positive": {"error", "correction", "actual_position"},
+    "value_negative": {"error", "correction", "actual_position"},
+    "cross_value": {"error", "correction"},
+}
+_NUMBERED = (
+    "min_points",
+    "max_points",
+    "line_length",
+    "line_length_read",
+    "max_number",
+    "max_magnification",
+    "feed_per_spacing",
+    "spacing_per_step",
+)
+_FILE_NAME = re.compile(r"[A-Za-z0-9_.{}-]+")
+
+
+def curves(definition: Definition) -> tuple[str, ...]:
+    """Return the quantities of the table's values: one curve, or one for each direction (+
+    first).
+    """
+    return (
+        ("value",) if definition.layout.pairing == "none" else ("value_positive", "value_negative")
+    )
+
+
+def grid(definition: Definition) -> tuple[str, ...]:
+    """Return the quantities that say where the nodes are."""
+    if definition.layout.shape == "values_by_index":
+        return ("table_start", "table_end", "table_spacing")
+    if definition.layout.shape == "section_increments":
+        return ("table_spacing",)
+    return ("node_position",)
+
+
+def has_cross(definition: Definition) -> bool:
+    """Return whether the control has tables by which one axis corrects another, or itself in one
+    direction only.
+    """
+    return any(name in definition.bindings for name in CROSS)
+
+
+def contradictions(definition: Definition) -> tuple[Fault, ...]:
+    """Return what does not fit together in a definition whose keys are all well formed."""
+    document = YamlDocument(data=None, lines=dict(definition.lines))
+    return tuple(
+        Fault(message=message, file=definition.file, place=document.place(path))
+        for check in (_texts, _statements, _layout, _bindings, _options, _limits, _writing)
+        for path, message in check(definition)
+    )
+
+
+def _texts(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    for text in definition.texts.values():
+        for key, name in (("recognised_by", text.recognised_by), ("sections", text.sections)):
+            if name is not None and (
+                name not in definition.statements or definition.statements[name].text != text.name
+            ):
+                yield ("texts", text.name, key), f"no statement {name} in this kind of text"
+        if (
+            text.sections in definition.statements
+            and "section" not in definition.statements[str(text.sections)].fields
+        ):
+            yield ("texts", text.name, "sections"), "the statement has no field section"
+    if not any(text.recognised_by is None for text in definition.texts.values()):
+        yield (
+            ("texts",),
+            (
+                "one kind of text must take the files that no other one recognises (recognised_by:"
+                " null)"
+            ),
+        )
+
+
+def _statements(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    for name, statement in definition.statements.items():
+        path = ("statements", name)
+        if statement.text not in definition.texts:
+            yield (*path, "text"), f"no kind of text is called {statement.text}"
+        for form in (statement.form, *statement.also_read):
+            found = field_names(form)
+            if sorted(found) != sorted(statement.fields):
+                yield (*path, "form"), f"the fields of {form} are not those under fields"
+        if statement.within is not None:
+            kind = definition.texts.get(statement.text)
+            if kind is not None and kind.sections is None:
+                yield (*path, "within"), "this kind of text has no sections"
+            if set(field_names(statement.within)) - {"axis"}:
+                yield (*path, "within"), "only {axis} can stand in the name of a section"
+        if statement.fields.get("axis", definition.addresses.type) != definition.addresses.type:
+            yield (*path, "fields"), "the field axis must have the type of the addresses"
+
+
+def _layout(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    singles = definition.layout.singles
+    for single in singles:
+        if single not in SINGLES:
+            yield (
+                (
+                    "layout",
+                    "singles",
+                ),
+                f"{single} cannot stand alone; known are {', '.join(SINGLES)}",
+            )
+    needed = {*grid(definition), *curves(definition), *singles}
+    if has_cross(definition):  # tables between axes come with all that they need, or not at all
+        needed |= set(CROSS)
+    for name in sorted(needed - set(definition.bindings)):
+        yield ("bindings",), f"the layout needs the quantity {name}"
+    for name in sorted(set(definition.bindings) - needed):
+        yield ("bindings", name), "the layout has no place for this quantity"
+    parts = [
+        definition.bindings[name].statement
+        for name in curves(definition)
+        if name in definition.bindings
+    ]
+    if definition.layout.shape == "rows_by_position" and "node_position" in definition.bindings:
+        parts.append(definition.bindings["node_position"].statement)
+    if len(set(parts)) > 1:
+        yield ("bindings",), "position and values of a row must stand in one statement"
+    row = definition.statements.get(parts[0]) if parts else None
+    if (
+        definition.layout.shape == "values_by_index"
+        and row is not None
+        and row.fields.get("index") != "integer"
+    ):
+        yield ("statements", row.name, "fields"), "a value by index needs the field index: integer"
+
+
+def _bindings(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    for name, binding in definition.bindings.items():
+        path = ("bindings", name)
+        statement = definition.statements.get(binding.statement)
+        if statement is None:
+            yield (*path, "statement"), f"no statement is called {binding.statement}"
+        elif binding.field not in statement.fields:
+            yield (*path, "field"), f"the statement {statement.name} has no field {binding.field}"
+        if isinstance(binding, Measure):
+            yield from _measure(definition, binding, path)
+        if isinstance(binding, Choice):
+            yield from _choice(definition, binding, path)
+
+
+def _choice(
+    definition: Definition, binding: Choice, path: KeyPath
+) -> Iterator[tuple[KeyPath, str]]:
+    words = WORDS.get(binding.quantity, set(binding.values.values()))
+    for word in sorted(set(binding.values.values()) - words):
+        yield (*path, "values"), f"{word} is not one of {', '.join(sorted(words))}"
+    if binding.when_absent is not None and binding.when_absent.value not in binding.values.values():
+        yield (*path, "when_absent"), f"{binding.when_absent.value} is not one of the values"
+    if isinstance(binding.writes, OptionValue):
+        option = definition.options.get(binding.writes.option)
+        if option is None:
+            yield (*path, "writes"), f"no option is called {binding.writes.option}"
+        elif set(option.choices) - set(binding.values):
+            yield (
+                (
+                    *path,
+                    "writes",
+                ),
+                f"the option {option.name} has a choice that is not one of the values",
+            )
+    elif binding.writes not in binding.values:
+        yield (*path, "writes"), f"{binding.writes} is not one of the values"
+
+
+def _measure(
+    definition: Definition, binding: Measure, path: KeyPath
+) -> Iterator[tuple[KeyPath, str]]:
+    if (
+        isinstance(binding.linear_unit, OptionValue)
+        and binding.linear_unit.option not in definition.options
+    ):
+        yield (*path, "unit"), f"no option is called {binding.linear_unit.option}"
+    allowed = _SIGNS.get(binding.quantity, {"position"})
+    signs: list[str] = [binding.sign] if binding.sign is not None else list(binding.signs.values())
+    if binding.sign_option is not None:
+        option = definition.options.get(binding.sign_option)
+        signs = list(option.choices) if option is not None else []
+        if not signs:
+            yield (*path, "sign"), f"no option with choices is called {binding.sign_option}"
+    for sign in signs:
+        if sign not in allowed:
+            yield (
+                (
+                    *path,
+                    "sign",
+                ),
+                f"{sign} does not suit this quantity; it can be {', '.join(sorted(allowed))}",
+            )
+    if binding.sign_by is not None:
+        choice = definition.bindings.get(binding.sign_by)
+        if not isinstance(choice, Choice) or set(choice.values.values()) != set(binding.signs):
+            yield (*path, "sign"), f"there must be one sign for each value of {binding.sign_by}"
+    if "actual_position" in signs:
+        position = definition.bindings.get("node_position")
+        if (
+            not isinstance(position, Measure)
+            or position.digits != binding.digits
+            or position.linear_unit != binding.linear_unit
+        ):
+            yield (*path, "digits"), "actual positions need the digits and the unit of the position"
+
+
+def _options(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    for name, option in definition.options.items():
+        path = ("options", name)
+        if option.type == "choice" and not option.choices:
+            yield (*path, "choices"), "a choice needs its choices"
+        if option.type != "choice" and option.choices:
+            yield (*path, "choices"), "only a choice has choices"
+        if not _default_suits(option):
+            yield (*path, "default"), f"the default does not suit the type {option.type}"
+        if set(option.not_built) - set(option.choices):
+            yield (*path, "not_built"), "names what is not among the choices"
+        if option.settled_by is not None and option.settled_by not in definition.bindings:
+            yield (*path, "settled_by"), f"no quantity is called {option.settled_by}"
+
+
+def _default_suits(option: OptionRule) -> bool:
+    value = option.default
+    if option.type == "choice":
+        return value is None or value in option.choices
+    if option.type == "integers":
+        return isinstance(value, tuple) and all(isinstance(item, int) for item in value)
+    if option.type == "text":
+        return value is None or isinstance(value, str)
+    return value is None or (
+        isinstance(value, int if option.type == "integer" else (int, float))
+        and not isinstance(value, bool)
+    )
+
+
+def _limits(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    if definition.layout.shape == "rows_by_position" and definition.limit("no_patching") is None:
+        yield ("limits",), "rows by position are written afresh: this needs no_patching"
+    for predicate, count in Counter(rule.predicate for rule in definition.limits).items():
+        if count > 1:
+            yield ("limits",), f"{predicate} is given {count} times"
+    for index, rule in enumerate(definition.limits):
+        if (rule.number is not None) != (rule.predicate in _NUMBERED):
+            yield (
+                (
+                    "limits",
+                    index,
+                    "number",
+                ),
+                f"{rule.predicate} needs {'a number' if rule.number is None else 'null'}",
+            )
+        if rule.predicate == "points_reserved" and not any(
+            o.settled_by == "max_points" for o in definition.options.values()
+        ):
+            yield ("limits", index), "needs an option that is settled by max_points"
+
+
+def _writing(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    table = definition.bindings.get(curves(definition)[0])
+    tables = [
+        file
+        for file in definition.writing
+        if file.rows is not None and file.when in ("always", "one_curve")
+    ]
+    if len(tables) != 1 or (table is not None and tables[0].rows != table.statement):
+        yield ("writing",), "exactly one file must hold the rows of the table"
+    for when in ("two_curves", "cross"):
+        rows = [
+            file.rows for file in definition.writing if file.when == when and file.rows is not None
+        ]
+        wanted = (
+            [definition.bindings["cross_value"].statement]
+            if "cross_value" in definition.bindings
+            else []
+        )
+        if rows != wanted:
+            yield (
+                ("writing",),
+                (
+                    f"one file of the set {when} must hold the rows of tables between axes, where"
+                    " the control has them"
+                ),
+            )
+    for index, file in enumerate(definition.writing):
+        path = ("writing", index)
+        if file.text not in definition.texts:
+            yield (*path, "text"), f"no kind of text is called {file.text}"
+        if "{axis}" not in file.name or not _FILE_NAME.fullmatch(file.name):
+            yield (*path, "name"), "must be a plain file name that contains {axis}"
+        for line in (file.name, *file.header, *file.footer):
+            if set(field_names(line)) - {"axis", "system", "program"}:
+                yield path, f"only {{axis}}, {{system}} and {{program}} can stand in {line}"

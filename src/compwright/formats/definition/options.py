@@ -1,0 +1,281 @@
+"""Options of a control: defaults, values from a job or the command line, and what the control's own
+files already answer.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from difflib import get_close_matches
+
+from compwright.formats.definition.required import Required
+from compwright.formats.definition.schema import Definition, OptionRule
+from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.records.axis import Axis
+from compwright.records.correction import ControlState
+
+#: What every control's files are read with where no job says more about the axis: the zero state.
+REFERENCE = "reference"
+REFERENCE_RETURN = "reference_return"
+#: The option that says how long a pulse is: asked for, never assumed.
+DETECTION_UNIT = "detection_unit"
+#: What the values of a table mean, where no manual says it; an entry sheet says it of its axis.
+TABLE_VALUES = "table_values"
+#: Options that hold for the control as a whole: an axis cannot have one of its own.
+WHOLE_CONTROL = frozenset({"units", "cec_sign", "straightness", "program"})
+#: The option that names the measuring system to read where no job does.
+ENCODER_SYSTEM = "encoder_system"
+
+
+def resolve_options(
+    definition: Definition,
+    given: Mapping[str, object],
+    state: ControlState | None = None,
+    *,
+    strict: bool = False,
+) -> Mapping[str, object]:
+    """Return a value for every option: the given one, converted, or the default.
+
+    ``given`` may hold text from the command line (``"0.001"``, ``"3,4"``). With a ``state``, an
+    option that the control's own files answer for all axes alike (such as the unit) takes that
+    answer. ``strict``: every one of ``given`` was said by somebody, not taken from defaults. Raises
+    UsageError with every fault: unknown option, a value of the wrong kind, a choice that is not
+    built yet, a value that contradicts the control's files.
+    """
+    faults: list[Fault] = []
+    known = [*definition.options, REFERENCE, REFERENCE_RETURN]
+    for name in given:
+        if name not in known:
+            near = get_close_matches(name, known, 1)
+            faults.append(
+                Fault(
+                    message=f"{definition.id} has no such option",
+                    place=name,
+                    expected=f"{near[0]}?" if near else f"one of {', '.join(known)}",
+                )
+            )
+    values: dict[str, object] = {
+        name: _value(rule, given[name], definition, faults) if name in given else rule.default
+        for name, rule in definition.options.items()
+    }
+    values[REFERENCE] = _number(
+        REFERENCE, given.get(REFERENCE, 0.0), definition, faults, whole=False
+    )
+    values[REFERENCE_RETURN] = str(given.get(REFERENCE_RETURN, "+"))
+    if values[REFERENCE_RETURN] not in ("+", "-"):
+        faults.append(_wrong(REFERENCE_RETURN, definition, "+ or -", values[REFERENCE_RETURN]))
+    if state is not None:
+        _settle_shared(definition, values, given, state, faults, strict=strict)
+    raise_all(UsageError, faults)
+    return Required(values, section="options", file=definition.file)
+
+
+def axis_options(
+    definition: Definition,
+    resolved: Mapping[str, object],
+    axis: Axis | None,
+    *,
+    unit_needed: bool = True,
+) -> Mapping[str, object]:
+    """Return the options of one axis: its own go over the controller's (``resolved``); None: an
+    axis without a job.
+
+    ``unit_needed``: False while files of the control that may say the detection unit are not read
+    yet.
+
+    Raises UsageError with every fault: unknown option, wrong value, and the detection unit where
+    nobody says it.
+    """
+    faults: list[Fault] = []
+    values = dict(resolved)
+    for name, given in (axis.options if axis is not None else {}).items():
+        rule = definition.options.get(name)
+        if rule is None:
+            known = ", ".join(definition.options)
+            faults.append(
+                Fault(
+                    message=f"{definition.id} has no such option",
+                    place=name,
+                    expected=f"one of {known}",
+                )
+            )
+        elif name in WHOLE_CONTROL:
+            message = (
+                f"this option of {definition.id} holds for the whole control, not for one axis"
+            )
+            faults.append(
+                Fault(
+                    message=message,
+                    place=name,
+                    expected=f"controller.options.{name}",
+                    found="an axis' own",
+                )
+            )
+        else:
+            values[name] = _value(rule, given, definition, faults)
+    silent = not unit_needed and values.get(DETECTION_UNIT) is None
+    if (
+        DETECTION_UNIT in definition.options
+        and not faults
+        and not silent
+        and not _positive(values[DETECTION_UNIT])
+    ):
+        faults.append(
+            Fault(
+                message=(
+                    f"{definition.id}: the detection unit of the axis must be given; no file that"
+                    " was given says it"
+                ),
+                place=DETECTION_UNIT,
+                expected="mm or deg, such as 0.001, or a parameter file with 1820 and 1013 (1004)",
+                found="nothing" if values[DETECTION_UNIT] is None else str(values[DETECTION_UNIT]),
+            )
+        )
+    raise_all(
+        UsageError,
+        faults if axis is None else [fault.within(f"axis {axis.name}") for fault in faults],
+    )
+    return Required(values, section="options", file=definition.file)
+
+
+def _positive(value: object) -> bool:
+    return isinstance(value, (int, float)) and value > 0
+
+
+def describe_options(definition: Definition) -> tuple[str, ...]:
+    """Return one line per option: name, default, choices, what it does, how sure that is."""
+    lines = []
+    for name, rule in definition.options.items():
+        default = "not given" if rule.default is None else _shown(rule.default)
+        choices = f"; one of {', '.join(rule.choices)}" if rule.choices else ""
+        later = "".join(f"; {choice} is not built yet" for choice in rule.not_built)
+        lines.append(f"{name} (default {default}{choices}{later}): {rule.help} [{rule.evidence}]")
+    lines.append(
+        f"{REFERENCE} (default 0): position at which the correction is zero, for reading files"
+        " without a job"
+    )
+    lines.append(
+        f"{REFERENCE_RETURN} (default +): direction in which the reference is approached, for"
+        " reading files without a job"
+    )
+    return tuple(lines)
+
+
+def settled_number(
+    definition: Definition, name: str, options: Mapping[str, object], fact: object
+) -> int | None:
+    """Return a whole-number option, or what the control's files say (``fact``, None: nothing) where
+    the option is not given.
+
+    A fact of 0 says that nothing is reserved yet, which is no limit: it has to be set anyway.
+    """
+    given = options.get(name)
+    rule = definition.options[name]
+    if isinstance(given, int) and (rule.option_wins or not isinstance(fact, int)):
+        return given
+    return fact if isinstance(fact, int) and fact > 0 else None
+
+
+def _settle_shared(
+    definition: Definition,
+    values: dict[str, object],
+    given: Mapping[str, object],
+    state: ControlState,
+    faults: list[Fault],
+    *,
+    strict: bool,
+) -> None:
+    for name, rule in definition.options.items():
+        if rule.settled_by is None or rule.option_wins:
+            continue
+        said = {
+            facts[rule.settled_by] for facts in state.facts.values() if rule.settled_by in facts
+        }
+        if len(said) != 1:
+            continue
+        fact = said.pop()
+        if name in given and values[name] not in ((fact,) if strict else (fact, rule.default)):
+            faults.append(
+                Fault(
+                    message=f"the option of {definition.id} contradicts the control's own files",
+                    place=name,
+                    expected=str(fact),
+                    found=str(values[name]),
+                )
+            )
+        values[name] = fact
+
+
+def _value(rule: OptionRule, value: object, definition: Definition, faults: list[Fault]) -> object:
+    if value is None and rule.default is None:
+        return None
+    if rule.type == "choice":
+        text = str(value)
+        if text in rule.not_built:
+            faults.append(
+                Fault(
+                    message=(
+                        f"this choice of {definition.id} is not built yet: {rule.not_built[text]}"
+                    ),
+                    place=rule.name,
+                    expected=", ".join(
+                        choice for choice in rule.choices if choice not in rule.not_built
+                    ),
+                    found=text,
+                )
+            )
+        elif text not in rule.choices:
+            faults.append(_wrong(rule.name, definition, f"one of {', '.join(rule.choices)}", value))
+        return text
+    if rule.type == "text":
+        return str(value)
+    if rule.type == "integers":
+        return _integers(rule.name, value, definition, faults)
+    return _number(rule.name, value, definition, faults, whole=rule.type == "integer")
+
+
+def _integers(
+    name: str, value: object, definition: Definition, faults: list[Fault]
+) -> tuple[int, ...]:
+    items = (
+        value.split(",")
+        if isinstance(value, str)
+        else value
+        if isinstance(value, (list, tuple))
+        else [value]
+    )
+    numbers = [_number(name, item, definition, faults, whole=True) for item in items if item != ""]
+    return tuple(int(number) for number in numbers)
+
+
+def _number(
+    name: str, value: object, definition: Definition, faults: list[Fault], *, whole: bool
+) -> float | int:
+    kind = "a whole number, 0 or more" if whole else "a number with a decimal point"
+    try:
+        number = (
+            float(value)
+            if isinstance(value, (str, int, float)) and not isinstance(value, bool)
+            else math.nan
+        )
+    except (ValueError, OverflowError):
+        number = math.nan
+    if not math.isfinite(number) or (whole and (number != int(number) or not 0 <= number <= 10**9)):
+        faults.append(_wrong(name, definition, kind, value))
+        return 0
+    return int(number) if whole else number
+
+
+def _wrong(name: str, definition: Definition, expected: str, found: object) -> Fault:
+    return Fault(
+        message=f"the option of {definition.id} has a wrong value",
+        place=name,
+        expected=expected,
+        found=repr(found)[:60],
+    )
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, tuple):
+        return ",".join(str(item) for item in value) or "none"
+    return str(value)

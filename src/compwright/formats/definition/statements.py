@@ -1,0 +1,228 @@
+"""Line templates: one form gives a tolerant reader and a strict printer, every token with its place
+in the file.
+
+A form is literal text with ``{fields}``. A blank in it stands for blanks; beside brackets, commas
+and ``=`` blanks are tolerated anyway, between words and numbers at least one is needed. Printing
+writes the form as it stands.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from compwright.formats.definition.schema import Definition, Dialect, FieldType, Statement
+
+_FIELD_PATTERNS: Mapping[FieldType, str] = {
+    "integer": r"[0-9]{1,9}",
+    "signed": r"[+-]?[0-9]{1,9}",
+    "point_number": r"0{0,3}1[0-9]{4}",
+    "bit": r"[01]",
+    "key": r"[A-Za-z]",
+    "decimal": r"[+-]?(?:[0-9]{1,15}(?:\.[0-9]{0,15})?|\.[0-9]{1,15})",
+    "real": r"[+-]?(?:[0-9]{1,15}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][+-]?[0-9]{1,2})?",
+    "name": r"[A-Za-z_][A-Za-z0-9_]{0,62}",
+    "label": r"[^\[\]\r\n]+",
+    "word": r"[^ \t\r\n]+",
+    "text": r"[^\r\n]*[^\r\n \t]",
+    "truth": r"[0-9]{1,9}|TRUE|FALSE",
+    "system_word": r"METRIC|INCH",
+}
+_REST = {"none": r"[ \t]*", "after_blank": r"(?:[ \t][^\r\n]*)?", "anything": r"[^\r\n]*"}
+_PIECE = re.compile(
+    r"\{(?P<field>[a-z_][a-z0-9_]*)\}|(?P<blank>"
+    r" +)|#(?P<padded>[0-9]+)|(?P<word>[\w$%.]+)|(?P<mark>.)"
+)
+#: A form that ends in a group which stands once or several times: ``N#03620Q1(A{axis}P{value})*``.
+_GROUPED = re.compile(r"(?P<before>.*)\((?P<group>[^()]*)\)\*")
+_LINE_NUMBER = re.compile(
+    r"[ \t\r]*[A-Za-z][ \t]*0*([0-9]+)"
+)  # a stray carriage return does not hide a line
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A piece of a file: its text and its place in bytes, ``start`` counted from 0 and ``end``
+    behind it.
+    """
+
+    text: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Occurrence:
+    """A statement as it stands in a file. ``tokens`` by field name, those of the section too;
+    ``line`` counts from 1.
+
+    ``form``: which of the statement's forms it has, 0 the one that is written, then those that are
+    only read. ``checksum``: a line checksum with the blanks before it.
+    """
+
+    statement: str
+    file: str
+    line: int
+    tokens: Mapping[str, Token]
+    form: int = 0
+    checksum: Token | None = None
+
+    @property
+    def variant(self) -> bool:
+        """Whether it stands in one of the forms that are read but never written."""
+        return self.form > 0
+
+    @property
+    def place(self) -> str:
+        """The line, for messages."""
+        return f"line {self.line}"
+
+
+@dataclass(frozen=True, slots=True)
+class Form:
+    """A compiled form. ``group``: the part that repeats on the line, each time a statement of its
+    own; None: nothing repeats.
+    """
+
+    pattern: re.Pattern[str]
+    group: re.Pattern[str] | None = None
+
+    def fullmatch(self, text: str) -> re.Match[str] | None:
+        """Return the match of the whole line."""
+        return self.pattern.fullmatch(text)
+
+
+@dataclass(frozen=True, slots=True)
+class Matcher:
+    """A compiled statement: its own form first, then the forms that are only read; ``section``
+    matches the section's name.
+
+    ``number``: the number with which such a line begins (``N03620``), without leading zeros; None
+    where the form has none.
+    """
+
+    statement: Statement
+    forms: tuple[Form, ...]
+    section: re.Pattern[str] | None
+    head: str
+    number: str | None = None
+
+
+def line_number(text: str) -> str | None:
+    """Return the number after the first letter of a line, without leading zeros (``N03620Q1..`` ->
+    ``3620``); None without one.
+    """
+    match = _LINE_NUMBER.match(text)
+    return match[1] if match else None
+
+
+def field_names(form: str) -> tuple[str, ...]:
+    """Return the names of the fields of a form in their order."""
+    return tuple(piece["field"] for piece in _PIECE.finditer(form) if piece["field"])
+
+
+def print_form(form: str, values: Mapping[str, str]) -> str:
+    """Return a form with its fields filled in; a repeating group stands once. Raises KeyError for a
+    field without a value.
+    """
+    grouped = _GROUPED.fullmatch(form)
+    text = f"{grouped['before']}{grouped['group']}" if grouped else form
+    return "".join(
+        values[piece["field"]] if piece["field"] else piece["padded"] or piece[0]
+        for piece in _PIECE.finditer(text)
+    )
+
+
+def field_matches(kind: FieldType, text: str) -> bool:
+    """Return whether ``text`` can stand in a field of this type."""
+    return re.fullmatch(_FIELD_PATTERNS[kind], text) is not None
+
+
+def compile_statement(statement: Statement, definition: Definition) -> Matcher:
+    """Return the compiled reader of one statement."""
+    dialect = definition.dialect
+    flags = re.IGNORECASE if dialect.case == "ignored" else re.RegexFlag(0)
+    forms = tuple(
+        _compiled(form, statement, dialect, flags | re.ASCII)
+        for form in (statement.form, *statement.also_read)
+    )
+    section = None
+    if statement.within is not None:
+        kinds: dict[str, FieldType] = dict.fromkeys(
+            field_names(statement.within), definition.addresses.type
+        )
+        section = re.compile(_form_pattern(statement.within, kinds, dialect), flags | re.ASCII)
+    pieces = list(_PIECE.finditer(statement.form))
+    literal = "" if not pieces or pieces[0]["field"] else pieces[0][0]
+    padded = pieces[1]["padded"] if len(pieces) > 1 else None
+    return Matcher(
+        statement,
+        forms,
+        section,
+        literal.upper() if dialect.case == "ignored" else literal,
+        padded.lstrip("0") if padded else None,
+    )
+
+
+def _compiled(form: str, statement: Statement, dialect: Dialect, flags: re.RegexFlag | int) -> Form:
+    grouped = _GROUPED.fullmatch(form)
+    if grouped is None:
+        return Form(
+            re.compile(
+                _line_pattern(_form_pattern(form, statement.fields, dialect), statement, dialect),
+                flags,
+            )
+        )
+    before = _form_pattern(grouped["before"], statement.fields, dialect)
+    group = _form_pattern(grouped["group"], statement.fields, dialect)
+    gap = r"[ \t]*"
+    unnamed = re.sub(r"\?P<[a-z_0-9]+>", "?:", group)
+    line = f"{before}{gap}(?P<groups_>{unnamed}(?:{gap}{unnamed})*)"
+    return Form(
+        re.compile(_line_pattern(line, statement, dialect), flags), re.compile(group, flags)
+    )
+
+
+def _line_pattern(pattern: str, statement: Statement, dialect: Dialect) -> str:
+    before = (
+        ""
+        if dialect.block_number is None
+        else f"(?:{re.escape(dialect.block_number)}[0-9]+[ \\t]+)?"
+    )
+    after = (
+        ""
+        if dialect.line_checksum is None
+        else f"(?P<checksum_>[ \\t]+{re.escape(dialect.line_checksum)}[0-9A-Fa-f]{{4}})?"
+    )
+    return f"[ \\t]*{before}{pattern}{after}{_REST[statement.rest]}"
+
+
+def _form_pattern(form: str, kinds: Mapping[str, FieldType], dialect: Dialect) -> str:
+    pattern = ""
+    previous = ""  # "" at the start, "word" for a word or a field, "mark" for punctuation
+    label: FieldType | None = None  # a label holds its own blanks: [ TRAJ] is not [TRAJ]
+    blank = False
+    for piece in _PIECE.finditer(form):
+        if piece["blank"]:
+            blank = True
+            continue
+        kind = "mark" if piece["mark"] else "word"
+        if previous:
+            both_words = previous == kind == "word"
+            gap = (
+                (r"[ \t]+" if blank else "")
+                if both_words and not dialect.blanks_anywhere
+                else r"[ \t]*"
+            )
+            pattern += "" if "label" in (label, kinds.get(piece["field"] or "")) else gap
+        field = piece["field"]
+        label = kinds.get(field or "")
+        if field:
+            pattern += f"(?P<{field}>{_FIELD_PATTERNS[kinds[field]]})"
+        else:
+            pattern += (
+                f"0*{piece['padded'].lstrip('0')}" if piece["padded"] else re.escape(piece[0])
+            )
+        previous, blank = kind, False
+    return pattern

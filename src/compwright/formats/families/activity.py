@@ -1,0 +1,151 @@
+"""Whether the tables of a state acted, where its files switch them off at the end or say nothing of
+it.
+
+The answer speaks of what the files leave open: a table that they end with switched on acted, and a
+table between axes that they switch off slept where the leadscrew table of its axis was on. One
+answer never means two mechanisms.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from compwright.formats.text.gathering import Found
+from compwright.formats.text.notes import Notes
+from compwright.foundations.errors import Fault
+
+
+@dataclass(frozen=True, slots=True)
+class Leadscrew:
+    """What the files say of an axis' leadscrew tables.
+
+    ``on``: they end with one switched on. ``word``: how they end of those that are not zero
+    (``yes``, ``no``, ``unsaid``; empty: there is none).
+    """
+
+    on: bool
+    word: str
+
+    @property
+    def words(self) -> str:
+        """How they end, as a message says it."""
+        return "on" if self.on else "off" if self.word == "no" else "not said to be on"
+
+
+@dataclass(frozen=True, slots=True)
+class Activity:
+    """``said``: what the job answers (None: nothing). ``asking``: the answer is needed, because
+    readings hang on it.
+    """
+
+    said: bool | None = None
+    asking: bool = False
+
+    def settle(
+        self, label: str, switches: str, word: str | None, place: Found | None, notes: Notes
+    ) -> bool | None:
+        """Return whether a table that is not zero acted; None where neither the files nor the job
+        say it, and nobody asks.
+
+        ``word``: what the files end with at ``switches`` (``yes``, ``no``, None: nothing), at
+        ``place``.
+        """
+        if word == "yes":
+            if self.said is False:
+                notes.assume(
+                    f"{label}: compensation during the test",
+                    "on",
+                    "the files end with it switched on (active: no is of the others)",
+                )
+                notes.contradictions.append(
+                    Fault(
+                        message=(
+                            f"{label}: the job says active: no, but the files end with the table"
+                            f" switched on ({switches})"
+                        ),
+                        file=place.occurrence.file if place is not None else "",
+                        place=place.occurrence.place if place is not None else "",
+                        expected="active left out, or the files as they were during the test",
+                        found=place.text if place is not None else "",
+                    )
+                )
+            return True
+        notes.open_answers += 1
+        if self.said is not None:
+            notes.assume(
+                f"{label}: compensation during the test",
+                "on" if self.said else "off",
+                "the job's answer (active)",
+            )
+            return self.said
+        if self.asking:
+            ends = (
+                f"end with the table switched off ({switches} = 0)"
+                if word == "no"
+                else f"do not say whether it acts ({switches})"
+            )
+            notes.ask(
+                Fault(
+                    message=(
+                        f"{label}: its table is not zero, and the files of the state {ends}: did it"
+                        " act during the test?"
+                    ),
+                    file=place.occurrence.file if place is not None else "",
+                    place=place.occurrence.place if place is not None else "",
+                    expected=(
+                        "states: {as_found: {files: [...], active: yes}} or active: no (without a"
+                        " job: --option active=yes); one answer for all tables that are asked"
+                        " about: where they differ, the switch as it was, among the files"
+                    ),
+                    found="no answer",
+                )
+            )
+        return None
+
+    def beside_leadscrew(
+        self,
+        label: str,
+        switches: str,
+        screw: Leadscrew,
+        word: str | None,
+        place: Found | None,
+        notes: Notes,
+        *,
+        dumped: bool,
+    ) -> bool | None:
+        """Return False for a table of an axis over itself that slept; None where `settle` decides.
+
+        ``dumped``: it is switched off in another file than that with its values, so by no program
+        that loads it.
+        """
+        slept = word == "no" and (screw.word == "yes" or (screw.on and not screw.word and dumped))
+        certain = slept and dumped and screw.word == "yes"
+        unclear = screw.word in ("no", "unsaid") and "no" in (word, screw.word) and word != "yes"
+        if self.said is True and (unclear or (slept and not certain)):
+            notes.ask(
+                Fault(
+                    message=(
+                        f"{label}: active: yes does not say which of two tables acted: this one is"
+                        f" {'switched off' if word == 'no' else 'not said to be on'} ({switches}),"
+                        " the leadscrew table is"
+                        f" {screw.words}"
+                        " (MD32700 $MA_ENC_COMP_ENABLE)"
+                    ),
+                    file=place.occurrence.file if place is not None else "",
+                    place=place.occurrence.place if place is not None else "",
+                    expected=(
+                        "active left out or no, and the switch of the one that acted as 1 among the"
+                        " files"
+                    ),
+                    found="active: yes",
+                )
+            )
+            return False
+        if slept:
+            notes.assume(
+                f"{label}: during the test",
+                "off",
+                f"{switches} end as 0, while the leadscrew table of the axis is on",
+            )
+            return False
+        return None

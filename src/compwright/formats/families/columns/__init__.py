@@ -1,0 +1,1 @@
+"""Columns in tables of the user's own making."""

@@ -1,0 +1,276 @@
+"""What one axis of a control with tables of the user's own making (HEIDENHAIN) can hold, and what
+breaks its limits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from compwright.formats.definition.options import axis_options
+from compwright.formats.definition.schema import Definition
+from compwright.formats.families.columns.sources import AxisNumbers, parameter_name
+from compwright.formats.families.columns.text import VALUES
+from compwright.formats.families.columns.values import MOST_DOUBLINGS, SMALLEST_SPACING, TURN
+from compwright.formats.text.addresses import normal_address
+from compwright.formats.text.scale import EXACTNESS, Scale
+from compwright.foundations.errors import CapacityError, Fault, raise_all
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.capacity import Capacity
+from compwright.records.correction import Assumption, AxisCompensation, ControlState
+
+
+def by_line(options: Mapping[str, object]) -> bool:
+    """Return whether an axis is corrected by its linear parameter instead of a table."""
+    return options.get("method") == "line"
+
+
+def user_scale(definition: Definition, axis: Axis, options: Mapping[str, object]) -> Scale:
+    """Return how numbers of an axis are written: table values as the option ``table_values``
+    says.
+    """
+    return Scale(definition, axis.kind, options, {"table_form": str(options["table_values"])})
+
+
+def slope_scale(definition: Definition, options: Mapping[str, object]) -> Scale:
+    """Return how the linear parameter is written (mm/m)."""
+    return Scale(definition, AxisKind.LINEAR, options, {"table_form": str(options["table_values"])})
+
+
+def user_tables_capacity(
+    definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None
+) -> Capacity:
+    """Return the limits of one axis in mm or deg; ``options`` are the controller's, resolved.
+
+    Raises UsageError for a wrong option of the axis, CapacityError where the control has no such
+    table or parameter at all.
+    """
+    own = axis_options(definition, options, axis)
+    address, _ = normal_address(definition, axis)
+    raise_all(CapacityError, list(_impossible(definition, axis, own)))
+    scale = user_scale(definition, axis, own)
+    facts = state.facts.get(address, {}) if state is not None else {}
+    line, endless = by_line(own), axis.modulo is not None
+    shared = [one for one in (state.cross if state is not None else ()) if one.input == address]
+    fixed = shared[0].positions if shared and facts.get("own_column") and not line else None
+    second = own.get("backlash_column") == "second_curve" and bool(facts.get("second_column"))
+    step = slope_scale(definition, own).quantum("slope")
+    return Capacity(
+        format=definition.id,
+        curves=2 if second else 1,
+        spacing="equidistant" if "datum" in definition.statements[VALUES].fields else "free",
+        quantum=scale.quantum("value"),
+        position_quantum=scale.quantum("node_position"),
+        value_range=slope_scale(definition, own).range("slope") if line else scale.range("value"),
+        backlash_quantum=scale.quantum("backlash"),
+        backlash_range=scale.range("backlash"),
+        min_points=0 if line else definition.limit_number("min_points") or 2,
+        max_points=_max_points(definition, own),
+        spacings=spacings(own),
+        anchored=endless,
+        period=TURN if endless else None,
+        line=step if line else None,
+        nodes=None if fixed is None else tuple(float(node) for node in fixed),
+        cover=(
+            0 if endless or line or axis.kind is AxisKind.ROTARY else 1
+        ),  # of a turn only 0 to 360 degrees are used
+        below=definition.layout.below,
+        above=definition.layout.above,
+        assumed=tuple(_assumed(definition, axis, own, second=second)),
+    )
+
+
+def spacings(options: Mapping[str, object]) -> tuple[float, ...] | None:
+    """Return the only spacings there are by the option spacing_rule, mm or deg; None: any."""
+    if options.get("spacing_rule") != "power_of_two":
+        return None
+    return tuple(float(2**power * SMALLEST_SPACING) for power in range(MOST_DOUBLINGS + 1))
+
+
+def _max_points(definition: Definition, options: Mapping[str, object]) -> int | None:
+    given, hard = options.get("max_points"), definition.limit_number("max_points")
+    known = [limit for limit in (given, hard) if isinstance(limit, int)]
+    return min(known) if known else None
+
+
+def _impossible(
+    definition: Definition, axis: Axis, options: Mapping[str, object]
+) -> Iterator[Fault]:
+    rotary = axis.kind is AxisKind.ROTARY
+    if by_line(options) and rotary:
+        yield Fault(
+            message=f"{parameter_name(definition, 'slope')} has no effect on rotary axes",
+            place="method",
+            expected="table",
+            found="line",
+        )
+    if axis.modulo is not None and (not rotary or axis.modulo != TURN):
+        yield Fault(
+            message="a table that repeats belongs to a rotary axis and spans 0 to 360 degrees",
+            place="modulo",
+            expected=f"{TURN:g} on a rotary axis",
+            found=f"{axis.modulo:g} on a {axis.kind} axis",
+        )
+    if axis.modulo is not None and options.get("spacing_rule") == "power_of_two":
+        yield Fault(
+            message=(
+                "no spacing of 2^n steps of 0.0001 degrees divides a turn in 256 points or less"
+            ),
+            place="spacing_rule",
+            expected="free, or a table typed in by hand",
+            found="power_of_two",
+        )
+
+
+def _assumed(
+    definition: Definition, axis: Axis, options: Mapping[str, object], *, second: bool
+) -> Iterator[Assumption]:
+    if options.get("backlash_column") == "second_curve" and not second:
+        yield Assumption(
+            fact=f"axis {axis.name}: curve for travel in -",
+            value="none: no table of the axis with a column BACKLASH was given",
+            evidence="unconfirmed: an entry sheet has no place for it",
+        )
+    if not by_line(options):
+        yield Assumption(
+            fact=f"axis {axis.name}: outside the table",
+            value=(
+                "the end values hold; let the table reach one spacing beyond the travel on each"
+                " side"
+            ),
+            evidence=str(definition.layout.evidence),
+        )
+
+
+def broken_limits(
+    definition: Definition, axis: Axis, compensation: AxisCompensation, capacity: Capacity
+) -> Iterator[Fault]:
+    """Yield what keeps the control from holding a compensation beside numbers of points, curves and
+    ends.
+    """
+    label, unit = f"axis {axis.name} ({compensation.address})", axis.kind.unit
+    nodes, values = compensation.positions, compensation.positive
+    if compensation.interpolation != "linear" or compensation.others:
+        yield Fault(
+            message=f"{label}: the control has one table with straight lines between its points"
+        )
+    if capacity.line is not None and nodes.size:
+        yield Fault(
+            message=f"{label}: the linear parameter and a table exclude each other",
+            expected="no table",
+            found="a table",
+        )
+    if capacity.line is None and compensation.slope:
+        found = f"{compensation.slope * 1000:g} mm/m"
+        yield Fault(
+            message=f"{label}: beside a table the linear parameter has no effect",
+            expected="0 mm/m",
+            found=found,
+        )
+    if capacity.line is not None and compensation.slope and compensation.origin != axis.reference:
+        expected = f"{axis.reference:g} {unit}"
+        yield Fault(
+            message=f"{label}: the line is zero at the reference",
+            expected=expected,
+            found=f"{compensation.origin:g}",
+        )
+    if nodes.size < 2:
+        return
+    steps = np.diff(nodes)
+    yield from _grid_faults(label, unit, steps, capacity)
+    rule = definition.limit_number("spacing_per_step")
+    if rule is not None:
+        worst = int(np.argmax(np.abs(np.diff(values)) - steps / rule))
+        step = float(abs(values[worst + 1] - values[worst]))
+        if step > float(steps[worst]) / rule * (1 + 1e-9):
+            yield Fault(
+                message=(
+                    f"{label}: neighbouring values at {nodes[worst]:g} {unit} differ too much; a"
+                    " wider spacing would help"
+                ),
+                expected=f"at most the spacing / {rule}, {float(steps[worst]) / rule:.6g} {unit}",
+                found=f"{step:.6g} {unit}",
+            )
+    if axis.kind is AxisKind.ROTARY:
+        yield from _turn_faults(label, compensation, capacity)
+
+
+def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -> Iterator[Fault]:
+    slack = EXACTNESS * capacity.position_quantum
+    if capacity.spacing == "equidistant" and np.ptp(steps) > slack:
+        found = f"{np.min(steps):.10g} to {np.max(steps):.10g} {unit}"
+        yield Fault(
+            message=f"{label}: the points are not equally spaced",
+            expected="one spacing",
+            found=found,
+        )
+    elif capacity.spacings is not None and capacity.nodes is None:
+        near = min(capacity.spacings, key=lambda one: abs(one - float(steps[0])))
+        if abs(near - float(steps[0])) > slack:
+            yield Fault(
+                message=(
+                    f"{label}: the spacing is not a power of two of 0.0001 {unit} (option"
+                    " spacing_rule)"
+                ),
+                expected=f"such as {near:.10g} {unit}",
+                found=f"{steps[0]:.10g} {unit}",
+            )
+
+
+def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity) -> Iterator[Fault]:
+    nodes = compensation.positions
+    if capacity.period is None:
+        if nodes[0] < 0 or nodes[-1] > TURN:
+            yield Fault(
+                message=(
+                    f"{label}: of a rotary axis the control uses only the entries from 0 to 360"
+                    " degrees"
+                ),
+                expected="a travel within 0 to 360, or modulo: 360 in the job",
+                found=f"a table from {nodes[0]:g} to {nodes[-1]:g}",
+            )
+        return
+    ends = [(curve[0], curve[-1]) for curve in (compensation.positive, compensation.negative)]
+    if abs(nodes[-1] - nodes[0] - TURN) > EXACTNESS * capacity.position_quantum or any(
+        first != last for first, last in ends
+    ):
+        yield Fault(
+            message=(
+                f"{label}: the table of an endless axis spans one turn and ends with the value with"
+                " which it begins"
+            ),
+            expected=f"{TURN:g} degrees, equal ends",
+            found=f"{nodes[-1] - nodes[0]:g} degrees, {ends[0][0]:g} and {ends[0][1]:g}",
+        )
+
+
+def user_card_values(
+    definition: Definition,
+    axis: Axis,
+    compensation: AxisCompensation,
+    options: Mapping[str, object],
+) -> dict[str, str]:
+    """Return what the card says beside the general values: the table in words, the axis' number,
+    its bit, its parameters.
+    """
+    own = axis_options(definition, options, axis)
+    address, _ = normal_address(definition, axis)
+    number = AxisNumbers(definition, [axis]).number(address)
+    unit = axis.kind.unit
+    nodes = compensation.positions
+    values = {
+        "number": "(see the axis list of the machine)" if number is None else str(number),
+        "bit": "(see the axis list of the machine)" if number is None else str(number - 1),
+        "nonlinear": "1" if nodes.size else "0",
+        "linear": slope_scale(definition, own).write("slope", compensation.slope),
+        "table_values": str(own["table_values"]),
+        "table": (
+            "no table"
+            if not nodes.size
+            else f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g} {unit}"
+        ),
+    }
+    if nodes.size > 1:
+        values["table"] += f", every {(nodes[-1] - nodes[0]) / (nodes.size - 1):.10g} {unit}"
+    return values

@@ -1,0 +1,93 @@
+"""Gantry axes: a table acts on the leading and on the synchronised axis alone, so both need the
+same one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from decimal import Decimal
+
+import numpy as np
+
+from compwright.formats.text.gathering import Gathered, Key
+from compwright.formats.text.notes import Notes
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import AxisCompensation
+
+#: Two axes of a gantry hold the same table when their corrections nowhere differ by more than this,
+#: mm or deg: the last decimal place of a table.
+SAME_TABLE = 1e-6
+
+
+def partner_of(axis: Axis, address: str) -> Axis:
+    """Return the synchronised axis of a gantry: everything but its address and its number is as the
+    leading axis has it.
+    """
+    return replace(
+        axis, name=f"{axis.name} ({address})", address=address, gantry=None, axis_number=None
+    )
+
+
+def find_partners(
+    gathered: Gathered,
+    partners: Mapping[str, str],
+    read: Mapping[str, AxisCompensation],
+    notes: Notes,
+    *,
+    asked: bool,
+) -> None:
+    """Note where the two axes of a gantry differ, and where two axes look like one although the job
+    does not say so.
+
+    ``partners``: synchronised axis by leading axis; ``read``: what was read, by address; ``asked``:
+    a job names these axes.
+    """
+    for leading, partner in partners.items():
+        if leading in read and partner in read and not _same(read[leading], read[partner]):
+            notes.find(
+                "CW-S030",
+                "warning",
+                f"axis {partner} does not do the same as {leading}, with which it forms a gantry;"
+                " both get the new table",
+            )
+    if not asked:
+        return
+    for address, compensation in read.items():
+        if compensation.positions.size == 0 or address in (*partners, *partners.values()):
+            continue
+        for other in gathered.addresses():
+            if other not in read and _table(gathered, address) & _table(gathered, other):
+                notes.find(
+                    "CW-S031",
+                    "warning",
+                    f"axes {address} and {other} hold the same table: are they a gantry? Then name"
+                    f" {other} in the job (gantry), so that both get the new one; a table on one of"
+                    " them alone racks the bridge",
+                )
+
+
+def _same(one: AxisCompensation, other: AxisCompensation) -> bool:
+    nodes: FloatArray = np.union1d(one.positions, other.positions)
+    nodes = nodes if nodes.size else np.zeros(1)
+    return all(
+        float(np.max(np.abs(one.at(nodes, d) - other.at(nodes, d)))) <= SAME_TABLE
+        for d in Direction
+    )
+
+
+def _table(gathered: Gathered, address: str) -> set[tuple[tuple[int, Decimal], ...]]:
+    """Return the values of an axis' tables by index, for each measuring system; one of zeros says
+    nothing and is left out.
+    """
+    tables = set()
+    keys: list[Key] = [key for key in gathered.rows if key[0] == address]
+    for key in keys:
+        values = {
+            int(tokens["index"].text): Decimal(tokens["value"].text)
+            for row in gathered.rows[key]
+            if "index" in (tokens := row.occurrence.tokens) and "value" in tokens
+        }
+        if any(value != 0 for value in values.values()):
+            tables.add(tuple(sorted(values.items())))
+    return tables

@@ -1,0 +1,1 @@
+"""Tables of values by index, or of rows by position, on one axis."""

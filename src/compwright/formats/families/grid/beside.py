@@ -1,0 +1,227 @@
+"""What acts on an axis beside its tables, and what decides how they are read: units, gantries,
+modulo ranges, further functions.
+
+What keeps its place and acts alike during the test and afterwards is left alone and named; what
+would make a table wrong is refused with the parameter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+
+from compwright.formats.families.grid.axis_reading import Fact
+from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.notes import Notes
+from compwright.records.axis import Axis, AxisKind
+
+#: Where the range of a modulo axis begins when no file says it, deg.
+MODULO_START = 0.0
+#: Facts of a state: where the range of an endless axis begins, deg; whether a file says that; what
+#: else acts, in words.
+RANGE_START, RANGE_START_SAID, BESIDE = "modulo_start", "modulo_start_said", "beside"
+#: Software limits further away than this are none, mm or deg.
+_NO_LIMIT = 99999.0
+
+
+def check_unit(gathered: Gathered, wanted: Mapping[str, Axis | None], notes: Notes) -> None:
+    """Refuse files of a control whose basic system is the inch, and files that say both, where a
+    linear axis is read.
+    """
+    metric = gathered.singles.get((None, None), {}).get("metric_system", [])
+    words = gathered.singles.get((None, None), {}).get("unit_word", [])
+    inch = [found for found in metric if Decimal(found.text) == 0] + [
+        found for found in words if found.text.upper() == "INCH"
+    ]
+    known = [axis for axis in wanted.values() if axis is not None]
+    if not inch and not metric and not words and "metric_system" in gathered.definition.bindings:
+        spoken = list(wanted) or gathered.addresses()
+        linear = [
+            name
+            for name in spoken
+            if (axis := wanted.get(name)) is None or axis.kind is not AxisKind.ROTARY
+        ]
+        if linear:
+            evidence = (
+                "unconfirmed: neither MD10240 nor a line METRIC or INCH; the values of"
+                f" {', '.join(linear)} are taken as mm"
+            )
+            notes.assume("basic system (MD10240)", "metric", evidence)
+    if not inch or (
+        wanted and len(known) == len(wanted) and all(axis.kind is AxisKind.ROTARY for axis in known)
+    ):
+        return
+    mm = [found for found in metric if Decimal(found.text) != 0] + [
+        found for found in words if found.text.upper() == "METRIC"
+    ]
+    if mm:
+        notes.refuse(
+            "basic system",
+            f"one place says inch, {mm[0].where} says metric (MD10240, METRIC, INCH)",
+            inch[0],
+            expected="one basic system",
+        )
+        return
+    notes.refuse(
+        "basic system",
+        "the control works in inch (MD10240 = 0, or a line INCH): its tables are in inch, which"
+        " compwright does not write",
+        inch[0],
+        expected="MD10240 = 1 and METRIC: a control with the metric basic system",
+    )
+
+
+def beside(
+    gathered: Gathered, address: str, axis: Axis | None, partners: Mapping[str, str], notes: Notes
+) -> dict[str, Fact]:
+    """Return further facts about an axis; what else acts on it goes to ``notes``."""
+    facts: dict[str, Fact] = {}
+    reader = _Beside(gathered, address, notes)
+    name = gathered.names.machine_name(address)
+    if name is not None:
+        facts["axis_name"] = name
+    modulo = reader.number("modulo") == 1
+    start = reader.number("modulo_start")
+    if modulo:
+        begin = MODULO_START if start is None else start
+        turn = reader.number("modulo_range") or 360.0
+        facts |= {RANGE_START: begin, RANGE_START_SAID: start is not None, "modulo_range": turn}
+        facts |= {"limit_low": begin, "limit_high": begin + turn}
+    else:
+        limits = {
+            name: value
+            for name in ("limit_low", "limit_high")
+            if (value := reader.number(name)) is not None
+        }
+        facts |= limits if all(abs(value) < _NO_LIMIT for value in limits.values()) else {}
+    if axis is not None:
+        reader.gantry(partners)
+        acting = reader.acting()
+        if acting:
+            facts[BESIDE] = acting
+    return facts
+
+
+class _Beside:
+    def __init__(self, gathered: Gathered, address: str, notes: Notes) -> None:
+        self.gathered = gathered
+        self.address = address
+        self.notes = notes
+
+    def last(self, quantity: str, address: str | None = None) -> Found | None:
+        """Return the last place where something is said of an axis as a whole."""
+        places = self.gathered.singles.get((address or self.address, None), {}).get(quantity, ())
+        return places[-1] if places else None
+
+    def number(self, quantity: str) -> float | None:
+        found = self.last(quantity)
+        return None if found is None else float(found.text)
+
+    def gantry(self, partners: Mapping[str, str]) -> None:
+        """A table on one axis of a gantry alone racks the bridge: MD37100 and the job must say the
+        same.
+        """
+        kind = self._kind(self.address)
+        if kind is None or not kind:
+            return
+        group, follows = kind % 10, kind >= 10
+        others = [
+            address
+            for address, _ in self.gathered.singles
+            if address not in (None, self.address)
+            and (other := self._kind(str(address)))
+            and other % 10 == group
+        ]
+        named = (
+            {partners[self.address]}
+            if self.address in partners
+            else {k for k, v in partners.items() if v == self.address}
+        )
+        wrong = [address for address in dict.fromkeys(others) if address not in named]
+        place = self.last("gantry_type")
+        label = f"axis {self.address}"
+        if follows and self.address in partners:
+            message = "it is the synchronised axis of a gantry (MD37100), not the leading one"
+            self.notes.refuse(
+                label,
+                message,
+                place,
+                expected=f"the job's axis at {', '.join(map(str, others)) or 'the leading axis'}",
+            )
+        elif not named or wrong:
+            self.notes.refuse(
+                label,
+                f"it belongs to a gantry (MD37100 = {kind}); a table on one of its axes alone racks"
+                " the bridge",
+                place,
+                expected=(
+                    f"gantry: {', '.join(map(str, wrong or others)) or 'the other axis'} in the job"
+                ),
+                found=f"gantry: {', '.join(map(str, named))}" if named else "no gantry in the job",
+            )
+
+    def _kind(self, address: str) -> int | None:
+        found = self.last("gantry_type", address)
+        return None if found is None else int(found.text)
+
+    def acting(self) -> str:
+        """Name what else acts on the axis and stays as it is; return it in words, to hold two
+        states against each other.
+        """
+        said = []
+        kind, slope = self.last("temperature_type"), self.number("temperature_slope")
+        bits = _mask(kind.text) if kind is not None else 0
+        if bits is None:
+            expected = "a bit mask, such as 'H1'"
+            self.notes.refuse(
+                f"axis {self.address}",
+                "its temperature compensation (MD32750) cannot be read",
+                kind,
+                expected=expected,
+            )
+            bits = 0
+        if bits & 2 and slope:
+            said.append(f"temperature compensation with a slope (MD32750, SD43910 = {slope:g})")
+        for (address, system), places in sorted(self.gathered.singles.items(), key=str):
+            found = places.get("dynamic_backlash", ())
+            if address == self.address and found and Decimal(found[-1].text) != 0:
+                said.append(
+                    f"dynamic backlash (MD32456[{system}] = {found[-1].text}), where the PLC"
+                    " switches it on"
+                )
+        factors = {
+            Decimal(found.text)
+            for found in self.gathered.singles.get((self.address, None), {}).get(
+                "backlash_factor", ()
+            )
+        }
+        if len(factors) > 1:
+            said.append(
+                "a backlash factor that differs between the parameter sets (MD32452); the first set"
+                " is taken"
+            )
+        if said:
+            self.notes.find(
+                "CW-S053",
+                "warning",
+                f"axis {self.address}: beside its table acts {'; '.join(said)}. It is left as it"
+                " is, and counts as acting alike during the test and afterwards",
+            )
+        return "; ".join(said)
+
+
+def _mask(text: str) -> int | None:
+    """Return a bit mask as the control writes it (``'H3'``, ``'B11'``, 3); None for anything
+    else.
+    """
+    word = text.strip("'\"").upper()
+    for letter, base in (("H", 16), ("B", 2)):
+        if word.startswith(letter):
+            word, radix = word[1:], base
+            break
+    else:
+        radix = 10
+    try:
+        return int(word, radix)
+    except ValueError:
+        return None

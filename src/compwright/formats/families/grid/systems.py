@@ -1,0 +1,193 @@
+"""Which of two measuring systems of an axis is in use: what the job says, else what the control's
+files show, else a question.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from decimal import Decimal
+
+from compwright.formats.definition.consistency import curves
+from compwright.formats.definition.schema import Choice
+from compwright.formats.text.gathering import Gathered
+from compwright.formats.text.notes import Notes
+from compwright.foundations.errors import Fault
+
+
+class SystemChoice:
+    """Chooses the measuring system of one axis, as it is counted in the files (from 0)."""
+
+    def __init__(self, gathered: Gathered, address: str, notes: Notes) -> None:
+        self.gathered = gathered
+        self.address = address
+        self.notes = notes
+        self.systems = gathered.systems(address)
+
+    def stated(self, wanted: int, *, by_job: bool) -> str:
+        """Return the system that somebody named; a control that has it not, or holds its table
+        elsewhere, is a fault.
+        """
+        chosen = str(wanted - 1)
+        if (count := self._count()) is not None and wanted > count:
+            self.notes.refuse(
+                f"axis {self.address}",
+                f"measuring system {wanted} is asked for, but the axis has {count} (MD30200"
+                " $MA_NUM_ENCS)",
+                self.gathered.singles[self.address, None]["encoders"][-1],
+                expected=(
+                    f"encoder: {{system: {count}}}, or no word of it"
+                    if count
+                    else "MD30200 at least 1"
+                ),
+            )
+            return chosen
+        tables = [system for system in self.systems if self._rows(system)]
+        active = [system for system in tables if self._switch(system) is not False]
+        if chosen not in self.systems or (chosen not in tables and active):
+            self.notes.faults.append(
+                Fault(
+                    message=(
+                        f"axis {self.address}: the files hold no table for measuring system"
+                        f" {wanted}, but for another one"
+                    ),
+                    expected=f"measuring system {wanted}, as the job or the option says",
+                    found=", ".join(
+                        f"system {int(system) + 1}" for system in active or self.systems
+                    ),
+                )
+            )
+        elif (
+            by_job
+            and self._switch(chosen) is False
+            and (others := [s for s in self.systems if self._switch(s)])
+        ):
+            self.notes.find(
+                "CW-S052",
+                "warning",
+                f"axis {self.address}: the job names measuring system {wanted}, but the files"
+                f" switch compensation on for system {int(others[0]) + 1} (MD32700): make sure that"
+                f" system {wanted} is in use",
+            )
+        return chosen
+
+    def found(self, *, asking: bool) -> str:
+        """Return the system that the files show to be in use. ``asking``: where they do not, that
+        is a question.
+        """
+        count = self._count()
+        if count == 1 or len(self.systems) == 1:
+            chosen, why = (
+                ("0", "MD30200: there is one")
+                if count == 1
+                else (self.systems[0], "the only one in the files")
+            )
+            if len(self.systems) > 1 or chosen != "0":
+                self._assume(chosen, why)
+            return chosen
+        reasons: tuple[tuple[list[str], str], ...] = (
+            (
+                [system for system in self.systems if self._switch(system)],
+                "the only one that is switched on (MD32700)",
+            ),
+            (
+                [system for system in self.systems if self._written(system)],
+                "the only one that holds a table",
+            ),
+            (
+                [system for system in self.systems if self._rows(system)],
+                "the only one that holds a table",
+            ),
+            (
+                [system for system in self.systems if self._reserved(system)],
+                "the only one with points reserved (MD38000)",
+            ),
+            (
+                [system for system in self.systems if self._backlash(system)],
+                "the only one with a backlash value",
+            ),
+        )
+        for systems, why in reasons:
+            if len(systems) == 1:
+                self._assume(systems[0], why)
+                return systems[0]
+            if len(systems) > 1:
+                break
+        return self._unclear(asking=asking)
+
+    def _unclear(self, *, asking: bool) -> str:
+        tables = [system for system in self.systems if self._rows(system)]
+        active = [system for system in tables if self._switch(system) is not False]
+        if asking:
+            self.notes.ask(
+                Fault(
+                    message=(
+                        f"axis {self.address}: the files speak of both measuring systems and do not"
+                        " show which one is in use"
+                    ),
+                    place="encoder.system",
+                    expected=(
+                        "encoder: {system: 1} or {system: 2}, index 1 in the files (without a job:"
+                        " --option encoder_system=1)"
+                    ),
+                    found="neither the job nor MD30200, MD32700 say it",
+                )
+            )
+        chosen = (
+            active
+            or tables
+            or [system for system in self.systems if self._backlash(system)]
+            or self.systems
+        )[0]
+        self._assume(chosen, "inferred: the one that holds a table")
+        if len(active) > 1:
+            self.notes.find(
+                "CW-S006",
+                "warning",
+                f"axis {self.address}: several measuring systems hold a table; system"
+                f" {int(chosen) + 1} is shown",
+            )
+        return chosen
+
+    def _assume(self, chosen: str, why: str) -> None:
+        evidence = why if why.startswith("inferred") else f"inferred: {why}"
+        self.notes.assume(f"axis {self.address}: measuring system", str(int(chosen) + 1), evidence)
+
+    def _rows(self, system: str) -> Sequence[object]:
+        return self.gathered.rows.get((self.address, system), ())
+
+    def _count(self) -> int | None:
+        places = self.gathered.singles.get((self.address, None), {}).get("encoders", ())
+        return int(places[-1].text) if places else None
+
+    def _switch(self, system: str) -> bool | None:
+        """Return whether the files end with the table of a system switched on; None where they do
+        not say it.
+        """
+        places = self.gathered.singles.get((self.address, system), {}).get("enabled", ())
+        binding = self.gathered.definition.bindings.get("enabled")
+        if not places or not isinstance(binding, Choice):
+            return None
+        return binding.values.get(places[-1].text) != "no"
+
+    def _written(self, system: str) -> bool:
+        """Return whether a system's table holds anything but zeros."""
+        fields = [
+            self.gathered.definition.bindings[quantity].field
+            for quantity in curves(self.gathered.definition)
+        ]
+        rows = self.gathered.rows.get((self.address, system), ())
+        return any(
+            Decimal(row.occurrence.tokens[name].text) != 0 for row in rows for name in fields
+        )
+
+    def _reserved(self, system: str) -> bool:
+        return any(
+            Decimal(found.text) != 0
+            for found in self.gathered.found("max_points", self.address, system)
+        )
+
+    def _backlash(self, system: str) -> bool:
+        return any(
+            Decimal(found.text) != 0
+            for found in self.gathered.found("backlash", self.address, system)
+        )

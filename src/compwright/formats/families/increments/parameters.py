@@ -1,0 +1,241 @@
+"""Parameters of a control with increments by section (FANUC) beside those that are written: what
+acts, points or decides.
+
+A backup holds thousands of parameters. Those listed here act on an axis, point to the point numbers
+that all axes share, or decide a unit, a kind or a direction; they are read and never changed.
+Values belong to an axis (A), to a path (L) or to the machine. What acts and how sure that is:
+docs/controllers/fanuc.md.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+
+from compwright.formats.text.entry_sheet import is_entry_sheet
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+PATH_OF_AXIS = 981
+INCH, SYSTEM_OF_MACHINE, KIND, SYSTEM, NAME = 1001, 1004, 1006, 1013, 1020
+TURN, RAPID = 1260, 1420
+BACKLASH_BITS, BACKLASH_RAPID, MULTIPLIER = 1800, 1852, 1820
+SMOOTH_BACKLASH = range(1846, 1850)
+TOTALS, PITCH_BITS = 3602, 3605
+STRAIGHTNESS_MOVING, STRAIGHTNESS_BENT = range(5711, 5721), range(5721, 5731)
+STRAIGHTNESS_POINTS, STRAIGHTNESS_AMOUNTS = range(5731, 5761), range(5761, 5800)
+INCLINATION_POINTS, INCLINATION_AMOUNTS = range(5861, 5865), range(5871, 5875)
+SPATIAL = range(10800, 10803)
+STRAIGHTNESS_MORE = range(13381, 13400)
+CYCLIC_FIRST, CYCLIC_LAST, CYCLIC_INTERVAL = 14985, 14986, 14987
+
+_WATCHED = frozenset(
+    {
+        *(
+            PATH_OF_AXIS,
+            INCH,
+            SYSTEM_OF_MACHINE,
+            KIND,
+            SYSTEM,
+            NAME,
+            TURN,
+            RAPID,
+            BACKLASH_BITS,
+            BACKLASH_RAPID,
+            MULTIPLIER,
+        ),
+        *(TOTALS, PITCH_BITS, CYCLIC_FIRST, CYCLIC_LAST, CYCLIC_INTERVAL),
+        *SMOOTH_BACKLASH,
+        *STRAIGHTNESS_MOVING,
+        *STRAIGHTNESS_BENT,
+        *STRAIGHTNESS_POINTS,
+        *STRAIGHTNESS_AMOUNTS,
+        *INCLINATION_POINTS,
+        *INCLINATION_AMOUNTS,
+        *SPATIAL,
+        *STRAIGHTNESS_MORE,
+    }
+)
+#: From here on a number may be that of a point.
+_POINTS_FROM = 10000
+_LINE = re.compile(r"[ \t]*N[ \t]*0*([0-9]{1,6})(?![0-9])(.*)", re.IGNORECASE)
+_WORD = re.compile(r"[ \t]*([A-Z])[ \t]*(-?(?:[0-9]+\.?[0-9]*|\.[0-9]+))", re.IGNORECASE)
+_COMMENT = re.compile(r"\([^()]*\)")
+_BITS = re.compile("[01]{8}")
+
+
+@dataclass(frozen=True, slots=True)
+class Value:
+    """One value: ``owner`` A (axis), L (path) or empty (the machine), ``index`` its number; ``key``
+    P, M (metric) or I (inch).
+    """
+
+    number: int
+    owner: str
+    index: int
+    key: str
+    text: str
+    file: str
+    line: int
+
+    @property
+    def acts(self) -> bool:
+        """Whether it is anything but zero."""
+        return bool(self.text.strip("-0."))
+
+    @property
+    def label(self) -> str:
+        """The parameter as it is named on the control, and its value."""
+        whose = {"A": f" of axis {self.index}", "L": f" of path {self.index}"}.get(self.owner, "")
+        return f"parameter {self.number}{whose} = {self.text}"
+
+    @property
+    def whole(self) -> int:
+        """The value without decimals."""
+        return int(Decimal(self.text))
+
+    def same(self, other: Value) -> bool:
+        """Whether another value of the parameter says the same."""
+        return self.text == other.text or Decimal(self.text) == Decimal(other.text)
+
+    def bit(self, bit: int) -> bool:
+        """Return one bit of eight, 0 the rightmost; a value that is no eight bits has none."""
+        return bool(_BITS.fullmatch(self.text)) and self.text[7 - bit] == "1"
+
+    def fault(self, message: str, expected: str = "") -> Fault:
+        """Return a fault at this line."""
+        return Fault(
+            message=message,
+            file=self.file,
+            place=f"line {self.line}",
+            expected=expected,
+            found=self.label,
+        )
+
+
+class Parameters:
+    """The watched parameters of all files."""
+
+    def __init__(self, files: Sequence[ControlFile]) -> None:
+        self.values: dict[int, list[Value]] = {}
+        for file in files:
+            if not is_entry_sheet(file):
+                self._read(file)
+
+    def of(self, numbers: Iterable[int]) -> list[Value]:
+        """Return all values of some parameters, whoever they belong to."""
+        return [value for number in numbers for value in self.values.get(number, ())]
+
+    def axis(self, number: int, address: str) -> Value | None:
+        """Return the value that holds for an axis: its own, else that of its path, else the
+        machine's; None where nothing says it.
+
+        Without 981 the axis is taken to be in the first path, as in a control that has only one;
+        where the paths differ in what an axis' table hangs on, `rivals` tells it and the axis is
+        refused.
+        """
+        values = self.values.get(number, [])
+        for owner, index in (("A", _index(address)), ("L", self.path(address) or 1), ("", 0)):
+            found = [value for value in values if value.owner == owner and value.index == index]
+            if found:
+                return found[-1]
+        return None
+
+    def contradictions(self, address: str) -> Iterator[Fault]:
+        """Yield a fault for each parameter that holds for an axis and stands in the files twice
+        with different values.
+        """
+        owners = {("A", _index(address)), ("L", self.path(address) or 1), ("", 0)}
+        for values in self.values.values():
+            first: dict[tuple[str, int], Value] = {}
+            for value in values:
+                known = first.setdefault((value.owner, value.index), value)
+                if (value.owner, value.index) in owners and not value.same(known):
+                    yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
+
+    def rivals(self, number: int, bits: Sequence[int], address: str) -> list[Value]:
+        """Return the values of paths that could hold for an axis whose path nobody says (981) and
+        whose ``bits`` differ.
+        """
+        values = {value.index: value for value in self.values.get(number, []) if value.owner == "L"}
+        own = any(
+            value.owner == "A" and value.index == _index(address)
+            for value in self.values.get(number, [])
+        )
+        if (
+            own
+            or self.path(address) is not None
+            or len({tuple(map(value.bit, bits)) for value in values.values()}) < 2
+        ):
+            return []
+        return [values[index] for index in sorted(values)]
+
+    def path(self, address: str) -> int | None:
+        """Return the path that an axis belongs to (981); None where the files do not say it."""
+        values = [
+            value
+            for value in self.values.get(PATH_OF_AXIS, [])
+            if value.owner == "A" and value.index == _index(address)
+        ]
+        return (values[-1].whole or None) if values else None
+
+    def names(self, value: Value, address: str) -> bool:
+        """Whether an axis number that stands in ``value`` means the axis: counted over the machine,
+        or within its own path.
+
+        Whose path a further one is stands in 981 only: without it what the path says may mean any
+        axis.
+        """
+        if value.whole == _index(address):
+            return True
+        path = value.index if value.owner == "L" else None
+        if path is not None and path > 1 and PATH_OF_AXIS not in self.values:
+            return True
+        mates = sorted(
+            one.index
+            for one in self.values.get(PATH_OF_AXIS, [])
+            if one.owner == "A" and one.whole == path
+        )
+        return (
+            path is not None
+            and 0 < value.whole <= len(mates)
+            and mates[value.whole - 1] == _index(address)
+        )
+
+    def _read(self, file: ControlFile) -> None:
+        for number, line in enumerate(
+            file.content.decode("latin-1").replace("\r", "").split("\n"), start=1
+        ):
+            match = _LINE.match(line)
+            if match is None or int(match[1]) not in _WATCHED:
+                continue
+            for value in _values(int(match[1]), _COMMENT.sub(" ", match[2]), file.name, number):
+                self.values.setdefault(value.number, []).append(value)
+
+
+def _index(address: str) -> int:
+    return int(address) if address.isdigit() else 0
+
+
+def _values(number: int, rest: str, file: str, line: int) -> list[Value]:
+    """Return the values of one line; pitch data (Q0, or a large number with neither Q1 nor owner)
+    and spindles have none here.
+    """
+    owner, index = "", 0
+    plain = number >= _POINTS_FROM
+    values = []
+    for letter, text in _WORD.findall(rest):
+        key = letter.upper()
+        if key == "Q":
+            if text != "1":
+                return []
+            plain = False
+        elif key in "ALST":
+            owner, index = key, int(Decimal(text))
+        elif key in "PMI":
+            if owner in ("A", "L") or (owner == "" and not plain):
+                values.append(Value(number, owner, index, key, text, file, line))
+            owner, index = "", 0
+    return values

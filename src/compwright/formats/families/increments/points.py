@@ -1,0 +1,120 @@
+"""Point records of the array that all axes share: which lines are pitch data, and what number holds
+what.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Sequence
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.text.gathering import Found, Gathered, same_value
+from compwright.formats.text.notes import Notes
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+#: Point data stand under their number plus this.
+POINTS_FROM = 10000
+_NUMBERED = re.compile(r"[ \t]*N[ \t]*0*([0-9]{1,6})(?![0-9])(.*)", re.IGNORECASE)
+_RECORD = re.compile(r"[ \t]*P[ \t]*-?[0-9]{1,4}[ \t]*")
+
+
+def point_rows(
+    definition: Definition, gathered: Gathered, files: Sequence[ControlFile]
+) -> list[Found]:
+    """Return the lines that hold pitch data, in the order of the files (``files``: those that were
+    gathered).
+
+    Q0 marks pitch data, Q1 parameters, of which a control has some above 10000 too. Records without
+    Q are pitch data where their file is a pitch file as a whole; where one file holds parameters
+    and pitch data together, only if every line from 10000 on has the form of a record and they hold
+    all numbers that some axis claims.
+    """
+    forms = definition.statements["point"]
+    marks = [
+        form.split("}", 1)[1].split("P", 1)[0].strip() for form in (forms.form, *forms.also_read)
+    ]
+    whole = {number for number, file in enumerate(files) if _unmarked(file, beside=False)}
+    rows = [
+        (row, marks[row.occurrence.form]) for rows in gathered.file_rows.values() for row in rows
+    ]
+    certain = [row for row, mark in rows if mark == "Q0" or (mark == "" and row.number in whole)]
+    if certain:
+        return certain
+    mixed = {number for number, file in enumerate(files) if _unmarked(file, beside=True)}
+    beside = [row for row, mark in rows if mark == "" and row.number in mixed]
+    held = {point_number(row) for row in beside}
+    return beside if any(held.issuperset(numbers) for numbers in _claims(gathered)) else []
+
+
+def _unmarked(file: ControlFile, *, beside: bool) -> bool:
+    """Whether all records without Q of a file can be pitch data: nothing else stands in it, or
+    parameters ``beside`` them.
+    """
+    found = False
+    for line in file.content.decode("latin-1").replace("\r", "\n").split("\n"):
+        match = _NUMBERED.match(line)
+        if match is None or (int(match[1]) < POINTS_FROM and beside):
+            continue
+        if int(match[1]) < POINTS_FROM or not _RECORD.fullmatch(match[2]):
+            return False
+        found = True
+    return found
+
+
+def _claims(gathered: Gathered) -> Iterator[range]:
+    """Yield the numbers that the axes claim by 3621 and 3622, as far as they can be read."""
+    for singles in gathered.singles.values():
+        ends = [
+            singles[name][-1].text for name in ("first_number", "last_number") if singles.get(name)
+        ]
+        if (
+            len(ends) == 2
+            and all(re.fullmatch("[0-9]{1,6}", end) for end in ends)
+            and int(ends[0]) < int(ends[1])
+        ):
+            yield range(int(ends[0]), int(ends[1]) + 1)
+
+
+def point_number(row: Found) -> int:
+    """Return the number of a point, from 0."""
+    return int(row.occurrence.tokens["number"].text) - POINTS_FROM
+
+
+def points_by_number(
+    definition: Definition, gathered: Gathered, files: Sequence[ControlFile], notes: Notes
+) -> dict[int, Found]:
+    """Return the point records by number. The same number twice must say the same, and the control
+    must have it.
+    """
+    highest = definition.limit_number("max_number") or 0
+    points: dict[int, Found] = {}
+    for row in point_rows(definition, gathered, files):
+        number = point_number(row)
+        text = row.occurrence.tokens["value"].text
+        if number > highest:
+            message = f"point number {number} does not exist in this control"
+            notes.faults.append(fault_at(row, message, f"0 .. {highest}", str(number)))
+            continue
+        first = points.setdefault(number, row)
+        if not same_value(text, first.occurrence.tokens["value"].text):
+            message = f"point {number} contradicts {first.where}"
+            notes.faults.append(fault_at(row, message, first.occurrence.tokens["value"].text, text))
+    return points
+
+
+def fault_at(found: Found, message: str, expected: str = "", what: str = "") -> Fault:
+    """Return a fault at the line of a value."""
+    return Fault(
+        message=message,
+        file=found.occurrence.file,
+        place=found.occurrence.place,
+        expected=expected,
+        found=what,
+    )
+
+
+def number_list(numbers: Iterable[int]) -> str:
+    """Return numbers with commas; long lists end in dots."""
+    chosen = list(numbers)
+    return ", ".join(map(str, chosen[:8])) + (" .." if len(chosen) > 8 else "")

@@ -1,0 +1,127 @@
+"""What the tables between axes (SINUMERIK's CEC) do together: sums by pair of axes, as curves,
+under the limit of the control.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from compwright.formats.families.pairs.reading import Cec, CecTable
+from compwright.formats.text.notes import Notes
+from compwright.foundations.errors import Fault
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.correction import AxisCompensation, CrossCompensation
+
+
+def check_sums(cec: Cec, notes: Notes, wanted: Iterable[str] = ()) -> None:
+    """A control whose sum of corrections runs into its limit stands in alarm: such a state cannot
+    be read as curves.
+
+    ``wanted``: the axes that are asked for (none: all); others are left alone.
+    """
+    asked = tuple(wanted)
+    for output, limit in cec.max_sum.items():
+        if asked and output not in asked:
+            continue
+        pairs = dict.fromkeys(
+            table.pair for table in cec.tables if table.output == output and table.active
+        )
+        low = high = 0.0
+        for pair in pairs:
+            curves = [curve for _, _, *both in _merged(cec.acting(pair)) for curve in both]
+            low += min(float(np.min(curve)) for curve in curves)
+            high += max(float(np.max(curve)) for curve in curves)
+        if max(high, -low) > limit * (1 + 1e-9):
+            notes.faults.append(
+                Fault(
+                    message=(
+                        f"axis {output}: its CEC tables together reach beyond CEC_MAX_SUM, where"
+                        " the control cuts them off"
+                    ),
+                    expected=f"at most {limit:g}",
+                    found=f"{low:g} .. {high:g}",
+                )
+            )
+
+
+def _merged(
+    tables: Sequence[CecTable],
+) -> list[tuple[float | None, FloatArray, FloatArray, FloatArray]]:
+    """Return period, nodes and the sum of all tables by direction, for tables without a period and
+    for each period and start.
+
+    The sum of curves that are straight between their nodes is straight between the nodes of all of
+    them.
+    """
+    groups: dict[tuple[float | None, float | None], list[CecTable]] = {}
+    for table in tables:
+        start = None if table.period is None else float(table.positions[0])
+        groups.setdefault((table.period, start), []).append(table)
+    merged = []
+    for (period, _), members in groups.items():
+        nodes: FloatArray = np.unique(np.concatenate([table.positions for table in members]))
+        curves = []
+        for direction in Direction:
+            acting = [
+                np.interp(nodes, table.positions, table.values)
+                for table in members
+                if direction in table.directions
+            ]
+            curves.append(np.sum(acting, axis=0) if acting else np.zeros(nodes.size))
+        merged.append((period, nodes, curves[0], curves[1]))
+    return merged
+
+
+def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensation:
+    """Return what acts on an axis together with its tables over itself: they are its table where it
+    has no other one.
+    """
+    own = [
+        replace(
+            compensation,
+            positions=nodes,
+            positive=positive,
+            negative=negative,
+            backlash=0.0,
+            period=period,
+            below="hold",
+            above="hold",
+        )
+        for period, nodes, positive, negative in _merged(
+            cec.acting((compensation.address, compensation.address))
+        )
+    ]
+    if not own:
+        return compensation
+    if compensation.positions.size == 0:
+        return replace(own[0], backlash=compensation.backlash, others=tuple(own[1:]))
+    return replace(compensation, others=tuple(own))
+
+
+def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
+    """Return what one axis does to another, in the order of the indices; tables of one pair that
+    repeat differently stand apart.
+    """
+    unknown = {(table.input, table.output) for table in cec.odd if table.largest}
+    pairs = [
+        pair
+        for pair in dict.fromkeys(table.pair for table in cec.tables if table.input != table.output)
+        if pair not in unknown
+    ]
+    return tuple(
+        CrossCompensation(
+            input=pair[0],
+            output=pair[1],
+            input_kind=kind(pair[0]),
+            output_kind=kind(pair[1]),
+            positions=nodes,
+            positive=positive,
+            negative=negative,
+            period=period,
+        )
+        for pair in pairs
+        for period, nodes, positive, negative in _merged(cec.acting(pair))
+    )

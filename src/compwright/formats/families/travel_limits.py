@@ -1,0 +1,87 @@
+"""The limits of an axis in the control's files against the job's travel: both in machine
+coordinates, or the table lies wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from compwright.formats.families.grid.axis_reading import Fact
+from compwright.formats.text.gathering import Gathered
+from compwright.formats.text.notes import Notes
+from compwright.records.axis import Axis
+
+#: Part of the travel that may lie outside the control's limits without a word, and that is not
+#: enough inside: travels are rounded.
+_OUTSIDE = 0.05
+
+
+def check_travel(
+    axis: Axis,
+    limits: tuple[float, float],
+    label: str,
+    names: str,
+    notes: Notes,
+    refuse: Callable[[str, str, str], None],
+) -> None:
+    """Hold the job's travel against the ``limits`` of the axis (low, high; mm or deg), which the
+    control calls ``names``.
+
+    A travel outside them goes to ``refuse`` (message, expected, found), one that reaches beyond
+    them is a doubt; where the upper one is not above the lower one none are set.
+    """
+    low, high = limits
+    if not low < high:
+        return
+    start, end = axis.travel
+    if min(end, high) - max(start, low) <= _OUTSIDE * (end - start):
+        refuse(
+            f"the travel of the job lies where the axis cannot go by its limits ({names})",
+            f"{low:g} to {high:g}: travel and targets in machine coordinates",
+            f"{start:g} to {end:g}",
+        )
+    elif (outside := max(low - start, 0.0) + max(end - high, 0.0)) > _OUTSIDE * (end - start):
+        notes.find(
+            "CW-S045",
+            "warning",
+            f"{label}: {outside:g} {axis.kind.unit} of the travel lie outside its limits of {low:g}"
+            f" to {high:g} ({names}): are travel and targets in machine coordinates?",
+        )
+
+
+def check_limits(
+    gathered: Gathered,
+    address: str,
+    axis: Axis | None,
+    facts: Mapping[str, Fact],
+    partners: Mapping[str, str],
+    notes: Notes,
+) -> None:
+    """Hold the limits among the ``facts`` of an axis against its travel; an endless axis has none.
+
+    A gantry goes as far as its leading axis may: the limits of its partner (``partners``: by
+    leading axis) are not asked.
+    """
+    if address in partners.values():
+        return
+    low, high = (facts.get(name) for name in ("limit_low", "limit_high"))
+    if (
+        axis is None
+        or axis.modulo is not None
+        or "modulo_range" in facts
+        or low is None
+        or high is None
+    ):
+        return
+    places = gathered.found("limit_high", address, None)
+    bindings = [gathered.definition.bindings[name] for name in ("limit_low", "limit_high")]
+    forms = [gathered.definition.statements[binding.statement].form for binding in bindings]
+    label, names = (
+        f"axis {address}",
+        ", ".join(form.split("{", 1)[0].rstrip(" =[") for form in forms),
+    )
+
+    def refuse(message: str, expected: str, found: str) -> None:
+        notes.refuse(label, message, places[-1] if places else None, expected=expected, found=found)
+
+    check_travel(axis, (float(low), float(high)), label, names, notes, refuse)

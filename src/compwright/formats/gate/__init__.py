@@ -1,0 +1,1 @@
+"""What every definition has to pass."""

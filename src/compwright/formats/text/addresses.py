@@ -1,0 +1,62 @@
+"""How the control names an axis."""
+
+from __future__ import annotations
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import field_matches
+from compwright.foundations.errors import Fault, UsageError
+from compwright.records.axis import Axis
+from compwright.records.correction import Assumption
+
+
+def normal_text(definition: Definition, address: str) -> str:
+    """Return an address as the engine compares it: one spelling for each axis (``ax1`` -> ``AX1``,
+    ``00`` -> ``0``).
+
+    Raises UsageError when the control cannot have such an axis.
+    """
+    rule = definition.addresses
+    text = address.strip()
+    if not field_matches(rule.type, text):
+        expected = (
+            "a number" if rule.type == "integer" else "a name of letters, digits and _, such as AX1"
+        )
+        raise UsageError(
+            Fault(
+                message=f"{definition.id} cannot name an axis like this",
+                expected=expected,
+                found=repr(address)[:40],
+            )
+        )
+    if rule.type == "integer":
+        return str(int(text))
+    return text.upper() if rule.case == "ignored" else text
+
+
+def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption | None]:
+    """Return the control's address of an axis, and what had to be assumed to find it.
+
+    Where the control counts its axes and the job gives only an axis letter, the number is the
+    letter's place in the row of the definition (XYZABCUVW for LinuxCNC). Raises UsageError when the
+    control cannot name the axis.
+    """
+    letters = definition.addresses.letters
+    letter = axis.address.strip().upper()
+    if letters is not None and len(letter) == 1 and letter in letters:
+        number = str(letters.index(letter))
+        return number, Assumption(
+            fact=f"address of axis {axis.name}",
+            value=number,
+            evidence=str(definition.addresses.evidence),
+        )
+    try:
+        return normal_text(definition, axis.address), None
+    except UsageError as error:
+        fault = error.faults[0]
+        raise UsageError(
+            Fault(
+                message=f"{fault.message}: give the address of axis {axis.name}",
+                expected=fault.expected,
+                found=fault.found,
+            )
+        ) from error

@@ -1,0 +1,156 @@
+"""What changes between two sets of control files, entry by entry: old value, new value, and how
+much stays as it is.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from compwright.formats.definition.schema import Definition, Statement
+from compwright.formats.definition.statements import Occurrence, print_form
+from compwright.formats.text.addresses import normal_text
+from compwright.formats.text.axis_names import axis_names
+from compwright.formats.text.entry_sheet import is_entry_sheet, read_sheet
+from compwright.formats.text.gathering import same_value
+from compwright.formats.text.texts import TextReader
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+#: Fields that say which entry a line is; all others hold its values.
+_IDENTITY = ("axis", "system", "index", "number", "table", "position", "line")
+
+
+@dataclass(frozen=True, slots=True)
+class EntryChange:
+    """One entry as the control writes it; ``address`` None: the line names no axis. ``old`` /
+    ``new`` None: not there.
+    """
+
+    entry: str
+    address: str | None
+    old: str | None
+    new: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class FileDiff:
+    """All changes in the order of the new files, then what is gone; ``untouched``: lines of the old
+    files that stay as they are.
+    """
+
+    changes: tuple[EntryChange, ...]
+    untouched: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    label: str
+    address: str | None
+    text: str
+
+
+def compare_files(
+    definition: Definition, old: Sequence[ControlFile], new: Sequence[ControlFile]
+) -> FileDiff:
+    """Return the difference of what two sets of files enter. Files that hold a table by rows are
+    compared row by row.
+
+    Both sets were read before: what cannot be read here is left out.
+    """
+    before, after = dict(_entries(definition, old)), dict(_entries(definition, new))
+    changes = []
+    for key, entry in after.items():
+        was = before.get(key)
+        if was is None or not same_value(was.text, entry.text):
+            changes.append(
+                EntryChange(entry.label, entry.address, was.text if was else None, entry.text)
+            )
+    replaced = {file.name for file in new}
+    for key, entry in before.items():
+        if key not in after and key[0] in replaced:
+            changes.append(EntryChange(entry.label, entry.address, entry.text, None))
+    return FileDiff(tuple(changes), _untouched(old, new))
+
+
+def all_names(
+    definition: Definition, files: Sequence[ControlFile], addresses: Sequence[str]
+) -> set[str]:
+    """Return every name that ``files`` give to the axes at ``addresses``, those themselves among
+    them.
+    """
+    reader, faults = TextReader(definition), list[Fault]()
+    texts = [
+        text
+        for file in files
+        if not is_entry_sheet(file) and (text := reader.read(file, faults)) is not None
+    ]
+    names = axis_names(definition, texts, addresses)
+    return {name for address in addresses for name in names.forms(address)}
+
+
+def _untouched(old: Sequence[ControlFile], new: Sequence[ControlFile]) -> int:
+    by_name = {file.name: file for file in new}
+    count = 0
+    for file in old:
+        lines = Counter(line for line in file.content.splitlines() if line.strip())
+        other = by_name.get(file.name)
+        kept = lines if other is None else lines & Counter(other.content.splitlines())
+        count += sum(kept.values())
+    return count
+
+
+def _entries(
+    definition: Definition, files: Sequence[ControlFile]
+) -> Iterator[tuple[tuple[str, ...], _Entry]]:
+    faults: list[Fault] = []
+    reader = TextReader(definition)
+    for file in files:
+        if is_entry_sheet(file):
+            sheet = read_sheet(file, faults)
+            for row in sheet.rows if sheet else ():
+                label = f"{row.point} at {row.position}" if row.position else row.point
+                yield (
+                    (file.name, row.point),
+                    _Entry(f"{file.name}: {label}", sheet.axis if sheet else None, row.value),
+                )
+            continue
+        text = reader.read(file, faults)
+        for occurrence in text.occurrences if text else ():
+            yield from _values(definition, occurrence)
+
+
+def _values(
+    definition: Definition, occurrence: Occurrence
+) -> Iterator[tuple[tuple[str, ...], _Entry]]:
+    statement = definition.statements[occurrence.statement]
+    tokens = occurrence.tokens
+    identity = [tokens[name].text for name in _IDENTITY if name in tokens]
+    named = tokens.get("axis")
+    address = normal_text(definition, named.text) if named is not None else None
+    # A line that names neither axis nor number belongs to its file: the same row in another file is
+    # another entry.
+    scope = "" if {"axis", "number", "table"} & set(tokens) else occurrence.file
+    for field, token in tokens.items():
+        if field in _IDENTITY or field == "key":
+            continue
+        yield (
+            (scope, statement.name, *identity, field),
+            _Entry(_label(statement, occurrence, field), address, token.text),
+        )
+
+
+def _label(statement: Statement, occurrence: Occurrence, field: str) -> str:
+    """Return the line up to its value; of a bit its number (``N03605Q1A1 bit 0``)."""
+    values = {name: token.text for name, token in occurrence.tokens.items()}
+    marked = {**values, **{name: "\0" for name in statement.fields if name not in _IDENTITY}}
+    text = print_form(
+        statement.form, {name: marked.get(name, "") for name in (*statement.fields, *marked)}
+    )
+    label = text.split("\0")[0].rstrip('PMI=( "')
+    kind = statement.fields.get(field)
+    if kind == "bit":
+        return f"{label} bit {field[1:]}"
+    several = sum(name not in _IDENTITY and name != "key" for name in statement.fields) > 1
+    return f"{label or statement.name} {field}" if several else label or statement.name

@@ -1,0 +1,207 @@
+"""Statements of several files -> what they say about each axis and measuring system."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from decimal import Decimal, InvalidOperation
+
+from compwright.formats.definition.consistency import curves
+from compwright.formats.definition.schema import Binding, Definition
+from compwright.formats.definition.statements import Occurrence
+from compwright.formats.text.addresses import normal_text
+from compwright.formats.text.axis_names import AxisNames, axis_names
+from compwright.formats.text.texts import ReadText
+from compwright.foundations.errors import Fault
+from compwright.foundations.findings import Finding
+
+#: Address and measuring system (as counted in the text); None: the text has none of it.
+Key = tuple[str | None, str | None]
+_TRUTH = {"TRUE": "1", "FALSE": "0"}
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """One value as it stands in a file; ``number`` is the place of the file among those given."""
+
+    text: str
+    occurrence: Occurrence
+    number: int
+
+    @property
+    def where(self) -> str:
+        """File and line, for messages."""
+        return f"{self.occurrence.file}, line {self.occurrence.line}"
+
+
+@dataclass(slots=True)
+class Gathered:
+    """Everything by its key. ``singles[key][quantity]`` and ``rows[key]`` in the order of the
+    files.
+    """
+
+    definition: Definition
+    singles: dict[Key, dict[str, list[Found]]] = field(default_factory=dict)
+    rows: dict[Key, list[Found]] = field(default_factory=dict)
+    file_rows: dict[int, list[Found]] = field(default_factory=dict)
+    file_names: dict[int, str] = field(default_factory=dict)
+    sections: list[str] = field(default_factory=list)
+    names: AxisNames = field(default_factory=AxisNames)
+    #: How the files write each axis where they speak of it, in the order of their first appearance.
+    spellings: dict[str, list[str]] = field(default_factory=dict)
+    #: The files (by their place among those given) that list the names of the axes.
+    naming: set[int] = field(default_factory=set)
+
+    def axis(self, text: str) -> str:
+        """Return the address of an axis by any of its names."""
+        return self.names.address(normal_text(self.definition, text))
+
+    def spelled(self, address: str) -> str:
+        """Return how the files write an axis; the address itself where they do not."""
+        return self.spellings.get(address, [address])[0]
+
+    def addresses(self) -> list[str]:
+        """Return the addresses that the files name, in the order of their first appearance.
+
+        Where the control counts measuring systems, what is said of the axis as a whole (that it is
+        rotary) does not name it.
+        """
+        counted = any(
+            "system" in statement.fields for statement in self.definition.statements.values()
+        )
+        keys = (key for key in (*self.singles, *self.rows) if key[1] is not None or not counted)
+        return list(dict.fromkeys(address for address, _ in keys if address is not None))
+
+    def systems(self, address: str) -> list[str]:
+        """Return the measuring systems that the files name for an address, in order."""
+        return sorted(
+            {
+                system
+                for found, system in (*self.singles, *self.rows)
+                if found == address and system is not None
+            }
+        )
+
+    def found(self, quantity: str, address: str, system: str | None) -> list[Found]:
+        """Return every place where a quantity stands: for this system, else for the axis, else for
+        the whole machine.
+        """
+        for key in ((address, system), (address, None), (None, None)):
+            places = self.singles.get(key, {}).get(quantity)
+            if places:
+                return places
+        return []
+
+
+def gather(
+    definition: Definition, texts: Iterable[ReadText], asked: Sequence[str] = ()
+) -> Gathered:
+    """Sort the statements of all files by axis and measuring system.
+
+    ``asked``: the addresses under which axes are asked for; see `axis_names` for what it raises.
+    """
+    texts = tuple(texts)
+    result = Gathered(definition, names=axis_names(definition, texts, asked))
+    table_statement = definition.bindings[curves(definition)[0]].statement
+    by_statement: dict[str, list[Binding]] = {}
+    for binding in definition.bindings.values():
+        by_statement.setdefault(binding.statement, []).append(binding)
+    for text in texts:
+        result.file_names[text.number] = text.file
+        result.sections.extend(text.sections)
+        for occurrence in text.occurrences:
+            key = _key(result, occurrence)
+            if occurrence.statement == table_statement:
+                row = Found("", occurrence, text.number)
+                if key[0] is None:
+                    result.file_rows.setdefault(text.number, []).append(row)
+                else:
+                    result.rows.setdefault(key, []).append(row)
+                continue
+            for binding in by_statement.get(occurrence.statement, ()):
+                found = Found(_text(definition, binding, occurrence), occurrence, text.number)
+                if binding.quantity == "machine_axis":
+                    result.naming.add(text.number)
+                result.singles.setdefault(key, {}).setdefault(binding.quantity, []).append(found)
+    return result
+
+
+def _key(gathered: Gathered, occurrence: Occurrence) -> Key:
+    axis = occurrence.tokens.get("axis")
+    system = occurrence.tokens.get("system")
+    address = None if axis is None else gathered.axis(axis.text)
+    if axis is not None and address is not None and system is not None:
+        forms = gathered.spellings.setdefault(address, [])
+        form = normal_text(gathered.definition, axis.text)
+        if form not in forms:
+            forms.append(form)
+    return address, None if system is None else str(int(system.text))
+
+
+def _text(definition: Definition, binding: Binding, occurrence: Occurrence) -> str:
+    """Return the value as it stands; a truth value in words as its number."""
+    text = occurrence.tokens[binding.field].text
+    if definition.statements[occurrence.statement].fields.get(binding.field) == "truth":
+        return _TRUTH.get(text.upper(), text)
+    return text
+
+
+def the_one(
+    binding: Binding,
+    places: Sequence[Found],
+    label: str,
+    faults: list[Fault],
+    findings: list[Finding],
+) -> Found | None:
+    """Return the value that counts among several, by the rule of its binding; several files have to
+    agree.
+    """
+    if not places:
+        return None
+    by_file: dict[int, list[Found]] = {}
+    for place in places:
+        by_file.setdefault(place.number, []).append(place)
+    chosen = [group[0] if binding.repeated == "first" else group[-1] for group in by_file.values()]
+    rivals = places if binding.repeated == "same" else chosen
+    for rival in rivals:
+        if not same_value(rival.text, chosen[0].text):
+            faults.append(
+                Fault(
+                    message=f"{label} contradicts {chosen[0].where}",
+                    file=rival.occurrence.file,
+                    place=rival.occurrence.place,
+                    expected=chosen[0].text,
+                    found=rival.text,
+                )
+            )
+            return None
+    if any(not same_value(place.text, chosen[0].text) for place in places):
+        findings.append(
+            Finding(
+                "CW-S003",
+                "info",
+                f"{label} is given several times; the {binding.repeated} value counts:"
+                f" {chosen[0].text} ({chosen[0].where})",
+            )
+        )
+    return chosen[0]
+
+
+def first_set(places: Sequence[Found]) -> list[Found]:
+    """Return the places of the first parameter set (0), where a quantity has several."""
+    return [
+        place
+        for place in places
+        if "set" not in place.occurrence.tokens or int(place.occurrence.tokens["set"].text) == 0
+    ]
+
+
+def same_value(one: str, other: str) -> bool:
+    """Return whether two texts are the same number, or the same text."""
+    one, other = _TRUTH.get(one.upper(), one), _TRUTH.get(other.upper(), other)
+    if one == other:
+        return True
+    try:
+        return Decimal(one) == Decimal(other)
+    except InvalidOperation:
+        return False

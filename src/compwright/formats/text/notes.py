@@ -1,0 +1,105 @@
+"""What is collected while files are read, and the sentences that several readers say: each finding
+code is made in one place.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from compwright.formats.text.gathering import Found
+from compwright.foundations.errors import Fault
+from compwright.foundations.findings import Finding
+from compwright.records.correction import Assumption
+
+
+@dataclass(slots=True)
+class Notes:
+    """What is collected while files are read."""
+
+    faults: list[Fault] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
+    assumed: list[Assumption] = field(default_factory=list)
+    #: What only the user can answer: nothing is done with the files without it.
+    questions: list[Fault] = field(default_factory=list)
+    #: Answers of the job that the files contradict; they are questions where no table needed the
+    #: answer.
+    contradictions: list[Fault] = field(default_factory=list)
+    open_answers: int = 0
+
+    def take(self, other: Notes) -> None:
+        """Take over what was noted elsewhere, except faults."""
+        self.findings.extend(other.findings)
+        self.questions.extend(other.questions)
+        self.contradictions.extend(other.contradictions)
+        self.open_answers += other.open_answers
+        for note in other.assumed:
+            self.assume(note.fact, note.value, note.evidence)
+
+    def ask_contradicted(self) -> None:
+        """An answer that no table needed, and that the files contradict, is asked about."""
+        if not self.open_answers:
+            for fault in self.contradictions:
+                self.ask(fault)
+
+    def ask(self, question: Fault) -> None:
+        """Note a question once."""
+        if question not in self.questions:
+            self.questions.append(question)
+
+    def assume(self, fact: str, value: str, evidence: str) -> None:
+        """Note an assumption once."""
+        note = Assumption(fact, value, evidence)
+        if note not in self.assumed:
+            self.assumed.append(note)
+
+    def find(self, code: str, severity: str, message: str) -> None:
+        """Note a finding."""
+        self.findings.append(Finding(code, "warning" if severity == "warning" else "info", message))
+
+    def counted_as(self, label: str, name: str, value: str) -> None:
+        """Note that a quantity is not in the files, and what it was counted as."""
+        self.find("CW-S005", "warning", f"{label}: {name} is not in the files; counted as {value}")
+
+    def switched_off(self, label: str, what: str) -> None:
+        """Note that a table of the files corrects nothing; ``what`` says by what it is off."""
+        self.find("CW-S007", "info", f"{label}: {what}; it corrects nothing")
+
+    def no_table(self, label: str) -> None:
+        """Note that no file holds a table of an axis."""
+        self.find("CW-S008", "warning", f"{label}: no file holds a table; counted as none")
+
+    def taken_for(self, axis: str, address: str) -> None:
+        """Note which axis of the control an axis of the job was taken for."""
+        self.find(
+            "CW-S010",
+            "warning",
+            f"axis {axis} is taken as {address} of the control: check it, or give its address",
+        )
+
+    def refuse(
+        self,
+        label: str,
+        message: str,
+        place: Found | None,
+        *,
+        expected: str,
+        found: str | None = None,
+    ) -> None:
+        """Note, once, what keeps files from being worked with, at the line of ``place``."""
+        fault = Fault(
+            message=f"{label}: {message}",
+            file=place.occurrence.file if place is not None else "",
+            place=place.occurrence.place if place is not None else "",
+            expected=expected,
+            found=place.text if found is None and place is not None else found or "",
+        )
+        if fault not in self.faults:
+            self.faults.append(fault)
+
+    def ignored(self, label: str, what: str, why: str) -> None:
+        """Note a value that the control ignores."""
+        self.find("CW-S009", "warning", f"{label}: {what} is ignored by the control: {why}")
+
+    def idle_file(self, message: str) -> None:
+        """Note that a table file and what the control loads do not fit."""
+        self.find("CW-S012", "warning", message)

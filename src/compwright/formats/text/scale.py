@@ -1,0 +1,127 @@
+"""Numbers in the control's text <-> neutral quantities: unit, sign and decimal places, exactly.
+
+Decimal arithmetic on the way in, whole counts of the last decimal place on the way out: what is
+written is read back as the same number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+from typing import cast
+
+from compwright.formats.definition.options import DETECTION_UNIT
+from compwright.formats.definition.schema import Definition, Measure, OptionValue, Sign
+from compwright.records.axis import AxisKind
+
+_FACTORS = {
+    "mm": Decimal(1),
+    "um": Decimal("0.001"),
+    "deg": Decimal(1),
+    "mdeg": Decimal("0.001"),
+    "inch": Decimal("25.4"),
+    "mm/m": Decimal("0.001"),
+}
+#: A number counts as a multiple of the quantum when it misses one by less than this part of it.
+#: Doubles of 5 000 mm with a quantum of 1e-7 mm are good to 1e-5 of it; a value that was not
+#: rounded misses by up to one half.
+EXACTNESS = 1e-3
+
+
+class NotHeld(ValueError):  # noqa: N818 - it says what is the matter, and never leaves the room
+    """A quantity that the control's text cannot say exactly."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """How the numbers of one axis are written: ``choices`` are the neutral values on which signs
+    depend.
+    """
+
+    definition: Definition
+    kind: AxisKind
+    options: Mapping[str, object]
+    choices: Mapping[str, str]
+
+    def unit(self, quantity: str) -> str:
+        """Return the unit in the control's text: mm, inch or deg."""
+        binding = self.definition.measure(quantity)
+        if self.kind is AxisKind.ROTARY:
+            return binding.rotary_unit
+        unit = binding.linear_unit
+        return str(self.options[unit.option]) if isinstance(unit, OptionValue) else unit
+
+    def factor(self, quantity: str) -> Decimal:
+        """Return the factor from the control's unit to mm or deg."""
+        unit = self.unit(quantity)
+        return Decimal(str(self.options[DETECTION_UNIT])) if unit == "pulse" else _FACTORS[unit]
+
+    def quantum(self, quantity: str) -> float:
+        """Return the last decimal place in mm or deg."""
+        return float(self._step(quantity) * self.factor(quantity))
+
+    def range(self, quantity: str) -> tuple[float, float]:
+        """Return the range of the neutral quantity in mm or deg; of an error, with the sign of the
+        correction.
+        """
+        binding = self.definition.measure(quantity)
+        factor = float(self.factor(quantity))
+        low, high = binding.range[0] * factor, binding.range[1] * factor
+        return (-high, -low) if self.sign(quantity) == "error" else (low, high)
+
+    def sign(self, quantity: str) -> Sign:
+        """Return what the number in the text is."""
+        binding = self.definition.measure(quantity)
+        if binding.sign_option is not None:
+            return cast("Sign", self.options[binding.sign_option])
+        if binding.sign_by is not None:
+            return binding.signs[self.choices[binding.sign_by]]
+        return binding.sign if binding.sign is not None else "position"
+
+    def read(self, quantity: str, text: str, position: Decimal = Decimal(0)) -> Decimal:
+        """Return the neutral quantity in mm or deg. ``position`` (mm or deg) is that of the row."""
+        number = Decimal(text) * self.factor(quantity)
+        sign = self.sign(quantity)
+        if sign == "error":
+            return -number
+        return position - number if sign == "actual_position" else number
+
+    def write(self, quantity: str, value: float, position: float = 0.0) -> str:
+        """Return the text of a neutral quantity in mm or deg.
+
+        Raises NotHeld when the decimal places or the range do not allow it.
+        """
+        binding = self.definition.measure(quantity)
+        count = self._count(quantity, value)
+        low, high = self.range(quantity)
+        slack = EXACTNESS * self.quantum(quantity)
+        if not low - slack <= value <= high + slack:
+            raise NotHeld(
+                f"{value:.9g} {self.kind.unit} is outside {low:g} .. {high:g} {self.kind.unit}"
+            )
+        sign = self.sign(quantity)
+        if sign == "error":
+            count = -count
+        elif sign == "actual_position":
+            count = self._count(quantity, position) - count
+        return f"{Decimal(count).scaleb(-binding.digits):f}"
+
+    def _step(self, quantity: str) -> Decimal:
+        return Decimal(1).scaleb(-self.definition.measure(quantity).digits)
+
+    def _count(self, quantity: str, value: float) -> int:
+        quantum = self.quantum(quantity)
+        ratio = value / quantum
+        count = round(ratio)
+        if abs(ratio - count) > EXACTNESS:
+            raise NotHeld(
+                f"{value:.9g} {self.kind.unit} is not a multiple of {quantum:.9g} {self.kind.unit}"
+            )
+        return count
+
+
+def in_range(measure: Measure, scale: Scale, value: Decimal) -> bool:
+    """Return whether a neutral value that was read lies in the range of its quantity."""
+    low, high = scale.range(measure.quantity)
+    return low <= value <= high

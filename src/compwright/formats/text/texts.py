@@ -1,0 +1,384 @@
+"""Bytes of a control's file -> the statements in it, each token with its byte span.
+
+Characters are taken one for one as bytes, so that comments in any 8-bit character set survive and
+spans fit the original. A line that claims to be one of ours but cannot be read is a fault; where
+the definition says so, every line has to be read.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from compwright.formats.definition.schema import Definition, Statement, TextKind
+from compwright.formats.definition.statements import (
+    Matcher,
+    Occurrence,
+    Token,
+    compile_statement,
+    line_number,
+)
+from compwright.foundations.errors import Fault
+from compwright.foundations.findings import Finding
+from compwright.records.correction import ControlFile
+
+_BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]")
+_OPEN = "("
+_ENCLOSED = re.compile(r"\([^()]*\)")
+#: Stands behind a comment mark, before a statement that compwright leaves to somebody at the
+#: control: it counts as said.
+BY_HAND = " by hand: "
+_UTF8_MARK = "\xef\xbb\xbf"  # the byte order mark, seen as single bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line without its end; ``start`` is its place in bytes, ``ended`` whether a line end
+    follows.
+    """
+
+    number: int
+    text: str
+    start: int
+    ended: bool
+
+
+@dataclass(frozen=True, slots=True)
+class ReadText:
+    """What a file says: ``number`` is its place among the files that were given; ``sections`` the
+    names of all sections in it.
+    """
+
+    number: int
+    file: str
+    kind: str
+    occurrences: tuple[Occurrence, ...]
+    sections: tuple[str, ...]
+    findings: tuple[Finding, ...]
+
+
+class TextReader:
+    """Reads files by one definition; the forms are compiled once."""
+
+    def __init__(self, definition: Definition) -> None:
+        self.definition = definition
+        self.matchers = {
+            name: compile_statement(statement, definition)
+            for name, statement in definition.statements.items()
+        }
+        ends = "|".join(
+            re.escape(end)
+            for end in sorted(definition.dialect.newlines_read, key=len, reverse=True)
+        )
+        self.newline = re.compile(ends)
+
+    def read(self, file: ControlFile, faults: list[Fault], number: int = 0) -> ReadText | None:
+        """Return the statements of a file, or None when it cannot be read at all; what is wrong
+        goes to ``faults``.
+        """
+        if _BINARY.search(file.content):
+            faults.append(
+                Fault(
+                    message="is not a text file (a binary archive?)",
+                    file=file.name,
+                    expected=(
+                        "text as the control exports it, in ASCII or another 8-bit character set"
+                    ),
+                )
+            )
+            return None
+        lines = self.lines(file.content.decode("latin-1"))
+        kind = self._kind(lines)
+        return _KindReader(self, kind, file.name, faults).read(lines, number)
+
+    def lines(self, text: str) -> list[Line]:
+        """Return the lines of a text; a last line without an end counts when it is not empty."""
+        result: list[Line] = []
+        start = 0
+        for match in self.newline.finditer(text):
+            result.append(Line(len(result) + 1, text[start : match.start()], start, ended=True))
+            start = match.end()
+        if start < len(text):
+            result.append(
+                Line(len(result) + 1, text[start:].removesuffix("\x1a"), start, ended=False)
+            )
+        return result
+
+    def _kind(self, lines: Sequence[Line]) -> TextKind:
+        kinds = self.definition.texts.values()
+        for kind in kinds:
+            if kind.recognised_by is not None:
+                matcher = self.matchers[kind.recognised_by]
+                if any(matcher.forms[0].fullmatch(line.text) for line in lines):
+                    return kind
+        return next(kind for kind in kinds if kind.recognised_by is None)
+
+
+class _KindReader:
+    """Reads the lines of one file as one kind of text."""
+
+    def __init__(self, reader: TextReader, kind: TextKind, file: str, faults: list[Fault]) -> None:
+        self.kind = kind
+        self.file = file
+        self.faults = faults
+        self.ignores_case = reader.definition.dialect.case == "ignored"
+        self.matchers = [
+            m
+            for m in reader.matchers.values()
+            if m.statement.text == kind.name and m.statement.name != kind.sections
+        ]
+        self.sections = reader.matchers.get(kind.sections) if kind.sections is not None else None
+        self.numbered = any(matcher.number is not None for matcher in self.matchers)
+        self.max_line = (
+            reader.definition.limit_number("line_length_read") if kind.other_lines_refused else None
+        )
+        self.section = ""
+        self.section_start = 0
+        self.seen_sections: list[str] = []
+
+    def read(self, lines: Sequence[Line], number: int) -> ReadText:
+        occurrences: list[Occurrence] = []
+        last = max((line.number for line in lines if line.text.strip(" \t")), default=0)
+        for line in lines:
+            code = self._code(line)
+            if not code.strip(" \t"):
+                if (
+                    line.number < last
+                    and self.kind.other_lines_refused
+                    and not self.kind.blank_lines_anywhere
+                ):
+                    self._refuse(line, "a blank line in the middle of the rows")
+                continue
+            if self.max_line is not None and len(line.text) > self.max_line:
+                self._refuse(
+                    line,
+                    f"a line of {len(line.text)} characters",
+                    expected=f"at most {self.max_line} characters",
+                )
+            elif not self._open_section(line, code):
+                occurrences.extend(self._statement(line, code))
+        return ReadText(
+            number,
+            self.file,
+            self.kind.name,
+            tuple(occurrences),
+            tuple(self.seen_sections),
+            tuple(self._ending(lines, last, occurrences)),
+        )
+
+    def _code(self, line: Line) -> str:
+        """Return the line up to its comment."""
+        if not self.kind.comment_marks:
+            return line.text
+        for mark in self.kind.comment_marks:
+            if line.text.startswith(mark + BY_HAND):  # places stay as they are
+                return line.text.replace(mark + BY_HAND, " " * len(mark + BY_HAND), 1)
+        if not self.kind.comments_anywhere:
+            return "" if line.text.lstrip(" \t").startswith(self.kind.comment_marks) else line.text
+        if self.kind.comment_marks == (
+            _OPEN,
+        ):  # such a comment has an end; places stay as they are
+            return _ENCLOSED.sub(lambda comment: " " * len(comment[0]), line.text)
+        places = [place for mark in self.kind.comment_marks if (place := line.text.find(mark)) >= 0]
+        return line.text[: min(places)] if places else line.text
+
+    def _open_section(self, line: Line, code: str) -> bool:
+        match = self.sections.forms[0].fullmatch(code) if self.sections is not None else None
+        if match is None:
+            return False
+        self.section = match["section"]
+        self.section_start = line.start + match.start("section")
+        if self.section in self.seen_sections and any(
+            m.section and m.section.fullmatch(self.section) for m in self.matchers
+        ):
+            self._fault(
+                line,
+                f"the section [{self.section}] stands here a second time; the control reads only"
+                " the first",
+            )
+        self.seen_sections.append(self.section)
+        return True
+
+    def _statement(self, line: Line, code: str) -> Iterator[Occurrence]:
+        if (
+            self.numbered
+            and "\r" in code
+            and any(self._ours(piece) for piece in code.split("\r")[1:])
+        ):
+            self._fault(
+                line,
+                "cannot be read" + _hint(code),
+                expected="a line end of the control",
+                found=_shown(code),
+            )
+            return
+        probe = code.upper() if self.ignores_case else code
+        number = line_number(code) if self.numbered else None
+        for matcher in self.matchers:
+            if matcher.head not in probe or (
+                matcher.number is not None and matcher.number != number
+            ):
+                continue
+            for place, form in enumerate(matcher.forms):
+                match = form.fullmatch(code)
+                if match is not None:
+                    yield from self._occurrences(line, matcher, place, match)
+                    return
+            if matcher.number is not None and matcher.number in self.kind.claims_at_start:
+                self._fault(
+                    line,
+                    "cannot be read" + _hint(code),
+                    expected=_readable(matcher.statement),
+                    found=_shown(code),
+                )
+                return
+        claimed = self._claimed(probe) if self._concerns_us(probe) else None
+        if claimed is not None:
+            self._fault(
+                line,
+                "cannot be read" + _hint(code),
+                expected=_nearest(self.matchers, probe) or claimed,
+                found=_shown(code),
+            )
+        elif self.kind.other_lines_refused:
+            self._refuse(line, "cannot be read as a row" + _hint(code))
+
+    def _ours(self, piece: str) -> bool:
+        """Whether a piece of a line would be a statement if it stood alone."""
+        known = line_number(piece) in self.kind.claims_at_start
+        return known or any(
+            form.fullmatch(piece) for matcher in self.matchers for form in matcher.forms
+        )
+
+    def _occurrences(
+        self, line: Line, matcher: Matcher, place: int, match: re.Match[str]
+    ) -> Iterator[Occurrence]:
+        repeating = matcher.forms[place].group
+        if repeating is None:
+            yield from self._occurrence(line, matcher, place, (match,))
+            return
+        for group in repeating.finditer(match.string, match.start("groups_"), match.end("groups_")):
+            yield from self._occurrence(line, matcher, place, (match, group))
+
+    def _occurrence(
+        self, line: Line, matcher: Matcher, place: int, matches: tuple[re.Match[str], ...]
+    ) -> Iterator[Occurrence]:
+        def token(name: str) -> Token:
+            match = next(found for found in matches if name in found.re.groupindex)
+            return Token(match[name], line.start + match.start(name), line.start + match.end(name))
+
+        tokens = {name: token(name) for name in matcher.statement.fields}
+        if matcher.section is not None:
+            within = matcher.section.fullmatch(self.section)
+            if within is None:
+                return
+            for name, text in within.groupdict().items():
+                tokens[name] = Token(
+                    text,
+                    self.section_start + within.start(name),
+                    self.section_start + within.end(name),
+                )
+        checksum = token("checksum_") if matches[0].groupdict().get("checksum_") else None
+        yield Occurrence(matcher.statement.name, self.file, line.number, tokens, place, checksum)
+
+    def _concerns_us(self, probe: str) -> bool:
+        """Whether the line could be a statement here: a key of the same name in another section is
+        not ours.
+        """
+        similar = [matcher for matcher in self.matchers if matcher.head and matcher.head in probe]
+        return not similar or any(
+            matcher.section is None or matcher.section.fullmatch(self.section)
+            for matcher in similar
+        )
+
+    def _claimed(self, probe: str) -> str | None:
+        for claim in self.kind.claims_anywhere:
+            if (claim.upper() if self.ignores_case else claim) in probe:
+                return claim
+        start = probe.lstrip(" \t")
+        return next((claim for claim in self.kind.claims_at_start if start.startswith(claim)), None)
+
+    def _ending(
+        self, lines: Sequence[Line], last: int, occurrences: Sequence[Occurrence]
+    ) -> Iterator[Finding]:
+        """A file that stops without its end mark may have been cut short; in the middle of a number
+        it cannot be trusted.
+        """
+        final = lines[last - 1] if last else None
+        marked = final is not None and self._code(final).strip(" \t").upper() in self.kind.ends_with
+        if final is None or not (occurrences and self.kind.ends_with):
+            if final is not None and not final.ended:
+                yield Finding(
+                    "CW-S001",
+                    "warning",
+                    f"{self.file}: the last line has no line end; check that the file is complete",
+                )
+            return
+        # Checked first: an archive of several programs holds end marks before its last line.
+        if not final.ended and occurrences[-1].line == final.number:
+            self._fault(
+                final,
+                "the file ends inside this line, it may have been cut short",
+                expected=f"a line end, then {self.kind.ends_with[0]}",
+            )
+            return
+        # Where one mark both opens and closes a file, the first line is no end; behind an end that
+        # was cut away nothing is sure.
+        if (final.ended or marked) and any(
+            self._code(line).strip(" \t").upper() in self.kind.ends_with for line in lines[1:][-20:]
+        ):
+            return
+        yield Finding(
+            "CW-S002",
+            "warning",
+            f"{self.file}: no {self.kind.ends_with[0]} at the end; check that the file is complete",
+        )
+
+    def _refuse(self, line: Line, message: str, expected: str = "") -> None:
+        rows = " or ".join(_readable(matcher.statement) for matcher in self.matchers)
+        self._fault(
+            line,
+            f"{message}; {self.kind.because}",
+            expected=expected or rows,
+            found=_shown(line.text),
+        )
+
+    def _fault(self, line: Line, message: str, *, expected: str = "", found: str = "") -> None:
+        self.faults.append(
+            Fault(
+                message=message,
+                file=self.file,
+                place=f"line {line.number}",
+                expected=expected,
+                found=found,
+            )
+        )
+
+
+def _nearest(matchers: Sequence[Matcher], probe: str) -> str:
+    """Return the form whose first word fits the line best."""
+    fitting = [matcher for matcher in matchers if matcher.head and matcher.head in probe]
+    return (
+        _readable(max(fitting, key=lambda matcher: len(matcher.head)).statement) if fitting else ""
+    )
+
+
+def _readable(statement: Statement) -> str:
+    return statement.form.replace("{", "<").replace("}", ">")
+
+
+def _shown(text: str) -> str:
+    """Return a piece of a line that is safe to show."""
+    shown = text.strip(" \t\r")[:60]
+    return repr(shown) if shown else "an empty line"
+
+
+def _hint(code: str) -> str:
+    if code.startswith(_UTF8_MARK):
+        return " (the file begins with a byte order mark)"
+    if "\r" in code:
+        return " (a bare carriage return inside the line)"
+    if re.search(r"[0-9],[0-9]+\s*$", code):
+        return " (a decimal comma?)"
+    return ""

@@ -1,0 +1,89 @@
+"""``decode``: what a control would do with these files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from compwright.documents.decode import DecodedAxis, decode_document
+from compwright.foundations.errors import Fault, UsageError
+from compwright.records.axis import Direction, FloatArray
+from compwright.workflow.stages.circle_work import judged_cross
+from compwright.workflow.stages.control import decode, judged, open_control, read_files
+
+MOST_POSITIONS = 1_000_000
+
+
+def decode_files(
+    paths: Sequence[Path],
+    format_id: str,
+    options: dict[str, object],
+    *,
+    axis: str | None = None,
+    at: str | None = None,
+) -> dict[str, Any]:
+    """Return the decode document of control files: at the nodes of each table, or at the positions
+    of ``at``.
+
+    ``axis`` restricts it to one address. Raises UsageError (options, a bad list) and InputError
+    (files, or an axis that they do not speak of).
+    """
+    control = open_control(format_id, options)
+    wanted = None if at is None else positions_of(at)
+    decoded = decode(control, read_files(paths), address=axis)
+    answer = {}
+    for address, entry in decoded.state.axes.items():
+        where = entry.positions if wanted is None else wanted
+        answer[address] = DecodedAxis(
+            kind=entry.kind,
+            positions=where,
+            positive=judged(decoded, address, where, Direction.POSITIVE),
+            negative=judged(decoded, address, where, Direction.NEGATIVE),
+        )
+    assumed = (*control.assumed(decoded.state), *decoded.state.assumed)
+    return decode_document(answer, assumed, decoded.state.findings, judged_cross(decoded, wanted))
+
+
+def positions_of(text: str) -> FloatArray:
+    """Return the positions of a comma list of numbers and ``LO:HI:STEP`` ranges, in that order (mm
+    or deg).
+
+    A range ends with HI where a step falls on it (within 1e-9 of a step). Raises UsageError with
+    every part that cannot be read.
+    """
+    faults: list[Fault] = []
+    positions: list[float] = []
+    for part in text.split(","):
+        try:
+            positions.extend(_part(part.strip()))
+        except ValueError as error:
+            faults.append(
+                Fault(
+                    message="cannot be read",
+                    place="--at",
+                    expected="a number or LO:HI:STEP",
+                    found=str(error),
+                )
+            )
+    if faults:
+        raise UsageError(*faults)
+    return np.array(positions, dtype=np.float64)
+
+
+def _part(part: str) -> list[float]:
+    try:
+        numbers = [float(piece) for piece in part.split(":")]
+    except ValueError as error:
+        raise ValueError(repr(part)) from error
+    if not all(np.isfinite(numbers)) or len(numbers) not in {1, 3}:
+        raise ValueError(repr(part))
+    if len(numbers) == 1:
+        return numbers
+    low, high, step = numbers
+    if step <= 0 or high < low or (high - low) / step > MOST_POSITIONS:
+        raise ValueError(f"{part!r} (LO <= HI, STEP > 0, at most {MOST_POSITIONS} positions)")
+    count = int(np.floor((high - low) / step + 1e-9)) + 1
+    return [low + index * step for index in range(count)]

@@ -1,0 +1,230 @@
+"""``export``: the tables of a plan again, for this control or another."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from compwright.documents.plan import read_plan
+from compwright.formats.families.grid.capacity import capacity_for
+from compwright.formats.text.addresses import normal_address
+from compwright.foundations import storage
+from compwright.foundations.errors import (
+    CapacityError,
+    CompwrightError,
+    Fault,
+    UsageError,
+    collect,
+    raise_all,
+)
+from compwright.foundations.findings import Finding
+from compwright.jobs.command_line import ACTIVE
+from compwright.records.axis import Axis
+from compwright.records.correction import Assumption, ControlFile
+from compwright.records.plan import Plan, PlannedCross
+from compwright.workflow.stages.control import (
+    Control,
+    DecodedState,
+    decode,
+    open_control,
+    read_files,
+)
+from compwright.workflow.stages.cross_tables import write_planned
+from compwright.workflow.stages.own_output import refuse_added_again
+from compwright.workflow.stages.work import AS_FOUND, fit_within, write_fitted
+
+#: ``--option address.X=0``: how the control names axis X of the plan.
+ADDRESS = "address."
+
+
+@dataclass(frozen=True, slots=True)
+class ExportOutcome:
+    """The files written, what had to be assumed, the axes without a table in the plan, and what the
+    control cannot hold.
+    """
+
+    files: tuple[Path, ...]
+    assumed: tuple[Assumption, ...]
+    missing: tuple[str, ...]
+    findings: tuple[Finding, ...] = ()
+
+
+def export_plan(
+    path: Path,
+    format_id: str,
+    options: dict[str, object],
+    states: Sequence[str],
+    out: Path,
+    *,
+    force: bool = False,
+) -> ExportOutcome:
+    """Fit the plan's wanted totals to a control and write its files into ``out``.
+
+    Another control has names of its own for the axes: the options ``address.NAME`` give them, else
+    the plan's name is taken. ``states``: what is in the control, ``none`` or its files; empty: as
+    the plan says, where it is for the same format. Raises UsageError (2) where the state is not
+    known, InputError (3), CapacityError (4), StorageError (5).
+    """
+    plan = read_plan(storage.read_bytes(path), str(path))
+    addresses = {
+        key.removeprefix(ADDRESS): str(options.pop(key))
+        for key in list(options)
+        if key.startswith(ADDRESS)
+    }
+    active = _answer(options.pop(ACTIVE, None))
+    raise_all(UsageError, _unknown(addresses, plan, str(path)))
+    given = {**plan.options, **options} if plan.format == format_id else options
+    control = open_control(format_id, given)
+    moved, taken = _axes_here(plan, control, addresses)
+    state = _state(plan, control, list(moved.values()), states, str(path), active=active)
+    refuse_added_again(plan, path, state)
+    control = control.in_state(state.state)
+    fitted = []
+    errors: list[CompwrightError] = []
+    assumed: list[Assumption] = [*control.assumed(state.state), *state.state.assumed, *taken]
+    for name, entry in plan.axes.items():
+        if entry.wanted is None or entry.fitted is None:
+            continue
+        axis = moved[name]
+        try:
+            one_curve = entry.request.mode == "single"
+            capacity = capacity_for(
+                control.definition, axis, control.options, state.state, one_curve=one_curve
+            )
+            fitted.append(
+                (axis, fit_within(entry.wanted, capacity, entry.request, address=axis.address))
+            )
+        except CapacityError as error:
+            errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))
+    raise_all(CapacityError, collect(errors))
+    missing = tuple(name for name, entry in plan.axes.items() if entry.fitted is None)
+    if not fitted and not plan.cross:
+        raise UsageError(
+            Fault(
+                message="the plan holds no table",
+                file=str(path),
+                found="every axis was left as it is, because no table would improve it",
+            )
+        )
+    files, _ = write_fitted(control, fitted, state)
+    axes = {axis.name: axis for axis, _ in fitted}
+    tabled = [axis.name for axis, table in fitted if table.compensation.positions.size]
+    cross = write_planned(
+        control, [_addressed(entry, moved) for entry in plan.cross], files, state, axes, tabled
+    )
+    written = storage.write_files(
+        out,
+        {file.name: file.content for file in cross.files},
+        force=force,
+        known=lambda _name, content: (
+            not any(file.content == content for files in plan.states.values() for file in files)
+        ),
+    )
+    return ExportOutcome(
+        files=tuple(written),
+        assumed=tuple(dict.fromkeys(assumed)),
+        missing=missing,
+        findings=cross.findings,
+    )
+
+
+def _axes_here(
+    plan: Plan, control: Control, addresses: Mapping[str, str]
+) -> tuple[dict[str, Axis], list[Assumption]]:
+    """Return the axes of the plan as this control names them, and what had to be assumed for it.
+
+    Of the plan's own control all of them; of another one those that get something, or whose name
+    the user gives. Options are a control's own: those of the plan's control, read from its files or
+    stated, say nothing of another.
+    """
+    same = plan.format == control.id
+    crossing = {name for entry in plan.cross for name in (entry.input, entry.output)}
+    axes: dict[str, Axis] = {}
+    assumed = []
+    for name, entry in plan.axes.items():
+        if not (same or entry.fitted is not None or name in addresses or name in crossing):
+            continue
+        asked = addresses.get(name, entry.axis.address if same else name)
+        address, assumption = normal_address(control.definition, replace(entry.axis, address=asked))
+        axes[name] = replace(
+            entry.axis, address=address, options=entry.axis.options if same else {}
+        )
+        assumed += [assumption] if assumption is not None and entry.fitted is not None else []
+    return axes, assumed
+
+
+def _addressed(entry: PlannedCross, axes: Mapping[str, Axis]) -> PlannedCross:
+    """Return a correction between axes with the addresses of this control, where the plan knows the
+    axes.
+    """
+    given, bent = axes.get(entry.input), axes.get(entry.output)
+    added = entry.added if given is None else replace(entry.added, input=given.address)
+    return replace(entry, added=added if bent is None else replace(added, output=bent.address))
+
+
+def _answer(text: object) -> bool | None:
+    """Return what ``--option active=`` says. Raises UsageError for anything but yes and no."""
+    words = {None: None, "yes": True, "true": True, "no": False, "false": False}
+    word = text if text is None else str(text).lower()
+    if word not in words:
+        raise UsageError(
+            Fault(
+                message="is no answer",
+                place=f"--option {ACTIVE}",
+                expected="yes or no",
+                found=repr(text),
+            )
+        )
+    return words[word]
+
+
+def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]:
+    return [
+        Fault(
+            message="the plan has no such axis",
+            file=file,
+            place=f"--option {ADDRESS}{name}",
+            expected=", ".join(plan.axes),
+        )
+        for name in addresses
+        if name not in plan.axes
+    ]
+
+
+def _state(
+    plan: Plan,
+    control: Control,
+    axes: Sequence[Axis],
+    states: Sequence[str],
+    file: str,
+    *,
+    active: bool | None,
+) -> DecodedState:
+    """Return what is in the control, by its files; ``axes`` as this control names them."""
+    if list(states) == ["none"]:
+        return decode(control, (), axes)
+    if "none" in states:
+        raise UsageError(
+            Fault(
+                message="names files and none at once",
+                place="--state",
+                expected="the word none, or the control's files",
+            )
+        )
+    if states:
+        return decode(
+            control, read_files([Path(text) for text in states]), axes, active=active, asking=True
+        )
+    if plan.format == control.id and AS_FOUND in plan.states:
+        files: tuple[ControlFile, ...] = plan.states[AS_FOUND]
+        return decode(control, files, axes, active=plan.active.get(AS_FOUND))
+    raise UsageError(
+        Fault(
+            message="the state of the control is not known",
+            file=file,
+            place="--state",
+            expected="--state none, or --state with each file of the control",
+            found=f"a plan made for {plan.format}",
+        )
+    )

@@ -1,0 +1,261 @@
+"""``new``: a job prefilled from the control's own files, cross-checked by both readers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from compwright.formats.definition.options import DETECTION_UNIT
+from compwright.formats.definition.schema import Definition
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError, UsageError
+from compwright.foundations.utf8 import encoded
+from compwright.jobs.writing import AxisDraft, Prefilled, job_text
+from compwright.records.axis import AxisKind
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.workflow.stages.control import Control, decode, open_control, read_files
+
+#: No control numbers more axes than this.
+_MOST_AXES = 40
+
+Facts = Mapping[str, float | int | str | bool]
+
+
+@dataclass(frozen=True, slots=True)
+class NewOutcome:
+    """The job file that was written, what the user still has to fill in, and which axes it leaves
+    out, one line each.
+    """
+
+    path: Path
+    open: tuple[str, ...]
+    left_out: tuple[str, ...]
+
+
+def new_job(
+    files: Sequence[Path],
+    format_id: str,
+    options: dict[str, object],
+    out: Path,
+    *,
+    force: bool = False,
+) -> NewOutcome:
+    """Write a job for every axis on which the control's files say that something acts.
+
+    Where no axis has a table or backlash, every axis that the files name gets one. Raises
+    UsageError, InputError (files that contradict themselves) and StorageError.
+    """
+    control = open_control(format_id, options)
+    unsaid = (
+        DETECTION_UNIT in control.definition.options and control.options.get(DETECTION_UNIT) is None
+    )
+    own = read_files(files)
+    try:
+        state, left_out = _read(control, own)
+    except UsageError:
+        if not unsaid:
+            raise
+        # Which axes there are does not depend on the length of a pulse.
+        state, left_out = _read(open_control(format_id, {**options, DETECTION_UNIT: 0.001}), own)
+    drafts = list(_drafts(control, state, units=unsaid))
+    asked = unsaid and any("options" not in draft.values for draft in drafts)
+    if not drafts:
+        raise InputError(Fault(message="the files name no axis", file=", ".join(map(str, files))))
+    given = {
+        name: Prefilled(value, "as given on the command line") for name, value in options.items()
+    }
+    if asked:
+        given[DETECTION_UNIT] = Prefilled(
+            None, "mm or deg per pulse, such as 0.001; nothing in the files says it"
+        )
+    text = job_text(
+        format_id, given, [storage.relative(path, out.parent) for path in files], drafts
+    )
+    storage.write_file(out, encoded(text), force=force)
+    return NewOutcome(out, tuple(_open(given, drafts)), (*left_out, *_idle(control, state, drafts)))
+
+
+def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState, tuple[str, ...]]:
+    """Return what the files say, and which axes are left out because something about them is odd or
+    not counted.
+
+    Raises InputError where nothing is left.
+    """
+    try:
+        return decode(control, files).state, ()
+    except InputError:
+        if control.definition.layout.shape != "section_increments":
+            raise
+        left_out: list[str] = []
+        state: ControlState | None = None
+        for address in map(str, range(1, _MOST_AXES + 1)):
+            said = {} if state is None else state.facts.get(address, {})
+            if state is not None and not (said.get("enabled") or said.get("backlash_count")):
+                continue
+            try:
+                read = decode(control, files, address=address).state
+            except InputError as error:
+                left_out.append(f"axis {address} is left out: {error.faults[0]}")
+            else:
+                state = read if state is None else replace(state, axes={**state.axes, **read.axes})
+        if state is None:
+            raise
+        return state, tuple(left_out)
+
+
+def _open(options: Mapping[str, Prefilled], drafts: Sequence[AxisDraft]) -> Iterator[str]:
+    for name, entry in options.items():
+        if entry.value is None:
+            yield f"controller.options.{name}: {entry.source}"
+    for draft in drafts:
+        for key, entry in draft.values.items():
+            if entry.value is None:
+                yield f"axes.{draft.name}.{key}: {entry.source}"
+
+
+def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[AxisDraft]:
+    acting = [
+        address
+        for address, axis in state.axes.items()
+        if axis.positions.size or axis.backlash or axis.slope or axis.others
+    ]
+    names: set[str] = set()
+    for address in acting or list(state.axes):
+        facts = state.facts.get(address, {})
+        name = _name(control.definition, address, facts)
+        partners = _partners(address, name, facts)
+        if name in names and partners:
+            continue  # the second joint of an axis: it gets the table of the first
+        if name in names:
+            raise UsageError(Fault(message=f"two axes would be called {name}", found=address))
+        names.add(name)
+        values = dict(_values(address, state.axes[address], facts))
+        if units and DETECTION_UNIT in facts:
+            values["options"] = Prefilled(
+                {DETECTION_UNIT: facts[DETECTION_UNIT]},
+                f"read from the control's files: {facts.get('detection_unit_evidence', '')}",
+            )
+        if partners:
+            values["gantry"] = Prefilled(
+                partners[0], "the control's files drive this axis by two joints"
+            )
+        yield AxisDraft(name=name, values=values)
+
+
+def _partners(address: str, name: str, facts: Facts) -> list[str]:
+    """Return the other joints that the control's files give to the axis of a joint."""
+    letters = str(facts.get("axis_letters", ""))
+    return [
+        str(index)
+        for index, letter in enumerate(letters)
+        if letter == name and str(index) != address
+    ]
+
+
+def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) -> Iterator[str]:
+    """Say which axes of the files the job does not hold: nothing acts on them."""
+    held = {
+        str(entry.value)
+        for draft in drafts
+        for key, entry in draft.values.items()
+        if key in ("address", "gantry")
+    }
+    names = {
+        address: _name(control.definition, address, state.facts.get(address, {}))
+        for address in state.axes
+    }
+    # Where the control's files name its axes, those without a name are places for axes that the
+    # machine does not have.
+    named = [
+        address for address, facts in state.facts.items() if isinstance(facts.get("axis_name"), str)
+    ]
+    left = [
+        address for address in state.axes if address not in held and (not named or address in named)
+    ]
+    if left:
+        told = ", ".join(
+            address if names[address] == address else f"{address} ({names[address]})"
+            for address in left
+        )
+        yield (
+            f"left out, because nothing in the files acts on them: {told}; add those that were"
+            " measured"
+        )
+
+
+def _name(definition: Definition, address: str, facts: Facts) -> str:
+    """Return the axis' name: what the control's files call it, else its address."""
+    name = facts.get("axis_name")
+    if isinstance(name, str):
+        return name
+    letters = definition.addresses.letters
+    if letters is not None and address.isdigit() and int(address) < len(letters):
+        return letters[int(address)]
+    return f"axis {address}" if address.isdigit() else address
+
+
+def _returning(facts: Facts, said: str) -> Prefilled:
+    home = facts.get("reference_return")
+    return (
+        Prefilled("+", "CHECK: direction in which the reference is approached")
+        if home is None
+        else Prefilled(home, f"from {said}")
+    )
+
+
+def _values(address: str, axis: AxisCompensation, facts: Facts) -> Iterator[tuple[str, Prefilled]]:
+    said = "the control's files"
+    known = "rotary" in facts
+    yield (
+        "kind",
+        Prefilled(
+            axis.kind.value,
+            f"from {said}" if known else "CHECK: linear or rotary; the files do not say it",
+        ),
+    )
+    low, high = facts.get("limit_low"), facts.get("limit_high")
+    turn = (
+        axis.period
+        if axis.period is not None
+        else facts.get("turn")
+        if facts.get("endless") == "yes"
+        else None
+    )
+    if isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
+        yield "travel", Prefilled([0.0, float(turn)], f"one turn of an endless axis, by {said}")
+    elif (
+        isinstance(low, (int, float))
+        and isinstance(high, (int, float))
+        and low < high
+        and abs(low) < 99999
+        and abs(high) < 99999
+    ):
+        yield "travel", Prefilled([float(low), float(high)], f"software limits in {said}")
+    else:
+        unit = "deg" if axis.kind is AxisKind.ROTARY else "mm"
+        yield "travel", Prefilled(None, f"[low, high] in machine coordinates, {unit}")
+    yield "address", Prefilled(address, "the control's own name of the axis")
+    if axis.period is not None:
+        yield "modulo", Prefilled(axis.period, f"the table in {said} repeats")
+    elif isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
+        yield "modulo", Prefilled(float(turn), f"from {said}: the axis has no ends")
+    reference = facts.get("reference_coordinate")
+    if isinstance(reference, (int, float)):
+        yield "reference", Prefilled(float(reference), f"from {said}")
+    else:
+        yield "reference", Prefilled(0.0, "CHECK: machine coordinate of the reference position")
+    yield "reference_return", _returning(facts, said)
+    encoder: dict[str, object] = {}
+    if facts.get("absolute_encoder") in ("yes", "no"):
+        encoder["type"] = "absolute" if facts["absolute_encoder"] == "yes" else "incremental"
+    if isinstance(facts.get("encoder_system"), int):
+        encoder["system"] = facts["encoder_system"]
+    if encoder:
+        yield "encoder", Prefilled(encoder, f"from {said}")
+    if axis.kind is AxisKind.LINEAR and facts.get("diameter") in ("yes", "no"):
+        yield (
+            "programmed",
+            Prefilled("diameter" if facts["diameter"] == "yes" else "radius", f"from {said}"),
+        )
+    yield "before", Prefilled(None, "[path of the measurement]")

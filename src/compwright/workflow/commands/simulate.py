@@ -1,0 +1,209 @@
+"""``simulate``: measurement files of a virtual machine, with or without tables loaded."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from compwright.formats.text.addresses import normal_address
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.prediction.circular import moved_test
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.circular import CircularRun
+from compwright.simulation.circular import CircleRecording, Traverse
+from compwright.simulation.circular_files import to_b5r, to_circular_csv
+from compwright.simulation.files import to_csv
+from compwright.simulation.machine import Correction, VirtualMachine
+from compwright.simulation.reading import read_machine
+from compwright.workflow.stages.circle_work import Acting, acting
+from compwright.workflow.stages.control import (
+    Control,
+    DecodedState,
+    Origin,
+    decode,
+    judged,
+    open_control,
+    read_files,
+)
+
+#: What every simulated ballbar file names as its instrument.
+_BALLBAR = b'MODEL="virtual ballbar"'
+
+
+def load_machine(path: Path) -> VirtualMachine:
+    """Read a machine file. Raises UsageError with every fault of it, InputError when it cannot be
+    read.
+    """
+    return read_machine(storage.read_bytes(path), str(path))
+
+
+def simulate_files(
+    machine: VirtualMachine,
+    out: Path,
+    *,
+    seed: int = 0,
+    tables: Path | None = None,
+    force: bool = False,
+    file: str = "",
+) -> list[Path]:
+    """Measure every axis and circle of a virtual machine; one file for each (``x.csv``,
+    ``xy-150.b5r``, ...) goes into ``out``.
+
+    ``tables``: a folder with what the control loads; ``file``: the machine file, for messages.
+    Noise comes from ``seed`` alone: the same seed gives the same bytes.
+    """
+    loaded = None if tables is None else _load(machine, tables, file)
+    files = {}
+    for number, name in enumerate(machine.axes):
+        correction = None if loaded is None else _correction(loaded, machine.axes[name].axis)
+        rng = np.random.default_rng([seed, number])
+        test = machine.measure(name, rng=rng, correction=correction)
+        files[f"{name.lower()}.csv"] = to_csv(test)
+    corrections = (
+        {name: _correction(loaded, virtual.axis) for name, virtual in machine.axes.items()}
+        if loaded
+        else {}
+    )
+    between = _between(machine, loaded) if loaded else Acting({}, {})
+    for number, name in enumerate(machine.circles, start=len(machine.axes)):
+        files[_circle_file(machine, name)] = _measured_circle(
+            machine, name, seed=_seed_of(seed, number), corrections=corrections, between=between
+        )
+    return storage.write_files(
+        out, files, force=force, known=lambda name, content: _is_simulated(content, files[name])
+    )
+
+
+def _is_simulated(content: bytes, new: bytes) -> bool:
+    """Whether a file that stands where ``new`` goes is an earlier simulation of this machine, and
+    no measurement of a real one.
+    """
+    if _BALLBAR in new:
+        return _BALLBAR in content
+    of_real_tests = any(
+        line.startswith((b"# date", b"# instrument", b"# operator"))
+        for line in content.splitlines()
+    )
+    return not of_real_tests and _about_machine(content) == _about_machine(new)
+
+
+def _about_machine(content: bytes) -> list[bytes]:
+    return [line for line in content.splitlines() if line.startswith((b"# machine:", b"# serial:"))]
+
+
+def _seed_of(seed: int, number: int) -> int:
+    """Return the seed of the circle after ``number`` other measurements, so that two circles do not
+    get the same noise.
+    """
+    return int(np.random.SeedSequence([seed, number]).generate_state(1)[0])
+
+
+def _circle_file(machine: VirtualMachine, name: str) -> str:
+    return f"{name.lower()}.{machine.circles[name].format}"
+
+
+def _measured_circle(
+    machine: VirtualMachine,
+    name: str,
+    *,
+    seed: int,
+    corrections: Mapping[str, Correction],
+    between: Acting,
+) -> bytes:
+    recording = machine.record_circle(name, seed=seed, corrections=corrections)
+    recording = _bent(recording, between)
+    about = {
+        key: text for key, text in (("machine", machine.name), ("serial", machine.serial)) if text
+    }
+    return (
+        to_b5r(recording, about)
+        if machine.circles[name].format == "b5r"
+        else to_circular_csv(recording.test, about)
+    )
+
+
+def _bent(recording: CircleRecording, between: Acting) -> CircleRecording:
+    """Return what the instrument records when one axis' position moves the other one: every point
+    of the path moved so far.
+    """
+    plan = recording.plan
+    step = plan.arc[1] / plan.samples
+    whole = []
+    for traverse in recording.traverses:
+        along: FloatArray = (
+            np.arange(traverse.readings.size, dtype=np.float64) - traverse.start + 0.5
+        ) * step
+        angles = recording.test.arc[0] + (
+            along if traverse.run.sense == "ccw" else plan.arc[1] - along
+        )
+        whole.append(replace(traverse.run, angles=angles, deviations=traverse.readings))
+    moved = moved_test(
+        replace(recording.test, runs=tuple(whole)), plan.centre, between.displacement(plan.axes)
+    )
+    traverses = tuple(
+        _rerecorded(*pair) for pair in zip(recording.traverses, moved.runs, strict=True)
+    )
+    runs = sorted((traverse.run for traverse in traverses), key=lambda run: (run.sense, run.number))
+    return replace(recording, test=replace(recording.test, runs=tuple(runs)), traverses=traverses)
+
+
+def _rerecorded(traverse: Traverse, moved: CircularRun) -> Traverse:
+    within = moved.deviations[traverse.start : traverse.end + 1]
+    return replace(
+        traverse, readings=moved.deviations, run=replace(traverse.run, deviations=within)
+    )
+
+
+def _between(machine: VirtualMachine, loaded: tuple[Control, DecodedState]) -> Acting:
+    """Return what the control does between the axes of the machine."""
+    control, decoded = loaded
+    axes = {name: _addressed(control, virtual.axis) for name, virtual in machine.axes.items()}
+    return replace(acting(decoded, axes), along={})
+
+
+def _load(machine: VirtualMachine, tables: Path, file: str) -> tuple[Control, DecodedState]:
+    if not machine.format:
+        raise UsageError(
+            Fault(
+                message="the machine file names no control",
+                file=file,
+                place="controller.format",
+                expected="a format, to load tables into",
+            )
+        )
+    control = open_control(
+        machine.format, machine.options, Origin(file, "controller.format", "controller.options.")
+    )
+    axes = [_addressed(control, virtual.axis) for virtual in machine.axes.values()]
+    decoded = decode(control, read_files([tables]), axes)
+    unknown = sorted(set(decoded.state.axes) - {axis.address for axis in axes})
+    raise_all(
+        InputError,
+        [
+            Fault(
+                message=f"holds a table for axis {address}, which this machine does not have",
+                file=str(tables),
+                expected=", ".join(axis.address for axis in axes),
+            )
+            for address in unknown
+        ],
+    )
+    return control, decoded
+
+
+def _addressed(control: Control, axis: Axis) -> Axis:
+    return replace(axis, address=normal_address(control.definition, axis)[0])
+
+
+def _correction(loaded: tuple[Control, DecodedState], axis: Axis) -> Correction:
+    control, decoded = loaded
+    address = _addressed(control, axis).address
+
+    def correction(positions: FloatArray, direction: Direction) -> FloatArray:
+        return judged(decoded, address, positions, direction)
+
+    return correction

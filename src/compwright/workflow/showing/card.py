@@ -1,0 +1,329 @@
+"""The commissioning card: what to set, what the control must then show, a quick check, and the way
+back.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+from compwright.documents.decode import assumed_documents
+from compwright.formats.card import (
+    card_steps_of_all,
+    card_values,
+    file_names,
+    gantry_words,
+    loading_order,
+)
+from compwright.formats.families.gantry import partner_of
+from compwright.formats.text.diff import compare_files
+from compwright.foundations.units import outside_factor, outside_unit
+from compwright.foundations.utf8 import encoded
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import Assumption, AxisCompensation
+from compwright.records.job import Job
+from compwright.workflow.stages.control import Control, DecodedState
+from compwright.workflow.stages.inputs import JobInputs
+from compwright.workflow.stages.outlook import Change, Correction
+from compwright.workflow.stages.work import AS_FOUND, AxisWork, correction_of
+
+SCHEMA = "compwright/card/1"
+#: A reading further off than this many times the scatter of one reading is no accident (with a
+#: normal scatter, one in 10^6).
+STOP_SCATTER = 5.0
+_DIAMETER = (
+    "Axis {} is programmed in diameter: the laser and this table count in radius. Programs and"
+    " displays show twice as much; if the quick check is off by a factor of two, the control counts"
+    " its table in diameter"
+)
+_JOINT_DIAMETER = (
+    "Axis {} is programmed in diameter: laser, table and every position on this card count in"
+    " radius, as the joint moves; the control looks its table up there, whatever G7 and G8 say. In"
+    " G7 program twice the position"
+)
+
+
+def card_document(
+    job: Job,
+    control: Control,
+    works: Mapping[str, AxisWork],
+    loaded: DecodedState | None,
+    inputs: JobInputs,
+    assumed: Iterable[Assumption],
+) -> dict[str, Any]:
+    """Return the card of a run as plain data, values in µm or arcsec."""
+    written = {name: work for name, work in works.items() if work.planned.fitted is not None}
+    facts = assumed_documents(assumed)
+    diameter = _JOINT_DIAMETER if control.id.startswith("linuxcnc") else _DIAMETER
+    return {
+        "schema": SCHEMA,
+        "title": f"Commissioning card: {', '.join(written or job.axes)}",
+        "machine": dict(job.machine),
+        "format": {"id": control.id, "title": control.definition.title},
+        "axes": [_axis(job, control, work, loaded) for work in written.values()],
+        "steps": _steps(control, written, loaded),
+        "changes": changes_document(control, inputs, loaded),
+        "unconfirmed": [
+            *(
+                f"{entry['fact']}: {entry['value']}"
+                for entry in facts
+                if "unconfirmed" in entry["evidence"]
+            ),
+            *(
+                diameter.format(work.planned.axis.name)
+                for work in written.values()
+                if work.planned.axis.programmed == "diameter"
+            ),
+        ],
+        "assumed": facts,
+        "restore": _restore(control, inputs),
+        "files": [f"tables/{control.id}/{file.name}" for file in (loaded.files if loaded else ())],
+        "proven": (
+            "; ".join(", ".join(entry.values()) for entry in job.proven)
+            or "not yet: the first good verification on this machine proves it"
+        ),
+    }
+
+
+def _axis(
+    job: Job, control: Control, work: AxisWork, loaded: DecodedState | None
+) -> dict[str, Any]:
+    axis = work.planned.axis
+    factor = outside_factor(axis.kind.unit)
+    table = loaded.state.axes[axis.address] if loaded else None
+    return {
+        "name": axis.name,
+        "address": axis.address,
+        "unit": outside_unit(axis.kind.unit),
+        "position_unit": axis.kind.unit,
+        "rows": _rows(work.planned.active, table, factor, axis.kind.unit),
+        "quick_check": _quick_check(work, loaded, factor),
+        "points_needed": _points_needed(control, table),
+        "fixed_positions": [
+            {
+                "name": name,
+                "position": places[axis.name],
+                "moves": _moves(work, loaded, places[axis.name]) * factor,
+            }
+            for name, places in job.fixed_positions.items()
+            if axis.name in places
+        ],
+    }
+
+
+def _points_needed(control: Control, table: AxisCompensation | None) -> int | None:
+    """Return how many points the control must have room for; None where it reserves none."""
+    reserves = (
+        control.definition.limit("points_reserved") is not None
+        or control.definition.limit("max_points") is not None
+    )
+    return int(table.positions.size) if table is not None and reserves else None
+
+
+def _rows(
+    old: AxisCompensation | None, new: AxisCompensation | None, factor: float, unit: str
+) -> list[dict[str, str]]:
+    def describe(table: AxisCompensation | None) -> dict[str, str]:
+        if table is None or table.positions.size == 0:
+            return {
+                "points": "none",
+                "range": "-",
+                "largest": "-",
+                "backlash": f"{(table.backlash if table else 0.0) * factor:.2f}",
+            }
+        curves = np.concatenate([table.positive, table.negative]) * factor
+        return {
+            "points": str(table.positions.size),
+            "range": f"{table.positions[0]:g} to {table.positions[-1]:g} {unit}",
+            "largest": f"{curves.min():.2f} to {curves.max():.2f}",
+            "backlash": f"{table.backlash * factor:.2f}",
+        }
+
+    before, after = describe(old), describe(new)
+    titles = {
+        "points": "points of the table",
+        "range": "range of the table",
+        "largest": "corrections from, to",
+        "backlash": "backlash beside the table",
+    }
+    return [
+        {"quantity": title, "old": before[key], "new": after[key]} for key, title in titles.items()
+    ]
+
+
+def check_positions(work: AxisWork, new: Correction) -> FloatArray:
+    """Return the positions at which everything on the card is checked: three targets of the first
+    test, inside the travel.
+
+    The two ends and, between them, where the new correction leaves the straight line through the
+    ends most: there its sign shows.
+    """
+    low, high = work.planned.axis.travel
+    targets = work.results[0].test.targets
+    inside = targets[(targets >= low) & (targets <= high)]
+    if inside.size < 3:
+        return np.array([low, (low + high) / 2, high])
+    ends, middle = inside[[0, -1]], inside[1:-1]
+    line = np.interp(middle, ends, new(ends, Direction.POSITIVE))
+    off = np.round(np.abs(new(middle, Direction.POSITIVE) - line), 9)
+    central = np.argsort(
+        np.abs(middle - ends.mean()), kind="stable"
+    )  # of equal ones the one in the middle
+    return np.array([ends[0], middle[central[np.argmax(off[central])]], ends[1]])
+
+
+def _quick_check(
+    work: AxisWork, loaded: DecodedState | None, factor: float
+) -> list[dict[str, Any]]:
+    """The check positions up and down, the instrument zeroed at the first one going up; stop where
+    a reading is further off.
+    """
+    axis = work.planned.axis
+    new = correction_of(loaded, axis)
+    change = Change(new, work.active)
+    chosen = check_positions(work, new)
+    estimate = work.posterior.summary(chosen)
+    zero = float(estimate.mean_positive[0] + change.at(chosen[:1], Direction.POSITIVE)[0])
+    rows = []
+    for direction, order in ((Direction.POSITIVE, (0, 1, 2)), (Direction.NEGATIVE, (2, 1, 0))):
+        shift = change.at(chosen, direction)
+        adds = new(chosen, direction)
+        for index in order:
+            expected = float(estimate.mean(direction)[index] + shift[index]) - zero
+            spread = STOP_SCATTER * np.hypot(
+                estimate.noise * np.sqrt(2), estimate.std_positive[index]
+            )
+            rows.append(
+                {
+                    "position": float(chosen[index]),
+                    "direction": direction.value,
+                    "adds": float(adds[index]) * factor,
+                    "expected": expected * factor,
+                    "stop": float(spread) * factor,
+                }
+            )
+    return rows
+
+
+def _moves(work: AxisWork, loaded: DecodedState | None, position: float) -> float:
+    axis = work.planned.axis
+    change = Change(correction_of(loaded, axis), work.as_found)
+    return float(change.at(np.array([position]), axis.reference_return)[0])
+
+
+def changes_document(
+    control: Control, inputs: JobInputs, loaded: DecodedState | None
+) -> dict[str, Any] | None:
+    """Return what the new files change in the control's own, as plain data; None where there were
+    none.
+    """
+    old = inputs.states[AS_FOUND].files
+    if not old or loaded is None:
+        return None
+    diff = compare_files(control.definition, old, loaded.files)
+    entries = [
+        {"entry": change.entry, "old": change.old, "new": change.new} for change in diff.changes
+    ]
+    return {"entries": entries, "untouched": diff.untouched}
+
+
+def changes_csv(changes: Mapping[str, Any]) -> bytes:
+    """Return every change as CSV: entry, old, new; empty where there is none."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(["entry", "old", "new"])
+    writer.writerows([row["entry"], row["old"], row["new"]] for row in changes["entries"])
+    return encoded(text.getvalue())
+
+
+def _steps(
+    control: Control, written: Mapping[str, AxisWork], loaded: DecodedState | None
+) -> list[dict[str, Any]]:
+    """Return the steps in the order of the definition; what is the same for all axes stands
+    once.
+    """
+    axes, both = [], []
+    tells = any("{gantry}" in rule.text for rule in control.definition.card)
+    for work in written.values():
+        axis, fitted = work.planned.axis, work.planned.fitted
+        facts = loaded.state.facts.get(axis.address, {}) if loaded else {}
+        where = check_positions(work, correction_of(loaded, axis))
+        values = (
+            card_values(
+                control.definition, axis, fitted.compensation, control.options, facts, where
+            )
+            if fitted
+            else {}
+        )
+        axes.append((axis, {**values, **_named_files(control, axis, loaded)}))
+        if axis.gantry is not None and fitted and loaded and not tells:
+            partner = partner_of(
+                axis, axis.gantry
+            )  # the same table, on numbers and in files of its own
+            facts = loaded.state.facts.get(axis.gantry, {})
+            values = card_values(
+                control.definition, partner, fitted.compensation, control.options, facts, where
+            )
+            sheet = (
+                axis.gantry
+                if control.definition.layout.shape == "user_tables"
+                else f"{axis.name}_{axis.gantry}"
+            )
+            axes.append(
+                (partner, {**values, **_named_files(control, partner, loaded), "sheet": sheet})
+            )
+            both.append(
+                {
+                    "title": f"{axis.name} and {axis.gantry} together",
+                    "text": gantry_words(axis),
+                    "evidence": "inferred",
+                }
+            )
+    return [{**step, "heads": (), "rows": ()} for step in both] + [
+        {
+            "title": step.title,
+            "text": step.text,
+            "evidence": step.evidence,
+            "heads": step.heads,
+            "rows": step.rows,
+        }
+        for step in card_steps_of_all(control.definition, axes)
+    ]
+
+
+def _named_files(control: Control, axis: Axis, loaded: DecodedState | None) -> dict[str, str]:
+    """Return the names of the definition's files as they were written; what went into the control's
+    own files names these.
+    """
+    written = loading_order(control.definition, loaded.files) if loaded else []
+    fresh = {
+        f"file_{number}": name
+        for number, name in enumerate(file_names(control.definition, axis), start=1)
+    }
+    own = ", ".join(name for name in written if name not in fresh.values())
+    return {
+        key: f"your own {own}, as patched"
+        for key, name in fresh.items()
+        if name not in written and own
+    }
+
+
+def _restore(control: Control, inputs: JobInputs) -> list[str]:
+    files = inputs.states[AS_FOUND].files
+    if not files:
+        off = (
+            "switch the compensation of these axes off (an empty table, backlash 0), restart and"
+            " reference"
+        )
+        return [f"The job says that nothing was active. To go back: {off}."]
+    names = ", ".join(loading_order(control.definition, files))
+    return [
+        (
+            f"Load the untouched copies in rollback/{control.id}/ ({names}) the same way, restart"
+            " and reference."
+        )
+    ]

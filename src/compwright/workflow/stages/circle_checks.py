@@ -1,0 +1,270 @@
+"""Circles beside the laser: lost motion and scale of one axis told by both, each with its
+uncertainty.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Axis, Direction
+from compwright.records.circular import CircularEffect, CircularResult
+from compwright.records.job import Job
+from compwright.workflow.stages.circle_work import Acting, CircleWork
+from compwright.workflow.stages.cross import SIGNIFICANT
+from compwright.workflow.stages.work import AxisWork
+
+ENDS = ("first", "second")
+_DRAWS = 500
+_UM, _PPM = 1e3, 1e6
+
+
+@dataclass(frozen=True, slots=True)
+class Stated:
+    """A value and its standard error: mm for lost motion, mm/mm for scale."""
+
+    value: float
+    std_error: float
+
+    def differs(self, other: Stated) -> bool:
+        """Whether two values lie further apart than both uncertainties allow."""
+        return abs(self.value - other.value) > SIGNIFICANT * float(
+            np.hypot(self.std_error, other.std_error)
+        )
+
+    def words(self, factor: float, unit: str) -> str:
+        """The value as people read it, with its 95 % uncertainty."""
+        return f"{self.value * factor:+.1f} ± {SIGNIFICANT * self.std_error * factor:.1f} {unit}"
+
+
+@dataclass(frozen=True, slots=True)
+class ByLaser:
+    """What the positioning test says of an axis over a circle, in the state in which the circle was
+    measured.
+    """
+
+    lost_motion: Stated
+    scale: Stated
+
+
+def laser_over(work: CircleWork, axis: AxisWork, index: int, during: Acting) -> ByLaser:
+    """Return lost motion (mm, > 0 lags) and scale of an axis by its positioning test, at both ends
+    of a circle.
+
+    ``index`` 0: the axis is the circle's first one. The laser's own uncertainty per metre counts
+    where the job gives it.
+    """
+    radius, middle = work.planned.test.nominal_radius, work.planned.centre[index]
+    ends = np.array([middle - radius, middle + radius])
+    draws = axis.posterior.draw(ends, _DRAWS, np.random.default_rng(0))
+    name = axis.planned.axis.name
+    change = {}
+    for direction in Direction:
+        acts = during.along[name](ends, direction) if name in during.along else np.zeros(2)
+        change[direction] = acts - axis.active(ends, direction)
+    positive, negative = (
+        draws.positive + change[Direction.POSITIVE],
+        draws.negative + change[Direction.NEGATIVE],
+    )
+    lost = np.mean(negative - positive, axis=1)
+    scale = np.mean([curve[:, 1] - curve[:, 0] for curve in (positive, negative)], axis=0) / (
+        2.0 * radius
+    )
+    return ByLaser(
+        lost_motion=Stated(float(np.mean(lost)), float(np.std(lost))),
+        scale=Stated(float(np.mean(scale)), float(np.std(scale))),
+    )
+
+
+def effect_of(result: CircularResult, name: str) -> CircularEffect | None:
+    """Return one cause of a circle; None where the diagnosis does not have it."""
+    return None if result.diagnosis is None else result.diagnosis.effects.get(name)
+
+
+def lost_motion(work: CircleWork, index: int) -> Stated | None:
+    """Return the lost motion, mm, of the circle's first (``index`` 0) or second axis."""
+    found = effect_of(work.result, f"backlash_{ENDS[index]}")
+    return None if found is None else Stated(found.value / _UM, found.std_error / _UM)
+
+
+def scale_error(work: CircleWork, index: int) -> Stated | None:
+    """Return the scale error (relative) of the first or second axis; None without a calibrated
+    bar.
+    """
+    found = effect_of(work.result, f"scale_error_{ENDS[index]}")
+    return None if found is None else Stated(found.value / _PPM, found.std_error / _PPM)
+
+
+def mismatch(work: CircleWork) -> Stated | None:
+    """Return scale of the first axis minus that of the second, relative."""
+    found = effect_of(work.result, "scale_mismatch")
+    across = 2.0 * work.planned.test.nominal_radius * _UM
+    return None if found is None else Stated(found.value / across, found.std_error / across)
+
+
+class Checks:
+    """Holds every circle of a job against the positioning tests of its axes."""
+
+    def __init__(
+        self, job: Job, works: Mapping[str, AxisWork], states: Mapping[str, Acting]
+    ) -> None:
+        self.job = job
+        self.works = works
+        self.states = states
+
+    def laser(self, work: CircleWork, index: int) -> ByLaser | None:
+        """Return what the laser says of an axis of a circle; None for an axis without a positioning
+        test in both directions.
+        """
+        axis = self.works.get(work.planned.test.axes[index])
+        if axis is None or not axis.results[0].test.bidirectional:
+            return None
+        found = laser_over(
+            work, axis, index, self.states.get(work.planned.measured_in, Acting({}, {}))
+        )
+        budget = self.job.uncertainty
+        own = budget.device_per_m / 2.0 / _PPM if budget is not None else 0.0
+        return replace(
+            found, scale=replace(found.scale, std_error=float(np.hypot(found.scale.std_error, own)))
+        )
+
+    def findings(self, circles: Sequence[CircleWork]) -> Iterator[Finding]:
+        """Yield where laser and circle disagree beyond both uncertainties."""
+        for work in circles:
+            both = [self.laser(work, index) for index in (0, 1)]
+            for index, laser in enumerate(both):
+                if laser is not None:
+                    yield from self._lost(work, index, laser)
+                    yield from self._scale(work, index, laser)
+            if both[0] is not None and both[1] is not None:
+                yield from self._mismatch(work, both[0], both[1])
+
+    def _lost(self, work: CircleWork, index: int, laser: ByLaser) -> Iterator[Finding]:
+        circle = lost_motion(work, index)
+        if circle is None or not circle.differs(laser.lost_motion):
+            return
+        counts = "circle" if self.job.apply.backlash_from == "circle" else "laser"
+        message = (
+            f"{work.planned.test.axes[index]}: lost motion {laser.lost_motion.words(_UM, 'µm')} by"
+            f" the laser, {circle.words(_UM, 'µm')} by {work.name} (moving): they disagree; that of"
+            f" the {counts} counts."
+        )
+        yield Finding("CW-P114", "warning", message)
+
+    def _scale(self, work: CircleWork, index: int, laser: ByLaser) -> Iterator[Finding]:
+        circle = scale_error(work, index)
+        if circle is None or not circle.differs(laser.scale):
+            return
+        message = (
+            f"{work.planned.test.axes[index]}: scale {laser.scale.words(_PPM, 'µm/m')} by the"
+            f" laser, {circle.words(_PPM, 'µm/m')} by {work.name}: they disagree; the laser counts."
+        )
+        yield Finding("CW-P115", "warning", message)
+
+    def _mismatch(self, work: CircleWork, first: ByLaser, second: ByLaser) -> Iterator[Finding]:
+        circle = mismatch(work)
+        error = float(np.hypot(first.scale.std_error, second.scale.std_error))
+        laser = Stated(first.scale.value - second.scale.value, error)
+        if circle is None or not circle.differs(laser):
+            return
+        axes = " minus ".join(work.planned.test.axes)
+        message = (
+            f"Scale of {axes}: {laser.words(_PPM, 'µm/m')} by the laser,"
+            f" {circle.words(_PPM, 'µm/m')} by {work.name}: they disagree; the laser counts."
+        )
+        yield Finding("CW-P116", "warning", message)
+
+    def with_circle_backlash(
+        self, circles: Sequence[CircleWork]
+    ) -> tuple[dict[str, AxisWork], tuple[Finding, ...]]:
+        """Return the axes with the lost motion of their circles in place of the laser's, where the
+        job asks for that.
+        """
+        works = dict(self.works)
+        findings: list[Finding] = []
+        if self.job.apply.backlash_from != "circle":
+            return works, ()
+        findings += [
+            self._no_test(name)
+            for name, entry in self.job.axes.items()
+            if not entry.before and _on(circles, name)
+        ]
+        for name, axis in self.works.items():
+            shift = self._shift(name, circles)
+            if shift is None:
+                findings.append(self._not_taken(name, circles))
+                continue
+            works[name] = _shifted(axis, shift.value)
+            message = (
+                f"{name}: its lost motion is taken from the circles: {shift.words(_UM, 'µm')}"
+                " against the laser's."
+            )
+            findings.append(Finding("CW-P117", "info", message))
+        if not any(finding.code == "CW-P117" for finding in findings):
+            message = (
+                "apply.backlash_from: the lost motion of no axis is taken from circles: no circle"
+                " of the job tells it."
+            )
+            findings.append(Finding("CW-P130", "error", message))
+        return works, tuple(findings)
+
+    def _no_test(self, name: str) -> Finding:
+        message = (
+            f"{name}: its lost motion by the circles is not corrected: it has no positioning test,"
+            " and so no table to put it into."
+        )
+        return Finding("CW-P130", "error", message)
+
+    def _not_taken(self, name: str, circles: Sequence[CircleWork]) -> Finding:
+        """Return why the lost motion of an axis stays that of the laser: no failure where no circle
+        lies on the axis.
+        """
+        if not _on(circles, name):
+            message = (
+                f"{name}: no circle lies on it; its lost motion stays that of the laser, although"
+                " the job asks for the circles'."
+            )
+            return Finding("CW-P130", "warning", message)
+        message = (
+            f"{name}: its lost motion is not taken from the circles, as the job asks: they do not"
+            " tell it, or its positioning test has one direction only."
+        )
+        return Finding("CW-P130", "error", message)
+
+    def _shift(self, name: str, circles: Sequence[CircleWork]) -> Stated | None:
+        """Return how much more lost motion (mm) than the laser the circles of an axis show, their
+        weighted mean.
+        """
+        values, weights = [], []
+        for work in circles:
+            if name not in work.planned.test.axes:
+                continue
+            index = work.planned.test.axes.index(name)
+            circle, laser = lost_motion(work, index), self.laser(work, index)
+            if circle is not None and laser is not None:
+                values.append(circle.value - laser.lost_motion.value)
+                weights.append(circle.std_error**-2)
+        if not values:
+            return None
+        return Stated(float(np.average(values, weights=weights)), float(np.sum(weights) ** -0.5))
+
+
+def _on(circles: Sequence[CircleWork], name: str) -> bool:
+    """Whether a circle lies on an axis."""
+    return any(name in work.planned.test.axes for work in circles)
+
+
+def _shifted(work: AxisWork, more: float) -> AxisWork:
+    """Return the axis with ``more`` (mm) lost motion in its estimate, against the direction of the
+    reference return.
+    """
+    axis: Axis = work.planned.axis
+    estimate = work.planned.estimate
+    if axis.reference_return is Direction.POSITIVE:
+        estimate = replace(estimate, mean_negative=estimate.mean_negative + more)
+    else:
+        estimate = replace(estimate, mean_positive=estimate.mean_positive - more)
+    return replace(work, planned=replace(work.planned, estimate=estimate))

@@ -1,0 +1,279 @@
+"""The scale of an axis without a positioning test, from circles: only where they can tell it.
+
+The radius of a circle also shrinks by the lag of the position loop, v²/(2 Kv² R), so a scale is
+taken from a calibrated bar at a low feed, from two feeds extrapolated to zero, or from the mismatch
+with an axis that the laser measured; else not at all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from compwright.estimation.circle_model import SOFTEST_LOOP
+from compwright.fitting.fit import fit_table
+from compwright.formats.families.grid.capacity import capacity_for
+from compwright.foundations.errors import CapacityError
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Axis, Direction
+from compwright.records.correction import AxisCompensation, ControlState, no_compensation
+from compwright.records.estimate import ErrorEstimate
+from compwright.records.job import AxisJob, Job
+from compwright.records.plan import PlannedAxis
+from compwright.workflow.stages.circle_checks import Checks, Stated, mismatch, scale_error
+from compwright.workflow.stages.circle_work import Acting, CircleWork
+from compwright.workflow.stages.control import Control
+from compwright.workflow.stages.cross import SIGNIFICANT
+from compwright.workflow.stages.planning import dense_positions, wanted_correction
+
+#: A feed is low when the softest usual position loop shrinks the circle by no more than this part
+#: of its radius.
+LOW = 2e-6
+#: Two feeds tell the shrinking when their squares differ by this factor or more.
+APART = 2.0
+_PPM = 1e6
+
+
+@dataclass(frozen=True, slots=True)
+class Scaled:
+    """An axis whose table comes from circles, or (``planned`` None) why it gets none."""
+
+    name: str
+    planned: PlannedAxis | None
+    finding: Finding
+
+
+def scaled_axes(
+    job: Job, circles: Sequence[CircleWork], checks: Checks, control: Control, state: ControlState
+) -> tuple[Scaled, ...]:
+    """Return what becomes of every axis of ``apply.scale``. The laser's slope wins where there is
+    one.
+    """
+    found = []
+    for name in job.apply.scale:
+        entry = job.axes.get(name)
+        if entry is None:
+            continue  # CW-J004 says so
+        if entry.before:
+            message = f"{name}: its scale is that of its positioning test; circles only check it."
+            found.append(Scaled(name, None, Finding("CW-P118", "info", message)))
+            continue
+        found.append(_scaled(entry, circles, checks, control, state))
+    return tuple(found)
+
+
+def _scaled(
+    entry: AxisJob,
+    circles: Sequence[CircleWork],
+    checks: Checks,
+    control: Control,
+    state: ControlState,
+) -> Scaled:
+    name = entry.axis.name
+    found = list(_values(name, circles, checks))
+    values = [entry for entry in found if not isinstance(entry, str)]
+    reasons = [entry for entry in found if isinstance(entry, str)]
+    if not values:
+        reason = "; ".join(reasons) or "no circle lies on it"
+        return Scaled(
+            name,
+            None,
+            Finding("CW-P119", "error", f"{name}: its scale is not taken from a circle: {reason}."),
+        )
+    weights = [stated.std_error**-2 for stated, _ in values]
+    scale = Stated(
+        float(np.average([stated.value for stated, _ in values], weights=weights)),
+        float(np.sum(weights) ** -0.5),
+    )
+    source = "; ".join(how for _, how in values)
+    words = f"{name}: scale {scale.words(_PPM, 'µm/m')} by {source}"
+    if abs(scale.value) < SIGNIFICANT * scale.std_error:
+        return Scaled(
+            name, None, Finding("CW-P119", "info", f"{words}; not significant, not corrected.")
+        )
+    try:
+        planned = _planned(entry, scale, control, state)
+    except CapacityError as error:
+        message = f"{words}; not corrected: {'; '.join(str(fault) for fault in error.faults)}."
+        return Scaled(name, None, Finding("CW-P119", "error", message))
+    message = (
+        f"{words}; its table corrects it. The temperature of bar and scale at the test is in it: 1"
+        " K is 11 µm/m of steel."
+    )
+    return Scaled(name, planned, Finding("CW-P120", "warning", message))
+
+
+def _values(
+    name: str, circles: Sequence[CircleWork], checks: Checks
+) -> Iterator[tuple[Stated, str] | str]:
+    """Yield the scale as it is now with its source, or why a circle does not give it."""
+    mine = [work for work in circles if name in work.planned.test.axes]
+    slow = [
+        work
+        for work in mine
+        if shrinking(work) <= LOW and scale_error(work, _index(work, name)) is not None
+    ]
+    for work in slow:
+        stated = scale_error(work, _index(work, name))
+        if stated is not None:
+            yield _now(stated, work, name, checks), f"{work.name} at a low feed"
+    if slow:
+        return
+    pairs = list(_two_feeds(mine, name))
+    if pairs:
+        fast, slower, stated = max(pairs, key=lambda pair: shrinking(pair[0]) / shrinking(pair[1]))
+        yield (
+            _now(stated, slower, name, checks),
+            f"{slower.name} and {fast.name} extrapolated to no feed",
+        )
+        return
+    for work in mine:
+        yield _by_mismatch(work, name, checks)
+
+
+def _by_mismatch(work: CircleWork, name: str, checks: Checks) -> tuple[Stated, str] | str:
+    index = _index(work, name)
+    between, laser = mismatch(work), checks.laser(work, 1 - index)
+    if between is None or laser is None:
+        if not work.planned.test.calibrated:
+            return (
+                f"the bar of {work.name} was not calibrated, and its other axis has no positioning"
+                " test"
+            )
+        return (
+            f"the lag of the axes may shrink {work.name} by {shrinking(work) * _PPM:.0f} µm/m at"
+            " its feed (a low feed, two feeds, or a positioning test of its other axis would"
+            " settle it)"
+        )
+    # The mismatch is first minus second.
+    own = laser.scale.value + (between.value if index == 0 else -between.value)
+    stated = Stated(own, float(np.hypot(between.std_error, laser.scale.std_error)))
+    return (
+        _now(stated, work, name, checks),
+        f"the mismatch of {work.name} and the laser on {work.planned.test.axes[1 - index]}",
+    )
+
+
+def shrinking(work: CircleWork) -> float:
+    """Return by what part of its radius the softest usual position loop makes a circle smaller."""
+    test = work.planned.test
+    return float((test.feed / 60.0) ** 2 / (2.0 * SOFTEST_LOOP**2 * test.nominal_radius**2))
+
+
+def _two_feeds(
+    works: Sequence[CircleWork], name: str
+) -> Iterator[tuple[CircleWork, CircleWork, Stated]]:
+    """Yield (fast, slow, scale at no feed) of circles of one size about one centre in one state, at
+    feeds far enough apart.
+    """
+    for slow in works:
+        for fast in works:
+            same = (
+                slow.planned.test.axes,
+                slow.planned.centre,
+                slow.planned.measured_in,
+                slow.planned.test.nominal_radius,
+            ) == (
+                *(fast.planned.test.axes, fast.planned.centre),
+                *(fast.planned.measured_in, fast.planned.test.nominal_radius),
+            )
+            if not same or shrinking(fast) < APART * shrinking(slow):
+                continue
+            at_slow, at_fast = _seen(slow, name), _seen(fast, name)
+            if at_slow is None or at_fast is None:
+                continue
+            share = shrinking(slow) / (shrinking(fast) - shrinking(slow))
+            value = at_slow.value + share * (at_slow.value - at_fast.value)
+            error = np.hypot((1.0 + share) * at_slow.std_error, share * at_fast.std_error)
+            yield fast, slow, Stated(value, float(error))
+
+
+def _seen(work: CircleWork, name: str) -> Stated | None:
+    """Return the scale as the circle shows it, with the error of its fit alone: the lag is what two
+    feeds tell.
+    """
+    stated = scale_error(work, _index(work, name))
+    if stated is None:
+        return None
+    doubt = shrinking(work) / np.sqrt(3.0)
+    return Stated(stated.value, float(np.sqrt(max(stated.std_error**2 - doubt**2, (0.05e-6) ** 2))))
+
+
+def _index(work: CircleWork, name: str) -> int:
+    return work.planned.test.axes.index(name)
+
+
+def _now(stated: Stated, work: CircleWork, name: str, checks: Checks) -> Stated:
+    """Return a scale found while a circle was measured as it is with what acts now."""
+    radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
+    during = checks.states.get(work.planned.measured_in)
+    now = checks.states.get("as_found")
+    return replace(
+        stated,
+        value=stated.value
+        + _slope(now, name, middle, radius)
+        - _slope(during, name, middle, radius),
+    )
+
+
+def _slope(state: Acting | None, name: str, middle: float, radius: float) -> float:
+    if state is None or name not in state.along:
+        return 0.0
+    ends = np.array([middle - radius, middle + radius])
+    return float(
+        np.mean([np.diff(state.along[name](ends, direction))[0] for direction in Direction])
+    ) / (2.0 * radius)
+
+
+def _planned(entry: AxisJob, scale: Stated, control: Control, state: ControlState) -> PlannedAxis:
+    """Return the table that takes a scale away, about the reference of the axis. Raises
+    CapacityError.
+    """
+    axis: Axis = entry.axis
+    positions = dense_positions(axis)
+    away = np.abs(positions - axis.reference) * scale.std_error
+    means = scale.value * (positions - axis.reference)
+    estimate = ErrorEstimate(
+        kind=axis.kind,
+        positions=positions,
+        mean_positive=means,
+        mean_negative=means,
+        std_positive=away,
+        std_negative=away,
+        noise=max(
+            float(np.max(away)), 1e-4
+        ),  # mm: a grid is not worth refining below a tenth of a micrometre
+        noise_dof=1.0,
+        measured=axis.travel,
+    )
+    active: AxisCompensation = state.axes.get(
+        axis.address, no_compensation(axis.address, axis.kind, axis.reference_return)
+    )
+    wanted = wanted_correction(estimate, active, axis, reversal_log_odds=0.0)
+    capacity = capacity_for(control.definition, axis, control.options, state)
+    fitted = fit_table(wanted, capacity, entry.table, address=axis.address)
+    return PlannedAxis(
+        axis=axis,
+        tests=(),
+        estimate=estimate,
+        active=active,
+        wanted=wanted,
+        request=entry.table,
+        fitted=fitted,
+        accept=None,
+    )
+
+
+def scale_steps(scaled: Sequence[Scaled]) -> tuple[Mapping[str, str], ...]:
+    """Return what the card says of the axes whose table comes from circles."""
+    return tuple(
+        {
+            "title": f"{entry.name}: scale from circles",
+            "text": f"{entry.finding.message} Measure {entry.name} with a laser when you can.",
+            "evidence": "inferred",
+        }
+        for entry in scaled
+        if entry.planned is not None
+    )

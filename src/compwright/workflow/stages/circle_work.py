@@ -1,0 +1,364 @@
+"""Circular tests on their way through a job: read, evaluated, diagnosed, and predicted with what
+the tables change.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
+from compwright.foundations.findings import Finding
+from compwright.foundations.utf8 import shown_path
+from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
+from compwright.prediction.circular import CirclePath, moved_test, predict_circle
+from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
+from compwright.records.circular import CircularResult, CircularTest
+from compwright.records.correction import CrossCompensation
+from compwright.records.job import CircleRequest, Job
+from compwright.records.plan import PlannedCircle
+from compwright.records.prediction import CirclePrediction
+from compwright.workflow.stages.circles import evaluated_circle
+from compwright.workflow.stages.control import DecodedState, judged
+from compwright.workflow.stages.measurement_files import measurement_files
+from compwright.workflow.stages.outlook import Correction
+
+CIRCULAR_STANDARD = "iso230-4:2005"
+#: A circular deviation that grows by this factor or less is told by the numbers alone.
+WORSE = 1.1
+
+
+@dataclass(frozen=True, slots=True)
+class CircleWork:
+    """One circular test of a job: its evaluation with diagnosis, and where and in which state it
+    was measured.
+    """
+
+    result: CircularResult
+    planned: PlannedCircle
+    findings: tuple[Finding, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """The name of the test in the job."""
+        return self.result.test.name
+
+
+@dataclass(frozen=True, slots=True)
+class Acting:
+    """What a control does: ``along`` by axis name, on the axis itself; ``across`` by input and
+    output axis, on the output.
+    """
+
+    along: Mapping[str, Correction]
+    across: Mapping[tuple[str, str], Correction]
+
+    def displacement(self, axes: tuple[str, str]) -> Callable[[CirclePath], FloatArray]:
+        """Return what moves the tool in the plane of two axes (names of the job), (n, 2) mm.
+
+        An axis outside the plane stands still; what it does to the two is the same everywhere on
+        the circle.
+        """
+
+        def at(path: CirclePath) -> FloatArray:
+            places = {
+                axes[0]: (path.first, path.moves_first),
+                axes[1]: (path.second, path.moves_second),
+            }
+            moved = np.zeros((path.first.size, 2))
+            for index, name in enumerate(axes):
+                if name in self.along:
+                    moved[:, index] += by_motion(self.along[name], *places[name])
+                for other, place in places.items():
+                    if (other, name) in self.across:
+                        moved[:, index] += by_motion(self.across[other, name], *place)
+            return moved
+
+        return at
+
+
+def by_motion(correction: Correction, positions: FloatArray, moves: FloatArray) -> FloatArray:
+    """Return a correction at ``positions`` (n,) of an axis that moves with the sign ``moves`` (n,)
+    there.
+    """
+    either = [correction(positions, direction) for direction in Direction]
+    return np.where(moves > 0.0, *either)
+
+
+def acting(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> Acting:
+    """Return what the judge says that a state does to the axes of a job and between them; nothing
+    where nobody said it.
+    """
+    if decoded is None or decoded.judge is None:
+        return Acting({}, {})
+    names = {axis.address: name for name, axis in axes.items()}
+    pairs = dict.fromkeys((entry.input, entry.output) for entry in decoded.state.cross)
+    return Acting(
+        along={name: _along(decoded, axis) for name, axis in axes.items()},
+        across={
+            (names[pair[0]], names[pair[1]]): _across(decoded, pair)
+            for pair in pairs
+            if pair[0] in names and pair[1] in names
+        },
+    )
+
+
+def _along(decoded: DecodedState, axis: Axis) -> Correction:
+    def correction(positions: FloatArray, direction: Direction) -> FloatArray:
+        return judged(decoded, axis.address, positions, direction)
+
+    return correction
+
+
+def _across(decoded: DecodedState, pair: tuple[str, str]) -> Correction:
+    def correction(positions: FloatArray, direction: Direction) -> FloatArray:
+        if decoded.judge is None:
+            return np.zeros(np.shape(positions))
+        return decoded.judge.cross_correction(*pair, positions, direction)
+
+    return correction
+
+
+def judged_cross(
+    decoded: DecodedState, at: FloatArray | None = None
+) -> tuple[CrossCompensation, ...]:
+    """Return what one axis adds to another by the judge's reading, by address: at the nodes of its
+    tables or at positions (k,).
+
+    Each pair of axes once, with everything that acts between them.
+    """
+    pairs: dict[tuple[str, str], list[CrossCompensation]] = {}
+    for entry in decoded.state.cross:
+        pairs.setdefault((entry.input, entry.output), []).append(entry)
+    found = []
+    for pair, entries in pairs.items():
+        where = (
+            np.unique(np.concatenate([entry.positions for entry in entries])) if at is None else at
+        )
+        positive, negative = (_across(decoded, pair)(where, direction) for direction in Direction)
+        found.append(replace(entries[0], positions=where, positive=positive, negative=negative))
+    return tuple(found)
+
+
+def read_circles(job: Job, folder: Path) -> tuple[CircularTest, ...]:
+    """Read the circular tests of a job in its order. Raises InputError with the faults of all their
+    files.
+    """
+    errors: list[CompwrightError] = []
+    tests = []
+    for request in job.circles:
+        try:
+            tests.append(read_circle([folder / file for file in request.files], request.name))
+        except InputError as error:
+            errors.append(error)
+    raise_all(InputError, collect(errors))
+    return tuple(tests)
+
+
+def read_circle(paths: list[Path], name: str) -> CircularTest:
+    """Read the files of one circular test. Raises InputError."""
+    errors: list[CompwrightError] = []
+    parts = []
+    for given in paths:
+        try:
+            files = measurement_files(given).files
+        except InputError as error:
+            errors.append(error)
+            continue
+        for path in files:
+            try:
+                parts.append(_read_part(path))
+            except InputError as error:
+                errors.append(error)
+    raise_all(InputError, collect(errors))
+    return merge_circular(parts, name)
+
+
+def start_circle(
+    request: CircleRequest, test: CircularTest, axes: Mapping[str, Axis]
+) -> CircleWork:
+    """Evaluate and diagnose one circular test. Raises InputError where it cannot be evaluated or
+    its centre does not fit.
+    """
+    test = in_job_names(test, axes)
+    given = request.centre if request.centre is not None else test.centre
+    centre, said = _centre(test, given, axes)
+    findings = () if said else (_middle_assumed(test, centre),)
+    result = evaluated_circle(replace(test, centre=given), CIRCULAR_STANDARD)
+    return CircleWork(
+        result,
+        PlannedCircle(test=result.test, measured_in=request.measured_in, centre=centre),
+        findings,
+    )
+
+
+def _read_part(path: Path) -> CircularTest:
+    content, file = storage.read_bytes(path), shown_path(path)
+    if not is_circular(content, file):
+        raise InputError(
+            Fault(
+                message="is no circular test",
+                file=file,
+                expected="a .b5r file or CSV with angle_deg",
+            )
+        )
+    return read_circular(content, file)
+
+
+def start_circles(
+    job: Job, tests: Sequence[CircularTest], axes: Mapping[str, Axis]
+) -> tuple[CircleWork, ...]:
+    """Evaluate and diagnose the circular tests of a job. Raises InputError with the faults of all
+    of them.
+    """
+    errors: list[CompwrightError] = []
+    works = []
+    for request, test in zip(job.circles, tests, strict=True):
+        try:
+            works.append(start_circle(request, test, axes))
+        except InputError as error:
+            errors.append(error)
+    raise_all(InputError, collect(errors))
+    return tuple(works)
+
+
+def in_job_names(test: CircularTest, axes: Iterable[str]) -> CircularTest:
+    """Return the test with its axes named as in the job, whatever the case of their letters."""
+    known = {name.upper(): name for name in axes}
+    first, second = (known.get(name.upper(), name) for name in test.axes)
+    return replace(test, axes=(first, second))
+
+
+def _centre(
+    test: CircularTest, given: tuple[float, ...] | None, axes: Mapping[str, Axis]
+) -> tuple[tuple[float, float], bool]:
+    """Return the centre of the circle on its two axes, and whether anybody said it."""
+    if given is not None and len(given) == 2:
+        return (given[0], given[1]), True
+    if given is not None:
+        places = ["XYZ".find(name.upper()) if len(name) == 1 else -1 for name in test.axes]
+        if min(places) < 0:
+            raise InputError(
+                Fault(
+                    message=(
+                        "the centre has three numbers, which are X, Y and Z, but the plane has"
+                        " other axes"
+                    ),
+                    file=test.name,
+                    place="centre",
+                    expected=f"two numbers, of {test.axes[0]} and {test.axes[1]}",
+                    found=", ".join(f"{value:g}" for value in given),
+                )
+            )
+        return (given[places[0]], given[places[1]]), True
+    middle = [sum(axes[name].travel) / 2.0 if name in axes else 0.0 for name in test.axes]
+    return (middle[0], middle[1]), not any(name in axes for name in test.axes)
+
+
+def _middle_assumed(test: CircularTest, centre: tuple[float, float]) -> Finding:
+    where = ", ".join(f"{name} {value:g}" for name, value in zip(test.axes, centre, strict=True))
+    message = (
+        f"Circle {test.name}: nobody says where it lies in the machine; the middle of the travel is"
+        f" assumed ({where}). Give its centre: where the tables act depends on it."
+    )
+    return Finding("CW-P101", "warning", message)
+
+
+def checked_axes(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, ...]:
+    """Return findings about a circle that does not lie within the travels of its axes, or on axes
+    that are not linear.
+    """
+    test, found = work.result.test, []
+    for name, middle in zip(test.axes, work.planned.centre, strict=True):
+        axis = axes.get(name)
+        if axis is None:
+            continue
+        reach = (middle - test.nominal_radius, middle + test.nominal_radius)
+        if (
+            axis.kind is not AxisKind.LINEAR
+            or reach[0] < axis.travel[0]
+            or reach[1] > axis.travel[1]
+        ):
+            span = f"{reach[0]:g} to {reach[1]:g}"
+            message = (
+                f"Circle {test.name}: a whole circle about its centre reaches from {span} on"
+                f" {name}, beyond the travel."
+            )
+            found.append(Finding("CW-P102", "warning", message))
+    return tuple(found)
+
+
+def predict(work: CircleWork, change_from: Acting, change_to: Acting) -> CirclePrediction:
+    """Return what a fresh circular test will show when what acts changes. The same job predicts the
+    same numbers.
+    """
+    return predicted_circle(work.result, work.planned, change_from, change_to)
+
+
+def worse_circles(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding, ...]:
+    """Return a finding for every circle whose circular deviation the tables are predicted to make
+    worse.
+
+    Worse is what lies above the measured value in 95 of 100 fresh tests and by more than `WORSE`:
+    the next set-up of the bar alone changes G by some hundredths.
+    """
+    return tuple(
+        _worse(name, circle, found)
+        for name, circle in predictions.items()
+        if (found := _growing(circle)) is not None
+    )
+
+
+def _growing(circle: CirclePrediction) -> str | None:
+    """Return the circular deviation that grows; None where it does not.
+
+    That of both runs together counts: lag and squareness may cancel in one run, which alone then
+    looks worse when one of them goes.
+    """
+    has = [
+        name
+        for name in ("G_bidirectional", "G_ccw", "G_cw")
+        if circle.before.parameters.get(name) is not None
+    ]
+    for name in has[:1]:
+        was, becomes = circle.before.parameters[name], circle.predicted.get(name)
+        if (
+            was is not None
+            and becomes is not None
+            and becomes.p05 > was
+            and becomes.median > WORSE * was
+        ):
+            return name
+    return None
+
+
+def _worse(name: str, circle: CirclePrediction, parameter: str) -> Finding:
+    was, becomes = (circle.before.parameters[parameter] or 0.0) * 1e3, circle.predicted[parameter]
+    message = (
+        f"Circle {name}: {parameter.replace('_', ' ')} is predicted to grow from {was:.1f} to"
+        f" {becomes.median * 1e3:.1f} µm ({becomes.p05 * 1e3:.1f} to {becomes.p95 * 1e3:.1f}) with"
+        " these tables. Positioning and circle contradict each other, or one axis of the plane is"
+        " corrected and the other not. Undecided: find out why before you load anything."
+    )
+    return Finding("CW-P131", "warning", message)
+
+
+def predicted_circle(
+    result: CircularResult, planned: PlannedCircle, change_from: Acting, change_to: Acting
+) -> CirclePrediction:
+    """Return the prediction for a test measured while ``change_from`` acted, once ``change_to``
+    does.
+    """
+    axes = planned.test.axes
+    old, new = change_from.displacement(axes), change_to.displacement(axes)
+    moved = moved_test(planned.test, planned.centre, lambda path: new(path) - old(path))
+    expected = evaluated_circle(moved, result.standard)
+    seed = hashlib.sha256(
+        f"circle\x1f{planned.test.name}".encode("utf-8", "surrogatepass")
+    ).digest()
+    return predict_circle(result, expected, np.random.default_rng(int.from_bytes(seed[:8], "big")))

@@ -1,0 +1,557 @@
+"""A control as the commands meet it: its definition, its options, and its files read twice.
+
+Every set of files is read by ``formats`` (from the definition) and by ``controllers`` (the judge).
+Where the two do not agree nothing is done with the files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+
+from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.formats.definition.options import (
+    DETECTION_UNIT,
+    ENCODER_SYSTEM,
+    TABLE_VALUES,
+    resolve_options,
+)
+from compwright.formats.definition.reading import definitions_from
+from compwright.formats.definition.schema import Definition
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.grid.reading import read_state
+from compwright.formats.families.pairs.reading import CEC_TABLES
+from compwright.formats.text.addresses import normal_address, normal_text
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
+from compwright.foundations.findings import Finding
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import Assumption, ControlFile, ControlState, CrossCompensation
+from compwright.records.job import AxisJob, Job
+
+#: Largest difference of the two readers, mm or deg: a control that keeps single precision rounds 1
+#: mm to 6e-8 mm.
+AGREEMENT = 2e-7
+#: Positions of tables of which only one reader knows, mm or deg: every 5 mm of the longest
+#: machines.
+EVERYWHERE = np.linspace(-5000.0, 5000.0, 2001)
+#: The findings of tables that were left out: nobody asked for their axis, they cannot be read,
+#: their sign is not known.
+LEFT_OUT = frozenset({"CW-S011", "CW-S050", "CW-S051"})
+
+#: Options of decode that the axes of a job say themselves, and that the reading of files without a
+#: job lists itself.
+_SAID_ELSEWHERE = frozenset({"reference", "reference_return"})
+
+
+def _shown(value: object) -> str:
+    if value is None:
+        return "not given"
+    if isinstance(value, tuple | list):
+        return ", ".join(str(entry) for entry in value) or "none"
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """Where a control's name and options were given, for messages: file, place of the name, what
+    stands before an option.
+    """
+
+    file: str = ""
+    format_place: str = "--format"
+    before_option: str = "--option "
+
+    def named(self, error: UsageError) -> UsageError:
+        """Return the error with every fault of an option placed where the option was given."""
+        return UsageError(
+            *(
+                replace(fault, place=f"{self.before_option}{fault.place}").in_file(self.file)
+                for fault in error.faults
+            )
+        )
+
+
+COMMAND_LINE = Origin()
+
+
+def origin_of(job: Job) -> Origin:
+    """Return where a job says which control it is for."""
+    return (
+        Origin(job.file, "controller.format", "controller.options.") if job.file else COMMAND_LINE
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Control:
+    """A control by its definition, with every option settled."""
+
+    definition: Definition
+    options: Mapping[str, object]
+    given: Mapping[str, object]
+    origin: Origin = COMMAND_LINE
+
+    @property
+    def id(self) -> str:
+        """The format's name, such as ``siemens-840d-sl``."""
+        return self.definition.id
+
+    def in_state(self, state: ControlState) -> Control:
+        """Return the control with the options that its own files answer (such as the machine's
+        unit) taken from them.
+
+        Raises UsageError where an option that was given contradicts the files.
+        """
+        try:
+            return replace(
+                self, options=resolve_options(self.definition, self.given, state, strict=True)
+            )
+        except UsageError as error:
+            raise self.origin.named(error) from error
+
+    def assumed(self, *states: ControlState) -> tuple[Assumption, ...]:
+        """Return every option that was left at its default and that no file of ``states``
+        answers.
+        """
+        answered = {name for state in states for facts in state.facts.values() for name in facts}
+        settled = {
+            name
+            for name, option in self.definition.options.items()
+            if option.settled_by in answered
+        }
+        said = set(self.given) | settled | _SAID_ELSEWHERE
+        return tuple(
+            Assumption(f"option {name}", _shown(value), self._default_evidence(name))
+            for name, value in self.options.items()
+            if name not in said
+        )
+
+    def _default_evidence(self, name: str) -> str:
+        rule = self.definition.options.get(name)
+        if rule is None or rule.evidence.state != "unconfirmed":
+            return "default of the definition"
+        return f"default of the definition; {rule.evidence}"
+
+
+@dataclass(frozen=True, slots=True)
+class DecodedState:
+    """A set of control files as both readers understand it; without files (the state ``none``)
+    nothing acts and nobody judges.
+    """
+
+    files: tuple[ControlFile, ...]
+    state: ControlState
+    judge: VirtualControl | None
+
+
+def open_control(
+    format_id: str, given: Mapping[str, object], origin: Origin = COMMAND_LINE
+) -> Control:
+    """Return a control by name. Raises UsageError for an unknown name or option (saying which
+    exist).
+    """
+    try:
+        definition = _definition(format_id)
+    except UsageError as error:
+        faults = (replace(fault, place=origin.format_place) for fault in error.faults)
+        raise UsageError(*(fault.in_file(origin.file) for fault in faults)) from error
+    try:
+        options = resolve_options(definition, given)
+    except UsageError as error:
+        raise origin.named(error) from error
+    return Control(definition=definition, options=options, given=dict(given), origin=origin)
+
+
+@cache  # by content: a job is checked before it is done, and reading a definition takes a while
+def _definitions(*files: tuple[str, bytes]) -> Mapping[str, Definition]:
+    return definitions_from(files)
+
+
+def _definition(format_id: str) -> Definition:
+    """Return a definition by its id, reading only the file of that name where there is one (reading
+    all takes a while).
+    """
+    files = dict(storage.definition_files())
+    own = f"{format_id}.yaml"
+    definitions = _definitions((own, files[own])) if own in files else {}
+    if format_id not in definitions:
+        definitions = _definitions(*files.items())
+    if format_id not in definitions:
+        raise UsageError(
+            Fault(
+                message="no such control format",
+                place="format",
+                expected=" or ".join(definitions),
+                found=format_id,
+            )
+        )
+    return definitions[format_id]
+
+
+def named_axes(job: Job, control: Control) -> tuple[Job, tuple[Assumption, ...]]:
+    """Return the job with every axis named as the control names it, and what had to be assumed for
+    that.
+
+    Raises UsageError for an address that the control cannot have, and for two axes at one address.
+    """
+    axes: dict[str, AxisJob] = {}
+    assumed: list[Assumption] = []
+    faults: list[Fault] = []
+    for name, entry in job.axes.items():
+        try:
+            address, assumption = normal_address(control.definition, entry.axis)
+            gantry = (
+                None
+                if entry.axis.gantry is None
+                else normal_text(control.definition, entry.axis.gantry)
+            )
+        except UsageError as error:
+            faults.extend(
+                fault.within(f"axes.{name}.address").in_file(job.file) for fault in error.faults
+            )
+            continue
+        taken = next((other for other, mine in axes.items() if mine.axis.address == address), None)
+        if taken is not None:
+            faults.append(
+                Fault(
+                    message=f"axes {taken} and {name} have one address",
+                    file=job.file,
+                    place=f"axes.{name}",
+                    found=address,
+                )
+            )
+        assumed.extend([assumption] if assumption else [])
+        axes[name] = replace(entry, axis=replace(entry.axis, address=address, gantry=gantry))
+    raise_all(UsageError, faults)
+    return replace(job, axes=axes), tuple(assumed)
+
+
+def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
+    """Read control files; a folder stands for all files in it. Raises InputError with every file
+    that cannot be read.
+    """
+    faults: list[Fault] = []
+    files: list[ControlFile] = []
+    for path in paths:
+        try:
+            entries = storage.list_files(path)
+            files.extend(ControlFile(entry.name, storage.read_bytes(entry)) for entry in entries)
+        except InputError as error:
+            faults.extend(error.faults)
+        else:
+            if not entries:  # nothing to read is not "nothing is active": that is the word none
+                faults.append(
+                    Fault(
+                        message="the folder holds no files",
+                        file=str(path),
+                        expected="the control's files",
+                    )
+                )
+    names = [file.name for file in files]
+    faults.extend(
+        Fault(message="two files of this name were given", file=name, expected="each file once")
+        for name in dict.fromkeys(names)
+        if names.count(name) > 1
+    )
+    raise_all(InputError, faults)
+    return tuple(files)
+
+
+def decode(
+    control: Control,
+    files: Sequence[ControlFile],
+    axes: Sequence[Axis] = (),
+    *,
+    address: str | None = None,
+    written: bool = False,
+    active: bool | None = None,
+    asking: bool = False,
+) -> DecodedState:
+    """Read control files with both readers and hold them against each other.
+
+    ``axes``: those of a job; ``address``: the one axis that is asked for. Either names the axis of
+    a table that does not. ``written``: compwright wrote these files just now. ``active``: what the
+    job answers to whether the tables acted, where the files do not say it; ``asking``: that answer
+    is needed (UsageError without it). Raises InputError when the files cannot be read, contradict
+    themselves or can be read in two ways: what two readers understand differently is not a state to
+    build on. In files of our own making that is a fault of our own (CompwrightError).
+    """
+    if not files:
+        return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
+    if (
+        active is False
+        and "enabled" not in control.definition.bindings
+        and control.definition.layout.shape != "user_tables"
+    ):
+        raise UsageError(
+            Fault(
+                message=(
+                    f"active: no is said of a state, but nothing in the files of {control.id}"
+                    " leaves open whether a table acts"
+                ),
+                expected="active left out, or the files as they were during the test",
+            )
+        )
+    activity = Activity(said=active, asking=asking)
+    shown = not axes and "cec_sign" in control.options and control.options["cec_sign"] is None
+    options = {**control.options, "cec_sign": "correction"} if shown else control.options
+    state = read_state(control.definition, files, options, axes, address=address, activity=activity)
+    state = _with_sign_unknown(state) if shown else state
+    if asking or not axes:
+        _check_meaning(control, state, axes)
+    named = [
+        (each, axis) for axis in axes for each in (axis.address, axis.gantry) if each is not None
+    ]
+    alone = address or (axes[0].address if len(axes) == 1 else None)
+    judge = virtual_control(
+        control.id,
+        files,
+        reference_return={address: axis.reference_return for address, axis in state.axes.items()},
+        kinds={address: axis.kind for address, axis in state.axes.items()},
+        encoder={
+            **_systems(state),
+            **{address: axis.encoder.system for address, axis in named if axis.encoder.stated},
+        },
+        active=active,
+        modulo={address: axis.modulo for address, axis in named if axis.modulo is not None},
+        reference={address: axis.reference for address, axis in named},
+        axis_options={address: axis.options for address, axis in named},
+        options={**options, **({"axis": alone} if alone is not None else {})},
+        asked=tuple(state.axes),
+    )
+    raise_all(CompwrightError if written else InputError, _disagreements(state, judge))
+    return DecodedState(files=tuple(files), state=state, judge=judge)
+
+
+def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) -> None:
+    """A control takes the values of an axis in one meaning: the option and an entry sheet of it
+    must not say two.
+    """
+    own = {axis.address: axis.options.get(TABLE_VALUES) for axis in axes}
+    faults = []
+    for address, facts in state.facts.items():
+        said, given = facts.get(TABLE_VALUES), own.get(address) or control.given.get(TABLE_VALUES)
+        if None in (said, given) or said == given:
+            continue
+        faults.append(
+            Fault(
+                message=(
+                    f"axis {address}: the option {TABLE_VALUES} contradicts the entry sheet among"
+                    " the control's files; if the check of the sign showed the opposite of what"
+                    " the sheet says, change its line `# value`, or take the table out of the"
+                    " control first"
+                ),
+                place=control.origin.before_option + TABLE_VALUES,
+                file=control.origin.file,
+                expected=str(said),
+                found=str(given),
+            )
+        )
+    raise_all(UsageError, faults)
+
+
+def _with_sign_unknown(state: ControlState) -> ControlState:
+    """Say of tables that are only shown, and hang together with no readings, that nobody knows
+    their sign.
+    """
+    if not any(CEC_TABLES in facts for facts in state.facts.values()):
+        return state
+    message = (
+        "CEC tables are shown as corrections, although no manual says in which direction a positive"
+        " value moves the axis: their sign may be the opposite; give the option cec_sign after the"
+        " check on the card"
+    )
+    assumption = Assumption(
+        "option cec_sign",
+        "correction",
+        "unconfirmed: no text of Siemens says it; no readings hang on it here",
+    )
+    return replace(
+        state,
+        assumed=(*state.assumed, assumption),
+        findings=(*state.findings, Finding("CW-S055", "warning", message)),
+    )
+
+
+def _systems(state: ControlState) -> dict[str, int]:
+    """Return the measuring system whose table was read, by address: the option or the files say it
+    where no job does.
+    """
+    found = {address: facts.get(ENCODER_SYSTEM) for address, facts in state.facts.items()}
+    return {address: system for address, system in found.items() if isinstance(system, int)}
+
+
+def judged(
+    state: DecodedState, address: str, positions: FloatArray, direction: Direction
+) -> FloatArray:
+    """Return the judge's correction at ``positions`` (mm or deg); zero for an axis that the files
+    do not hold.
+    """
+    if state.judge is None or not _judges(state.judge, address):
+        return np.zeros(np.shape(positions))
+    return state.judge.correction(address, positions, direction)
+
+
+def settled_by_files(job: Job, states: Mapping[str, DecodedState], as_found: str) -> Job:
+    """Return the job with what it leaves to the control's own files: detection units, what tables
+    mean, measuring systems.
+
+    ``states``: all that were read; ``as_found``: the name of the one that is in the control now.
+    """
+    for name in (DETECTION_UNIT, TABLE_VALUES):
+        job = _with_option(job, states, name)
+    return _with_systems_in_use(job, states[as_found].state) if as_found in states else job
+
+
+def _with_option(job: Job, states: Mapping[str, DecodedState], name: str) -> Job:
+    """Return the job with an option of every axis for which nobody gave it and the control's own
+    files say it.
+    """
+
+    def settled(entry: AxisJob) -> AxisJob:
+        if name in entry.axis.options or job.options.get(name) is not None:
+            return entry
+        said = [
+            decoded.state.facts.get(entry.axis.address, {}).get(name) for decoded in states.values()
+        ]
+        found = next((one for one in said if one is not None), None)
+        options = entry.axis.options if found is None else {**entry.axis.options, name: found}
+        return replace(entry, axis=replace(entry.axis, options=options))
+
+    return replace(job, axes={key: settled(entry) for key, entry in job.axes.items()})
+
+
+def _judges(judge: VirtualControl, address: str) -> bool:
+    """Return whether the judge finds an axis in the files, which may spell it in another case."""
+    return address.casefold() in {known.casefold() for known in judge.addresses()}
+
+
+def _disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
+    faults = []
+    unseen = sorted(
+        address for address in state.axes if not _judges(judge, address)
+    )  # others: axes that nobody asked for
+    if unseen:
+        faults.append(
+            Fault(
+                message=(
+                    "the files can be read in two ways: the two readers of compwright find"
+                    " different axes in them"
+                ),
+                expected=", ".join(unseen),
+                found=", ".join(sorted(judge.addresses())) or "no axis",
+            )
+        )
+    for address in sorted(set(state.axes) - set(unseen)):
+        axis = state.axes[address]
+        where = probe_positions(axis.positions)
+        for direction in Direction:
+            difference = np.abs(
+                axis.at(where, direction) - judge.correction(address, where, direction)
+            )
+            if not np.all(difference <= AGREEMENT):
+                worst = int(np.argmax(difference))
+                faults.append(
+                    Fault(
+                        message=(
+                            "the files can be read in two ways: the two readers of compwright do"
+                            " not agree on them"
+                        ),
+                        place=(
+                            f"axis {address}, position {where[worst]:g}, direction"
+                            f" {direction.value}"
+                        ),
+                        found=f"a difference of {difference[worst]:.3g} {axis.kind.unit}",
+                    )
+                )
+    return [*faults, *_cross_disagreements(state, judge)]
+
+
+def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
+    """Hold the tables between axes against each other; several of one pair add up."""
+    mine: dict[tuple[str, str], list[CrossCompensation]] = {}
+    for entry in state.cross:
+        mine.setdefault((entry.input, entry.output), []).append(entry)
+    theirs = {
+        (base.casefold(), corrected.casefold()): (base, corrected)
+        for base, corrected in judge.cross()
+    }
+    seen = {(base.casefold(), corrected.casefold()) for base, corrected in mine}
+    faults = [
+        Fault(
+            message=(
+                "the files can be read in two ways: the readers of compwright find different tables"
+                " between axes"
+            ),
+            place=" on ".join(pair),
+        )
+        for pair in sorted(seen - set(theirs))
+    ]
+    if not any(
+        finding.code in LEFT_OUT for finding in state.findings
+    ):  # what the judge alone sees must be switched off
+        mine.update({pair: [] for key, pair in theirs.items() if key not in seen})
+    for (base, corrected), entries in mine.items():
+        if (base.casefold(), corrected.casefold()) not in theirs:
+            continue
+        where = np.concatenate(
+            [EVERYWHERE, *(probe_positions(entry.positions) for entry in entries)]
+        )
+        for direction in Direction:
+            total = np.sum([entry.at(where, direction) for entry in entries], axis=0) + np.zeros(
+                where.size
+            )
+            difference = np.abs(total - judge.cross_correction(base, corrected, where, direction))
+            if not np.all(difference <= AGREEMENT):
+                worst = int(np.argmax(difference))
+                faults.append(
+                    Fault(
+                        message=(
+                            "the files can be read in two ways: the readers of compwright do not"
+                            " agree on a table between axes"
+                        ),
+                        place=(
+                            f"{base} on {corrected}, position {where[worst]:g}, direction"
+                            f" {direction.value}"
+                        ),
+                        found=f"a difference of {difference[worst]:.3g} mm or deg",
+                    )
+                )
+    return faults
+
+
+def _with_systems_in_use(job: Job, state: ControlState) -> Job:
+    """Return the job with the measuring system that the control's files show to be in use, where
+    the job names none.
+    """
+    axes = {}
+    for name, entry in job.axes.items():
+        found = state.facts.get(entry.axis.address, {}).get(ENCODER_SYSTEM)
+        if entry.axis.encoder.stated or not isinstance(found, int):
+            axes[name] = entry
+        else:
+            axes[name] = replace(
+                entry,
+                axis=replace(
+                    entry.axis, encoder=replace(entry.axis.encoder, system=found, stated=True)
+                ),
+            )
+    return replace(job, axes=axes)
+
+
+def probe_positions(nodes: FloatArray) -> FloatArray:
+    """Return positions that show a whole table: its nodes, between them, and outside on both
+    sides.
+    """
+    if nodes.size == 0:
+        return np.array([-1000.0, 0.0, 1000.0])
+    step = float(nodes[-1] - nodes[0]) / max(nodes.size - 1, 1) or 1.0
+    between = nodes[:-1] + 0.3 * np.diff(nodes)
+    outside = np.array(
+        [nodes[0] - 0.7 * step, nodes[0] - 3 * step, nodes[-1] + 0.7 * step, nodes[-1] + 3 * step]
+    )
+    return np.concatenate([nodes, between, outside])

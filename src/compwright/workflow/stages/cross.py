@@ -1,0 +1,374 @@
+"""Corrections between axes: squareness from circles, squareness and straightness from direct
+measurements.
+
+Everything here is what is added to what the control does already. The angle of a circle is that of
+the machine with what acted between its axes while it was measured; a state with other tables has
+another angle. Signs: squareness > 0 means more than 90° between the two positive axes; the bent
+axis gets + squareness times the distance of the other one from its reference.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from compwright.foundations.findings import Finding, Severity
+from compwright.prediction.circular import path_of
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.circular import CircularRun
+from compwright.records.correction import CrossCompensation
+from compwright.records.job import CrossRequest, Job, other_axis
+from compwright.records.plan import PlannedCross
+from compwright.workflow.stages.circle_work import Acting, CircleWork, acting
+from compwright.workflow.stages.control import DecodedState
+
+#: An effect smaller than this many standard errors is not corrected, two values further apart than
+#: this disagree (95 %).
+SIGNIFICANT = 2.0
+#: What a good granite square is true to, rad: two values closer than this agree.
+SQUARE = 5e-6
+#: A correction over more than this many diameters of the circle (lengths of the measured range) is
+#: an extrapolation.
+FAR = 2.0
+#: Values and positions of a table between axes are whole multiples of these, mm or deg: less than
+#: any control resolves.
+QUANTUM, STEP = 1e-6, 1e-3
+MOST_NODES = 100
+_PPM = 1e6
+
+
+@dataclass(frozen=True, slots=True)
+class Squareness:
+    """The angle of a plane as found now, rad, its standard error, the circles that it comes from,
+    and the largest diameter, mm.
+    """
+
+    value: float
+    std_error: float
+    tests: tuple[str, ...]
+    diameter: float
+
+    @property
+    def words(self) -> str:
+        """The value as people read it."""
+        return f"{self.value * _PPM:+.1f} ± {SIGNIFICANT * self.std_error * _PPM:.1f} µm/m"
+
+
+@dataclass(frozen=True, slots=True)
+class CrossPlan:
+    """What shall be added between axes, and what is to be said about it."""
+
+    planned: tuple[PlannedCross, ...] = ()
+    findings: tuple[Finding, ...] = ()
+
+
+def plan_cross(
+    job: Job,
+    circles: Sequence[CircleWork],
+    states: Mapping[str, DecodedState],
+    as_found: DecodedState,
+) -> CrossPlan:
+    """Return the corrections between axes that the job asks for: direct measurements, and of
+    circles what ``apply`` names.
+    """
+    planner = _Planner(job, circles, states, as_found)
+    planned = tuple(planner.measured()) + tuple(planner.squareness())
+    return CrossPlan(planned, tuple(planner.findings))
+
+
+class _Planner:
+    def __init__(
+        self,
+        job: Job,
+        circles: Sequence[CircleWork],
+        states: Mapping[str, DecodedState],
+        as_found: DecodedState,
+    ) -> None:
+        self.job = job
+        self.axes: dict[str, Axis] = {name: entry.axis for name, entry in job.axes.items()}
+        self.findings: list[Finding] = []
+        self.now = acting(as_found, self.axes)
+        self.states = {name: acting(decoded, self.axes) for name, decoded in states.items()}
+        self.angles = dict(self._angles(circles))
+        self.measured_pairs: dict[frozenset[str], PlannedCross] = {}
+
+    def find(self, code: str, severity: Severity, message: str) -> None:
+        """Note a finding."""
+        self.findings.append(Finding(code, severity, message))
+
+    # --- direct measurements
+    # ----------------------------------------------------------------------------------------------
+
+    def measured(self) -> Iterator[PlannedCross]:
+        """Yield the correction of every direct measurement whose axes the job knows."""
+        for request in self.job.cross:
+            if request.input not in self.axes or request.output not in self.axes:
+                continue  # CW-J004 says so
+            planned = self._measured(request)
+            self.measured_pairs[planned.pair] = planned
+            self._gantry(planned.output)
+            self._check_by_circle(planned)
+            yield planned
+
+    def _measured(self, request: CrossRequest) -> PlannedCross:
+        """Return minus the deviation, plus what acted during the measurement less what acts now."""
+        where = np.array(request.positions)
+        pair = (request.input, request.output)
+        before = self.states.get(request.measured_in, self.now).across.get(pair)
+        now = self.now.across.get(pair)
+        curves = {}
+        for direction in Direction:
+            added = -np.array(request.deviations)
+            added = added + (before(where, direction) if before is not None else 0.0)
+            curves[direction] = added - (now(where, direction) if now is not None else 0.0)
+        slope = float(np.polyfit(where, np.mean(list(curves.values()), axis=0), 1)[0])
+        self._reach(
+            f"{request.input} on {request.output}",
+            self.axes[request.input],
+            float(np.ptp(where)),
+            "measured range",
+        )
+        compensation = self._table(request.input, request.output, where, curves, slope)
+        return PlannedCross(
+            input=request.input,
+            output=request.output,
+            added=compensation,
+            source="cross",
+            squareness=slope,
+        )
+
+    def _table(
+        self,
+        given: str,
+        bent: str,
+        where: FloatArray,
+        curves: Mapping[Direction, FloatArray],
+        slope: float,
+    ) -> CrossCompensation:
+        """Return the table over the travel of the input axis, zero at its reference; beyond the
+        measured range the mean slope.
+        """
+        axis = self.axes[given]
+        nodes = _nodes(axis, where)
+        tables, missed = [], 0.0
+        for curve in (curves[direction] for direction in Direction):
+            shifted = curve - float(_continued(np.array([axis.reference]), where, curve, slope)[0])
+            table = np.round(_continued(nodes, where, shifted, slope) / QUANTUM) * QUANTUM
+            missed = max(
+                missed, float(np.max(np.abs(_continued(where, nodes, table, slope) - shifted)))
+            )
+            tables.append(table)
+        if missed > 2.0 * QUANTUM:
+            message = (
+                f"{given} on {bent}: nodes at equal steps miss the measured points by up to"
+                f" {missed * 1e3:.2g} µm."
+            )
+            self.find("CW-P103", "info", message)
+        return _compensation(axis, self.axes[bent], nodes, *tables)
+
+    def _check_by_circle(self, planned: PlannedCross) -> None:
+        circle = self.angles.get(planned.pair)
+        if circle is None:
+            return
+        difference = abs(circle.value - planned.squareness)
+        named = (
+            f"{planned.input} and {planned.output}: squareness {planned.squareness * _PPM:+.1f}"
+            " µm/m by the direct measurement"
+        )
+        if difference > max(SIGNIFICANT * circle.std_error, SQUARE):
+            text = (
+                f"{named}, {circle.words} by {', '.join(circle.tests)}; they disagree. The direct"
+                " measurement is corrected."
+            )
+            self.find("CW-P104", "warning", text)
+        else:
+            self.find(
+                "CW-P105",
+                "info",
+                f"{named}, which {', '.join(circle.tests)} confirms ({circle.words}).",
+            )
+
+    # --- squareness from circles
+    # ----------------------------------------------------------------------------------------------
+
+    def squareness(self) -> Iterator[PlannedCross]:
+        """Yield the ramp of every plane that ``apply`` names; say of the others what would be
+        corrected.
+        """
+        asked = {
+            frozenset({bent, other_axis(plane, bent)}): (plane, bent)
+            for plane, bent in self.job.apply.squareness.items()
+        }
+        for pair, (plane, bent) in asked.items():
+            other = other_axis(plane, bent)
+            if bent not in self.axes or other not in self.axes or pair in self.measured_pairs:
+                continue
+            angle = self.angles.get(pair)
+            if angle is None:
+                message = (
+                    f"apply.squareness.{plane} is not corrected: no circle of this plane gives its"
+                    " squareness."
+                )
+                self.find("CW-P106", "error", message)
+            elif abs(angle.value) < SIGNIFICANT * angle.std_error:
+                self.find(
+                    "CW-P107",
+                    "info",
+                    f"{plane}: squareness {angle.words} is not significant and is not corrected.",
+                )
+            else:
+                yield self._ramp(other, bent, angle)
+        for pair, angle in self.angles.items():
+            if (
+                pair not in asked
+                and pair not in self.measured_pairs
+                and abs(angle.value) >= SIGNIFICANT * angle.std_error
+            ):
+                plane = "".join(sorted(pair))
+                message = (
+                    f"{plane}: squareness {angle.words} by {', '.join(angle.tests)}; nothing asks"
+                    " for its correction (apply)."
+                )
+                self.find("CW-P108", "info", message)
+
+    def _ramp(self, given: str, bent: str, angle: Squareness) -> PlannedCross:
+        axis = self.axes[given]
+        nodes = np.array(axis.travel)
+        values = np.round(angle.value * (nodes - axis.reference) / QUANTUM) * QUANTUM
+        plane = f"{given} on {bent}"
+        self._reach(plane, axis, angle.diameter, "diameter of the circle")
+        self._gantry(bent)
+        self.find(
+            "CW-P109",
+            "info",
+            f"{plane}: squareness {angle.words} by {', '.join(angle.tests)}; {bent} is to follow"
+            f" {given}.",
+        )
+        return PlannedCross(
+            input=given,
+            output=bent,
+            added=_compensation(axis, self.axes[bent], nodes, values, values),
+            source="circle",
+            tests=angle.tests,
+            squareness=angle.value,
+            std_error=angle.std_error,
+        )
+
+    def _angles(self, circles: Sequence[CircleWork]) -> Iterator[tuple[frozenset[str], Squareness]]:
+        """Yield by pair of axes the weighted mean of its circles, each brought to what acts now."""
+        by_pair: dict[frozenset[str], list[CircleWork]] = {}
+        for work in circles:
+            if work.result.diagnosis is not None and "squareness" in work.result.diagnosis.effects:
+                by_pair.setdefault(frozenset(work.planned.test.axes), []).append(work)
+        for pair, works in by_pair.items():
+            yield pair, self._mean("".join(works[0].planned.test.axes), works)
+
+    def _mean(self, plane: str, works: Sequence[CircleWork]) -> Squareness:
+        values, errors = np.array([self._as_found(work) for work in works]).T
+        weights = 1.0 / errors**2
+        mean = float(np.sum(weights * values) / np.sum(weights))
+        error = float(1.0 / np.sqrt(np.sum(weights)))
+        scatter = float(np.sum(weights * (values - mean) ** 2))
+        free = len(works) - 1
+        if free and scatter > free + SIGNIFICANT * np.sqrt(
+            2.0 * free
+        ):  # 95 % of the chi-square law, roughly
+            error *= float(np.sqrt(scatter / free))
+            each = ", ".join(
+                f"{work.name} {value * _PPM:+.1f}"
+                for work, value in zip(works, values, strict=True)
+            )
+            self.find(
+                "CW-P110",
+                "warning",
+                f"{plane}: its circles disagree about the squareness (µm/m: {each}).",
+            )
+        diameter = max(2.0 * work.planned.test.nominal_radius for work in works)
+        return Squareness(mean, error, tuple(work.name for work in works), diameter)
+
+    def _as_found(self, work: CircleWork) -> tuple[float, float]:
+        """Return the squareness (rad) of one circle as it would be now, and its standard error."""
+        effects = work.result.diagnosis.effects if work.result.diagnosis is not None else {}
+        effect = effects["squareness"]
+        during = self.states.get(work.planned.measured_in, self.now)
+        bent = angle_of(work, during) - angle_of(work, self.now)
+        return effect.value / _PPM + bent, effect.std_error / _PPM
+
+    # --- what is to be said
+    # ----------------------------------------------------------------------------------------------
+
+    def _reach(self, label: str, axis: Axis, length: float, of: str) -> None:
+        travel = axis.travel[1] - axis.travel[0]
+        if travel > FAR * length:
+            message = (
+                f"{label}: corrected over {travel:g} mm of {axis.name}, the {of} is {length:g} mm:"
+                " an extrapolation."
+            )
+            self.find("CW-P111", "warning", message)
+
+    def _gantry(self, bent: str) -> None:
+        if self.axes[bent].gantry is not None:
+            message = (
+                f"{bent} is a gantry axis: moving it by micrometres while another axis travels"
+                " risks stick-slip; its squareness belongs into the reference offset of the"
+                " synchronised axis first."
+            )
+            self.find("CW-P112", "warning", message)
+
+
+def angle_of(work: CircleWork, state: Acting) -> float:
+    """Return the squareness, rad, that what acts between the axes takes away over the circle of
+    ``work``.
+    """
+    test = work.planned.test
+    crossing = replace(state, along={}).displacement(test.axes)
+    degrees: FloatArray = np.linspace(0.25, 359.75, 720)
+    theta = np.radians(degrees)
+    found = []
+    for run in (
+        CircularRun(sense="ccw", angles=degrees, deviations=np.zeros_like(degrees)),
+        CircularRun(sense="cw", angles=degrees, deviations=np.zeros_like(degrees)),
+    ):
+        moved = crossing(path_of(test, run, work.planned.centre))
+        radial = moved[:, 0] * np.cos(theta) + moved[:, 1] * np.sin(theta)
+        wave = np.sin(2.0 * theta)
+        # Bending by s times the other axis gives s R/2 sin2θ, squareness β gives -β R/2 sin2θ.
+        found.append(2.0 / test.nominal_radius * float(radial @ wave / (wave @ wave)))
+    return float(np.mean(found))
+
+
+def _nodes(axis: Axis, where: FloatArray) -> FloatArray:
+    """Return equally spaced nodes over the travel that hold the measured points as well as whole
+    micrometres of step allow.
+    """
+    low, high = axis.travel
+    if where.size == 2:
+        return np.array([low, high])
+    finest = float(np.min(np.diff(where)))
+    count = int(np.clip(np.ceil((high - low) / finest - 1e-9), 1, MOST_NODES))
+    step = np.ceil((high - low) / count / STEP - 1e-9) * STEP
+    return np.asarray(np.round(low + step * np.arange(count + 1), 6), dtype=np.float64)
+
+
+def _continued(
+    where: FloatArray, positions: FloatArray, values: FloatArray, slope: float
+) -> FloatArray:
+    """Return values at ``where``: straight lines between ``positions``, ``slope`` beyond them."""
+    beyond = np.minimum(where - positions[0], 0.0) + np.maximum(where - positions[-1], 0.0)
+    return np.asarray(np.interp(where, positions, values) + slope * beyond, dtype=np.float64)
+
+
+def _compensation(
+    given: Axis, bent: Axis, nodes: FloatArray, positive: FloatArray, negative: FloatArray
+) -> CrossCompensation:
+    return CrossCompensation(
+        input=given.address,
+        output=bent.address,
+        input_kind=given.kind,
+        output_kind=bent.kind,
+        positions=nodes,
+        positive=positive,
+        negative=negative,
+    )

@@ -1,0 +1,326 @@
+"""The files of a job: tests and states, read with every fault collected."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from compwright.evaluation.expansion import remove_differential_expansion
+from compwright.formats.definition.options import ENCODER_SYSTEM
+from compwright.formats.families.grid.beside import BESIDE
+from compwright.formats.families.pairs.reading import CEC_UNTOLD
+from compwright.foundations import storage
+from compwright.foundations.errors import (
+    CompwrightError,
+    Fault,
+    InputError,
+    UsageError,
+    collect,
+    raise_all,
+)
+from compwright.foundations.units import MILLIMETRES_PER_INCH
+from compwright.foundations.utf8 import shown_path
+from compwright.instruments.plausibility import skipped_finding
+from compwright.instruments.reading import read_positioning
+from compwright.jobs.consistency import AS_FOUND
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.job import AxisJob, Job, TestRequest
+from compwright.records.plan import PlannedTest
+from compwright.records.positioning import PositioningTest, merge, to_machine
+from compwright.workflow.stages.control import Control, DecodedState, decode, read_files
+from compwright.workflow.stages.measurement_files import measurement_files
+
+#: Letters of axes: an axis of the job that bears another name says nothing of the control's own
+#: letters.
+_LETTERS = "XYZABCUVW"
+#: A table over the travel, read in the wrong unit, is 25.4 times too short or long; it may reach
+#: over 0.8 of the travel only.
+_SAME_RANGE = 1.25
+
+
+@dataclass(frozen=True, slots=True)
+class JobInputs:
+    """What the files of a job say: tests by axis name (machine coordinates), states by name (None
+    where not said).
+    """
+
+    tests: Mapping[str, tuple[PlannedTest, ...]]
+    states: Mapping[str, DecodedState]
+
+
+def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
+    """Read every file that a job names. Raises InputError with the faults of all of them."""
+    errors: list[CompwrightError] = []
+    tests: dict[str, tuple[PlannedTest, ...]] = {}
+    for name, entry in job.axes.items():
+        found = []
+        for request in entry.before:
+            try:
+                found.append(
+                    PlannedTest(
+                        test=read_test(job, entry, request, folder), measured_in=request.measured_in
+                    )
+                )
+            except InputError as error:
+                errors.append(error)
+        tests[name] = tuple(found)
+    asked: list[Fault] = []
+    states: dict[str, DecodedState] = {}
+    axes = [entry.axis for entry in job.axes.values()]
+    for name, paths in job.states.items():
+        try:
+            files = read_files([folder / path for path in paths])
+            states[name] = decode(control, files, axes, active=job.active.get(name), asking=True)
+        except InputError as error:
+            errors.append(error)
+        except UsageError as error:
+            asked.extend(error.faults)
+    raise_all(InputError, collect(errors))
+    raise_all(UsageError, asked)
+    raise_all(
+        InputError,
+        [
+            *_missing_axes(job, states),
+            *_other_neighbours(job, states),
+            *_other_tables_between(job, states),
+            *_other_joints(job, states),
+        ],
+    )
+    raise_all(UsageError, list(_unsaid_units(job, control, states)))
+    return JobInputs(tests=tests, states=states)
+
+
+def read_measurement(path: Path) -> PositioningTest:
+    """Read one measurement file. Raises InputError."""
+    return read_positioning(storage.read_bytes(path), shown_path(path))
+
+
+def read_test(job: Job, entry: AxisJob, request: TestRequest, folder: Path) -> PositioningTest:
+    """Read the files of one test into one record in machine coordinates, expansion removed where
+    the job says so.
+    """
+    errors: list[CompwrightError] = []
+    parts = []
+    skipped: tuple[Path, ...] = ()
+    for text in request.files:
+        try:
+            found = measurement_files(folder / text)
+        except InputError as error:
+            errors.append(error)
+            continue
+        skipped += found.skipped
+        for path in found.files:
+            try:
+                parts.append(read_measurement(path))
+            except InputError as error:
+                errors.append(error)
+    raise_all(InputError, collect(errors))
+    for part in parts:
+        _check_axis(entry.axis, part)
+    test = to_machine(merge(parts, request.name), request.position_map)
+    if job.thermal is not None and test.kind is AxisKind.LINEAR:
+        test = remove_differential_expansion(test, job.thermal)
+    finding = skipped_finding([shown_path(path) for path in skipped])
+    return replace(
+        test,
+        axis=entry.axis.name,
+        findings=test.findings if finding is None else (*test.findings, finding),
+    )
+
+
+def _check_axis(axis: Axis, test: PositioningTest) -> None:
+    file = test.sources[0].file if test.sources else test.name
+    faults = []
+    if test.kind is not axis.kind:
+        faults.append(
+            Fault(
+                message=f"is a test of a {test.kind.value} axis",
+                file=file,
+                expected=f"a test of the {axis.kind.value} axis {axis.name}",
+                found=f"positions in {test.kind.unit}",
+            )
+        )
+    if test.axis and test.axis.upper() != axis.name.upper():
+        expected = f"{axis.name}, or the axis of the job under the name that the test gives it"
+        faults.append(
+            Fault(
+                message="is a test of another axis",
+                file=file,
+                place="key axis",
+                expected=expected,
+                found=test.axis,
+            )
+        )
+    raise_all(InputError, faults)
+
+
+def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
+    """What is left beside the tables must have acted alike in every state: it is in the readings,
+    and it stays.
+    """
+    faults = []
+    for name, entry in job.axes.items():
+        said = {
+            state: decoded.state.facts.get(entry.axis.address, {})
+            for state, decoded in states.items()
+            if decoded.files
+        }
+        for quantity, what in (
+            (BESIDE, "what acts beside its table"),
+            (ENCODER_SYSTEM, "its measuring system"),
+        ):
+            found = {state: str(facts.get(quantity, "nothing")) for state, facts in said.items()}
+            if len(set(found.values())) > 1:
+                faults.append(
+                    Fault(
+                        message=f"axis {name}: {what} differs between the states",
+                        file=job.file,
+                        place="states",
+                        expected="the same in all of them",
+                        found="; ".join(f"{state}: {words}" for state, words in found.items()),
+                    )
+                )
+    return faults
+
+
+def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
+    """Yield where tables between axes that cannot be counted with differ between a circle's state
+    and what is in the control.
+    """
+    now = states.get(AS_FOUND)
+    measured = {request.measured_in for request in job.circles} | {
+        request.measured_in for request in job.cross
+    }
+    for name, entry in job.axes.items():
+        for state in sorted((measured & states.keys()) - {AS_FOUND}):
+            if now is None:
+                continue
+            said = [
+                str(one.state.facts.get(entry.axis.address, {}).get(CEC_UNTOLD, "none"))
+                for one in (now, states[state])
+            ]
+            if said[0] != said[1]:
+                yield Fault(
+                    message=(
+                        f"tables from other axes act on axis {name}, differ between the states, and"
+                        f" cannot be counted with: a circle or a cross measurement in {state} says"
+                        " nothing of what is in the control"
+                    ),
+                    file=job.file,
+                    place=f"states.{state}",
+                    expected=(
+                        "cec_sign in controller.options (tables that are curves), or a measurement"
+                        " in as_found"
+                    ),
+                    found=f"{AS_FOUND}: {said[0]}; {state}: {said[1]}",
+                )
+
+
+def _other_joints(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
+    """Yield where the control's files name the joint of an axis by another letter, or drive the
+    axis by a second joint.
+    """
+    for name, decoded in states.items():
+        for entry in job.axes.values():
+            axis, facts = entry.axis, decoded.state.facts.get(entry.axis.address, {})
+            letters, letter = str(facts.get("axis_letters", "")), facts.get("axis_name")
+            if not letters:
+                continue
+            place, said = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
+            if (
+                len(axis.name) == 1
+                and axis.name.upper() in _LETTERS
+                and axis.name.upper() != letter
+            ):
+                message = f"the files of the state {name} call this joint by another letter"
+                yield Fault(
+                    message=message,
+                    file=job.file,
+                    place=f"{place}.address",
+                    expected=f"a joint of {axis.name}",
+                    found=said,
+                )
+                continue
+            others = [
+                str(index)
+                for index, other in enumerate(letters)
+                if other == letter and str(index) != axis.address
+            ]
+            if others and axis.gantry not in others:
+                yield Fault(
+                    message=(
+                        "a second joint drives this axis: a table on one of them alone racks it"
+                    ),
+                    file=job.file,
+                    place=f"{place}.gantry",
+                    expected=" or ".join(f'gantry: "{other}"' for other in others),
+                    found=said,
+                )
+
+
+def _unsaid_units(
+    job: Job, control: Control, states: Mapping[str, DecodedState]
+) -> Iterator[Fault]:
+    """Yield where nobody says the machine's unit, and a table as read is as much too short or long
+    as inches read as mm are.
+    """
+    rule = control.definition.options.get("units")
+    if rule is None or "units" in control.given:
+        return
+    for name, decoded in states.items():
+        for entry in job.axes.values():
+            axis, found = entry.axis, decoded.state.axes.get(entry.axis.address)
+            facts = decoded.state.facts.get(axis.address, {})
+            if (
+                found is None
+                or found.positions.size < 2
+                or axis.kind is not AxisKind.LINEAR
+                or rule.settled_by in facts
+            ):
+                continue
+            ratio = (axis.travel[1] - axis.travel[0]) / float(
+                found.positions[-1] - found.positions[0]
+            )
+            if max(ratio, 1 / ratio) > MILLIMETRES_PER_INCH / _SAME_RANGE:
+                yield Fault(
+                    message=(
+                        f"axis {axis.name}: nobody says the machine's unit, and its table in the"
+                        f" state {name}, read in {control.options['units']}, does not fit the"
+                        " travel"
+                    ),
+                    file=job.file,
+                    place="controller.options.units",
+                    expected=" or ".join(rule.choices)
+                    + ", or the whole INI file with LINEAR_UNITS among the files",
+                    found=(
+                        f"a table from {found.positions[0]:g} to {found.positions[-1]:g} mm, a"
+                        f" travel from {axis.travel[0]:g} to {axis.travel[1]:g} mm"
+                    ),
+                )
+
+
+def _missing_axes(job: Job, states: Mapping[str, DecodedState]) -> list[Fault]:
+    """Missing is not zero: files of a state must speak of every axis that is to get a table of its
+    own.
+    """
+    faults: list[Fault] = []
+    for name, decoded in states.items():
+        if not decoded.files:
+            continue
+        faults.extend(
+            Fault(
+                message=(
+                    f"the files of this state say nothing of axis {entry.axis.name} (address"
+                    f" {entry.axis.address})"
+                ),
+                file=job.file,
+                place=f"states.{name}",
+                expected="the file that holds its table or backlash, or the word none",
+                found=f"only {', '.join(sorted(decoded.state.axes)) or 'no axis at all'}",
+            )
+            for entry in job.axes.values()
+            if entry.axis.address not in decoded.state.axes
+            and (entry.before or entry.axis.name in job.apply.scale)
+        )
+    return faults

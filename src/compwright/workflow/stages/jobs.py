@@ -1,0 +1,175 @@
+"""Where a job comes from: a file, or the words of the command line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, axis_options
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.jobs.command_line import job_from_options
+from compwright.jobs.consistency import Contradiction
+from compwright.jobs.reading import read_job
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.job import Job
+from compwright.workflow.stages.control import Control, Origin, open_control
+
+_YAML = {".yaml", ".yml"}
+
+
+def read_job_file(path: Path) -> Job:
+    """Read a job file. Raises InputError when it cannot be read, UsageError with every fault of the
+    job.
+    """
+    return read_job(storage.read_bytes(path), str(path), wrong_control)
+
+
+def wrong_control(data: Mapping[str, Any]) -> Iterator[Contradiction]:
+    """Yield what is wrong with the control's name and options in a job's data, so that it stands
+    beside the other faults.
+    """
+    controller = data.get("controller")
+    format_id = controller.get("format") if isinstance(controller, dict) else None
+    options = controller.get("options", {}) if isinstance(controller, dict) else {}
+    if not isinstance(format_id, str) or not isinstance(options, dict):
+        return  # the schema says so
+    try:
+        control = open_control(format_id, options, Origin(format_place="", before_option=""))
+    except UsageError as error:
+        for fault in error.faults:
+            path = ("options", fault.place) if fault.place else ("format",)
+            yield Contradiction(("controller", *path), fault.message, fault.expected, fault.found)
+        return
+    states = data.get("states")
+    files = isinstance(states, dict) and any(state and state != "none" for state in states.values())
+    yield from _wrong_axis_options(data.get("axes"), control, unit_needed=not files)
+    yield from _unknown_diameter(data.get("axes"), control, files=files)
+    for name in (REFERENCE, REFERENCE_RETURN):
+        if name in options:
+            yield Contradiction(
+                ("controller", "options", name),
+                "belongs to an axis",
+                f"axes.NAME.{name}",
+                "a controller's option",
+            )
+
+
+def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterator[Contradiction]:
+    """Diameter programming is refused where nobody knows whether the control's tables then count in
+    radius or in diameter.
+
+    Everything in a job counts in radius, as the machine moves. A control whose files say how the
+    axis is programmed checks the job against them, without ``files`` there is nothing to check;
+    LinuxCNC looks its table up at the position of the joint, which no diameter mode changes.
+    """
+    if (files and "diameter" in control.definition.bindings) or control.id.startswith("linuxcnc"):
+        return
+    for name, section in axes.items() if isinstance(axes, dict) else ():
+        if (
+            isinstance(section, dict)
+            and section.get("programmed") == "diameter"
+            and section.get("kind", "linear") == "linear"
+        ):
+            yield Contradiction(
+                ("axes", str(name), "programmed"),
+                f"whether a table of {control.id} counts an axis in diameter programming in radius"
+                " or in diameter is not confirmed",
+                "radius, once a single point entered by hand has shown that the table moves the"
+                " axis by its own value",
+                "diameter",
+            )
+
+
+def _wrong_axis_options(
+    axes: object, control: Control, *, unit_needed: bool
+) -> Iterator[Contradiction]:
+    for name, section in axes.items() if isinstance(axes, dict) else ():
+        options = section.get("options", {}) if isinstance(section, dict) else {}
+        if not isinstance(options, dict):
+            continue  # the schema says so
+        axis = Axis(name="", kind=AxisKind.LINEAR, travel=(0.0, 1.0), address="", options=options)
+        try:
+            axis_options(control.definition, control.options, axis, unit_needed=unit_needed)
+        except UsageError as error:
+            for fault in error.faults:
+                place = fault.place.rpartition(" ")[2]
+                own = ("axes", str(name)) if place in options else ("controller",)
+                yield Contradiction(
+                    (*own, "options", place), fault.message, fault.expected, fault.found
+                )
+
+
+def default_folder(job_file: Path) -> Path:
+    """Return the folder of a job's results: the job file's name without its ending, beside it."""
+    return (
+        job_file.with_suffix("")
+        if job_file.suffix
+        else job_file.with_name(f"{job_file.name}-results")
+    )
+
+
+def job_of(
+    inputs: Sequence[str],
+    *,
+    format_id: str | None,
+    axis: str | None,
+    travel: str | None,
+    states: Sequence[str],
+    options: Sequence[str],
+) -> tuple[Job, Path, Path]:
+    """Return the job of a run, the folder that its paths are relative to, and the default folder of
+    its results.
+
+    One YAML file without ``--format`` is a job; anything else are measurement files of one test.
+    Raises UsageError with all faults.
+    """
+    first = Path(inputs[0])
+    if len(inputs) == 1 and first.suffix.lower() in _YAML:
+        extra = {
+            "--format": format_id,
+            "--axis": axis,
+            "--travel": travel,
+            "--state": states,
+            "--option": options,
+        }
+        raise_all(
+            UsageError,
+            [
+                Fault(
+                    message="does not go with a job file, which says it itself",
+                    file=str(first),
+                    place=name,
+                )
+                for name, value in extra.items()
+                if value
+            ],
+        )
+        return read_job_file(first), first.parent, default_folder(first)
+    missing = [
+        name
+        for name, value in (("--format", format_id), ("--axis", axis), ("--travel", travel))
+        if not value
+    ]
+    raise_all(
+        UsageError,
+        [
+            Fault(
+                message="is missing",
+                place=name,
+                expected="a value, or one job file JOB.yaml instead of measurement files",
+            )
+            for name in missing
+        ],
+    )
+    job = job_from_options(
+        inputs,
+        format=format_id or "",
+        axis=axis or "",
+        travel=travel or "",
+        states=states,
+        options=options,
+        further=wrong_control,
+    )
+    return job, Path(), default_folder(first)

@@ -1,0 +1,358 @@
+"""What a good verification needs beside its numbers: a plan of this very job, every planned axis,
+and tests that prove something.
+
+The rule for the findings of the evaluation (``docs/commands.md``, "What good needs"): a warning
+about the readings of the test after loading takes the verdict to undecided; a warning about how the
+test was planned does so where the first test did not have it already; warnings that can only make
+the values larger (drift, a traverse or a reading far off) leave it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, fields, is_dataclass
+from itertools import combinations
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from compwright.documents.verification import VerifiedAxis, VerifiedCircle
+from compwright.evaluation.repeats import Named, same_measurement
+from compwright.foundations.errors import CompwrightError, Fault
+from compwright.foundations.findings import Finding
+from compwright.foundations.provenance import share_a_file
+from compwright.records.job import AxisJob, Job, TestRequest
+from compwright.records.plan import Plan, PlannedAxis
+from compwright.records.positioning import SAME_READING, PositioningTest
+from compwright.records.result import PositioningResult
+from compwright.verification.measurement import NamedFault, copied_scatter
+from compwright.workflow.stages.control import Control, open_control
+from compwright.workflow.stages.inputs import read_test
+from compwright.workflow.stages.work import AS_FOUND
+
+#: Warnings that only say that values are larger than those of a quiet machine, or that an
+#: assumption was stated: they leave the verdict.
+_HARMLESS: Final = frozenset({"CW-T012", "CW-T013", "CW-T014", "CW-T022"})
+#: The size of the readings is judged beside the first test's (`verification.measurement`), which
+#: knows more than the test alone.
+_JUDGED_BESIDE: Final = frozenset({"CW-T030"})
+#: Warnings about the readings: they count whether or not the first test had them too. All others
+#: count where it had not.
+_OF_READINGS: Final = frozenset(
+    {
+        *("CW-R006", "CW-R008", "CW-R009", "CW-R010", "CW-R011", "CW-R012", "CW-R015"),
+        *("CW-T010", "CW-T011", "CW-T015", "CW-T016", "CW-T031", "CW-T032"),
+    }
+)
+#: Warnings about the uncertainty count only where it decides.
+_OF_UNCERTAINTY: Final = frozenset({"CW-T023"})
+
+
+@dataclass(frozen=True, slots=True)
+class AfterTest:
+    """A test after loading: its axis, and the name of the test that it repeats."""
+
+    axis: str
+    test: PositioningTest
+    repeats: str
+
+
+# ---------------------------------------------------------------- the plan of this job
+
+
+def stale_plan(job: Job, plan: Plan, file: str) -> list[Fault]:
+    """Return how the job differs from what the plan was made of: axes, options, tests and circles;
+    not its limits.
+    """
+    told = [*_axes_differ(job, plan), *_options_differ(job, plan), *_states_differ(job, plan)]
+    circles = {circle.name for circle in job.circles}
+    if circles != set(plan.circles):
+        told.append(
+            (
+                "circles",
+                ", ".join(sorted(circles)) or "none",
+                ", ".join(sorted(plan.circles)) or "none",
+            )
+        )
+    return [stale(what, mine, theirs, file) for what, mine, theirs in told]
+
+
+def stale(what: str, mine: str, theirs: str, file: str) -> Fault:
+    """Return the fault of a job that says ``mine`` where its plan says ``theirs``."""
+    message = (
+        "the plan was made for another job, or before the job was edited; run the job again, or"
+        " name its own plan with --plan"
+    )
+    return Fault(message=message, file=file, place=what, expected=mine, found=theirs)
+
+
+def _axes_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
+    names = {name for name, entry in job.axes.items() if entry.before}
+    planned = {name for name, entry in plan.axes.items() if entry.tests}
+    if names != planned:
+        yield "axes", ", ".join(sorted(names)), ", ".join(sorted(planned))
+    for name in sorted(names & planned):
+        mine, theirs = job.axes[name], plan.axes[name]
+        yield from _differences(f"axis {name}: ", mine.axis, theirs.axis)
+        yield from _differences(f"axis {name}: table.", mine.table, theirs.request)
+        yield from _tests_differ(job, mine, theirs)
+
+
+def _differences(place: str, mine: Any, theirs: Any) -> Iterator[tuple[str, str, str]]:
+    """Yield what two records of one kind say otherwise, each by the name of its key in the job."""
+    for field in fields(mine):
+        one, other = getattr(mine, field.name), getattr(theirs, field.name)
+        if not field.compare or one == other:
+            continue
+        if is_dataclass(one):
+            yield from _differences(f"{place}{field.name}.", one, other)
+        elif isinstance(one, Mapping):
+            for key in sorted({*one, *other}):
+                if _plain(one.get(key)) != _plain(other.get(key)):
+                    yield f"{place}{field.name}.{key}", _text(one.get(key)), _text(other.get(key))
+        else:
+            yield f"{place}{field.name}", _text(one), _text(other)
+
+
+def _tests_differ(job: Job, mine: AxisJob, theirs: PlannedAxis) -> Iterator[tuple[str, str, str]]:
+    name = mine.axis.name
+    if [request.name for request in mine.before] != [planned.test.name for planned in theirs.tests]:
+        was = ", ".join(planned.test.name for planned in theirs.tests)
+        yield f"axis {name}: tests", ", ".join(request.name for request in mine.before), was
+        return
+    for request, planned in zip(mine.before, theirs.tests, strict=True):
+        if request.measured_in != planned.measured_in:
+            yield (
+                f"axis {name}, test {request.name}: measured_in",
+                request.measured_in,
+                planned.measured_in,
+            )
+        now = _read_again(job, mine, request)
+        if now is not None and not _same(now, planned.test):
+            yield (
+                f"axis {name}, test {request.name}",
+                "the readings that its files hold now",
+                "other readings",
+            )
+
+
+def _read_again(job: Job, entry: AxisJob, request: TestRequest) -> PositioningTest | None:
+    """Return a test of the job as its files say it now; None where they are not there any more."""
+    try:
+        return read_test(job, entry, request, Path(job.file).parent)
+    except CompwrightError:
+        return None
+
+
+def _same(one: PositioningTest, other: PositioningTest) -> bool:
+    pairs = (
+        (one.targets, other.targets),
+        (one.positive, other.positive),
+        (one.negative, other.negative),
+    )
+    return all(
+        a.shape == b.shape and np.allclose(a, b, rtol=0.0, atol=SAME_READING, equal_nan=True)
+        for a, b in pairs
+    )
+
+
+def _options_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
+    control: Control = open_control(job.format, job.options)
+    for name in job.options:
+        mine, theirs = control.options.get(name), plan.options.get(name)
+        if _plain(mine) != _plain(theirs):
+            yield f"controller.options.{name}", _text(mine), _text(theirs)
+
+
+def _states_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
+    """Yield the states that the job names otherwise than its run; the contents of the files are the
+    plan's own copies.
+    """
+    for name in sorted({AS_FOUND, *job.states} & {AS_FOUND, *plan.states}):
+        mine, theirs = job.states.get(name), plan.states.get(name)
+        if (mine is None) != (theirs is None) or bool(mine) != bool(theirs):
+            was, now = (
+                "not given" if state is None else "files" if state else "none"
+                for state in (theirs, mine)
+            )
+            yield f"states.{name}", now, was
+        elif job.active.get(name) != plan.active.get(name):
+            yield f"states.{name}.active", _text(job.active.get(name)), _text(plan.active.get(name))
+
+
+def _plain(value: Any) -> Any:
+    """Return a value as JSON gives it back."""
+    return [_plain(entry) for entry in value] if isinstance(value, list | tuple) else value
+
+
+def _text(value: Any) -> str:
+    """Return a value as a job writes it."""
+    if value is None:
+        return "not given"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_text, value))}]"
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
+    """Yield a finding for limits, standard and decision rule that are not those of the run
+    (CW-V022).
+    """
+    if job.standard != plan.standard:
+        yield _changed(f"the standard was {plan.standard}, now it is {job.standard}")
+    if plan.decision_rule and job.decision_rule != plan.decision_rule:
+        yield _changed(f"the decision rule was {plan.decision_rule}, now it is {job.decision_rule}")
+    for name, entry in plan.axes.items():
+        mine = job.axes[name].accept if name in job.axes else None
+        if mine != entry.accept:
+            was, now = (_limits(accept) for accept in (entry.accept, mine))
+            yield _changed(f"the limits of axis {name} were {was}, now they are {now}")
+
+
+def _limits(accept: Any) -> str:
+    if accept is None:
+        return "none"
+    told = ", ".join(f"{key} {value:g}" for key, value in accept.limits.items())
+    return f"{told} (test {accept.test})" if accept.test else told
+
+
+def _changed(what: str) -> Finding:
+    message = (
+        f"The job was edited after the run: {what}. Run the job again, so that prediction and"
+        " verdict speak of the same."
+    )
+    return Finding("CW-V022", "warning", message)
+
+
+# ---------------------------------------------------------------- what has to be there
+
+
+def not_measured(
+    job: Job, plan: Plan, axes: Mapping[str, VerifiedAxis], circles: Mapping[str, VerifiedCircle]
+) -> Iterator[Finding]:
+    """Yield what was planned or limited and has no test after loading (CW-V023), with what to
+    measure.
+    """
+    for name, entry in plan.axes.items():
+        limited = name in job.axes and job.axes[name].accept is not None
+        if entry.tests and name not in axes and (entry.fitted is not None or limited):
+            test = _limited_test(job, name) or entry.tests[0].test.name
+            yield _missing(
+                f"axis {name} was not measured after loading", f"Measure it as for the test {test}."
+            )
+        elif name in axes and limited:
+            meant, was = _limited_test(job, name), axes[name].before.test.name
+            if meant != was:
+                about = (
+                    f"the limits of axis {name} are for the test {meant}, and {was} was measured"
+                )
+                yield _missing(
+                    about, f"Measure as for {meant} and give it as --after {meant}=FILE."
+                )
+    yield from _circles_missing(plan, circles)
+
+
+def _circles_missing(plan: Plan, circles: Mapping[str, VerifiedCircle]) -> Iterator[Finding]:
+    """Yield what was corrected by circles, scale of an axis or squareness of a plane, and has no
+    circle after loading.
+    """
+    for name, entry in plan.axes.items():
+        if (
+            not entry.tests
+            and entry.fitted is not None
+            and not any(name in circle.after.test.axes for circle in circles.values())
+        ):
+            what = (
+                f"the scale of axis {name} came from circles, and none was measured after loading"
+            )
+            yield _missing(what, _circles(plan, {name}))
+    for cross in plan.cross:
+        measured = any(cross.pair == frozenset(plan.circles[name].test.axes) for name in circles)
+        if cross.written and cross.source == "circle" and not measured:
+            what = (
+                f"the squareness of {''.join(sorted(cross.pair))} was corrected and not measured"
+                " after loading"
+            )
+            yield _missing(what, _circles(plan, set(cross.pair)))
+
+
+def _limited_test(job: Job, axis: str) -> str | None:
+    """Return the name of the test that the limits of an axis speak of; None without limits."""
+    entry = job.axes.get(axis)
+    if entry is None or entry.accept is None:
+        return None
+    return entry.accept.test or entry.before[0].name
+
+
+def _circles(plan: Plan, axes: set[str]) -> str:
+    names = [name for name, circle in plan.circles.items() if axes <= set(circle.test.axes)]
+    return f"Measure the circle {' or '.join(names) or 'of this plane'} again."
+
+
+def _missing(what: str, measure: str) -> Finding:
+    return Finding(
+        "CW-V023", "warning", f"Nothing is proven where nothing was measured: {what}. {measure}"
+    )
+
+
+def doubted(
+    after: PositioningResult, before: PositioningResult, *, guarded: bool
+) -> Iterator[Finding]:
+    """Yield the warnings of the evaluation that take the verdict to undecided (CW-V024)."""
+    had = {finding.code for finding in before.findings}
+    for finding in after.findings:
+        code = finding.code
+        if (
+            finding.severity == "info"
+            or code in _HARMLESS | _JUDGED_BESIDE
+            or (code in _OF_UNCERTAINTY and not guarded)
+        ):
+            continue
+        if code in _OF_READINGS or code not in had:
+            message = (
+                f"The test after loading, {code}: {finding.message} Settle this, or measure again."
+            )
+            yield Finding("CW-V024", "warning", message)
+
+
+# ---------------------------------------------------------------- measurements given twice
+
+
+def copies(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
+    """Return by axis what was given twice: a file within one test, or one measurement for two
+    axes.
+    """
+    every = tuple(tests)
+    found = {
+        entry.axis: NamedFault(
+            "copied",
+            f"The test of axis {entry.axis} holds one file twice. Give each measurement once.",
+        )
+        for entry in every
+        if len({source.sha256 for source in entry.test.sources}) < len(entry.test.sources)
+    }
+    for one, other in combinations(every, 2):
+        same = same_measurement(
+            *(Named(entry.axis, entry.test.sources, entry.test) for entry in (one, other))
+        )
+        if same or copied_scatter(one.test, other.test) is not None:
+            message = (
+                f"Axis {one.axis} and axis {other.axis} were given the same measurement. Give each"
+                " axis its own."
+            )
+            found |= {entry.axis: NamedFault("copied", message) for entry in (one, other)}
+    return found
+
+
+def old_circles(plan: Plan, circles: Mapping[str, VerifiedCircle]) -> Iterator[Finding]:
+    """Yield circles that are those from before loading, by the content of their files (CW-V025)."""
+    for name, circle in circles.items():
+        if share_a_file(plan.circles[name].test.sources, circle.after.test.sources):
+            message = (
+                f"The circle {name} given as measured after loading is the one from before. Measure"
+                " it again."
+            )
+            yield Finding("CW-V025", "warning", message)
