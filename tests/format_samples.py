@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from compwright.formats.control_format import control_format
 from compwright.formats.definition.reading import definitions_from
-from compwright.formats.families.grid.reading import read_state
 from compwright.foundations.storage import definition_files
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -68,8 +68,8 @@ def table(
 
 
 def siemens(text: str, *axes: Axis, options: Mapping[str, object] | None = None) -> ControlState:
-    return read_state(
-        SIEMENS, files(A__INI=text), {"cec_sign": "correction", **(options or {})}, axes
+    return control_format(SIEMENS, {"cec_sign": "correction", **(options or {})}).read(
+        files(A__INI=text), axes
     )
 
 

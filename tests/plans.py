@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 
 from compwright.controllers.virtual import virtual_control
 from compwright.fitting.fit import fit_table
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.writing import write_tables
+from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile
@@ -65,9 +64,9 @@ def random_plan(format_id: str, seed: int) -> Plan:
     request = random_request(format_id, axis, rng)
     wanted = random_wanted(axis, rng)
     try:
-        capacity = capacity_for(control.definition, axis, control.options, None)
+        capacity = control_format(control.definition, control.options).capacity(axis)
         table = fit_table(wanted, capacity, request, address=axis.address).compensation
-        files = write_tables(control.definition, [table], [axis], control.options, None, ())
+        files = control_format(control.definition, control.options).write([table], [axis])
     except CapacityError as error:
         return Plan(format_id, axis, options, None, (), str(error))
     return Plan(format_id, axis, options, table, tuple(files))

@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.formats.card import card_steps, card_steps_of_all, card_values, loading_order
+from compwright.formats.card import card_steps, card_steps_of_all, loading_order
+from compwright.formats.control_format import control_format
 from compwright.records.axis import Axis, AxisKind
 from compwright.reporting.card import card_html
 from compwright.workflow.showing.card import check_positions
@@ -114,8 +115,8 @@ def test_the_sign_is_checked_at_two_of_these_positions() -> None:
     definition = DEFINITIONS["fanuc-30i"]
     axis = Axis(name="X", kind=AxisKind.LINEAR, travel=(-100.0, 0.0), address="1")
     new = table("1", [-150.0, -100.0, -50.0, 0.0, 50.0], [0.020, 0.004, -0.002, 0.0, -0.030])
-    values = card_values(
-        definition, axis, new, {"detection_unit": 0.001}, {}, np.array([-95.0, -50.0, -5.0])
+    values = control_format(definition, {"detection_unit": 0.001}).card_values(
+        axis, new, {}, np.array([-95.0, -50.0, -5.0])
     )
     assert (values["check_from"], values["check_to"]) == ("-95", "-50")
     assert values["check_change"] == "-5.4 µm"  # from 3.4 to -2.0
@@ -132,7 +133,8 @@ def test_what_differs_by_axis_stands_in_a_table_and_the_rest_once() -> None:
         for axis, count in zip(axes, (3, 2), strict=True)
     ]
     values = [
-        card_values(definition, axis, new, {}) for axis, new in zip(axes, tables, strict=True)
+        control_format(definition, {}).card_values(axis, new, {}, new.positions)
+        for axis, new in zip(axes, tables, strict=True)
     ]
     steps = {
         step.title: step
@@ -196,7 +198,10 @@ def test_no_number_on_the_card_has_an_exponent() -> None:
     """A control takes no 7.6e-05 (SINUMERIK: digits and a point)."""
     axis = axis_of("AX1")
     new = table("AX1", [0.0, 50.0], [0.0, 0.001], backlash=0.000076)
-    assert card_values(SIEMENS, axis, new, {})["backlash"] == "0.000076"
+    assert (
+        control_format(SIEMENS, {}).card_values(axis, new, {}, new.positions)["backlash"]
+        == "0.000076"
+    )
 
 
 @pytest.mark.parametrize("cec", ["", "$MA_CEC_ENABLE[AX1]=1\nN41300 $SN_CEC_TABLE_ENABLE[9]=1\n"])

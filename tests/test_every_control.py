@@ -16,10 +16,9 @@ import pytest
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
+from compwright.formats.control_format import control_format
 from compwright.formats.definition.options import resolve_options
 from compwright.formats.definition.reading import load_definition
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.writing import write_tables
 from compwright.foundations import storage
 from compwright.foundations.errors import CapacityError, CompwrightError
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -342,12 +341,11 @@ def perfect_table(machine: Machine, format_id: str) -> AxisCompensation:
         positive=positive,
         negative=positive if one_curve else negative,
         backlash=machine.lost if one_curve else 0.0,
-        below=capacity_for(
-            load_definition(definition_text(format_id), ""),
-            axis_of(machine, format_id),
-            OPTIONS.get(format_id, {}),
-            None,
-        ).below,
+        below=control_format(
+            load_definition(definition_text(format_id), ""), OPTIONS.get(format_id, {})
+        )
+        .capacity(axis_of(machine, format_id))
+        .below,
         interpolation="step" if format_id in STEPS else "linear",
     )
 
@@ -359,11 +357,8 @@ def accuracy_with(text: bytes, format_id: str, table: AxisCompensation | None = 
     machine = MACHINES["plain"]
     definition = load_definition(text, f"{format_id}.yaml")
     options = resolve_options(definition, OPTIONS.get(format_id, {}))
-    files = write_tables(
-        definition,
-        [table or perfect_table(machine, format_id)],
-        [axis_of(machine, format_id)],
-        options,
+    files = control_format(definition, options).write(
+        [table or perfect_table(machine, format_id)], [axis_of(machine, format_id)]
     )
     fresh = machine.targets(seed=8)
     return accuracy(machine.measure(fresh, 2, loaded(files, format_id, machine)))

@@ -10,10 +10,12 @@ from typing import Any
 
 import pytest
 
-from compwright.formats.card import UNKNOWN, card_steps, card_values
+from compwright.formats.card import card_steps
+from compwright.formats.control_format import control_format
 from compwright.formats.definition import reading as definitions
 from compwright.formats.definition.options import describe_options, resolve_options
 from compwright.formats.definition.reading import definitions_from, load_definition
+from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.gate.gate import check_definition
 from compwright.formats.text.patching import Change, apply_changes, set_field
 from compwright.formats.text.texts import TextReader
@@ -395,7 +397,11 @@ def test_the_card_is_filled_in_with_its_evidence() -> None:
         [-0.003, -0.001, 0.0, 0.002, 0.0045],
         backlash=0.0125,
     )
-    steps = card_steps(SIEMENS, axis, card_values(SIEMENS, axis, compensation, {}))
+    steps = card_steps(
+        SIEMENS,
+        axis,
+        control_format(SIEMENS, {}).card_values(axis, compensation, {}, compensation.positions),
+    )
     text = "\n".join(step.text for step in steps)
     assert UNKNOWN not in text
     for words in (

@@ -16,14 +16,11 @@ import numpy as np
 import pytest
 
 from compwright.controllers.virtual import virtual_control
+from compwright.formats.control_format import control_format
 from compwright.formats.definition.options import resolve_options
 from compwright.formats.definition.reading import load_definition
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.families.grid.reading import read_state
 from compwright.formats.families.increments.numbering import NoRoom, Place, find_place, longest_gap
-from compwright.formats.families.sheets import second_forms
 from compwright.formats.text.diff import compare_files
-from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
@@ -106,13 +103,8 @@ def write(
     )
     state = decode(control, own, chosen) if own else None
     return tuple(
-        write_tables(
-            control.definition,
-            list(tables),
-            chosen,
-            control.options,
-            state.state if state else None,
-            own,
+        control_format(control.definition, control.options, state.state if state else None).write(
+            list(tables), chosen, own
         )
     )
 
@@ -359,8 +351,8 @@ def test_a_file_that_ends_inside_a_record_is_refused(cut: bytes) -> None:
     with pytest.raises(InputError):
         both(own, axis())
     with pytest.raises(InputError):  # the reader that writes sees it without the judge
-        read_state(
-            open_control("fanuc-30i", {}).definition, own, {"detection_unit": 0.001}, [axis()]
+        control_format(open_control("fanuc-30i", {}).definition, {"detection_unit": 0.001}).read(
+            own, [axis()]
         )
 
 
@@ -566,8 +558,8 @@ def test_the_last_number_of_the_array_is_used_and_none_beyond(format_id: str, hi
 def test_the_interval_that_the_feed_allows() -> None:
     """36 000 mm/min / 7500 = 4.8 mm."""
     control = open_control("fanuc-30i", {"detection_unit": 0.001, "max_feed": 36000})
-    assert capacity_for(
-        control.definition, axis(), control.options, None
+    assert control_format(control.definition, control.options).capacity(
+        axis()
     ).min_spacing == pytest.approx(4.8)
 
 
@@ -929,8 +921,8 @@ def test_a_table_of_an_endless_axis_that_creeps_is_refused_when_read() -> None:
     with pytest.raises(InputError, match="creeps"):
         both(crept)
     with pytest.raises(InputError, match="creeps"):  # by the reader that writes, too
-        read_state(
-            open_control("fanuc-30i", {}).definition, crept, {"detection_unit": 0.001}, address="4"
+        control_format(open_control("fanuc-30i", {}).definition, {"detection_unit": 0.001}).read(
+            crept, address="4"
         )
 
 
@@ -943,7 +935,7 @@ def forms(meant: AxisCompensation, where: Axis, own: Sequence[ControlFile] = (),
         format_id, {"detection_unit": 0.001, **({} if own else {"first_point": 0}), **options}
     )
     state = decode(control, own, [where]).state if own else None
-    return list(second_forms(control.definition, [meant], [where], control.options, state))
+    return list(control_format(control.definition, control.options, state).sheets([meant], [where]))
 
 
 @pytest.mark.parametrize("format_id", FANUC)
@@ -1069,7 +1061,7 @@ def judged_with(text: bytes) -> float:
     """
     definition = load_definition(text, "fanuc-30i.yaml")
     options = resolve_options(definition, {"detection_unit": 0.001, "first_point": 0})
-    new = write_tables(definition, [WANTED], [axis()], options, None, ())
+    new = control_format(definition, options).write([WANTED], [axis()])
     judge = virtual_control(
         "fanuc-30i",
         new,

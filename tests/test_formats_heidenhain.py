@@ -18,11 +18,10 @@ from hypothesis import strategies as st
 
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
-from compwright.formats.card import UNKNOWN, card_steps, card_values
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.families.grid.reading import read_state
+from compwright.formats.card import card_steps
+from compwright.formats.control_format import control_format
+from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.gate.gate import check_definition
-from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -88,11 +87,11 @@ def file(name: str, text: str) -> ControlFile:
 
 
 def itnc(*files: ControlFile, axes: tuple[Axis, ...] = (), **options: object) -> ControlState:
-    return read_state(ITNC, files, options, axes)
+    return control_format(ITNC, options).read(files, axes)
 
 
 def nck(*files: ControlFile, axes: tuple[Axis, ...] = (), **options: object) -> ControlState:
-    return read_state(NCK, files, options, axes)
+    return control_format(NCK, options).read(files, axes)
 
 
 def um(state: ControlState, address: str, position: float, direction: Direction = PLUS) -> float:
@@ -433,7 +432,7 @@ def test_an_endless_table_is_written_from_zero_wherever_the_reference_is() -> No
     wanted = replace(
         table("C", nodes, [0, 0.001, 0.002, -0.003, 0], kind=AxisKind.ROTARY), period=360.0
     )
-    files = write_tables(ITNC, [wanted], [axis], {})
+    files = control_format(ITNC, {}).write([wanted], [axis])
     again = judged(ITNC.id, files, (axis,)).axes["C"]
     assert again.positions.tolist() == [0, 90, 180, 270, 360]
     where = np.array([-200.0, 0.0, 33.0, 100.0, 300.0, 800.0])
@@ -444,14 +443,14 @@ def test_an_endless_table_is_written_from_zero_wherever_the_reference_is() -> No
         negative=np.array([0, 0.001, 0.002, -0.003, 0.001]),
     )
     with pytest.raises(CapacityError, match="ends with the value"):
-        write_tables(ITNC, [open_ended], [axis], {})
+        control_format(ITNC, {}).write([open_ended], [axis])
     off = replace(axis, reference=10.0)
     shifted = replace(wanted, positions=np.array(nodes, dtype=float) - 80)
     with pytest.raises(CapacityError, match="a point at 0 degrees"):
-        write_tables(ITNC, [shifted], [off], {})
+        control_format(ITNC, {}).write([shifted], [off])
     limited = replace(axis, modulo=None)
     with pytest.raises(CapacityError, match="0 to 360 degrees"):
-        write_tables(ITNC, [replace(wanted, period=None)], [limited], {})
+        control_format(ITNC, {}).write([replace(wanted, period=None)], [limited])
 
 
 # Capacity
@@ -459,7 +458,7 @@ def test_an_endless_table_is_written_from_zero_wherever_the_reference_is() -> No
 
 
 def test_capacity_of_a_table() -> None:
-    capacity = capacity_for(ITNC, axis_of("X"), {}, None)
+    capacity = control_format(ITNC, {}).capacity(axis_of("X"))
     assert (capacity.spacing, capacity.curves, capacity.max_points, capacity.quantum) == (
         "equidistant",
         1,
@@ -477,44 +476,41 @@ def test_capacity_of_a_table() -> None:
         None,
         None,
     )
-    powers = capacity_for(ITNC, axis_of("X"), {"spacing_rule": "power_of_two"}, None).spacings
+    powers = control_format(ITNC, {"spacing_rule": "power_of_two"}).capacity(axis_of("X")).spacings
     assert powers is not None
     assert (len(powers), powers[0]) == (24, 1e-4)
     assert powers[16] == pytest.approx(6.5536, abs=1e-12)
-    assert capacity_for(ITNC, axis_of("X"), {"max_points": 64}, None).max_points == 64
-    assert capacity_for(NCK, axis_of("X"), {}, None).spacing == "free"
-    assert capacity_for(NCK, axis_of("X"), {}, None).max_points is None
-    turn = capacity_for(ITNC, axis_of("C", kind=AxisKind.ROTARY, modulo=360.0), {}, None)
+    assert control_format(ITNC, {"max_points": 64}).capacity(axis_of("X")).max_points == 64
+    assert control_format(NCK, {}).capacity(axis_of("X")).spacing == "free"
+    assert control_format(NCK, {}).capacity(axis_of("X")).max_points is None
+    turn = control_format(ITNC, {}).capacity(axis_of("C", kind=AxisKind.ROTARY, modulo=360.0))
     assert (turn.period, turn.anchored, turn.cover) == (360, True, 0)
 
 
 def test_capacity_of_a_line() -> None:
-    capacity = capacity_for(ITNC, axis_of("X"), {"method": "line"}, None)
+    capacity = control_format(ITNC, {"method": "line"}).capacity(axis_of("X"))
     assert capacity.line == pytest.approx(1e-6, abs=1e-15)  # 0.001 mm/m
     assert capacity.value_range == pytest.approx((-1e-3, 1e-3), abs=1e-15)  # ±1 mm/m
     with pytest.raises(CapacityError, match="MP720 has no effect on rotary axes"):
-        capacity_for(ITNC, axis_of("C", kind=AxisKind.ROTARY), {"method": "line"}, None)
+        control_format(ITNC, {"method": "line"}).capacity(axis_of("C", kind=AxisKind.ROTARY))
     with pytest.raises(CapacityError, match="power_of_two"):
-        capacity_for(
-            ITNC,
-            axis_of("C", kind=AxisKind.ROTARY, modulo=360.0),
-            {"spacing_rule": "power_of_two"},
-            None,
+        control_format(ITNC, {"spacing_rule": "power_of_two"}).capacity(
+            axis_of("C", kind=AxisKind.ROTARY, modulo=360.0)
         )
     with pytest.raises(CapacityError, match="360"):
-        capacity_for(ITNC, axis_of("C", kind=AxisKind.ROTARY, modulo=180.0), {}, None)
+        control_format(ITNC, {}).capacity(axis_of("C", kind=AxisKind.ROTARY, modulo=180.0))
     with pytest.raises(UsageError, match="method"):
-        capacity_for(NCK, axis_of("X"), {"method": "line"}, None)
+        control_format(NCK, {"method": "line"}).capacity(axis_of("X"))
 
 
 def test_capacity_takes_the_grid_that_other_axes_need() -> None:
     state = itnc(file("X.COM", COM), axes=(axis_of("X"),))
-    assert capacity_for(ITNC, axis_of("X"), {}, state).nodes == (-400, -384, -368)
-    assert capacity_for(ITNC, axis_of("X"), {}, itnc(file("X.COM", ALONE))).nodes is None
+    assert control_format(ITNC, {}, state).capacity(axis_of("X")).nodes == (-400, -384, -368)
+    assert control_format(ITNC, {}, itnc(file("X.COM", ALONE))).capacity(axis_of("X")).nodes is None
     options = {"backlash_column": "second_curve"}
     two = nck(file("X.COM", NCK_COM), backlash_column="second_curve")
-    assert capacity_for(NCK, axis_of("X"), options, two).curves == 2
-    alone = capacity_for(NCK, axis_of("X"), options, None)
+    assert control_format(NCK, options, two).capacity(axis_of("X")).curves == 2
+    alone = control_format(NCK, options).capacity(axis_of("X"))
     assert alone.curves == 1  # a sheet has no place for a second curve
     assert any("BACKLASH" in entry.value for entry in alone.assumed)
 
@@ -525,7 +521,7 @@ def test_capacity_takes_the_grid_that_other_axes_need() -> None:
 
 def test_a_sheet_as_it_is_written() -> None:
     wanted = table("X", [-100, 0, 100], [0.002, 0, -0.0101], backlash=0.0037)
-    (sheet,) = write_tables(ITNC, [wanted], [axis_of("X")], {})
+    (sheet,) = control_format(ITNC, {}).write([wanted], [axis_of("X")])
     assert sheet.name == "entry_X.csv"
     assert (
         sheet.content.decode()
@@ -537,10 +533,10 @@ def test_a_sheet_as_it_is_written() -> None:
         "0,-100.0000,-0.0020,mm\n1,0.0000,0.0000,mm\n2,100.0000,0.0101,mm\n"
         "MP710,,0.0037,mm\nMP720,,0.000,mm/m\nMP730,,1,\n"
     )
-    (other,) = write_tables(ITNC, [wanted], [axis_of("X")], {"table_values": "correction"})
+    (other,) = control_format(ITNC, {"table_values": "correction"}).write([wanted], [axis_of("X")])
     assert "# value: correction" in other.content.decode()
     assert "0,-100.0000,0.0020,mm" in other.content.decode()
-    (keys,) = write_tables(NCK, [wanted], [axis_of("X")], {})
+    (keys,) = control_format(NCK, {}).write([wanted], [axis_of("X")])
     assert "backLash,,0.0037,mm\nlinearCompValue,,0.000,mm/m\n" in keys.content.decode()
 
 
@@ -557,13 +553,13 @@ def test_a_line_is_two_numbers_and_a_bit() -> None:
         slope=-70e-6,
         origin=50.0,
     )
-    (sheet,) = write_tables(ITNC, [line], [axis], {"method": "line"})
+    (sheet,) = control_format(ITNC, {"method": "line"}).write([line], [axis])
     assert sheet.content.decode().endswith("unit\nMP710,,0.0040,mm\nMP720,,0.070,mm/m\nMP730,,0,\n")
     again = judged(ITNC.id, (sheet,), (axis,), method="line").axes["X"]
     where = np.array([0.0, 50.0, 400.0])
     for direction in Direction:
         assert again.at(where, direction) == pytest.approx(line.at(where, direction), abs=1e-9)
-    values = card_values(ITNC, axis, line, {"method": "line"})
+    values = control_format(ITNC, {"method": "line"}).card_values(axis, line, {}, line.positions)
     assert values["nonlinear"] == "0"
     assert not [step for step in card_steps(ITNC, axis, values) if UNKNOWN in step.text]
     for wrong, says in (
@@ -573,14 +569,14 @@ def test_a_line_is_two_numbers_and_a_bit() -> None:
         (table("X", [0, 1], [0, 0]), "exclude each other"),
     ):
         with pytest.raises(CapacityError, match=says):
-            write_tables(ITNC, [wrong], [axis], {"method": "line"})
+            control_format(ITNC, {"method": "line"}).write([wrong], [axis])
     with pytest.raises(CapacityError, match="too few points"):
-        write_tables(ITNC, [line], [axis], {})
+        control_format(ITNC, {}).write([line], [axis])
 
 
 def test_the_card_names_the_own_bit_and_column() -> None:
     wanted = table("Y", [0, 50, 100, 150, 200], [0, 0.001, 0.002, 0.003, 0.004], backlash=0.0025)
-    values = card_values(ITNC, axis_of("Y"), wanted, {})
+    values = control_format(ITNC, {}).card_values(axis_of("Y"), wanted, {}, wanted.positions)
     assert (values["number"], values["bit"], values["nonlinear"], values["linear"]) == (
         "2",
         "1",
@@ -594,11 +590,19 @@ def test_the_card_names_the_own_bit_and_column() -> None:
     assert "5 points from 0 to 200 mm, every 50 mm" in steps["Enter the table"]
     assert "column 2=F(). The values are errors" in steps["Enter the table"]
     assert "two of the check positions" in steps["Check the sign"]
-    other = card_values(
-        ITNC, replace(axis_of("W"), axis_number=7), replace(wanted, address="W"), {}
+    other = control_format(ITNC, {}).card_values(
+        replace(axis_of("W"), axis_number=7),
+        replace(wanted, address="W"),
+        {},
+        replace(wanted, address="W").positions,
     )
     assert other["bit"] == "6"
-    assert "axis list" in card_values(ITNC, axis_of("W"), replace(wanted, address="W"), {})["bit"]
+    assert (
+        "axis list"
+        in control_format(ITNC, {}).card_values(
+            axis_of("W"), replace(wanted, address="W"), {}, replace(wanted, address="W").positions
+        )["bit"]
+    )
 
 
 LIMITS = {
@@ -634,11 +638,11 @@ def test_what_the_control_cannot_hold(
     wanted: AxisCompensation, options: dict[str, object], says: str
 ) -> None:
     with pytest.raises(CapacityError, match=says):
-        write_tables(ITNC, [wanted], [axis_of("X")], options)
+        control_format(ITNC, options).write([wanted], [axis_of("X")])
 
 
 def test_the_steepest_step_that_may_be() -> None:
-    write_tables(ITNC, [table("X", [0, 10], [0, 0.1562])], [axis_of("X")], {})
+    control_format(ITNC, {}).write([table("X", [0, 10], [0, 0.1562])], [axis_of("X")])
 
 
 # Filling the user's own files
@@ -647,8 +651,8 @@ def test_the_steepest_step_that_may_be() -> None:
 
 def test_only_the_own_column_changes() -> None:
     wanted = table("X", [-400, -384, -368], [0.001, 0, -0.0234])
-    files = write_tables(
-        ITNC, [wanted], [axis_of("X")], {}, files=[file("X.COM", COM.replace("\n", "\r\n"))]
+    files = control_format(ITNC, {}).write(
+        [wanted], [axis_of("X")], [file("X.COM", COM.replace("\n", "\r\n"))]
     )
     expected = (
         "BEGIN X      .COM MM DATUM:-400 DIST:16\n"
@@ -667,12 +671,8 @@ def test_only_the_own_column_changes() -> None:
 
 
 def test_a_shorter_table_on_a_shared_grid_keeps_the_end_values() -> None:
-    files = write_tables(
-        ITNC,
-        [table("X", [-400, -384], [0.001, 0.003])],
-        [axis_of("X")],
-        {},
-        files=[file("X.COM", COM)],
+    files = control_format(ITNC, {}).write(
+        [table("X", [-400, -384], [0.001, 0.003])], [axis_of("X")], [file("X.COM", COM)]
     )
     assert "1    -0.0030             +0.0003\n2    -0.0030             -0.0006\n" in text_of(
         files, "X.COM"
@@ -687,13 +687,13 @@ def test_a_shared_grid_has_to_stay(nodes: list[float]) -> None:
     with pytest.raises(
         CapacityError, match=r"start: -400, end: -368, spacing: 16.*found \d points"
     ) as caught:
-        write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("X.COM", COM)])
+        control_format(ITNC, {}).write([wanted], [axis_of("X")], [file("X.COM", COM)])
     assert "columns 3=F() depend on them" in str(caught.value)
 
 
 def test_rows_are_added_and_the_grid_moves_where_the_column_is_alone() -> None:
     wanted = table("X", [-20, 0, 20, 40, 60], [0.001, 0, -0.001, -0.002, -0.0003])
-    files = write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("X.COM", ALONE)])
+    files = control_format(ITNC, {}).write([wanted], [axis_of("X")], [file("X.COM", ALONE)])
     assert text_of(files, "X.COM") == (
         "BEGIN X      .COM MM DATUM:-20 DIST:20\n"
         "NR   1=F()     2=F()     3=F()\n"
@@ -702,19 +702,15 @@ def test_rows_are_added_and_the_grid_moves_where_the_column_is_alone() -> None:
     ).replace("1    +0\n", "1    +0.0000\n")
     powers = table("X", [0, 6.5536, 13.1072], [0, 0.001, 0])
     options = {"spacing_rule": "power_of_two"}
-    exponent = write_tables(
-        ITNC,
-        [powers],
-        [axis_of("X")],
-        options,
-        files=[file("X.COM", ALONE.replace("DIST:16", "DIST:14"))],
+    exponent = control_format(ITNC, options).write(
+        [powers], [axis_of("X")], [file("X.COM", ALONE.replace("DIST:16", "DIST:14"))]
     )
     assert "DATUM:0 DIST:16\n" in text_of(exponent, "X.COM")
 
 
 def test_rows_that_are_too_many_go_on_with_the_end_value() -> None:
-    files = write_tables(
-        ITNC, [table("X", [0, 50], [0, 0.0042])], [axis_of("X")], {}, files=[file("X.COM", ALONE)]
+    files = control_format(ITNC, {}).write(
+        [table("X", [0, 50], [0, 0.0042])], [axis_of("X")], [file("X.COM", ALONE)]
     )
     assert "DATUM:0 DIST:50\n" in text_of(files, "X.COM")
     assert "1    -0.0042\n2    -0.0042\nEND" in text_of(files, "X.COM")
@@ -722,7 +718,7 @@ def test_rows_that_are_too_many_go_on_with_the_end_value() -> None:
 
 def test_nck_positions_and_curves() -> None:
     wanted = table("X", [-10, 0, 25.5, 100], [0.001, 0, -0.002, 0])
-    files = write_tables(NCK, [wanted], [axis_of("X")], {}, files=[file("X.COM", NCK_ALONE)])
+    files = control_format(NCK, {}).write([wanted], [axis_of("X")], [file("X.COM", NCK_ALONE)])
     assert (
         text_of(files, "X.COM")
         == "BEGIN X.COM MM\nNR  AXISPOS    X\n0   -10        -0.0010\n1   +0         +0.0000\n2  "
@@ -730,7 +726,7 @@ def test_nck_positions_and_curves() -> None:
     )
     options = {"backlash_column": "second_curve"}
     two = table("X", [-400, -200, 0], [0.001, 0, -0.002], [0.002, 0.0005, 0])
-    both = write_tables(NCK, [two], [axis_of("X")], options, files=[file("X.COM", NCK_COM)])
+    both = control_format(NCK, options).write([two], [axis_of("X")], [file("X.COM", NCK_COM)])
     assert (
         "0   -400       -0.0020    -0.0010    +0.0000\n1   -200       -0.0005    +0.0000   "
         " +0.0015\n" in text_of(both, "X.COM")
@@ -738,9 +734,9 @@ def test_nck_positions_and_curves() -> None:
     again = judged(NCK.id, both, (axis_of("X"),), **options).axes["X"]
     assert again.negative == pytest.approx(two.negative, abs=1e-9)
     with pytest.raises(CapacityError, match="one curve"):
-        write_tables(NCK, [two], [axis_of("X")], options, files=[file("X.COM", NCK_ALONE)])
+        control_format(NCK, options).write([two], [axis_of("X")], [file("X.COM", NCK_ALONE)])
     with pytest.raises(CapacityError, match=r"start: -400, end: 0, spacing: 200"):
-        write_tables(NCK, [wanted], [axis_of("X")], options, files=[file("X.COM", NCK_COM)])
+        control_format(NCK, options).write([wanted], [axis_of("X")], [file("X.COM", NCK_COM)])
 
 
 def test_a_filled_backlash_column_stays_equal() -> None:
@@ -749,12 +745,8 @@ def test_a_filled_backlash_column_stays_equal() -> None:
         .replace("+0.0021", "-0.0018")
         .replace("+0.0043", "+0.0007")
     )
-    files = write_tables(
-        NCK,
-        [table("X", [-400, -200, 0], [0, 0.003, 0])],
-        [axis_of("X")],
-        {},
-        files=[file("X.COM", equal)],
+    files = control_format(NCK, {}).write(
+        [table("X", [-400, -200, 0], [0, 0.003, 0])], [axis_of("X")], [file("X.COM", equal)]
     )
     assert "1   -200       -0.0030    -0.0030    +0.0015\n" in text_of(files, "X.COM")
 
@@ -769,13 +761,9 @@ def test_a_value_that_does_not_fit_its_column() -> None:
         CapacityError,
         match=r"-0\.0021 does not fit the column 1=F\(\) of X\.COM, which is 6 characters wide",
     ):
-        write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("X.COM", narrow)])
-    fits = write_tables(
-        ITNC,
-        [table("X", [0, 100], [0, -0.0021])],
-        [axis_of("X")],
-        {},
-        files=[file("X.COM", narrow)],
+        control_format(ITNC, {}).write([wanted], [axis_of("X")], [file("X.COM", narrow)])
+    fits = control_format(ITNC, {}).write(
+        [table("X", [0, 100], [0, -0.0021])], [axis_of("X")], [file("X.COM", narrow)]
     )
     assert "1   0.0021 0.02\n" in text_of(fits, "X.COM")
 
@@ -785,12 +773,8 @@ def test_numbers_flush_right_stay_so() -> None:
         "BEGIN X .COM MM DATUM:0 DIST:100\nNR      1=F()      2=F()\n 0          0     0.0100\n 1  "
         "   0.0020     0.0300\nEND\n"
     )
-    files = write_tables(
-        ITNC,
-        [table("X", [0, 100], [-0.01, 0.0001])],
-        [axis_of("X")],
-        {},
-        files=[file("X.COM", right)],
+    files = control_format(ITNC, {}).write(
+        [table("X", [0, 100], [-0.01, 0.0001])], [axis_of("X")], [file("X.COM", right)]
     )
     assert "0     0.0100     0.0100\n 1    -0.0001     0.0300\n" in text_of(files, "X.COM")
 
@@ -800,12 +784,8 @@ def test_numbers_flush_right_under_names_flush_left() -> None:
         "BEGIN X .COM MM DATUM:0 DIST:100\nNR   1=F()     2=F()\n0          0     0.0100\n1    "
         " 0.0020     0.0300\nEND\n"
     )
-    files = write_tables(
-        ITNC,
-        [table("X", [0, 100], [-0.01, 0.0001])],
-        [axis_of("X")],
-        {},
-        files=[file("X.COM", text)],
+    files = control_format(ITNC, {}).write(
+        [table("X", [0, 100], [-0.01, 0.0001])], [axis_of("X")], [file("X.COM", text)]
     )
     assert "0     0.0100     0.0100\n1    -0.0001     0.0300\n" in text_of(files, "X.COM")
 
@@ -816,7 +796,7 @@ def test_a_column_of_zeros_does_not_hold_the_grid() -> None:
     )
     zeros = zeros.replace("-0.0021", "-0.0021             +0")
     wanted = table("X", [0, 10, 20, 30], [0, 0.001, 0.002, 0.003])
-    files = write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("X.COM", zeros)])
+    files = control_format(ITNC, {}).write([wanted], [axis_of("X")], [file("X.COM", zeros)])
     assert "DATUM:0 DIST:10\n" in text_of(files, "X.COM")
     assert "2    -0.0020             +0\n3    -0.0030             +0\nEND" in text_of(
         files, "X.COM"
@@ -825,18 +805,16 @@ def test_a_column_of_zeros_does_not_hold_the_grid() -> None:
 
 def test_a_table_in_inch_is_not_filled() -> None:
     with pytest.raises(CapacityError, match="inch"):
-        write_tables(
-            ITNC,
+        control_format(ITNC, {}).write(
             [table("X", [0, 1], [0, 0])],
             [axis_of("X")],
-            {},
-            files=[file("X.COM", ALONE.replace(" MM ", " INCH "))],
+            [file("X.COM", ALONE.replace(" MM ", " INCH "))],
         )
 
 
 def test_one_bit_and_one_index_of_the_parameters() -> None:
     wanted = table("X", [0, 100], [0, 0.001], backlash=0.0025)
-    files = write_tables(ITNC, [wanted], [axis_of("X")], {}, files=[file("MP.TXT", MP)])
+    files = control_format(ITNC, {}).write([wanted], [axis_of("X")], [file("MP.TXT", MP)])
     assert text_of(files, "MP.TXT") == MP.replace("+0.0040 ;", "+0.0025 ;").replace(
         "0.0500", "0.000"
     ).replace("%00010", "%00011")
@@ -845,17 +823,17 @@ def test_one_bit_and_one_index_of_the_parameters() -> None:
     assert "1,100.0000,-0.0010,mm" in sheet
     judged(ITNC.id, files, (axis_of("X"),))
     long = MP.replace("+0.0040", "+.00400")
-    same = write_tables(
-        ITNC, [replace(wanted, backlash=0.004)], [axis_of("X")], {}, files=[file("MP.TXT", long)]
+    same = control_format(ITNC, {}).write(
+        [replace(wanted, backlash=0.004)], [axis_of("X")], [file("MP.TXT", long)]
     )
     assert "MP710.0 : +.00400 ;" in text_of(same, "MP.TXT")  # an equal number keeps its characters
-    decimal = write_tables(
-        ITNC, [wanted], [axis_of("X")], {}, files=[file("MP.TXT", MP.replace("%00010", "18"))]
+    decimal = control_format(ITNC, {}).write(
+        [wanted], [axis_of("X")], [file("MP.TXT", MP.replace("%00010", "18"))]
     )
     assert "MP730 : 19\n" in text_of(decimal, "MP.TXT")
     other = table("Y", [0, 100], [0, 0.001])
-    eleven = write_tables(
-        ITNC, [other], [axis_of("Y")], {}, files=[file("MP.TXT", MP.replace("%00010", "9"))]
+    eleven = control_format(ITNC, {}).write(
+        [other], [axis_of("Y")], [file("MP.TXT", MP.replace("%00010", "9"))]
     )
     assert "MP730 : %1011\n" in text_of(eleven, "MP.TXT")  # 11 could be the first two axes
 
@@ -887,12 +865,10 @@ def test_two_axes_change_one_mask_and_two_tables() -> None:
         .replace("3=F()", "1=F()")
         .replace("7=F()", "3=F()")
     )
-    files = write_tables(
-        ITNC,
+    files = control_format(ITNC, {}).write(
         [line, table("Z", [0, 10], [0.001, 0])],
         axes,
-        {},
-        files=[
+        [
             file("MP.TXT", MP.replace("%00010", "%00001")),
             file("Z.COM", z_table),
             file(
@@ -1035,8 +1011,8 @@ def test_what_is_filled_in_is_read_back(data: st.DataObject) -> None:
     )
     options = {"table_values": data.draw(st.sampled_from(["error", "correction"]))}
     axis = axis_of("X", returns=data.draw(st.sampled_from(list(Direction))))
-    files = write_tables(definition, [wanted], [axis], options, files=given_files)
-    assert files == write_tables(definition, [wanted], [axis], options, files=given_files)
+    files = control_format(definition, options).write([wanted], [axis], given_files)
+    assert files == control_format(definition, options).write([wanted], [axis], given_files)
     again = judged(definition.id, files, (axis,), **options).axes["X"]
     where = np.concatenate(
         [nodes, nodes[:-1] + 0.3 * np.diff(nodes), [nodes[0] - 77, nodes[-1] + 77]]
@@ -1100,7 +1076,7 @@ def test_a_damaged_file_is_refused_or_read(data: st.DataObject) -> None:
         ControlFile(one.name, content) if index == which else one for index, one in enumerate(files)
     ]
     try:
-        state = read_state(definition, damaged, {})
+        state = control_format(definition, {}).read(damaged)
     except (InputError, UsageError):
         return
     for axis in state.axes.values():
@@ -1109,8 +1085,8 @@ def test_a_damaged_file_is_refused_or_read(data: st.DataObject) -> None:
         assert np.all(np.isfinite([*axis.positive, *axis.negative, axis.backlash, axis.slope]))
         assert np.all(np.abs(axis.positive) <= 254)  # the plausibility bound of 10, taken as inch
     try:
-        write_tables(
-            definition, [table("X", [0, 128], [0, 0.001])], [axis_of("X")], {}, files=damaged
+        control_format(definition, {}).write(
+            [table("X", [0, 128], [0, 0.001])], [axis_of("X")], damaged
         )
     except (InputError, UsageError, CapacityError):
         return

@@ -7,11 +7,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from compwright.formats.control_format import control_format
 from compwright.formats.definition.options import resolve_options
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.families.grid.reading import read_state
 from compwright.formats.text.addresses import normal_address
-from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile, ControlState
@@ -39,7 +37,7 @@ BACKLASH = broken
 
 
 def read(**texts: str) -> ControlState:
-    return read_state(LINUXCNC, files(**texts), {})
+    return control_format(LINUXCNC, {}).read(files(**texts))
 
 
 def test_both_forms_of_the_same_table_mean_the_same() -> None:
@@ -88,14 +86,14 @@ def test_inch_machines() -> None:
     assert correction(state, "1", 0.0, POSITIVE) == pytest.approx(0.254)
     settled = resolve_options(LINUXCNC, {}, state)
     assert settled["units"] == "inch"
-    capacity = capacity_for(LINUXCNC, axis_of("0"), resolve_options(LINUXCNC, {}), state)
+    capacity = control_format(LINUXCNC, resolve_options(LINUXCNC, {}), state).capacity(axis_of("0"))
     assert capacity.quantum == pytest.approx(2.54e-6, rel=1e-12)  # mm
     held = table("0", [0.0, 254.0], [0.0, -0.0508], [-0.0254, -0.0762])
-    comp = write_tables(LINUXCNC, [held], [axis_of("0")], {}, state)[0]
+    comp = control_format(LINUXCNC, {}, state).write([held], [axis_of("0")])[0]
     assert (
         comp.content.decode() == "0.0000000 0.0000000 0.0010000\n10.0000000 10.0020000 10.0030000\n"
     )
-    assert write_tables(LINUXCNC, [held], [axis_of("0")], settled)[0] == comp
+    assert control_format(LINUXCNC, settled).write([held], [axis_of("0")])[0] == comp
 
 
 def test_a_section_counts_by_its_exact_name() -> None:
@@ -188,9 +186,9 @@ def test_a_table_is_found_by_the_key_or_by_its_name() -> None:
         read(m__ini=MACHINE)
     with pytest.raises(InputError, match="which axis"):
         read(x__comp=ACTUAL)
-    named = read_state(LINUXCNC, files(x__comp=ACTUAL), {}, address="4")
+    named = control_format(LINUXCNC, {}).read(files(x__comp=ACTUAL), address="4")
     assert named.axes["4"].positions.size == 3
-    job = read_state(LINUXCNC, files(x__comp=ACTUAL), {}, [axis_of("4")])
+    job = control_format(LINUXCNC, {}).read(files(x__comp=ACTUAL), [axis_of("4")])
     assert job.axes["4"].positions.size == 3
     stray = read(x__comp=ACTUAL, other__comp=TRIM, m__ini=MACHINE)
     assert "CW-S012" in codes(stray)
@@ -200,8 +198,10 @@ def test_a_table_is_found_by_the_key_or_by_its_name() -> None:
 
 def test_missing_is_not_zero() -> None:
     with pytest.raises(InputError, match="anything about axis 5"):
-        read_state(LINUXCNC, files(x__comp=ACTUAL, m__ini=MACHINE), {}, [axis_of("5")])
-    bare = read_state(LINUXCNC, files(m__ini="[JOINT_5]\nMAX_VELOCITY = 1\n"), {}, [axis_of("5")])
+        control_format(LINUXCNC, {}).read(files(x__comp=ACTUAL, m__ini=MACHINE), [axis_of("5")])
+    bare = control_format(LINUXCNC, {}).read(
+        files(m__ini="[JOINT_5]\nMAX_VELOCITY = 1\n"), [axis_of("5")]
+    )
     assert (
         bare.axes["5"].positions.size == 0
     )  # the section is there and has no table: the control does nothing
@@ -239,7 +239,7 @@ def test_the_first_of_repeated_keys_counts() -> None:
 
 def test_the_written_files_by_hand() -> None:
     compensation = table("1", [-10.0, 0.0, 12.5], [0.001, 0.0, -0.0005], [0.004, 0.003, 0.0025])
-    comp, ini = write_tables(LINUXCNC, [compensation], [axis_of("1")], {})
+    comp, ini = control_format(LINUXCNC, {}).write([compensation], [axis_of("1")])
     assert comp == ControlFile(
         "joint_1.comp",
         b"-10.0000000 -10.0010000 -10.0040000\n0.0000000 0.0000000 -0.0030000\n12.5000000"
@@ -248,7 +248,9 @@ def test_the_written_files_by_hand() -> None:
     assert ini == ControlFile(
         "joint_1.ini", b"[JOINT_1]\nCOMP_FILE = joint_1.comp\nCOMP_FILE_TYPE = 0\nBACKLASH = 0\n"
     )
-    comp, ini = write_tables(LINUXCNC, [compensation], [axis_of("1")], {"comp_file_type": "1"})
+    comp, ini = control_format(LINUXCNC, {"comp_file_type": "1"}).write(
+        [compensation], [axis_of("1")]
+    )
     assert comp.content.startswith(b"-10.0000000 0.0010000 0.0040000\n")
     assert b"COMP_FILE_TYPE = 1\n" in ini.content
 
@@ -259,18 +261,20 @@ def test_axis_letters_are_taken_as_joints_and_that_is_said() -> None:
     assert assumption is not None
     assert assumption.value == "2"
     assert normal_address(LINUXCNC, axis_of("07")) == ("7", None)
-    state = read_state(LINUXCNC, files(joint_2__comp=ACTUAL), {}, [axis_of("Z")])
+    state = control_format(LINUXCNC, {}).read(files(joint_2__comp=ACTUAL), [axis_of("Z")])
     assert list(state.axes) == ["2"]
     assert "CW-S010" in codes(state)
     assert assumption in state.assumed
-    files_of_z = write_tables(LINUXCNC, [table("Z", [0.0, 1.0], [0.0, 0.0])], [axis_of("Z")], {})
+    files_of_z = control_format(LINUXCNC, {}).write(
+        [table("Z", [0.0, 1.0], [0.0, 0.0])], [axis_of("Z")]
+    )
     assert files_of_z[0].name == "joint_2.comp"
     with pytest.raises(UsageError, match="address"):
         normal_address(LINUXCNC, axis_of("spindle"))
 
 
 def test_the_capacity_is_that_of_the_control() -> None:
-    capacity = capacity_for(LINUXCNC, axis_of("0"), {}, None)
+    capacity = control_format(LINUXCNC, {}).capacity(axis_of("0"))
     assert (capacity.curves, capacity.spacing, capacity.max_points) == (2, "free", 256)
     assert (capacity.below, capacity.above) == ("hold", "hold")
     assert capacity.quantum == capacity.position_quantum == 1e-7  # mm
@@ -296,4 +300,4 @@ def test_what_the_control_cannot_hold_is_refused(
     values: dict[str, object] = {"positions": [0.0, 1.0], "positive": [0.001, 0.002], **changes}
     with pytest.raises(CapacityError, match=says):
         # # a table of changes
-        write_tables(LINUXCNC, [table("0", **values)], [axis_of("0")], {})  # type: ignore[arg-type]
+        control_format(LINUXCNC, {}).write([table("0", **values)], [axis_of("0")])  # type: ignore[arg-type]

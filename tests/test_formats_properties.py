@@ -9,11 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from compwright.formats.control_format import control_format
 from compwright.formats.definition.reading import load_definition
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.families.grid.reading import read_state
-from compwright.formats.writing import write_tables
 from compwright.foundations.errors import InputError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
@@ -43,7 +41,7 @@ def tables(
             "comp_file_type": draw(st.sampled_from(["0", "1"])),
             "units": draw(st.sampled_from(["mm", "inch"])),
         }
-    capacity = capacity_for(definition, axis, options, None)
+    capacity = control_format(definition, options).capacity(axis)
     count = draw(st.integers(2, 12))
     start = draw(st.integers(-(10**9), 10**9))
     if capacity.spacing == "equidistant":
@@ -83,10 +81,10 @@ def tables(
 def test_written_and_read_back_the_same(name: str, data: st.DataObject) -> None:
     definition = DEFINITIONS[name]
     compensation, axis, options = data.draw(tables(definition))
-    files = write_tables(definition, [compensation], [axis], options)
-    assert files == write_tables(definition, [compensation], [axis], options)
-    again = read_state(definition, files, options, [axis]).axes[axis.address]
-    capacity = capacity_for(definition, axis, options, None)
+    files = control_format(definition, options).write([compensation], [axis])
+    assert files == control_format(definition, options).write([compensation], [axis])
+    again = control_format(definition, options).read(files, [axis]).axes[axis.address]
+    capacity = control_format(definition, options).capacity(axis)
     # a thousandth of the quantum: what double precision leaves of 1 000 mm in steps of 1e-7 mm
     np.testing.assert_allclose(
         again.positions, compensation.positions, rtol=0, atol=1e-3 * capacity.position_quantum
@@ -106,7 +104,7 @@ def test_written_and_read_back_the_same(name: str, data: st.DataObject) -> None:
         compensation.reference_return,
     )
     # what was read is exactly what the files can say: writing it again gives the same bytes
-    assert write_tables(definition, [again], [axis], options) == files
+    assert control_format(definition, options).write([again], [axis]) == files
 
 
 def sample(name: str) -> list[ControlFile]:
@@ -134,7 +132,7 @@ def test_a_damaged_file_is_refused_or_read_never_worse(name: str, data: st.DataO
         content = content[:place] + piece + content[place + length :]
     files[which] = ControlFile(files[which].name, content)
     try:
-        state = read_state(DEFINITIONS[name], files, {})
+        state = control_format(DEFINITIONS[name], {}).read(files)
     except InputError:
         return
     for axis in state.axes.values():
@@ -159,10 +157,10 @@ def test_a_lost_or_repeated_line_never_gives_another_table(name: str, data: st.D
         if data.draw(st.booleans())
         else [*lines[: place + 1], *lines[place:]]
     )
-    right = next(iter(read_state(DEFINITIONS[name], sample(name), {}).axes.values()))
+    right = next(iter(control_format(DEFINITIONS[name], {}).read(sample(name)).axes.values()))
     files[which] = ControlFile(files[which].name, b"".join(changed))
     try:
-        state = read_state(DEFINITIONS[name], files, {})
+        state = control_format(DEFINITIONS[name], {}).read(files)
     except InputError:
         return
     for axis in state.axes.values():
@@ -182,7 +180,7 @@ def test_a_lost_or_repeated_line_never_gives_another_table(name: str, data: st.D
 def test_any_bytes(content: bytes, name: str) -> None:
     for definition in DEFINITIONS.values():
         try:
-            read_state(definition, [ControlFile(name, content)], {})
+            control_format(definition, {}).read([ControlFile(name, content)])
         except InputError:
             continue
 
@@ -191,7 +189,7 @@ def test_any_bytes(content: bytes, name: str) -> None:
 @settings(deadline=None, max_examples=300)
 def test_any_rows_of_numbers(text: str) -> None:
     try:
-        state = read_state(LINUXCNC, [ControlFile("joint_0.comp", text.encode())], {})
+        state = control_format(LINUXCNC, {}).read([ControlFile("joint_0.comp", text.encode())])
     except InputError:
         return
     rows = [[float(piece) for piece in line.split()[:3]] for line in text.rstrip().split("\n")]

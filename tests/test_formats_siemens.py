@@ -5,10 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from compwright.formats.control_format import control_format
 from compwright.formats.definition.reading import load_definition
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.families.grid.reading import read_state
-from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction
 from format_samples import CONTENT, SIEMENS, axis_of, codes, correction, files, siemens, table
@@ -255,13 +253,13 @@ def test_cut_anywhere_a_file_is_refused_or_complete() -> None:
 
 def test_a_binary_archive_is_refused_with_a_hint() -> None:
     with pytest.raises(InputError, match="binary"):
-        read_state(SIEMENS, files(X__ARC="ARC\x00\x01\x02$AA_ENC_COMP"), {})
+        control_format(SIEMENS, {}).read(files(X__ARC="ARC\x00\x01\x02$AA_ENC_COMP"))
 
 
 def test_all_faults_of_all_files_come_at_once() -> None:
     broken = SAMPLE.replace("=0.001", "=?").replace("=-0.002", "=0,002")
     with pytest.raises(InputError) as caught:
-        read_state(SIEMENS, files(A__INI=broken, B__INI="$MA_BACKLASH[0,AX2]=\n"), {})
+        control_format(SIEMENS, {}).read(files(A__INI=broken, B__INI="$MA_BACKLASH[0,AX2]=\n"))
     assert [fault.place for fault in caught.value.faults] == ["line 4", "line 6", "line 1"]
     assert [fault.file for fault in caught.value.faults] == ["A.INI", "A.INI", "B.INI"]
 
@@ -274,17 +272,15 @@ def test_files_that_say_nothing_or_another_axis() -> None:
     with pytest.raises(UsageError):
         siemens(SAMPLE, axis_of("1"))
     with pytest.raises(UsageError):
-        read_state(SIEMENS, (), {})
+        control_format(SIEMENS, {}).read(())
 
 
 def test_two_files_have_to_agree() -> None:
     with pytest.raises(InputError, match=r"contradicts A\.INI"):
-        read_state(
-            SIEMENS,
+        control_format(SIEMENS, {}).read(
             files(
                 A__INI="$MA_BACKLASH[0,AX1]=0.001\nM17\n", B__INI="$MA_BACKLASH[0,AX1]=0.002\nM17\n"
-            ),
-            {},
+            )
         )
     last = siemens("$MA_BACKLASH[0,AX1]=0.001\n$MA_BACKLASH[0,AX1]=0.002\nM17\n")
     assert last.axes["AX1"].backlash == 0.002
@@ -319,7 +315,7 @@ M17
 
 def test_the_written_files_are_those_of_the_manual() -> None:
     compensation = table("AX1", NODES, CORRECTIONS, backlash=0.0125)
-    eec, md = write_tables(SIEMENS, [compensation], [axis_of("AX1", system=2)], {})
+    eec, md = control_format(SIEMENS, {}).write([compensation], [axis_of("AX1", system=2)])
     assert eec.name == "AX1_EEC.INI"
     assert eec.content.decode() == WRITTEN
     assert md.name == "AX1_MD.INI"
@@ -327,7 +323,7 @@ def test_the_written_files_are_those_of_the_manual() -> None:
         md.content.decode()
         == "CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.012500\n$MA_ENC_COMP_ENABLE[1,AX1]=1\nM17\n"
     )
-    none = write_tables(SIEMENS, [table("AX1", NODES, CORRECTIONS)], [axis_of("AX1")], {})
+    none = control_format(SIEMENS, {}).write([table("AX1", NODES, CORRECTIONS)], [axis_of("AX1")])
     assert (
         b"$MA_BACKLASH[0,AX1]=0.000000" in none[1].content
     )  # part of the complete set, also when it is 0
@@ -335,7 +331,7 @@ def test_the_written_files_are_those_of_the_manual() -> None:
 
 def test_the_capacity_is_what_the_manual_says() -> None:
     state = siemens(SAMPLE.replace("M17", "$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=26\nM17"))
-    capacity = capacity_for(SIEMENS, axis_of("AX1"), {}, state)
+    capacity = control_format(SIEMENS, {}, state).capacity(axis_of("AX1"))
     assert (capacity.curves, capacity.spacing) == (1, "equidistant")
     assert (capacity.quantum, capacity.position_quantum, capacity.backlash_quantum) == (
         1e-6,
@@ -345,15 +341,15 @@ def test_the_capacity_is_what_the_manual_says() -> None:
     assert (capacity.below, capacity.above) == ("hold", "hold")
     assert (capacity.min_points, capacity.max_points) == (2, 26)
     assert (
-        capacity_for(SIEMENS, axis_of("AX1"), {"points": "801"}, state).max_points == 801
+        control_format(SIEMENS, {"points": "801"}, state).capacity(axis_of("AX1")).max_points == 801
     )  # what will be reserved
-    assert capacity_for(SIEMENS, axis_of("AX1"), {"points": "9000"}, None).max_points == 5000
-    unknown = capacity_for(SIEMENS, axis_of("AX1"), {}, None)
+    assert control_format(SIEMENS, {"points": "9000"}).capacity(axis_of("AX1")).max_points == 5000
+    unknown = control_format(SIEMENS, {}).capacity(axis_of("AX1"))
     assert unknown.max_points is None
     assert unknown.assumed
     empty = siemens("$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]=0\n$MA_BACKLASH[0,AX1]=0\nM17\n")
     assert (
-        capacity_for(SIEMENS, axis_of("AX1"), {}, empty).max_points is None
+        control_format(SIEMENS, {}, empty).capacity(axis_of("AX1")).max_points is None
     )  # must be set anyway: the card says so
 
 
@@ -387,19 +383,21 @@ def test_what_the_control_cannot_hold_is_refused(
     values: dict[str, object] = {"positions": NODES, "positive": CORRECTIONS, **changes}
     compensation = table("AX1", **values)  # type: ignore[arg-type]  # a table of changes
     with pytest.raises(CapacityError, match=says):
-        write_tables(SIEMENS, [compensation], [axis_of("AX1")], options)
+        control_format(SIEMENS, options).write([compensation], [axis_of("AX1")])
 
 
 def test_a_table_that_does_not_close_and_wrong_addresses_are_refused() -> None:
     good = table("AX1", NODES, CORRECTIONS, kind=AxisKind.ROTARY)
     with pytest.raises(CapacityError, match="endless"):
-        write_tables(SIEMENS, [good], [axis_of("AX1", kind=AxisKind.ROTARY, modulo=360.0)], {})
+        control_format(SIEMENS, {}).write(
+            [good], [axis_of("AX1", kind=AxisKind.ROTARY, modulo=360.0)]
+        )
     with pytest.raises(CapacityError, match="kind"):
-        write_tables(SIEMENS, [good], [axis_of("AX1")], {})
+        control_format(SIEMENS, {}).write([good], [axis_of("AX1")])
     with pytest.raises(UsageError, match="AX7"):
-        write_tables(SIEMENS, [table("AX7", NODES, CORRECTIONS)], [axis_of("AX1")], {})
+        control_format(SIEMENS, {}).write([table("AX7", NODES, CORRECTIONS)], [axis_of("AX1")])
     with pytest.raises(UsageError, match="two tables"):
-        write_tables(SIEMENS, [good, good], [axis_of("AX1", kind=AxisKind.ROTARY)], {})
+        control_format(SIEMENS, {}).write([good, good], [axis_of("AX1", kind=AxisKind.ROTARY)])
 
 
 def test_a_range_bounds_the_value_in_the_file() -> None:
@@ -409,14 +407,18 @@ def test_a_range_bounds_the_value_in_the_file() -> None:
         .replace("range: [-10, 10]", "range: [-0.004, 10]", 1)
     )  # errors from -0.004 mm
     definition = load_definition(text.encode(), "mine.yaml")
-    assert capacity_for(definition, axis_of("AX1"), {}, None).value_range == (-10.0, 0.004)
+    assert control_format(definition, {}).capacity(axis_of("AX1")).value_range == (-10.0, 0.004)
     with pytest.raises(InputError, match="not plausible"):
-        read_state(definition, files(A__INI=SAMPLE), {})  # its last error is -0.0045 mm
-    write_tables(definition, [table("AX1", [0.0, 50.0], [-0.0045, 0.0])], [axis_of("AX1")], {})
+        control_format(definition, {}).read(files(A__INI=SAMPLE))  # its last error is -0.0045 mm
+    control_format(definition, {}).write(
+        [table("AX1", [0.0, 50.0], [-0.0045, 0.0])], [axis_of("AX1")]
+    )
     with pytest.raises(CapacityError, match="outside"):
-        write_tables(definition, [table("AX1", [0.0, 50.0], [0.0045, 0.0])], [axis_of("AX1")], {})
+        control_format(definition, {}).write(
+            [table("AX1", [0.0, 50.0], [0.0045, 0.0])], [axis_of("AX1")]
+        )
 
 
 def test_a_first_value_of_zero_makes_the_lower_end_the_same() -> None:
     silent = table("AX1", [0.0, 50.0], [0.0, 0.002], below="zero")
-    assert write_tables(SIEMENS, [silent], [axis_of("AX1")], {})
+    assert control_format(SIEMENS, {}).write([silent], [axis_of("AX1")])

@@ -7,10 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from compwright.formats.card import card_steps, card_values
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.families.grid.reading import read_state
-from compwright.formats.writing import write_tables
+from compwright.formats.card import card_steps
+from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError, InputError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
@@ -56,10 +54,12 @@ def test_a_table_of_one_turn_repeats() -> None:
         # half way from -0.001 to -0.003, and from +0.002 to -0.001
         assert correction(state, "AX4", 60 + turn, POSITIVE) == pytest.approx(-0.002, abs=1e-12)
         assert correction(state, "AX4", 300 + turn, NEGATIVE) == pytest.approx(0.0005, abs=1e-12)
-    assert capacity_for(SIEMENS, ROUND, {}, state).period == 360.0
-    assert capacity_for(SIEMENS, replace(ROUND, kind=AxisKind.LINEAR), {}, None).period is None
+    assert control_format(SIEMENS, {}, state).capacity(ROUND).period == 360.0
+    assert control_format(SIEMENS, {}).capacity(replace(ROUND, kind=AxisKind.LINEAR)).period is None
     assert (
-        capacity_for(LINUXCNC, axis_of("0", kind=AxisKind.ROTARY, modulo=360.0), {}, None).period
+        control_format(LINUXCNC, {})
+        .capacity(axis_of("0", kind=AxisKind.ROTARY, modulo=360.0))
+        .period
         is None
     )
 
@@ -93,7 +93,7 @@ def test_an_archive_gives_endless_and_other_axes() -> None:
 
 def test_a_written_turn_comes_back_through_both_readers() -> None:
     new = closed([0.0, -0.0025, 0.001, 0.0004, 0.0])
-    written = write_tables(SIEMENS, [new], [ROUND], {})
+    written = control_format(SIEMENS, {}).write([new], [ROUND])
     text = written[0].content.decode()
     for line in (
         "IS_MODULO[0,AX4]=1",
@@ -116,7 +116,7 @@ def test_a_turn_from_a_reference_is_told_from_the_beginning_of_the_range() -> No
     axis = replace(ROUND, reference=90.0)
     new = closed([0.0, -0.0025, 0.001, 0.0004, 0.0], start=90.0)
     state = siemens(TURN.replace("M17", "$MA_ROT_IS_MODULO[AX4]=1\nM17"), axis)
-    written = write_tables(SIEMENS, [new], [axis], {}, state)
+    written = control_format(SIEMENS, {}, state).write([new], [axis])
     text = written[0].content.decode()
     for line in (
         "MIN[0,AX4]=0.000000",
@@ -132,27 +132,29 @@ def test_a_turn_from_a_reference_is_told_from_the_beginning_of_the_range() -> No
         back.at(where, POSITIVE), new.at(where, POSITIVE), rtol=0, atol=1e-12
     )  # deg
     with pytest.raises(CapacityError, match="MD30340"):  # no node at 0
-        write_tables(SIEMENS, [closed([0.0, -0.0025, 0.0], start=90.0)], [axis], {}, state)
+        control_format(SIEMENS, {}, state).write([closed([0.0, -0.0025, 0.0], start=90.0)], [axis])
 
 
 def test_a_turn_is_patched_into_the_own_file() -> None:
     given = files(C__INI=TURN)
     state = siemens(TURN, ROUND)
-    (new,) = write_tables(
-        SIEMENS, [closed([0.002, 0.001, 0.004, 0.002])], [ROUND], {}, state, given
+    (new,) = control_format(SIEMENS, {}, state).write(
+        [closed([0.002, 0.001, 0.004, 0.002])], [ROUND], given
     )
     assert new.content.decode() == TURN.replace("0.001\n", "-0.002\n").replace(
         "=0.003", "=-0.001"
     ).replace("2,AX4]=-0.002", "2,AX4]=-0.004")
     ends = files(C__INI=TURN.replace("MODULO[0,AX4]=1", "MODULO[0,AX4]=0"))
-    (new,) = write_tables(SIEMENS, [closed([0.002, 0.001, 0.004, 0.002])], [ROUND], {}, state, ends)
+    (new,) = control_format(SIEMENS, {}, state).write(
+        [closed([0.002, 0.001, 0.004, 0.002])], [ROUND], ends
+    )
     assert b"IS_MODULO[0,AX4]=1\n" in new.content
 
 
 def test_a_pair_of_a_turn_repeats_too() -> None:
     options = {"cec": "available", "cec_tables": [0, 1], "cec_sign": "correction"}
     new = closed([0.0, 0.002, 0.0], [0.001, -0.002, 0.001])
-    written = write_tables(SIEMENS, [new], [ROUND], options)
+    written = control_format(SIEMENS, options).write([new], [ROUND])
     assert written[0].content.decode().count("IS_MODULO[0]=1\n") == 1
     back = decode(open_control("siemens-840d-sl", options), written, [ROUND]).state.axes["AX4"]
     where = np.array([-300.0, 45.0, 359.9, 700.0])
@@ -160,7 +162,7 @@ def test_a_pair_of_a_turn_repeats_too() -> None:
         np.testing.assert_allclose(
             back.at(where, direction), new.at(where, direction), rtol=0, atol=1e-12
         )
-    assert capacity_for(SIEMENS, ROUND, options, None).period == 360.0
+    assert control_format(SIEMENS, options).capacity(ROUND).period == 360.0
 
 
 @pytest.mark.parametrize(
@@ -177,12 +179,12 @@ def test_a_pair_of_a_turn_repeats_too() -> None:
 )
 def test_a_table_that_is_no_turn_is_refused(wrong: AxisCompensation, says: str) -> None:
     with pytest.raises(CapacityError, match=says):
-        write_tables(SIEMENS, [wrong], [ROUND], {})
+        control_format(SIEMENS, {}).write([wrong], [ROUND])
 
 
 def test_a_table_that_repeats_on_an_axis_with_ends_is_refused() -> None:
     with pytest.raises(CapacityError, match="the axis does not"):
-        write_tables(SIEMENS, [closed([0.0, 0.1, 0.0])], [replace(ROUND, modulo=None)], {})
+        control_format(SIEMENS, {}).write([closed([0.0, 0.1, 0.0])], [replace(ROUND, modulo=None)])
 
 
 # Gantry
@@ -206,7 +208,8 @@ NEW = table("AX1", [0.0, 400.0], [0.0, 0.0035], backlash=0.002)
 
 def test_the_synchronised_axis_gets_the_same_table() -> None:
     written = {
-        file.name: file.content.decode() for file in write_tables(SIEMENS, [NEW], [gantry()], {})
+        file.name: file.content.decode()
+        for file in control_format(SIEMENS, {}).write([NEW], [gantry()])
     }
     assert list(written) == ["AX1_EEC.INI", "AX1_MD.INI", "AX5_EEC.INI", "AX5_MD.INI"]
     assert written["AX5_EEC.INI"] == written["AX1_EEC.INI"].replace("AX1", "AX5")
@@ -215,12 +218,12 @@ def test_the_synchronised_axis_gets_the_same_table() -> None:
 
 def test_both_axes_of_a_gantry_are_read_and_patched_and_a_difference_is_told() -> None:
     same = files(A__INI=straight("AX1"), B__INI=straight("AX5"))
-    state = read_state(SIEMENS, same, {}, [gantry()])
+    state = control_format(SIEMENS, {}).read(same, [gantry()])
     assert list(state.axes) == ["AX1", "AX5"]
     assert "CW-S030" not in codes(state)
     other = files(A__INI=straight("AX1"), B__INI=straight("AX5", 0.003))
-    assert "CW-S030" in codes(read_state(SIEMENS, other, {}, [gantry()]))
-    written = write_tables(SIEMENS, [NEW], [gantry()], {}, state, other)
+    assert "CW-S030" in codes(control_format(SIEMENS, {}).read(other, [gantry()]))
+    written = control_format(SIEMENS, {}, state).write([NEW], [gantry()], other)
     assert [file.name for file in written] == ["A.INI", "B.INI"]
     back = decode(open_control("siemens-840d-sl", {}), written, [gantry("AX5")]).state
     for address in ("AX1", "AX5"):
@@ -230,22 +233,22 @@ def test_both_axes_of_a_gantry_are_read_and_patched_and_a_difference_is_told() -
 
 def test_a_partner_of_which_the_files_say_nothing_is_missing_not_zero() -> None:
     with pytest.raises(InputError, match="axis AX5; missing is not zero"):
-        read_state(SIEMENS, files(A__INI=straight("AX1")), {}, [gantry()])
+        control_format(SIEMENS, {}).read(files(A__INI=straight("AX1")), [gantry()])
 
 
 def test_a_gantry_takes_a_pair_of_tables_for_each_axis() -> None:
     options = {"cec": "available", "cec_tables": [0, 1, 2], "cec_sign": "correction"}
     two = replace(NEW, negative=np.array([0.001, 0.0]), backlash=0.0)
     for attempt in (
-        lambda: capacity_for(SIEMENS, gantry(), options, None),
-        lambda: write_tables(SIEMENS, [two], [gantry()], options),
+        lambda: control_format(SIEMENS, options).capacity(gantry()),
+        lambda: control_format(SIEMENS, options).write([two], [gantry()]),
     ):
         with pytest.raises(CapacityError, match="CEC tables"):
             attempt()
     options["cec_tables"] = [0, 1, 2, 3]
     written = {
         file.name: file.content.decode()
-        for file in write_tables(SIEMENS, [two], [gantry()], options)
+        for file in control_format(SIEMENS, options).write([two], [gantry()])
     }
     assert "$AN_CEC_OUTPUT_AXIS[3]=(AX5)" in written["AX5_CEC.INI"]
     assert "$AN_CEC_DIRECTION[3]=-1" in written["AX5_CEC.INI"]
@@ -271,7 +274,9 @@ def test_the_card_warns_of_a_gantry() -> None:
         (gantry(), "synchronised axis ax5 too"),
         (axis_of("AX1"), "leads no gantry as far as the job says"),
     ):
-        steps = card_steps(SIEMENS, axis, card_values(SIEMENS, axis, NEW, {}))
+        steps = card_steps(
+            SIEMENS, axis, control_format(SIEMENS, {}).card_values(axis, NEW, {}, NEW.positions)
+        )
         (text,) = [step.text for step in steps if step.title == "Gantry"]
         assert words in text
         assert "racks the bridge" in text

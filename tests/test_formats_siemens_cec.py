@@ -12,13 +12,12 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from compwright.formats.card import UNKNOWN, card_steps, card_values
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.families.grid.reading import read_state
+from compwright.formats.card import card_steps
+from compwright.formats.control_format import control_format
+from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.families.pairs.reading import Cec
 from compwright.formats.families.pairs.sums import cross_tables
 from compwright.formats.families.pairs.writing import write_cross
-from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import (
@@ -212,12 +211,9 @@ def test_a_product_on_another_axis_is_left_out_where_nobody_asks_for_it() -> Non
     with pytest.raises(InputError, match="multiplied"):
         siemens(text)
     with pytest.raises(CapacityError, match="0 among 0"):  # it is not free all the same
-        capacity_for(
-            SIEMENS,
-            axis_of("AX1"),
-            {"cec": "available", "cec_tables": [0], "cec_sign": "correction"},
-            state,
-        )
+        control_format(
+            SIEMENS, {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}, state
+        ).capacity(axis_of("AX1"))
 
 
 def test_a_product_counts_only_where_it_acts_and_for_whom_it_acts() -> None:
@@ -263,7 +259,7 @@ def test_both_spellings_of_an_axis_and_lines_that_are_not_used() -> None:
 
 
 def test_the_capacity_of_a_pair() -> None:
-    capacity = capacity_for(SIEMENS, axis_of("AX1"), CEC, None)
+    capacity = control_format(SIEMENS, CEC).capacity(axis_of("AX1"))
     assert (capacity.curves, capacity.backlash_quantum, capacity.quantum) == (2, None, 1e-6)
     assert (capacity.max_points, capacity.value_range) == (None, (-10.0, 10.0))
     assert any("its CEC tables (MD18342)" in note.fact for note in capacity.assumed)
@@ -274,13 +270,16 @@ def test_the_capacity_of_a_pair() -> None:
         f"{MD}{reserved}$MA_CEC_MAX_SUM[AX1]=0.05\n"
         + cec(2, [0.0, -0.02], (0, 10, 10), ("AX3", "AX1"))
     )
-    capacity = capacity_for(SIEMENS, axis_of("AX1"), CEC, state)
+    capacity = control_format(SIEMENS, CEC, state).capacity(axis_of("AX1"))
     assert capacity.max_points == 30
     assert capacity.value_range == pytest.approx(
         (-0.03, 0.03)
     )  # 0.05 less what another axis' table takes
-    assert capacity_for(SIEMENS, axis_of("AX1"), {**CEC, "points": 200}, state).max_points == 200
-    assert capacity_for(SIEMENS, axis_of("AX1"), {}, state).curves == 1
+    assert (
+        control_format(SIEMENS, {**CEC, "points": 200}, state).capacity(axis_of("AX1")).max_points
+        == 200
+    )
+    assert control_format(SIEMENS, {}, state).capacity(axis_of("AX1")).curves == 1
 
 
 @pytest.mark.parametrize(
@@ -298,22 +297,26 @@ def test_too_few_tables_are_told_with_how_many_are_needed(indices: list[int], fo
     state = siemens(taken + MD, axis_of("AX1"))
     options = {"cec": "available", "cec_tables": indices, "cec_sign": "correction"}
     with pytest.raises(CapacityError, match="2 CEC tables") as caught:
-        capacity_for(SIEMENS, axis_of("AX1"), options, state)
+        control_format(SIEMENS, options, state).capacity(axis_of("AX1"))
     assert "cec_tables" in str(caught.value)
     assert found in str(caught.value)
     with pytest.raises(CapacityError, match="2 CEC tables"):
-        write_tables(SIEMENS, [TWO], [axis_of("AX1")], options, state, files(A__INI=taken + MD))
+        control_format(SIEMENS, options, state).write(
+            [TWO], [axis_of("AX1")], files(A__INI=taken + MD)
+        )
 
 
 def test_options_of_an_axis_go_over_those_of_the_control() -> None:
     axis = replace(axis_of("AX1"), options={"cec_tables": "4,7"})
     assert (
-        capacity_for(
-            SIEMENS, axis, {"cec": "available", "cec_tables": [0], "cec_sign": "correction"}, None
-        ).curves
+        control_format(SIEMENS, {"cec": "available", "cec_tables": [0], "cec_sign": "correction"})
+        .capacity(axis)
+        .curves
         == 2
     )
-    assert capacity_for(SIEMENS, replace(axis, options={"cec": "absent"}), CEC, None).curves == 1
+    assert (
+        control_format(SIEMENS, CEC).capacity(replace(axis, options={"cec": "absent"})).curves == 1
+    )
 
 
 # Writing
@@ -354,32 +357,34 @@ def on(*tables: int) -> str:
 
 
 def test_two_curves_go_into_a_pair_and_nothing_else_acts() -> None:
-    written = texts(write_tables(SIEMENS, [TWO], [axis_of("AX1", system=2)], CEC))
+    written = texts(control_format(SIEMENS, CEC).write([TWO], [axis_of("AX1", system=2)]))
     assert list(written) == ["AX1_CEC.INI", "AX1_MD.INI"]
     assert written["AX1_CEC.INI"] == WRITTEN
     assert (
         written["AX1_MD.INI"]
         == f"CHANDATA(1)\n$MA_BACKLASH[1,AX1]=0.000000\n$MA_ENC_COMP_ENABLE[1,AX1]=0\n{on(4, 7)}M17\n"
     )
-    turned = texts(write_tables(SIEMENS, [TWO], [axis_of("AX1")], {**CEC, "cec_sign": "error"}))
+    turned = texts(
+        control_format(SIEMENS, {**CEC, "cec_sign": "error"}).write([TWO], [axis_of("AX1")])
+    )
     assert "$AN_CEC[7,2]=0.006500\n" in turned["AX1_CEC.INI"]
 
 
 def test_one_curve_and_backlash_stay_in_the_leadscrew_table() -> None:
     one = table("AX1", [0.0, 800.0], [0.0, 0.002], backlash=0.003)
-    assert list(texts(write_tables(SIEMENS, [one], [axis_of("AX1")], CEC))) == [
+    assert list(texts(control_format(SIEMENS, CEC).write([one], [axis_of("AX1")]))) == [
         "AX1_EEC.INI",
         "AX1_MD.INI",
     ]
     with pytest.raises(CapacityError, match="one curve"):
-        write_tables(SIEMENS, [TWO], [axis_of("AX1")], {})
+        control_format(SIEMENS, {}).write([TWO], [axis_of("AX1")])
     with pytest.raises(CapacityError, match="backlash"):
-        write_tables(SIEMENS, [replace(TWO, backlash=0.001)], [axis_of("AX1")], CEC)
+        control_format(SIEMENS, CEC).write([replace(TWO, backlash=0.001)], [axis_of("AX1")])
 
 
 def test_what_is_written_comes_back_through_both_readers() -> None:
     axis = axis_of("AX1", returns=NEGATIVE)
-    written = write_tables(SIEMENS, [TWO], [axis], {**CEC, "cec_sign": "error"})
+    written = control_format(SIEMENS, {**CEC, "cec_sign": "error"}).write([TWO], [axis])
     back = agreed(written, [axis], **{**CEC, "cec_sign": "error"}).axes["AX1"]
     assert (back.positive.tolist(), back.negative.tolist()) == (
         TWO.positive.tolist(),
@@ -396,8 +401,8 @@ def patch(
 ) -> dict[str, str]:
     axis = axis or axis_of("AX1")
     given = files(A__INI=text)
-    state = read_state(SIEMENS, given, options, [axis])
-    written = write_tables(SIEMENS, [compensation], [axis], options, state, given)
+    state = control_format(SIEMENS, options).read(given, [axis])
+    written = control_format(SIEMENS, options, state).write([compensation], [axis], given)
     agreed(written, [axis], **options)
     return texts(written)
 
@@ -539,16 +544,13 @@ def test_two_axes_take_tables_apart_from_each_other() -> None:
     other = replace(TWO, address="AX2")
     axes = [axis_of("AX1"), replace(axis_of("AX2"), name="Y")]
     options = {"cec": "available", "cec_tables": [1, 2, 3, 4], "cec_sign": "correction"}
-    written = texts(write_tables(SIEMENS, [TWO, other], axes, options))
+    written = texts(control_format(SIEMENS, options).write([TWO, other], axes))
     assert "$AN_CEC_OUTPUT_AXIS[2]=(AX1)" in written["AX1_CEC.INI"]
     assert "$AN_CEC_OUTPUT_AXIS[3]=(AX2)" in written["AX2_CEC.INI"]
     with pytest.raises(CapacityError, match=r"axis Y.*2 CEC tables"):
-        write_tables(
-            SIEMENS,
-            [TWO, other],
-            axes,
-            {"cec": "available", "cec_tables": [1, 2, 3], "cec_sign": "correction"},
-        )
+        control_format(
+            SIEMENS, {"cec": "available", "cec_tables": [1, 2, 3], "cec_sign": "correction"}
+        ).write([TWO, other], axes)
 
 
 def test_a_sum_that_is_switched_off_is_not_switched_on_for_others_tables() -> None:
@@ -559,8 +561,14 @@ def test_a_sum_that_is_switched_off_is_not_switched_on_for_others_tables() -> No
 
 def test_the_card_names_the_tables_and_the_check_of_the_sign() -> None:
     axis = axis_of("AX1")
-    state = read_state(SIEMENS, write_tables(SIEMENS, [TWO], [axis], CEC), CEC, [axis])
-    steps = card_steps(SIEMENS, axis, card_values(SIEMENS, axis, TWO, CEC, state.facts["AX1"]))
+    state = control_format(SIEMENS, CEC).read(
+        control_format(SIEMENS, CEC).write([TWO], [axis]), [axis]
+    )
+    steps = card_steps(
+        SIEMENS,
+        axis,
+        control_format(SIEMENS, CEC).card_values(axis, TWO, state.facts["AX1"], TWO.positions),
+    )
     text = "\n".join(step.text for step in steps)
     assert UNKNOWN not in text
     for words in (
@@ -572,7 +580,10 @@ def test_the_card_names_the_tables_and_the_check_of_the_sign() -> None:
     ):
         assert words in text
     single = "\n".join(
-        step.text for step in card_steps(SIEMENS, axis, card_values(SIEMENS, axis, ONE, CEC, {}))
+        step.text
+        for step in card_steps(
+            SIEMENS, axis, control_format(SIEMENS, CEC).card_values(axis, ONE, {}, ONE.positions)
+        )
     )
     assert "AX1_EEC.INI" in single
     assert "MD18342 $MN" not in single
@@ -626,7 +637,7 @@ def test_squareness_is_a_ramp_of_two_points() -> None:
 def test_straightness_by_direction_takes_a_pair_of_free_tables_and_adds_up() -> None:
     bow = cross([0.0, 0.003, 0.0], [0.001, 0.004, 0.001])
     given = files(A__INI=RAMP + PAIR + MD + "$MA_CEC_ENABLE[AX2]=1\nM17\n")
-    state = read_state(SIEMENS, given, {"cec_sign": "correction"})
+    state = control_format(SIEMENS, {"cec_sign": "correction"}).read(given)
     options = {"cec": "available", "cec_tables": [0, 4, 5, 6], "cec_sign": "correction"}
     written = write_cross(SIEMENS, [bow], options, state, given)
     assert list(texts(written)) == ["AX2_CROSS.INI"]  # nothing of the own file changes
@@ -648,7 +659,7 @@ def test_reserved_memory_takes_cross_tables_too() -> None:
     given = files(
         A__INI=cec(3, [0.0], (0, 0, 0), ("AX1", "AX1")) + MD + "$MA_CEC_ENABLE[AX2]=0\nM17\n"
     )
-    state = read_state(SIEMENS, given, {"cec_sign": "correction"})
+    state = control_format(SIEMENS, {"cec_sign": "correction"}).read(given)
     (file,) = write_cross(
         SIEMENS,
         [cross([0.0, -0.016])],
@@ -701,7 +712,7 @@ def test_cross_tables_need_the_option_free_memory_and_room() -> None:
     given = files(
         A__INI=f"{RAMP}$MA_CEC_ENABLE[AX2]=1\n$MA_CEC_MAX_SUM[AX2]=0.02\n$MN_MM_CEC_MAX_POINTS[1]=2\n$MA_BACKLASH[0,AX2]=0\nM17\n"
     )
-    state = read_state(SIEMENS, given, {"cec_sign": "correction"})
+    state = control_format(SIEMENS, {"cec_sign": "correction"}).read(given)
     options = {"cec": "available", "cec_tables": [1], "cec_sign": "correction"}
     assert write_cross(SIEMENS, [cross([0.0, 0.004])], options, state, given)
     with pytest.raises(CapacityError, match="MD32720"):
@@ -713,8 +724,8 @@ def test_cross_tables_need_the_option_free_memory_and_room() -> None:
 def test_cross_tables_and_a_pair_of_one_run_do_not_meet() -> None:
     options = {"cec": "available", "cec_tables": [2, 3, 5], "cec_sign": "correction"}
     axis = axis_of("AX1")
-    tables = write_tables(SIEMENS, [TWO], [axis], options)
-    state = read_state(SIEMENS, tables, options, [axis])
+    tables = control_format(SIEMENS, options).write([TWO], [axis])
+    state = control_format(SIEMENS, options).read(tables, [axis])
     new = write_cross(SIEMENS, [cross([0.0, -0.016])], options, state, tables)
     assert "$AN_CEC_INPUT_AXIS[5]=(AX1)" in texts(new)["AX2_CROSS.INI"]
     both = agreed([*tables, *new], [axis], **options)
@@ -781,7 +792,9 @@ def test_damaged_tables_are_refused_or_agreed_on(data: st.DataObject) -> None:
         )
         content = content[:place] + piece + content[place + data.draw(st.integers(0, 10)) :]
     try:
-        state = read_state(SIEMENS, [ControlFile("A.INI", content)], {"cec_sign": "correction"})
+        state = control_format(SIEMENS, {"cec_sign": "correction"}).read(
+            [ControlFile("A.INI", content)]
+        )
     except (InputError, UsageError):
         return
     for axis in state.axes.values():

@@ -13,9 +13,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from compwright.formats.families.grid.reading import read_state
+from compwright.formats.control_format import control_format
 from compwright.formats.text.own_files import styled
-from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
@@ -69,8 +68,8 @@ def written(
     options: dict[str, object] | None = None,
 ) -> tuple[ControlFile, ...]:
     axis = axis or axis_of("AX1")
-    state = read_state(SIEMENS, files, options or {}, [axis])
-    return write_tables(SIEMENS, [compensation], [axis], options or {}, state, files)
+    state = control_format(SIEMENS, options or {}).read(files, [axis])
+    return control_format(SIEMENS, options or {}, state).write([compensation], [axis], files)
 
 
 def lines(file: ControlFile) -> list[str]:
@@ -133,7 +132,7 @@ def test_rows_that_are_too_many_become_zero() -> None:
         "N30  $AA_ENC_COMP[0,2,ax1] = 0.0000 ; the last one",
         "$AA_ENC_COMP_STEP[0,ax1]=100.0",
     ]
-    again = read_state(SIEMENS, [file], {}, [axis_of("AX1")])
+    again = control_format(SIEMENS, {}).read([file], [axis_of("AX1")])
     assert again.axes["AX1"].positions.tolist() == [-100.0, 0.0]
     assert any(finding.code == "CW-S004" for finding in again.findings)
 
@@ -259,12 +258,12 @@ def test_a_factor_on_the_backlash_is_read_and_set_to_one() -> None:
         "N32700",
         "N32452 $MA_BACKLASH_FACTOR[0,AX1]=0.5\r\nN32452 $MA_BACKLASH_FACTOR[1,AX1]=0.25\r\nN32700",
     )
-    state = read_state(SIEMENS, [archive(text)], {}, [axis_of("AX1")])
+    state = control_format(SIEMENS, {}).read([archive(text)], [axis_of("AX1")])
     assert state.axes["AX1"].backlash == pytest.approx(0.00025)
     (file,) = written(table("AX1", NODES, OLD, backlash=0.0125), archive(text))
     assert "N32452 $MA_BACKLASH_FACTOR[0,AX1]=1.0" in lines(file)
     assert "N32452 $MA_BACKLASH_FACTOR[1,AX1]=0.25" in lines(file)
-    assert read_state(SIEMENS, [file], {}, [axis_of("AX1")]).axes["AX1"].backlash == 0.0125
+    assert control_format(SIEMENS, {}).read([file], [axis_of("AX1")]).axes["AX1"].backlash == 0.0125
 
 
 @pytest.mark.parametrize(
@@ -366,7 +365,7 @@ def test_every_other_line_keeps_its_bytes_and_the_table_comes_back(
         if not _TOUCHED.search(line)
     ]
     assert keep_old == keep_new
-    again = read_state(SIEMENS, [new], {}, [axis_of("AX1")]).axes["AX1"]
+    again = control_format(SIEMENS, {}).read([new], [axis_of("AX1")]).axes["AX1"]
     np.testing.assert_allclose(
         again.positions, compensation.positions, rtol=0, atol=1e-9
     )  # mm: the last place written is 1e-6
@@ -392,7 +391,7 @@ def test_a_damaged_archive_is_refused_or_patched_never_worse(
         content = content[:place] + piece + content[place + data.draw(st.integers(0, 10)) :]
     try:
         files = written(compensation, ControlFile("NC.ARC", content))
-        again = read_state(SIEMENS, files, {}, [axis_of("AX1")]).axes["AX1"]
+        again = control_format(SIEMENS, {}).read(files, [axis_of("AX1")]).axes["AX1"]
     except (InputError, UsageError, CapacityError):
         return
     np.testing.assert_allclose(again.positive, compensation.positive, rtol=0, atol=1e-12)

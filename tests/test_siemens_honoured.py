@@ -11,10 +11,8 @@ from dataclasses import replace
 
 import pytest
 
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.families.grid.reading import read_state
+from compwright.formats.control_format import control_format
 from compwright.formats.text.diff import compare_files
-from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Encoder
 from compwright.records.correction import ControlState
@@ -89,13 +87,8 @@ def test_an_axis_is_one_by_its_place_and_by_its_name(address: str) -> None:
     assert axis.positive.tolist() == [0, -0.004, 0]
     assert axis.backlash == 0.003
     given = files(A__INI=text + "M17\n")
-    (new,) = write_tables(
-        SIEMENS,
-        [table(address, [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])],
-        [axis_of(address)],
-        {},
-        state,
-        given,
+    (new,) = control_format(SIEMENS, {}, state).write(
+        [table(address, [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])], [axis_of(address)], given
     )
     assert b"[0,1,X1]=-0.001\n" in new.content  # the form that is there
     assert b"$MA_BACKLASH[0,AX1]=0.000\n" in new.content
@@ -310,13 +303,8 @@ def test_a_foreign_table_is_kept_and_stops_nothing(foreign: str) -> None:
     axis = axis_of("AX1")
     state = both_readers(text, axis)
     assert codes(state) & {"CW-S050", "CW-S054"}
-    (new,) = write_tables(
-        SIEMENS,
-        [table("AX1", [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])],
-        [axis],
-        {},
-        state,
-        files(A__INI=text),
+    (new,) = control_format(SIEMENS, {}, state).write(
+        [table("AX1", [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])], [axis], files(A__INI=text)
     )
     assert foreign.encode() in new.content
 
@@ -343,10 +331,10 @@ TWO = table("AX1", [0.0, 400.0, 800.0], [0.0, 0.002, -0.0015], [-0.004, -0.001, 
 
 def pair_into(text: str) -> str:
     given = files(A__INI=text + "M17\n")
-    state = read_state(SIEMENS, given, OPTIONS, [axis_of("AX1")])
+    state = control_format(SIEMENS, OPTIONS).read(given, [axis_of("AX1")])
     return "".join(
         file.content.decode()
-        for file in write_tables(SIEMENS, [TWO], [axis_of("AX1")], OPTIONS, state, given)
+        for file in control_format(SIEMENS, OPTIONS, state).write([TWO], [axis_of("AX1")], given)
     )
 
 
@@ -379,7 +367,7 @@ def test_values_in_inch_are_not_written_to() -> None:
 def test_the_sign_is_asked_for_where_a_pair_is_written_or_an_own_table_is_read() -> None:
     unknown = {**OPTIONS, "cec_sign": None}
     with pytest.raises(UsageError, match="dial gauge"):
-        write_tables(SIEMENS, [TWO], [axis_of("AX1")], unknown)
+        control_format(SIEMENS, unknown).write([TWO], [axis_of("AX1")])
     own = (
         cec(0, ("AX1", "AX1"), step=85)
         + "$SN_CEC_TABLE_ENABLE[0]=1\n$MA_CEC_ENABLE[AX1]=1\n"
@@ -454,8 +442,8 @@ def test_a_file_with_switch_and_values_is_off_before_the_values_and_on_behind_th
     text = f"$MA_BACKLASH[0,AX1]=0\n{switch}{head}\n{eec(on=tail)}"
     state = both_readers(text, axis_of("AX1"), active=active)
     wanted = table("AX1", [0.0, 400.0, 800.0, 1200.0], [0.0, 0.001, 0.0, 0.002])
-    (new,) = write_tables(
-        SIEMENS, [wanted], [axis_of("AX1")], {}, state, files(A__INI=text + "M17\n")
+    (new,) = control_format(SIEMENS, {}, state).write(
+        [wanted], [axis_of("AX1")], files(A__INI=text + "M17\n")
     )
     on = {"ENABLE": 0, "values": 0}
     for line in new.content.decode().splitlines():
@@ -511,10 +499,12 @@ def test_a_basic_system_that_no_file_says_is_listed() -> None:
 
 def test_the_limit_of_the_sum_is_listed_where_no_file_says_it() -> None:
     def said(text: str) -> bool:
-        state = read_state(SIEMENS, files(A__INI=text + "M17\n"), OPTIONS, [axis_of("AX1")])
+        state = control_format(SIEMENS, OPTIONS).read(
+            files(A__INI=text + "M17\n"), [axis_of("AX1")]
+        )
         return any(
             "MD32720" in note.fact
-            for note in capacity_for(SIEMENS, axis_of("AX1"), OPTIONS, state).assumed
+            for note in control_format(SIEMENS, OPTIONS, state).capacity(axis_of("AX1")).assumed
         )
 
     assert said(eec())
@@ -535,9 +525,9 @@ TURN_TABLE = replace(
 
 def test_a_turn_that_no_file_says_needs_its_reference_at_the_start() -> None:
     with pytest.raises(CapacityError, match=r"MD30310.*MD30340"):
-        write_tables(SIEMENS, [TURN_TABLE], [ROUND], {})
+        control_format(SIEMENS, {}).write([TURN_TABLE], [ROUND])
     at_zero = replace(ROUND, reference=0.0)
-    facts = [note.fact for note in capacity_for(SIEMENS, at_zero, {}, None).assumed]
+    facts = [note.fact for note in control_format(SIEMENS, {}).capacity(at_zero).assumed]
     assert [number for fact in facts for number in ("MD30310", "MD30340") if number in fact] == [
         "MD30310",
         "MD30340",
@@ -548,9 +538,11 @@ def test_a_turn_that_no_file_says_needs_its_reference_at_the_start() -> None:
     )
     state = both_readers(given, ROUND)
     assert not [
-        note for note in capacity_for(SIEMENS, ROUND, {}, state).assumed if "MD303" in note.fact
+        note
+        for note in control_format(SIEMENS, {}, state).capacity(ROUND).assumed
+        if "MD303" in note.fact
     ]
     assert (
         b"$AA_ENC_COMP[0,0,AX4]=-0.002"
-        in write_tables(SIEMENS, [TURN_TABLE], [ROUND], {}, state)[0].content
+        in control_format(SIEMENS, {}, state).write([TURN_TABLE], [ROUND])[0].content
     )

@@ -12,9 +12,8 @@ from pathlib import Path
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.formats.card import card_steps, card_values
-from compwright.formats.families.grid.reading import read_state
-from compwright.formats.writing import write_tables
+from compwright.formats.card import card_steps
+from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError
 from compwright.records.correction import ControlFile
 from compwright.workflow.stages.control import decode, open_control
@@ -27,7 +26,8 @@ AXIS = axis_of("AX1")
 
 def fresh_pair() -> dict[str, str]:
     return {
-        file.name: file.content.decode() for file in write_tables(SIEMENS, [TWO], [AXIS], OPTIONS)
+        file.name: file.content.decode()
+        for file in control_format(SIEMENS, OPTIONS).write([TWO], [AXIS])
     }
 
 
@@ -83,8 +83,14 @@ def test_a_set_of_ours_says_that_it_acts_to_both_readers() -> None:
 
 
 def test_the_card_checks_the_sign_first_and_switches_on_last() -> None:
-    state = read_state(SIEMENS, write_tables(SIEMENS, [TWO], [AXIS], OPTIONS), OPTIONS, [AXIS])
-    steps = card_steps(SIEMENS, AXIS, card_values(SIEMENS, AXIS, TWO, OPTIONS, state.facts["AX1"]))
+    state = control_format(SIEMENS, OPTIONS).read(
+        control_format(SIEMENS, OPTIONS).write([TWO], [AXIS]), [AXIS]
+    )
+    steps = card_steps(
+        SIEMENS,
+        AXIS,
+        control_format(SIEMENS, OPTIONS).card_values(AXIS, TWO, state.facts["AX1"], TWO.positions),
+    )
     titles = [step.title for step in steps]
     text = {step.title: step.text for step in steps}
     assert (
@@ -103,7 +109,14 @@ def test_the_card_checks_the_sign_first_and_switches_on_last() -> None:
         assert "what else sleeps on axis AX1" in text[title]
     assert "load nothing" in text["Check the sign"]
     single = card_steps(
-        SIEMENS, AXIS, card_values(SIEMENS, AXIS, table("AX1", [0.0, 1.0], [0.0, 0.1]), OPTIONS)
+        SIEMENS,
+        AXIS,
+        control_format(SIEMENS, OPTIONS).card_values(
+            AXIS,
+            table("AX1", [0.0, 1.0], [0.0, 0.1]),
+            {},
+            table("AX1", [0.0, 1.0], [0.0, 0.1]).positions,
+        ),
     )
     assert "AX1_MD.INI" in single[-3].text
     assert "MD32700 $MA_ENC_COMP_ENABLE[0,AX1] = 1" in single[-3].text

@@ -18,6 +18,8 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
 
 Beyond = Literal["hold", "zero"]
+#: One fact that a control's files say: a number, a word, a yes or no.
+Fact = float | int | str | bool
 #: Between nodes: straight lines, or the value of the nearest node (the step lies in the middle of
 #: the section).
 Interpolation = Literal["linear", "step"]
@@ -176,7 +178,7 @@ class ControlState:
     format: str
     axes: Mapping[str, AxisCompensation]
     cross: tuple[CrossCompensation, ...] = ()
-    facts: Mapping[str, Mapping[str, float | int | str | bool]] = field(default_factory=dict)
+    facts: Mapping[str, Mapping[str, Fact]] = field(default_factory=dict)
     reserved: frozenset[int] = frozenset()
     assumed: tuple[Assumption, ...] = ()
     findings: tuple[Finding, ...] = ()

@@ -6,10 +6,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from compwright.formats.families.grid.axis_reading import Fact
 from compwright.formats.text.gathering import Gathered
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import Axis
+from compwright.records.correction import Fact
 
 #: Part of the travel that may lie outside the control's limits without a word, and that is not
 #: enough inside: travels are rounded.

@@ -8,12 +8,12 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from compwright.formats.card import UNKNOWN, card_steps, card_values
+from compwright.formats.card import card_steps
+from compwright.formats.control_format import control_format
 from compwright.formats.definition.options import ENCODER_SYSTEM
 from compwright.formats.definition.schema import Definition, Expectation
-from compwright.formats.families.grid.reading import read_state
+from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.gate.limits import unenforced_limits
-from compwright.formats.writing import write_tables
 from compwright.foundations.errors import CompwrightError, Fault
 from compwright.foundations.units import TO_INSIDE
 from compwright.records.axis import Axis, Direction, Encoder
@@ -68,7 +68,7 @@ def _expectation(definition: Definition, expectation: Expectation) -> Iterator[F
         reference_return=expectation.reference_return,
         encoder=Encoder(system=_system(definition, expectation)),
     )
-    state = read_state(definition, _files(expectation.files), expectation.options, [axis])
+    state = control_format(definition, expectation.options).read(_files(expectation.files), [axis])
     compensation = next(iter(state.axes.values()))
     factor = TO_INSIDE[expectation.unit][1]
     for point in expectation.at:
@@ -90,31 +90,31 @@ def _expectation(definition: Definition, expectation: Expectation) -> Iterator[F
 
 
 def _system(definition: Definition, expectation: Expectation) -> int:
-    state = read_state(
-        definition, _files(expectation.files), expectation.options, address=expectation.axis
-    )
+    control = control_format(definition, expectation.options)
+    state = control.read(_files(expectation.files), address=expectation.axis)
     return int(next(iter(state.facts.values())).get(ENCODER_SYSTEM, 1))
 
 
 def _round_trip(definition: Definition) -> Iterator[Fault]:
-    state = read_state(definition, _files(definition.sample_files), definition.sample_options)
+    control = control_format(definition, definition.sample_options)
+    state = control.read(_files(definition.sample_files))
     compensations = [
         compensation for compensation in state.axes.values() if compensation.positions.size >= 2
     ]
     axes = [_axis_of(state, compensation) for compensation in compensations]
-    files = write_tables(definition, compensations, axes, definition.sample_options)
-    if files != write_tables(definition, compensations, axes, definition.sample_options):
+    files = control.write(compensations, axes)
+    if files != control.write(compensations, axes):
         yield Fault(message="writing the sample twice gives different bytes", place="sample")
-    again = read_state(definition, files, definition.sample_options, axes)
+    again = control.read(files, axes)
     for address, compensation in ((one.address, one) for one in compensations):
         if not same_compensation(compensation, again.axes[address]):
             yield Fault(
                 message=f"axis {address}: what is written is not what was read", place="sample"
             )
     for axis, compensation in zip(axes, compensations, strict=True):
-        yield from unenforced_limits(definition, axis, compensation, definition.sample_options)
-        values = card_values(
-            definition, axis, compensation, definition.sample_options, again.facts[axis.address]
+        yield from unenforced_limits(control, axis, compensation)
+        values = control.card_values(
+            axis, compensation, again.facts[axis.address], compensation.positions
         )
         for step in card_steps(definition, axis, values):
             if UNKNOWN in step.text:

@@ -4,14 +4,13 @@ writer.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.writing import write_tables
+from compwright.formats.families.family import Family
 from compwright.foundations.errors import CapacityError, CompwrightError, Fault
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
@@ -23,18 +22,15 @@ _MOST_POINTS = 20_000
 
 
 def unenforced_limits(
-    definition: Definition,
-    axis: Axis,
-    compensation: AxisCompensation,
-    options: Mapping[str, object],
+    control: Family, axis: Axis, compensation: AxisCompensation
 ) -> Iterator[Fault]:
     """Yield a fault for every limit that the writer lets pass. ``compensation``: a sound table of
     ``axis``.
     """
-    capacity = capacity_for(definition, axis, options, None)
-    for name, broken, its_axis in _broken(definition, axis, compensation, capacity):
+    capacity = control.capacity(axis)
+    for name, broken, its_axis in _broken(control.definition, axis, compensation, capacity):
         try:
-            write_tables(definition, [broken], [its_axis], options)
+            control.write([broken], [its_axis])
         except CapacityError:
             continue
         except CompwrightError as error:

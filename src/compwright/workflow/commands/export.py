@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.documents.plan import read_plan
-from compwright.formats.families.grid.capacity import capacity_for
 from compwright.formats.text.addresses import normal_address
 from compwright.foundations import storage
 from compwright.foundations.errors import (
@@ -89,9 +88,7 @@ def export_plan(
         axis = moved[name]
         try:
             one_curve = entry.request.mode == "single"
-            capacity = capacity_for(
-                control.definition, axis, control.options, state.state, one_curve=one_curve
-            )
+            capacity = control.format.capacity(axis, one_curve=one_curve)
             fitted.append(
                 (axis, fit_within(entry.wanted, capacity, entry.request, address=axis.address))
             )

@@ -13,7 +13,6 @@ from compwright.documents.json_text import to_json
 from compwright.documents.plan import listed_files, plan_document
 from compwright.documents.prediction import prediction_document
 from compwright.evaluation.repeats import Named
-from compwright.formats.families.sheets import second_forms
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding, doubts_of
@@ -196,7 +195,7 @@ def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool) -> _
     if AS_FOUND in inputs.states:
         as_found = inputs.states[AS_FOUND]
         control = control.in_state(as_found.state)
-        works = fit_all(works, control, as_found.state, job.file)
+        works = fit_all(works, control, job.file)
         works, tables, loaded = export(works, control, as_found, accept_worse=accept_worse)
         scaled = scaled_axes(job, circles, checks, control, as_found.state)
         findings += [entry.finding for entry in scaled]
@@ -395,12 +394,9 @@ def _known_results(out: Path) -> storage.Known:
 
 def _second_forms(finished: _Finished) -> tuple[ControlFile, ...]:
     planned = [work.planned for work in finished.works.values() if work.planned.fitted is not None]
-    return second_forms(
-        finished.control.definition,
+    return finished.control.format.sheets(
         [entry.fitted.compensation for entry in planned if entry.fitted is not None],
         [entry.axis for entry in planned],
-        finished.control.options,
-        finished.inputs.states[AS_FOUND].state,
     )
 
 

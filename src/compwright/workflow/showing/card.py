@@ -14,7 +14,6 @@ import numpy as np
 from compwright.documents.decode import assumed_documents
 from compwright.formats.card import (
     card_steps_of_all,
-    card_values,
     file_names,
     gantry_words,
     loading_order,
@@ -253,11 +252,7 @@ def _steps(
         facts = loaded.state.facts.get(axis.address, {}) if loaded else {}
         where = check_positions(work, correction_of(loaded, axis))
         values = (
-            card_values(
-                control.definition, axis, fitted.compensation, control.options, facts, where
-            )
-            if fitted
-            else {}
+            control.format.card_values(axis, fitted.compensation, facts, where) if fitted else {}
         )
         axes.append((axis, {**values, **_named_files(control, axis, loaded)}))
         if axis.gantry is not None and fitted and loaded and not tells:
@@ -265,9 +260,7 @@ def _steps(
                 axis, axis.gantry
             )  # the same table, on numbers and in files of its own
             facts = loaded.state.facts.get(axis.gantry, {})
-            values = card_values(
-                control.definition, partner, fitted.compensation, control.options, facts, where
-            )
+            values = control.format.card_values(partner, fitted.compensation, facts, where)
             sheet = (
                 axis.gantry
                 if control.definition.layout.shape == "user_tables"

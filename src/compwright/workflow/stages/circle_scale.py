@@ -14,7 +14,6 @@ import numpy as np
 
 from compwright.estimation.circle_model import SOFTEST_LOOP
 from compwright.fitting.fit import fit_table
-from compwright.formats.families.grid.capacity import capacity_for
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction
@@ -252,7 +251,7 @@ def _planned(entry: AxisJob, scale: Stated, control: Control, state: ControlStat
         axis.address, no_compensation(axis.address, axis.kind, axis.reference_return)
     )
     wanted = wanted_correction(estimate, active, axis, reversal_log_odds=0.0)
-    capacity = capacity_for(control.definition, axis, control.options, state)
+    capacity = control.format.capacity(axis)
     fitted = fit_table(wanted, capacity, entry.table, address=axis.address)
     return PlannedAxis(
         axis=axis,

@@ -14,16 +14,16 @@ from pathlib import Path
 import numpy as np
 
 from compwright.controllers.virtual import VirtualControl, virtual_control
+from compwright.formats.control_format import control_format
 from compwright.formats.definition.options import (
     DETECTION_UNIT,
     ENCODER_SYSTEM,
     TABLE_VALUES,
-    resolve_options,
 )
 from compwright.formats.definition.reading import definitions_from
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.grid.reading import read_state
+from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.reading import CEC_TABLES
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.foundations import storage
@@ -90,10 +90,23 @@ def origin_of(job: Job) -> Origin:
 class Control:
     """A control by its definition, with every option settled."""
 
-    definition: Definition
-    options: Mapping[str, object]
-    given: Mapping[str, object]
+    format: Family
     origin: Origin = COMMAND_LINE
+
+    @property
+    def definition(self) -> Definition:
+        """What is known about the control's files."""
+        return self.format.definition
+
+    @property
+    def options(self) -> Mapping[str, object]:
+        """Every option, settled."""
+        return self.format.options
+
+    @property
+    def given(self) -> Mapping[str, object]:
+        """The options that somebody gave."""
+        return self.format.given
 
     @property
     def id(self) -> str:
@@ -107,9 +120,7 @@ class Control:
         Raises UsageError where an option that was given contradicts the files.
         """
         try:
-            return replace(
-                self, options=resolve_options(self.definition, self.given, state, strict=True)
-            )
+            return replace(self, format=self.format.in_state(state, strict=True))
         except UsageError as error:
             raise self.origin.named(error) from error
 
@@ -160,10 +171,10 @@ def open_control(
         faults = (replace(fault, place=origin.format_place) for fault in error.faults)
         raise UsageError(*(fault.in_file(origin.file) for fault in faults)) from error
     try:
-        options = resolve_options(definition, given)
+        format_ = control_format(definition, dict(given))
     except UsageError as error:
         raise origin.named(error) from error
-    return Control(definition=definition, options=options, given=dict(given), origin=origin)
+    return Control(format=format_, origin=origin)
 
 
 @cache  # by content: a job is checked before it is done, and reading a definition takes a while
@@ -298,8 +309,8 @@ def decode(
         )
     activity = Activity(said=active, asking=asking)
     shown = not axes and "cec_sign" in control.options and control.options["cec_sign"] is None
-    options = {**control.options, "cec_sign": "correction"} if shown else control.options
-    state = read_state(control.definition, files, options, axes, address=address, activity=activity)
+    reading = control.format.with_options(cec_sign="correction") if shown else control.format
+    state = reading.read(files, axes, address=address, activity=activity)
     state = _with_sign_unknown(state) if shown else state
     if asking or not axes:
         _check_meaning(control, state, axes)
@@ -320,7 +331,7 @@ def decode(
         modulo={address: axis.modulo for address, axis in named if axis.modulo is not None},
         reference={address: axis.reference for address, axis in named},
         axis_options={address: axis.options for address, axis in named},
-        options={**options, **({"axis": alone} if alone is not None else {})},
+        options={**reading.options, **({"axis": alone} if alone is not None else {})},
         asked=tuple(state.axes),
     )
     raise_all(CompwrightError if written else InputError, _disagreements(state, judge))

@@ -13,8 +13,6 @@ from compwright.evaluation.agreement import disagreeing_test
 from compwright.evaluation.standards import evaluate
 from compwright.fitting.beyond import beyond_limits
 from compwright.fitting.fit import fit_table
-from compwright.formats.families.grid.capacity import capacity_for
-from compwright.formats.writing import write_tables
 from compwright.foundations.errors import (
     CapacityError,
     CompwrightError,
@@ -28,7 +26,6 @@ from compwright.records.capacity import Capacity
 from compwright.records.correction import (
     AxisCompensation,
     ControlFile,
-    ControlState,
     no_compensation,
 )
 from compwright.records.estimate import WantedCorrection
@@ -204,9 +201,7 @@ def correction_of(decoded: DecodedState | None, axis: Axis) -> Correction:
     return correction
 
 
-def fit_all(
-    works: Mapping[str, AxisWork], control: Control, state: ControlState, job_file: str
-) -> dict[str, AxisWork]:
+def fit_all(works: Mapping[str, AxisWork], control: Control, job_file: str) -> dict[str, AxisWork]:
     """Fit every axis under the limits of the control. Raises CapacityError with the faults of all
     axes.
     """
@@ -216,9 +211,7 @@ def fit_all(
     for name, work in works.items():
         try:
             one_curve = work.planned.request.mode == "single"
-            capacities[name] = capacity_for(
-                control.definition, work.planned.axis, control.options, state, one_curve=one_curve
-            )
+            capacities[name] = control.format.capacity(work.planned.axis, one_curve=one_curve)
         except CapacityError as error:
             errors.append(
                 CapacityError(
@@ -314,9 +307,7 @@ def write_fitted(
     axes = [axis for axis, _ in fitted]
     compensations = [table.compensation for _, table in fitted]
     try:
-        files = write_tables(
-            control.definition, compensations, axes, control.options, as_found.state, as_found.files
-        )
+        files = control.format.write(compensations, axes, as_found.files)
     except UsageError as error:  # an option that the control's files do not answer
         named = all(fault.place in control.definition.options for fault in error.faults)
         raise (control.origin.named(error) if named else error) from error

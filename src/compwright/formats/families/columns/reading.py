@@ -17,7 +17,6 @@ from compwright.formats.definition.options import (
     REFERENCE,
     REFERENCE_RETURN,
     TABLE_VALUES,
-    resolve_options,
 )
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.activity import Activity
@@ -30,7 +29,6 @@ from compwright.formats.families.columns.sources import (
 )
 from compwright.formats.families.columns.text import POSITION, SECOND, is_number
 from compwright.formats.families.columns.values import TableValues
-from compwright.formats.families.grid.axis_reading import Fact
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.gathering import Found, same_value
 from compwright.formats.text.notes import Notes
@@ -42,6 +40,7 @@ from compwright.records.correction import (
     ControlFile,
     ControlState,
     CrossCompensation,
+    Fact,
 )
 
 
@@ -54,7 +53,7 @@ def read_user_tables(
     address: str | None = None,
     activity: Activity = Activity(),  # noqa: B008 - frozen
 ) -> ControlState:
-    """Return what a control does with ``files``; arguments and errors as `reading.read_state`.
+    """Return what a control does with ``files``; arguments and errors as `Family.read`.
 
     ``facts`` hold, for every axis of the result: ``enabled`` (its table acts), ``own_column`` and
     ``second_column`` (its own table among the files has a column for it, and one for travel in -).
@@ -63,9 +62,7 @@ def read_user_tables(
         raise UsageError(
             "no file of the control was given; expected its own files, or the state `none`"
         )
-    return _StateReader(
-        definition, files, resolve_options(definition, options), axes, address, activity
-    ).read()
+    return _StateReader(definition, files, options, axes, address, activity).read()
 
 
 class _StateReader:

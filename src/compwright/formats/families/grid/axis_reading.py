@@ -16,7 +16,8 @@ from compwright.formats.definition.options import ENCODER_SYSTEM, REFERENCE, REF
 from compwright.formats.definition.schema import Binding, Choice, Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.grid.systems import SystemChoice
-from compwright.formats.families.grid.tables import SAME_TURN, Table, TableSource, read_table
+from compwright.formats.families.grid.tables import Table, TableSource, read_table
+from compwright.formats.families.limits import SAME_TURN
 from compwright.formats.text.gathering import Found, Gathered, first_set, same_value, the_one
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import Scale, in_range
@@ -24,9 +25,7 @@ from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import Axis, AxisKind, Direction
-from compwright.records.correction import AxisCompensation
-
-Fact = float | int | str | bool
+from compwright.records.correction import AxisCompensation, Fact
 
 
 @dataclass(frozen=True, slots=True)

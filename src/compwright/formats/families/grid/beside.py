@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from decimal import Decimal
 
-from compwright.formats.families.grid.axis_reading import Fact
 from compwright.formats.text.gathering import Found, Gathered
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import Axis, AxisKind
+from compwright.records.correction import Fact
 
 #: Where the range of a modulo axis begins when no file says it, deg.
 MODULO_START = 0.0

@@ -7,13 +7,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from compwright.formats.definition.consistency import curves, grid
-from compwright.formats.definition.options import axis_options, resolve_options, settled_number
+from compwright.formats.definition.options import settled_number
 from compwright.formats.definition.schema import Choice, Definition, OptionValue
-from compwright.formats.families.columns.capacity import user_tables_capacity
 from compwright.formats.families.grid.beside import MODULO_START, RANGE_START, RANGE_START_SAID
 from compwright.formats.families.grid.turns import RANGE_QUANTITY, spacings_from
-from compwright.formats.families.increments.capacity import increments_capacity
-from compwright.formats.families.pairs.capacity import cec_available, with_cec
 from compwright.formats.text.addresses import normal_address
 from compwright.formats.text.scale import Scale
 from compwright.records.axis import Axis, AxisKind
@@ -44,37 +41,20 @@ def written_text(binding: Choice, options: Mapping[str, object]) -> str:
     )
 
 
-def capacity_for(
-    definition: Definition,
-    axis: Axis,
-    options: Mapping[str, object],
-    state: ControlState | None,
-    *,
-    one_curve: bool = False,
+def grid_capacity(
+    definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None
 ) -> Capacity:
-    """Return the limits of one axis' table in mm or deg.
-
-    ``one_curve``: the job asks for one table and a backlash value, even where the control could
-    hold a pair. Where the control's own files (``state``) answer an option, their answer counts.
-    Raises UsageError for a wrong option, a value that contradicts the files, or an address that the
-    control cannot have.
-    """
-    resolved = resolve_options(definition, options, state)
-    if definition.layout.shape == "section_increments":
-        return increments_capacity(definition, axis, resolved, state)
-    if definition.layout.shape == "user_tables":
-        return user_tables_capacity(definition, axis, resolved, state)
-    resolved = axis_options(definition, resolved, axis)
+    """Return the limits of one axis' own table in mm or deg; ``options``: those of the axis."""
     address, assumption = normal_address(definition, axis)
     assumed = [assumption] if assumption is not None else []
-    scale = scale_for_writing(definition, axis, resolved)
+    scale = scale_for_writing(definition, axis, options)
     facts = state.facts.get(address, {}) if state is not None else {}
     assumed += _turn_unsaid(definition, axis, facts)
     value, node = curves(definition)[0], grid(definition)[0]
     beside = (
         "backlash" in definition.bindings and definition.limit("no_backlash_beside_table") is None
     )
-    capacity = Capacity(
+    return Capacity(
         format=definition.id,
         curves=1 if definition.layout.pairing == "none" else 2,
         spacing="equidistant" if definition.layout.shape == "values_by_index" else "free",
@@ -84,7 +64,7 @@ def capacity_for(
         backlash_quantum=scale.quantum("backlash") if beside else None,
         backlash_range=scale.range("backlash") if beside else (0.0, 0.0),
         min_points=definition.limit_number("min_points") or 1,
-        max_points=_max_points(definition, axis, resolved, facts.get("max_points"), assumed),
+        max_points=_max_points(definition, axis, options, facts.get("max_points"), assumed),
         below=definition.layout.below,
         above=definition.layout.above,
         most_points=definition.limit_number("max_points"),
@@ -92,9 +72,6 @@ def capacity_for(
         spacings=_spacings(definition, axis, scale.quantum(node), facts),
         assumed=tuple(assumed),
     )
-    if one_curve or not cec_available(definition, resolved):
-        return capacity
-    return with_cec(definition, axis, resolved, state, capacity)
 
 
 def _period(definition: Definition, axis: Axis) -> float | None:

@@ -16,17 +16,14 @@ from compwright.formats.definition.options import (
     REFERENCE,
     REFERENCE_RETURN,
     axis_options,
-    resolve_options,
 )
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.definition.statements import field_matches
 from compwright.formats.families.activity import Activity
-from compwright.formats.families.columns.reading import read_user_tables
 from compwright.formats.families.gantry import find_partners, partner_of
-from compwright.formats.families.grid.axis_reading import AxisReader, Fact
+from compwright.formats.families.grid.axis_reading import AxisReader
 from compwright.formats.families.grid.beside import beside, check_unit
-from compwright.formats.families.grid.tables import SAME_TURN
-from compwright.formats.families.increments.reading import read_increments
+from compwright.formats.families.limits import SAME_TURN
 from compwright.formats.families.pairs.reading import CEC_UNTOLD, read_cec, sign_question
 from compwright.formats.families.pairs.sums import check_sums, cross_tables, with_own_tables
 from compwright.formats.families.travel_limits import check_limits
@@ -36,40 +33,22 @@ from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import ReadText, TextReader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState, Fact
 
 #: What corrects an axis, or switches that on, where it is not zero.
 _ACTING = ("backlash", "enabled", "cross_axis_enabled", "dynamic_backlash", "temperature_slope")
 
 
-def read_state(
+def read_grid(
     definition: Definition,
-    files: Sequence[ControlFile],
     options: Mapping[str, object],
-    axes: Sequence[Axis] = (),
-    *,
-    address: str | None = None,
-    activity: Activity = Activity(),  # noqa: B008 - frozen
+    files: Sequence[ControlFile],
+    axes: Sequence[Axis],
+    address: str | None,
+    activity: Activity,
 ) -> ControlState:
-    """Return what a control does with ``files``.
-
-    ``axes`` (where a job knows them) give kind, measuring system and direction of the reference
-    return, and limit the reading to these axes; otherwise every axis in the files is read, or only
-    ``address``, and the options ``reference`` and ``reference_return`` are listed in ``assumed``.
-    ``activity``: what a job says of whether the tables acted. The axes of the result stand under
-    the address as `normal_address` gives it. Raises InputError with every fault that was found
-    (file and line), UsageError for a wrong option or address, and for what only the user can
-    answer.
-    """
-    if definition.layout.shape == "section_increments":
-        return read_increments(definition, files, options, axes, address=address)
-    if definition.layout.shape == "user_tables":
-        return read_user_tables(
-            definition, files, options, axes, address=address, activity=activity
-        )
-    return _StateReader(
-        definition, resolve_options(definition, options), axes, address, activity
-    ).read(files)
+    """Return what a control does with ``files``; arguments and errors as `Family.read`."""
+    return _StateReader(definition, options, axes, address, activity).read(files)
 
 
 class _StateReader:

@@ -21,8 +21,6 @@ from compwright.records.correction import AxisCompensation
 
 #: How far (MAX - MIN) / STEP may be from a whole number when a file is read.
 WHOLE_STEPS = Decimal("1e-6")
-#: How far period and modulo of an endless axis may be apart, deg: less than any control resolves.
-SAME_TURN = 1e-6
 
 
 @dataclass(slots=True)

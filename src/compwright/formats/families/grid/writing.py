@@ -18,8 +18,9 @@ from compwright.formats.definition.schema import Choice, Definition, When, Writt
 from compwright.formats.definition.statements import Occurrence, print_form
 from compwright.formats.families.grid.beside import MODULO_START, RANGE_START
 from compwright.formats.families.grid.capacity import scale_for_writing, written_text
-from compwright.formats.families.grid.tables import SAME_TURN, WrittenTable, write_table
+from compwright.formats.families.grid.tables import WrittenTable, write_table
 from compwright.formats.families.grid.turns import RANGE_QUANTITY, in_range_of
+from compwright.formats.families.limits import SAME_TURN
 from compwright.formats.families.pairs.capacity import cec_available
 from compwright.formats.families.pairs.writing import CecWriter, word_text
 from compwright.formats.text.gathering import Found, first_set

@@ -17,7 +17,6 @@ from compwright.formats.definition.options import (
     axis_options,
 )
 from compwright.formats.definition.schema import Choice, Definition
-from compwright.formats.families.grid.axis_reading import Fact
 from compwright.formats.families.increments import acting
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.parameters import Parameters
@@ -28,7 +27,7 @@ from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import Scale
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
-from compwright.records.correction import AxisCompensation, Interpolation
+from compwright.records.correction import AxisCompensation, Fact, Interpolation
 
 #: Quantities that say where an axis' table lies.
 GRID = ("reference_number", "first_number", "last_number", "magnification", "table_spacing")

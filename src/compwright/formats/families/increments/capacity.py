@@ -6,7 +6,6 @@ from collections.abc import Mapping
 
 from compwright.formats.definition.options import axis_options
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.grid.axis_reading import Fact
 from compwright.formats.families.increments.axis import increment_limit
 from compwright.formats.families.increments.entries import OFFSETS, first_point, length_step
 from compwright.formats.families.increments.numbering import longest_gap
@@ -16,7 +15,7 @@ from compwright.formats.text.scale import Scale
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity, Lattice
-from compwright.records.correction import Assumption, ControlState
+from compwright.records.correction import Assumption, ControlState, Fact
 
 #: A table has two sections or more.
 MIN_SECTIONS = 2

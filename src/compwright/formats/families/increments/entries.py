@@ -12,14 +12,13 @@ import numpy as np
 
 from compwright.formats.definition.options import axis_options
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.grid.axis_reading import Fact
 from compwright.formats.families.increments.axis import increment_limit, thousandths
 from compwright.formats.families.increments.numbering import NoRoom, Place, find_place
 from compwright.formats.families.increments.reading import claimed_numbers, used_numbers
 from compwright.formats.text.scale import NotHeld, Scale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
-from compwright.records.correction import AxisCompensation, ControlState
+from compwright.records.correction import AxisCompensation, ControlState, Fact
 
 #: How far a node may be from its place on the grid, in spacings: arithmetic dust, not a wrong grid.
 _ON_GRID = 1e-6

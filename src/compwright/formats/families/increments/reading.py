@@ -15,10 +15,8 @@ from compwright.formats.definition.options import (
     DETECTION_UNIT,
     REFERENCE,
     REFERENCE_RETURN,
-    resolve_options,
 )
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.grid.axis_reading import Fact
 from compwright.formats.families.increments.acting import pointed_numbers, refusals
 from compwright.formats.families.increments.axis import GRID, IncrementReader
 from compwright.formats.families.increments.parameters import Parameters
@@ -31,7 +29,7 @@ from compwright.formats.text.texts import ReadText, TextReader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState, Fact
 
 #: What makes an axis one that the files say something of: its limits, name and kind alone do not.
 _COMPENSATION = (*GRID, "turn", "negative_first", "negative_offset", "bidirectional", "backlash")
@@ -45,12 +43,11 @@ def read_increments(
     *,
     address: str | None = None,
 ) -> ControlState:
-    """Return what a control does with ``files``; arguments and errors as `reading.read_state`.
+    """Return what a control does with ``files``; arguments and errors as `Family.read`.
 
     ``facts`` hold, for every axis that the files name, its numbers (``first_number``,
     ``last_number``, ...) and what else they say.
     """
-    resolved = resolve_options(definition, options)
     notes = Notes()
     texts = read_texts(definition, files, notes.faults)
     raise_all(InputError, notes.faults)
@@ -76,7 +73,7 @@ def read_increments(
             parameters,
             one,
             wanted.get(one),
-            resolved,
+            options,
             own,
             asked=asked,
         )
@@ -90,12 +87,12 @@ def read_increments(
     _check_partners(axes, facts, parameters, notes)
     raise_all(InputError, notes.faults)
     _overlaps(facts, definition.limit_number("max_number") or 0, notes)
-    unknown = _unknown(points, definition.limit_number("max_number") or 0, resolved, axes)
+    unknown = _unknown(points, definition.limit_number("max_number") or 0, options, axes)
     if unknown:
         facts = {one: {**said, "unread_numbers": _spans(unknown)} for one, said in facts.items()}
     if any(axis is None for axis in wanted.values()) or not wanted:
-        notes.assume(REFERENCE, f"{resolved[REFERENCE]:g}", "option or its default")
-        notes.assume(REFERENCE_RETURN, str(resolved[REFERENCE_RETURN]), "option or its default")
+        notes.assume(REFERENCE, f"{options[REFERENCE]:g}", "option or its default")
+        notes.assume(REFERENCE_RETURN, str(options[REFERENCE_RETURN]), "option or its default")
     return ControlState(
         format=definition.id,
         axes=compensations,

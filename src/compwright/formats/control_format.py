@@ -1,0 +1,36 @@
+"""The one door to a control: its definition, its options and what its files say, bound once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from compwright.formats.definition.schema import Definition, Shape
+from compwright.formats.families.columns.family import ColumnsFamily
+from compwright.formats.families.family import Family
+from compwright.formats.families.grid.family import GridFamily
+from compwright.formats.families.increments.family import IncrementsFamily
+from compwright.records.correction import ControlState
+
+_FAMILIES: Mapping[Shape, type[Family]] = {
+    "values_by_index": GridFamily,
+    "rows_by_position": GridFamily,
+    "section_increments": IncrementsFamily,
+    "user_tables": ColumnsFamily,
+}
+
+
+def control_format(
+    definition: Definition,
+    given: Mapping[str, object],
+    state: ControlState | None = None,
+    *,
+    strict: bool = False,
+) -> Family:
+    """Return the control of a definition, its options settled.
+
+    ``given`` may hold text from the command line; with a ``state``, an option that the control's
+    own files answer takes that answer. ``strict``: every option of ``given`` was said by somebody.
+    Raises UsageError with every fault: unknown option, a value of the wrong kind, one that
+    contradicts the control's files.
+    """
+    return _FAMILIES[definition.layout.shape](definition, given, state, strict=strict)

@@ -1,0 +1,87 @@
+"""Columns in tables of the user's own making, which come out of the control and go back into it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from copy import copy
+from typing import Self
+
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.card_words import table_values
+from compwright.formats.families.columns.capacity import (
+    broken_limits,
+    user_card_values,
+    user_tables_capacity,
+)
+from compwright.formats.families.columns.reading import read_user_tables
+from compwright.formats.families.columns.writing import write_user_tables
+from compwright.formats.families.family import AxisTable, Family
+from compwright.formats.families.grid.capacity import scale_for_writing
+from compwright.foundations.errors import CapacityError, Fault, raise_all
+from compwright.records.axis import Axis, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState, Fact
+
+
+class ColumnsFamily(Family):
+    """Columns in the user's own tables."""
+
+    def read(
+        self,
+        files: Sequence[ControlFile],
+        axes: Sequence[Axis] = (),
+        *,
+        address: str | None = None,
+        activity: Activity = Activity(),  # noqa: B008 - frozen
+    ) -> ControlState:
+        """See `Family.read`."""
+        return read_user_tables(
+            self.definition, files, self.options, axes, address=address, activity=activity
+        )
+
+    def bound_to(self, files: Sequence[ControlFile], axes: Sequence[Axis]) -> Self:
+        """Return the control whose limits are those of ``files``: what they hold is the limit,
+        whatever was known before.
+        """
+        if not files:
+            return self
+        bound = copy(self)
+        bound.state = self.read(files, axes)
+        return bound
+
+    def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
+        """See `Family.capacity`."""
+        del one_curve
+        return user_tables_capacity(self.definition, axis, self.options, self.state)
+
+    def own_limits(
+        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity
+    ) -> Sequence[Fault]:
+        """Return what breaks the limits of a column and of the linear error."""
+        return tuple(broken_limits(self.definition, axis, compensation, capacity))
+
+    def files_of(
+        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    ) -> tuple[ControlFile, ...]:
+        """See `Family.files_of`."""
+        raise_all(CapacityError, faults)
+        return write_user_tables(self.definition, tables, self.options, files)
+
+    def card_values(
+        self,
+        axis: Axis,
+        compensation: AxisCompensation,
+        facts: Mapping[str, Fact],
+        check_at: FloatArray,
+    ) -> dict[str, str]:
+        """See `Family.card_values`."""
+        del facts, check_at
+        scale = scale_for_writing(self.definition, axis, self.options)
+        values = table_values(self.definition, scale, compensation)
+        return values | user_card_values(self.definition, axis, compensation, self.options)
+
+    def sheets(
+        self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
+    ) -> tuple[ControlFile, ...]:
+        """See `Family.sheets`: what is written without any file of the user's own."""
+        return self.write(compensations, axes)

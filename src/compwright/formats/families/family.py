@@ -1,0 +1,257 @@
+"""What every family of controls answers: one protocol, bound to a definition, its options and what
+the control's own files say.
+
+A family is a shape of compensation data (a grid, whole steps by section, columns in the user's own
+tables), never a maker. The single controls differ by their definitions.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Self
+
+from compwright.formats.definition.options import axis_options, resolve_options
+from compwright.formats.definition.schema import Definition
+from compwright.formats.families import limits
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.gantry import partner_of
+from compwright.formats.text.addresses import normal_address, normal_text
+from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
+from compwright.records.axis import Axis, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import (
+    Assumption,
+    AxisCompensation,
+    ControlFile,
+    ControlState,
+    Fact,
+)
+
+#: Address, axis and table: what is written for one axis.
+AxisTable = tuple[str, Axis, AxisCompensation]
+
+
+class Family(ABC):
+    """One control's compensation. ``state``: what its own files said; None before they are read.
+
+    Raises UsageError for a wrong option, or one that contradicts the control's files.
+    """
+
+    def __init__(
+        self,
+        definition: Definition,
+        given: Mapping[str, object],
+        state: ControlState | None = None,
+        *,
+        strict: bool = False,
+    ) -> None:
+        self.definition = definition
+        self.given = given
+        self.state = state
+        self.options = resolve_options(definition, given, state, strict=strict)
+
+    def in_state(self, state: ControlState | None, *, strict: bool = False) -> Self:
+        """Return the control with the options that its own files answer taken from them.
+
+        ``strict``: every option was given by somebody, not taken from defaults. Raises UsageError
+        where an option that was given contradicts the files.
+        """
+        return type(self)(self.definition, self.given, state, strict=strict)
+
+    def with_options(self, **options: object) -> Self:
+        """Return the control with some of its settled options set otherwise."""
+        return type(self)(self.definition, {**self.options, **options})
+
+    def address(self, axis: Axis) -> tuple[str, Assumption | None]:
+        """Return how the control names an axis, and what had to be assumed for that.
+
+        Raises UsageError for an address that the control cannot have.
+        """
+        return normal_address(self.definition, axis)
+
+    def options_of(self, axis: Axis) -> Mapping[str, object]:
+        """Return the options of an axis: its own over the controller's. Raises UsageError."""
+        return axis_options(self.definition, self.options, axis)
+
+    @abstractmethod
+    def read(
+        self,
+        files: Sequence[ControlFile],
+        axes: Sequence[Axis] = (),
+        *,
+        address: str | None = None,
+        activity: Activity = Activity(),  # noqa: B008 - frozen
+    ) -> ControlState:
+        """Return what a control does with ``files``.
+
+        ``axes`` (where a job knows them) give kind, measuring system and direction of the reference
+        return, and limit the reading to these axes; otherwise every axis in the files is read, or
+        only ``address``, and the options ``reference`` and ``reference_return`` are listed in
+        ``assumed``. ``activity``: what a job says of whether the tables acted. The axes of the
+        result stand under the address as `Family.address` gives it. Raises InputError with every
+        fault that was found (file and line), UsageError for a wrong option or address, and for what
+        only the user can answer.
+        """
+
+    @abstractmethod
+    def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
+        """Return the limits of one axis' table in mm or deg.
+
+        ``one_curve``: the job asks for one table and a backlash value, even where the control could
+        hold a pair. What the control's own files answer counts. Raises UsageError for an address
+        that the control cannot have, CapacityError where it can hold nothing.
+        """
+
+    @abstractmethod
+    def files_of(
+        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    ) -> tuple[ControlFile, ...]:
+        """Return the files that put ``tables`` into the control; ``files``: its own, patched.
+
+        ``faults``: the limits that the tables break. Raises CapacityError with them and with what
+        the text cannot say exactly.
+        """
+
+    @abstractmethod
+    def card_values(
+        self,
+        axis: Axis,
+        compensation: AxisCompensation,
+        facts: Mapping[str, Fact],
+        check_at: FloatArray,
+    ) -> dict[str, str]:
+        """Return what the card says about a table, by field of its texts: points, start, end,
+        spacing and backlash in the control's unit, numbers, the check of the sign.
+
+        ``facts``: what the files that hold the table say of the axis. ``check_at``: positions at
+        which the axis can be measured, mm or deg, ascending.
+        """
+
+    def sheets(
+        self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
+    ) -> tuple[ControlFile, ...]:
+        """Return second forms of compensations that were written already: sheets to type in,
+        programs that enter the same values. ``compensations`` belong to ``axes`` one by one.
+        """
+        del compensations, axes
+        return ()
+
+    def write(
+        self,
+        compensations: Sequence[AxisCompensation],
+        axes: Sequence[Axis],
+        files: Sequence[ControlFile] = (),
+    ) -> tuple[ControlFile, ...]:
+        """Return exactly the files that put ``compensations`` into the control, in the order of the
+        axes.
+
+        ``axes`` holds the axis of every compensation. ``files``: the control's own, to be patched.
+        Same input, same bytes: no dates, no order by chance. Raises UsageError for a compensation
+        without an axis, CapacityError with everything that the control cannot hold exactly: all
+        limits are checked here again, whatever was checked before.
+        """
+        pairs = self._pairs(compensations, axes)
+        bound = self.bound_to(files, [axis for _, axis, _ in pairs])
+        pairs = bound.with_partners(pairs)
+        faults = [
+            fault for _, axis, compensation in pairs for fault in bound.limits(axis, compensation)
+        ]
+        return bound.files_of(pairs, files, list(dict.fromkeys(faults)))
+
+    def bound_to(self, files: Sequence[ControlFile], axes: Sequence[Axis]) -> Self:
+        """Return the control whose limits are those of ``files``; itself where they set none."""
+        del files, axes
+        return self
+
+    def limits(self, axis: Axis, compensation: AxisCompensation) -> tuple[Fault, ...]:
+        """Return what keeps the control from holding a compensation, apart from single values that
+        are not exact.
+
+        Names the limit, by how much it is broken and what would help.
+        """
+        label = f"axis {axis.name} ({compensation.address})"
+        unsound = limits.unsound(compensation)
+        if unsound:
+            return (Fault(message=f"{label}: {unsound}"),)
+        try:
+            capacity = self.capacity_of(axis, compensation)
+        except CapacityError as error:
+            return error.faults
+        return (
+            *limits.size(self.definition, capacity, compensation, label),
+            *limits.curves(capacity, compensation, label),
+            *self.limits_of_turn(axis, compensation, capacity, label),
+            *limits.spacing(capacity, compensation, label),
+            *limits.kind(axis, compensation, label),
+            *self.own_limits(axis, compensation, capacity),
+            *limits.ends(self.definition, compensation, label),
+        )
+
+    def capacity_of(self, axis: Axis, compensation: AxisCompensation) -> Capacity:
+        """Return the limits of the place where this table goes."""
+        del compensation
+        return self.capacity(axis)
+
+    def limits_of_turn(
+        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
+    ) -> Sequence[Fault]:
+        """Return what is wrong with the table of an endless axis."""
+        del compensation, capacity
+        if axis.modulo is None or self.definition.limit("no_endless_axis") is None:
+            return ()
+        why = f"{label}: the control's table does not repeat, so an endless axis cannot have one"
+        found = f"modulo {axis.modulo:g}"
+        return (Fault(message=why, expected="an axis with ends", found=found),)
+
+    def own_limits(
+        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity
+    ) -> Sequence[Fault]:
+        """Return what breaks limits that only this family has."""
+        del axis, compensation, capacity
+        return ()
+
+    def with_partners(self, pairs: Sequence[AxisTable]) -> list[AxisTable]:
+        """Return the tables with those of gantry partners, which are the same: on one axis alone a
+        table racks the bridge.
+        """
+        result = {address: (address, axis, compensation) for address, axis, compensation in pairs}
+        for _, axis, compensation in pairs:
+            if axis.gantry is not None:
+                partner = normal_text(self.definition, axis.gantry)
+                table = replace(compensation, address=partner)
+                result.setdefault(partner, (partner, partner_of(axis, partner), table))
+        return list(result.values())
+
+    def _pairs(
+        self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
+    ) -> list[AxisTable]:
+        by_address = {self.address(axis)[0]: axis for axis in axes}
+        faults = []
+        pairs: dict[str, AxisTable] = {}
+        for compensation in compensations:
+            found = next((axis for axis in axes if axis.address == compensation.address), None)
+            address = (
+                self.address(found)[0]
+                if found is not None
+                else normal_text(self.definition, compensation.address)
+            )
+            if address not in by_address:
+                faults.append(
+                    Fault(
+                        message=f"no axis has the address {compensation.address}",
+                        expected=", ".join(by_address),
+                    )
+                )
+            elif address in pairs:
+                faults.append(Fault(message=f"axis {address} has two tables"))
+            else:
+                pairs[address] = (address, by_address[address], compensation)
+        raise_all(UsageError, faults)
+        return list(pairs.values())
+
+
+def sound(tables: Sequence[AxisTable]) -> list[AxisTable]:
+    """Return the tables that can be written at all: two points and more, finite, ascending."""
+    return [each for each in tables if each[2].positions.size >= 2 and not limits.unsound(each[2])]

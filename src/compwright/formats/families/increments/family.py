@@ -1,0 +1,71 @@
+"""Whole steps by section, in one array of points that all axes share."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.card_words import sign_check
+from compwright.formats.families.family import AxisTable, Family, sound
+from compwright.formats.families.increments.capacity import increments_capacity
+from compwright.formats.families.increments.card import increment_values
+from compwright.formats.families.increments.reading import read_increments
+from compwright.formats.families.increments.sheets import increment_sheets
+from compwright.formats.families.increments.writing import write_increments
+from compwright.foundations.errors import CapacityError, Fault, raise_all
+from compwright.records.axis import Axis, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState, Fact
+
+
+class IncrementsFamily(Family):
+    """Whole steps by section."""
+
+    def read(
+        self,
+        files: Sequence[ControlFile],
+        axes: Sequence[Axis] = (),
+        *,
+        address: str | None = None,
+        activity: Activity = Activity(),  # noqa: B008 - frozen
+    ) -> ControlState:
+        """See `Family.read`. No file of these controls switches a table off."""
+        del activity
+        return read_increments(self.definition, files, self.options, axes, address=address)
+
+    def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
+        """See `Family.capacity`."""
+        del one_curve
+        return increments_capacity(self.definition, axis, self.options, self.state)
+
+    def files_of(
+        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    ) -> tuple[ControlFile, ...]:
+        """See `Family.files_of`."""
+        raise_all(CapacityError, faults)
+        return write_increments(self.definition, sound(tables), self.options, self.state, files)
+
+    def card_values(
+        self,
+        axis: Axis,
+        compensation: AxisCompensation,
+        facts: Mapping[str, Fact],
+        check_at: FloatArray,
+    ) -> dict[str, str]:
+        """See `Family.card_values`."""
+        own = self.options_of(axis)
+        values = increment_values(axis, compensation, self.definition, own, facts)
+        return values | sign_check(compensation, check_at)
+
+    def sheets(
+        self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]
+    ) -> tuple[ControlFile, ...]:
+        """See `Family.sheets`. Raises UsageError for a program that an inch machine would take
+        otherwise.
+        """
+        own = [
+            (self.address(axis)[0], axis, table)
+            for axis, table in zip(axes, compensations, strict=True)
+        ]
+        pairs = self.with_partners(own)
+        return increment_sheets(self.definition, own, pairs, self.options, self.state)

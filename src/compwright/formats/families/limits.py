@@ -1,0 +1,164 @@
+"""What no control can hold, whatever its family: wrong numbers, too many points, the wrong ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from compwright.formats.definition.schema import Definition
+from compwright.foundations.errors import Fault
+from compwright.records.axis import Axis
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation
+
+#: How far period and modulo of an endless axis may be apart, deg: less than any control resolves.
+SAME_TURN = 1e-6
+
+
+def unsound(compensation: AxisCompensation) -> str:
+    """Return what makes a table no table at all, in words; empty for a sound one."""
+    positions = compensation.positions
+    if (
+        not positions.shape == compensation.positive.shape == compensation.negative.shape
+        or positions.ndim != 1
+    ):
+        return "positions and values have different lengths"
+    numbers = np.concatenate(
+        [positions, compensation.positive, compensation.negative, [compensation.backlash]]
+    )
+    if not np.all(np.isfinite(numbers)):
+        return "a value is not a finite number"
+    if np.any(np.diff(positions) <= 0):
+        return "the positions do not ascend"
+    return ""
+
+
+def size(
+    definition: Definition, capacity: Capacity, compensation: AxisCompensation, label: str
+) -> list[Fault]:
+    """Return a fault for too few and for too many points."""
+    count = compensation.positions.size
+    hard = definition.limit_number("max_points")
+    most = min((limit for limit in (capacity.max_points, hard) if limit is not None), default=None)
+    faults = []
+    if count < capacity.min_points:
+        faults.append(
+            Fault(
+                message=f"{label}: too few points",
+                expected=f"at least {capacity.min_points}",
+                found=str(count),
+            )
+        )
+    if most is not None and count > most:
+        message = f"{label}: too many points; a wider spacing would help"
+        faults.append(Fault(message=message, expected=f"at most {most}", found=str(count)))
+    return faults
+
+
+def curves(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
+    """Return a fault for two curves, or a backlash, that the control has no place for."""
+    faults = []
+    if capacity.curves == 1 and not np.array_equal(compensation.positive, compensation.negative):
+        message = (
+            f"{label}: the control holds one curve for both directions; put the reversal into the"
+            " backlash"
+        )
+        faults.append(Fault(message=message, expected="one curve", found="two different curves"))
+    if capacity.backlash_quantum is None and compensation.backlash != 0:
+        message = (
+            f"{label}: the control has no backlash value beside the table; put it into the two"
+            " curves"
+        )
+        faults.append(Fault(message=message, expected="0", found=f"{compensation.backlash:g}"))
+    return faults
+
+
+def turn(capacity: Capacity, compensation: AxisCompensation, label: str) -> list[Fault]:
+    """The table of an endless axis spans one turn and closes; another one does not repeat."""
+    period = capacity.period
+    if period is None:
+        if compensation.period is None:
+            return []
+        return [
+            Fault(
+                message=f"{label}: the table repeats, the axis does not",
+                expected="an axis with modulo",
+            )
+        ]
+    span = (
+        float(compensation.positions[-1] - compensation.positions[0])
+        if compensation.positions.size
+        else 0.0
+    )
+    faults = []
+    if (
+        compensation.period is None
+        or abs(compensation.period - period) > SAME_TURN
+        or abs(span - period) > SAME_TURN
+    ):
+        expected = f"a table that repeats, from end to end {period:g}"
+        faults.append(
+            Fault(
+                message=f"{label}: the axis is endless, its table not",
+                expected=expected,
+                found=f"{span:g}",
+            )
+        )
+    if span and any(
+        curve[0] != curve[-1] for curve in (compensation.positive, compensation.negative)
+    ):
+        faults.append(
+            Fault(
+                message=(
+                    f"{label}: the table of an endless axis must have the same value at both ends"
+                )
+            )
+        )
+    return faults
+
+
+def spacing(capacity: Capacity, compensation: AxisCompensation, label: str) -> Iterator[Fault]:
+    """Yield a fault for points that are closer than the control can hold."""
+    if compensation.positions.size > 1:
+        least = float(np.min(np.diff(compensation.positions)))
+        if least < capacity.min_spacing * (1 - 1e-9):
+            yield Fault(
+                message=f"{label}: the points are too close; {capacity.min_spacing_reason}",
+                expected=f"{capacity.min_spacing:g} {compensation.kind.unit} or more",
+                found=f"{least:g}",
+            )
+
+
+def ends(definition: Definition, compensation: AxisCompensation, label: str) -> list[Fault]:
+    """The table must mean the same outside its range as the control makes of it, or be zero at that
+    end.
+    """
+    faults: list[Fault] = []
+    if not compensation.positions.size:
+        return faults
+    for side, meant, made, node in (
+        ("below", compensation.below, definition.layout.below, 0),
+        ("above", compensation.above, definition.layout.above, -1),
+    ):
+        values = (compensation.positive[node], compensation.negative[node])
+        if meant != made and any(value != 0 for value in values):
+            faults.append(
+                Fault(
+                    message=(
+                        f"{label}: {side} the table the control does something else than was"
+                        " planned"
+                    ),
+                    expected=made,
+                    found=meant,
+                )
+            )
+    return faults
+
+
+def kind(axis: Axis, compensation: AxisCompensation, label: str) -> list[Fault]:
+    """Return a fault for a table in mm on an axis in degrees, or the other way round."""
+    if compensation.kind is axis.kind:
+        return []
+    message = f"{label}: the table and the axis differ in kind"
+    return [Fault(message=message, expected=axis.kind, found=compensation.kind)]
