@@ -19,7 +19,7 @@ from compwright.estimation.circle_noise import (
     inverse_cosine_transform,
     spectrum_of,
 )
-from compwright.estimation.circle_plain import plain_regression, shop_formulas
+from compwright.estimation.circle_plain import plain_regression
 from compwright.foundations.errors import InputError, UsageError
 from compwright.instruments.b5r import read_b5r
 from compwright.records.circular import CircularRun, CircularTest, Diagnosis
@@ -473,35 +473,6 @@ def test_scale_of_single_axes_needs_a_calibrated_bar_and_a_low_feed() -> None:
 
 
 # ---------------------------------------------------------------- simple formulas beside it
-
-
-def test_shop_formulas_are_right_for_squareness_and_scale_alone() -> None:
-    found = shop_formulas(measured(Machine(squareness=30.0, centre=(0.3, -0.2)), Setup()))
-    assert found["squareness"] == pytest.approx(30.0, abs=0.1)
-    found = shop_formulas(
-        measured(Machine(scale_error_first=20.0, scale_error_second=-20.0), Setup())
-    )
-    assert found["scale_mismatch"] == pytest.approx(
-        12.0 * np.cos(np.radians(10.0)), abs=0.02
-    )  # cos2θ, 5° beside its peak
-
-
-def test_shop_formulas_are_biased_by_unequal_lost_motion_and_the_fit_is_not() -> None:
-    machine = Machine(backlash_first_at_positive=10.0, backlash_first_at_negative=10.0)
-    single = shop_formulas(measured(machine, Setup(senses=("ccw",))))
-    # At 45° lost motion of the first axis is (b/2) cos45°, alike in sign at 225°, opposite at 135°
-    # and 315°.
-    assert single["squareness"] == pytest.approx(-1e3 * 4.0 * 5.0 * np.sqrt(0.5) / 300.0, abs=0.3)
-    both = measured(machine, Setup())
-    # 5° before 0° and 180° it is -(b/2) cos5°, 5° before 90° and 270° +(b/2) sin5°, in both
-    # directions.
-    bias = -10.0 * (np.cos(np.radians(5.0)) + np.sin(np.radians(5.0)))
-    assert shop_formulas(both)["scale_mismatch"] == pytest.approx(bias, abs=0.02)
-    effects = diagnose(both).effects
-    assert effects["scale_mismatch"].value == pytest.approx(0.0, abs=0.01)
-    assert effects["squareness"].value == pytest.approx(0.0, abs=0.05)
-    with pytest.raises(UsageError, match="full circle"):
-        shop_formulas(measured(machine, Setup(extent=220.0)))
 
 
 def test_plain_regression_finds_simple_machines() -> None:

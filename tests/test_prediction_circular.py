@@ -15,7 +15,7 @@ from compwright.evaluation.circular import evaluate_circle
 from compwright.prediction.circular import CirclePath, moved_test, path_of, predict_circle
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest
-from compwright.simulation.circular import CircleErrors, CirclePlan, simulate_circle
+from compwright.simulation.circular import CircleErrors, CirclePlan, record_circle
 
 CENTRE = (300.0, -120.0)
 
@@ -88,8 +88,8 @@ def test_the_change_of_tables_is_that_of_the_exact_machine(arc: tuple[float, flo
     plan = CirclePlan(radius=100.0, centre=CENTRE, arc=arc)
     errors = CircleErrors(squareness=60e-6, offset=(0.05, -0.03))
     before, after = (
-        simulate_circle(errors, plan),
-        simulate_circle(errors, plan, corrections=correction),
+        record_circle(errors, plan).test,
+        record_circle(errors, plan, corrections=correction).test,
     )
 
     def tables(path: CirclePath) -> FloatArray:

@@ -21,11 +21,11 @@ from compwright.foundations.errors import UsageError
 from compwright.reporting import plots, report
 from compwright.reporting.card import card_html, card_markdown
 from compwright.reporting.numbers import MISSING, decimals_of, number, plain
+from compwright.reporting.panels import known_format
 from compwright.reporting.plots import (
     before_after_plot,
     estimate_plot,
     evaluation_plot,
-    plot_format,
     positioning_plot,
     table_plot,
 )
@@ -341,13 +341,11 @@ def test_names_of_the_user_cannot_break_a_figure() -> None:
     ET.fromstring(svg.decode())  # noqa: S314  our own file
 
 
-def test_the_ending_of_a_name_chooses_the_format() -> None:
-    assert [plot_format(name) for name in ("a.svg", "b/c.PNG", "x.y.pdf")] == ["svg", "png", "pdf"]
-    for name in ("a.jpg", "noending", ""):
-        with pytest.raises(UsageError, match=r"\.svg, \.png or \.pdf"):
-            plot_format(name)
-    with pytest.raises(UsageError, match="unknown format of a plot"):
-        evaluation_plot({"results": [made_up()]}, format="bmp")
+def test_any_other_format_of_a_figure_is_refused_with_those_there_are() -> None:
+    assert [known_format(ending) for ending in (".svg", ".PNG", "pdf")] == ["svg", "png", "pdf"]
+    for ending in (".jpg", "", "bmp"):
+        with pytest.raises(UsageError, match=r"unknown format of a plot.*\.svg, \.png or \.pdf"):
+            evaluation_plot({"results": [made_up()]}, format=ending)
 
 
 @pytest.mark.parametrize("results", [[], [{"kind": "circular"}]])

@@ -29,7 +29,7 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.circular import CircularRun, CircularTest
 from compwright.records.correction import ControlFile
 from compwright.records.job import CircleRequest
-from compwright.simulation.circular import CircleAxis, CircleErrors, CirclePlan, simulate_circle
+from compwright.simulation.circular import CircleAxis, CircleErrors, CirclePlan, record_circle
 from compwright.simulation.circular_files import to_circular_csv
 from compwright.workflow.stages.circle_work import start_circle
 from loop import Floats, Machine, csv_of
@@ -222,9 +222,9 @@ def test_the_machine_here_is_that_of_the_simulator() -> None:
     errors = CircleErrors(
         first=CircleAxis(lag=machine.lag), squareness=machine.squareness, offset=(0.02, -0.01)
     )
-    theirs = simulate_circle(
+    theirs = record_circle(
         errors, CirclePlan(radius=RADIUS, feed=FEED, centre=CENTRE), corrections=along
-    )
+    ).test
     for mine, other in zip(machine.circle(0).runs, theirs.runs, strict=True):
         assert mine.sense == other.sense
         cos, sin = np.cos(np.radians(mine.angles)), np.sin(np.radians(mine.angles))

@@ -28,7 +28,6 @@ from compwright.simulation.circular import (
     CircleErrors,
     CirclePlan,
     record_circle,
-    simulate_circle,
 )
 from compwright.simulation.circular_files import to_b5r, to_circular_csv
 from compwright.simulation.reading import read_machine
@@ -146,7 +145,7 @@ FORMS: dict[str, tuple[CircleErrors, Form, float]] = {
 @pytest.mark.parametrize(("sense", "d"), [("ccw", 1.0), ("cw", -1.0)])
 def test_each_effect_is_its_first_order_form(name: str, sense: str, d: float) -> None:
     errors, form, tolerance = FORMS[name]
-    angles, deviations = trace(simulate_circle(errors, PLAN), sense)
+    angles, deviations = trace(record_circle(errors, PLAN).test, sense)
     assert np.abs(deviations - form(angles, d)).max() <= tolerance
     if tolerance > 1e-9:
         assert (
@@ -161,7 +160,7 @@ def test_unequal_gains_mix_into_both_harmonics() -> None:
     w = V / R
     errors = CircleErrors(first=CircleAxis(gain=20.0), second=CircleAxis(gain=25.0))
     for sense, d in (("ccw", 1.0), ("cw", -1.0)):
-        angles, deviations = trace(simulate_circle(errors, PLAN), sense)
+        angles, deviations = trace(record_circle(errors, PLAN).test, sense)
         x = (np.exp(1j * d * angles) / (1 + 1j * w / 20.0)).real
         y = (np.exp(1j * (d * angles - np.pi / 2)) / (1 + 1j * w / 25.0)).real * d
         assert np.abs(deviations - R * (np.sqrt(x * x + y * y) - 1)).max() < 1e-11
@@ -186,7 +185,7 @@ def test_lost_motion_steps_outward_at_the_reversals_in_both_senses(
     no step anywhere else.
     """
     plan = CirclePlan(radius=R, arc=(30.0, 360.0))
-    (run,) = simulate_circle(errors, plan).of("ccw" if sense == "ccw" else "cw")
+    (run,) = record_circle(errors, plan).test.of("ccw" if sense == "ccw" else "cw")
     steps = np.diff(run.deviations)
     between = 0.5 * (run.angles[1:] + run.angles[:-1]) % 360.0
     for angle, size in at.items():
@@ -200,7 +199,7 @@ def test_lost_motion_steps_outward_at_the_reversals_in_both_senses(
 def test_the_spike_points_outward_after_each_reversal_and_decays() -> None:
     errors = CircleErrors(first=CircleAxis(spike=0.004, spike_length=3.0))
     for sense, d in (("ccw", 1), ("cw", -1)):
-        angles, deviations = trace(simulate_circle(errors, PLAN), sense)
+        angles, deviations = trace(record_circle(errors, PLAN).test, sense)
         for reversal in (0.0, np.pi):
             along = R * np.mod(d * (angles - reversal), 2 * np.pi)
             near = along < 9.0  # mm of path after the reversal
@@ -215,10 +214,10 @@ def test_the_spike_points_outward_after_each_reversal_and_decays() -> None:
 def test_no_spike_of_a_reversal_before_the_motion_began() -> None:
     errors = CircleErrors(first=CircleAxis(spike=0.004, spike_length=50.0))
     plan = CirclePlan(radius=R, arc=(10.0, 100.0), overshoot=5.0)
-    angles, deviations = trace(simulate_circle(errors, plan), "ccw")
+    angles, deviations = trace(record_circle(errors, plan).test, "ccw")
     assert np.abs(deviations).max() < 1e-12
     through = CirclePlan(radius=R, arc=(10.0, 100.0), overshoot=15.0)
-    angles, deviations = trace(simulate_circle(errors, through), "ccw")
+    angles, deviations = trace(record_circle(errors, through).test, "ccw")
     assert deviations[0] == pytest.approx(
         0.004 * math.exp(-R * angles[0] / 50.0) * math.cos(angles[0]), abs=1e-6
     )
@@ -227,7 +226,7 @@ def test_no_spike_of_a_reversal_before_the_motion_began() -> None:
 def test_exact_geometry_where_first_order_is_wrong() -> None:
     """An offset of 0.5 mm on 50 mm: the circle seen from elsewhere, by the cosine rule."""
     plan = CirclePlan(radius=50.0)
-    angles, deviations = trace(simulate_circle(CircleErrors(offset=(0.3, 0.4)), plan), "ccw")
+    angles, deviations = trace(record_circle(CircleErrors(offset=(0.3, 0.4)), plan).test, "ccw")
     towards = math.atan2(0.4, 0.3)
     exact = np.sqrt(50.0**2 + 0.5**2 + 2 * 50.0 * 0.5 * np.cos(angles - towards)) - 50.0
     assert np.abs(deviations - exact).max() < 1e-11
@@ -245,8 +244,8 @@ def test_corrections_cancel_lost_motion_and_scale_with_any_lag() -> None:
         second=CircleAxis(lag=0.02),
     )
     plan = CirclePlan(radius=R, centre=(400.0, 250.0))
-    bare = simulate_circle(errors, plan)
-    corrected = simulate_circle(errors, plan, corrections=corrections)
+    bare = record_circle(errors, plan).test
+    corrected = record_circle(errors, plan, corrections=corrections).test
     assert max(np.abs(run.deviations).max() for run in bare.runs) > 5e-3
     # what is left: scale times the corrections, 50e-6 * 10 um
     assert max(np.abs(run.deviations).max() for run in corrected.runs) < 1e-6
@@ -263,7 +262,7 @@ def test_corrections_see_machine_positions_and_directions_of_motion() -> None:
             assert np.array_equal(moving[settled], direction[1:][settled])
         return np.zeros(positions.shape)
 
-    simulate_circle(
+    record_circle(
         CircleErrors(), CirclePlan(radius=R, centre=(400.0, -250.0)), corrections=corrections
     )
     for axis, centre in (("X", 400.0), ("Y", -250.0)):
@@ -275,7 +274,7 @@ def test_corrections_see_machine_positions_and_directions_of_motion() -> None:
 def test_noise_has_its_size_and_correlation_and_depends_on_the_seed_alone() -> None:
     plan = CirclePlan(radius=R, runs=20)
     errors = CircleErrors(noise=0.0003, correlated_noise=0.0005, correlation=0.9)
-    one = simulate_circle(errors, plan, seed=4)
+    one = record_circle(errors, plan, seed=4).test
     values = np.array([run.deviations for run in one.runs])
     n = values.size
     effective = n * (1 - 0.9) / (1 + 0.9)
@@ -288,14 +287,14 @@ def test_noise_has_its_size_and_correlation_and_depends_on_the_seed_alone() -> N
     assert (
         abs(np.corrcoef(values[0], values[1])[0, 1]) < 0.4
     )  # runs are independent; 1500 correlated samples
-    again = simulate_circle(errors, plan, seed=4)
+    again = record_circle(errors, plan, seed=4).test
     assert all(
         np.array_equal(a.deviations, b.deviations)
         for a, b in zip(one.runs, again.runs, strict=True)
     )
-    other = simulate_circle(errors, plan, seed=5)
+    other = record_circle(errors, plan, seed=5).test
     assert not np.array_equal(one.runs[0].deviations, other.runs[0].deviations)
-    scaled = simulate_circle(replace(errors, bar=0.01), plan, seed=4)
+    scaled = record_circle(replace(errors, bar=0.01), plan, seed=4).test
     assert np.allclose(scaled.runs[3].deviations - one.runs[3].deviations, 0.01, atol=1e-12)
 
 
@@ -344,7 +343,7 @@ def test_the_plan_is_kept_and_samples_lie_at_half_steps() -> None:
 )
 def test_impossible_plans_are_refused(plan: CirclePlan) -> None:
     with pytest.raises(UsageError, match="no circle that can be measured"):
-        simulate_circle(CircleErrors(), plan)
+        record_circle(CircleErrors(), plan)
 
 
 ROUGH = CircleErrors(
@@ -394,7 +393,7 @@ def test_a_ballbar_file_is_read_back(arc: tuple[float, float], calibrated: bool)
 @pytest.mark.parametrize("arc", [(0.0, 360.0), (250.0, 220.0)])
 def test_a_csv_file_is_read_back(arc: tuple[float, float]) -> None:
     plan = CirclePlan(arc=arc, centre=(-400.5, 20.0), runs=2)
-    test = simulate_circle(ROUGH, plan, seed=3)
+    test = record_circle(ROUGH, plan, seed=3).test
     back = read_circular(to_circular_csv(test, {"machine": "VMC"}), "xy.csv")
     assert back.header["machine"] == "VMC"
     assert (back.feed, back.nominal_radius, back.centre, back.calibrated) == (

@@ -47,11 +47,6 @@ class Grid:
     index: tuple[IndexArray, ...]
     size: int
 
-    @property
-    def used(self) -> IndexArray:
-        """Return the indices of all samples on the grid."""
-        return np.concatenate([index.ravel() for index in self.index])
-
 
 @dataclass(frozen=True, slots=True)
 class Spectrum:

@@ -1,23 +1,13 @@
-"""Simple formulas for a circular test, beside the full model: the plain regression of other
-software, and four points.
-"""
+"""The plain regression of other software for a circular test, beside the full model."""
 
 from __future__ import annotations
-
-from collections.abc import Mapping
-from typing import Final
 
 import numpy as np
 
 from compwright.estimation.circle_centre import recentre, second_order
-from compwright.estimation.circle_model import AXES, Samples, samples_of
-from compwright.foundations.errors import Fault, UsageError
+from compwright.estimation.circle_model import AXES, Samples
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE
 from compwright.records.axis import FloatArray
-from compwright.records.circular import CircularTest
-
-#: The formulas read the trace so far beside the reversal points (rad), where spikes have died away.
-_BESIDE: Final = np.radians(5.0)
 
 
 def plain_regression(samples: Samples) -> dict[str, float]:
@@ -79,50 +69,3 @@ def _plain_rows(samples: Samples) -> tuple[list[str], FloatArray]:
             elif any(samples.reversals(axis)):
                 rows[f"backlash_{axis}"] = lost
     return list(rows), np.column_stack(list(rows.values()))
-
-
-def shop_formulas(test: CircularTest) -> Mapping[str, float]:
-    """Return squareness (um/m) and scale mismatch (um) of a full circle by four points, mean of the
-    runs, as shops do.
-
-    squareness = -(r45 + r225 - r135 - r315) / 2R; mismatch = (r0 + r180) - (r90 + r270), each read
-    5° beside the reversal point, on the side before it is reached (MTS and similar). In one
-    direction alone unequal lost motion of the axes goes into the squareness: shown for comparison,
-    not used. Raises UsageError for an arc.
-    """
-    if not test.full_circle:
-        raise UsageError(
-            Fault(
-                message="the four-point formulas need a full circle",
-                file=test.name,
-                found=f"{test.arc[1]:g} deg",
-            )
-        )
-    samples = samples_of(test)
-    found: dict[str, list[float]] = {"squareness": [], "scale_mismatch": []}
-    for number in np.unique(samples.run):
-        mine = samples.run == number
-        theta, deviations = samples.theta[mine], samples.deviations[mine]
-        x, y, _ = recentre(theta, deviations, samples.radius)
-        centred = (
-            deviations
-            - second_order(theta, (x, y), samples.radius)
-            - x * np.cos(theta)
-            - y * np.sin(theta)
-        )
-        before = -_BESIDE * samples.sense[mine][0]
-        diagonal = _read(theta, centred, np.radians([45.0, 225.0, 135.0, 315.0]))
-        axial = _read(theta, centred, np.radians([0.0, 180.0, 90.0, 270.0]) + before)
-        signs = np.array([1.0, 1.0, -1.0, -1.0])
-        found["squareness"].append(float(-1e6 * (signs @ diagonal) / (2.0 * samples.radius)))
-        found["scale_mismatch"].append(float(MICROMETRES_PER_MILLIMETRE * (signs @ axial)))
-    return {name: float(np.mean(values)) for name, values in found.items()}
-
-
-def _read(theta: FloatArray, values: FloatArray, where: FloatArray) -> FloatArray:
-    """Return the trace at angles ``where``, between samples by a straight line around the
-    circle.
-    """
-    turn = 2.0 * np.pi
-    order = np.argsort(np.mod(theta, turn))
-    return np.interp(np.mod(where, turn), np.mod(theta, turn)[order], values[order], period=turn)

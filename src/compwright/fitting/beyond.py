@@ -46,16 +46,10 @@ def beyond_limits(
 
 
 def _held(cause: str, capacity: Capacity, factor: float, unit: str) -> str:
-    if cause == "largest increment":
-        if capacity.lattice is not None:
-            largest = capacity.lattice.increments[1] * capacity.lattice.magnifications[-1]
-            return (
-                f"steps of at most {largest * capacity.quantum * factor:.4g} {unit} from point to"
-                " point"
-            )
+    if cause == "largest increment" and capacity.lattice is not None:
+        largest = capacity.lattice.increments[1] * capacity.lattice.magnifications[-1]
         return (
-            f"steps of at most {(capacity.max_increment or 0.0) * factor:.4g} {unit} from point to"
-            " point"
+            f"steps of at most {largest * capacity.quantum * factor:.4g} {unit} from point to point"
         )
     low, high = capacity.value_range
     if capacity.line is not None:

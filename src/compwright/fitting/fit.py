@@ -20,7 +20,6 @@ from compwright.fitting.problem import (
     Shape,
     bends,
     hat_matrix,
-    limited_increment,
     limited_range,
     sampled,
     state_problem,
@@ -262,8 +261,8 @@ class _Fit:
     def unlimited(
         self, *, shape: Shape | None = None, reversal: Literal["free"] | None = None
     ) -> float:
-        """Return the rms left without limits of value and increment, with another shape or reversal
-        where named.
+        """Return the rms left without limits of value, with another shape or reversal where
+        named.
         """
         layout = replace(
             self.layout, shape=shape or self.layout.shape, reversal=reversal or self.layout.reversal
@@ -272,15 +271,13 @@ class _Fit:
         return other.rms(other.expected(_BOUNDS).x)
 
 
-_BOUNDS: Final = ("value range", "increments", "backlash range")
+_BOUNDS: Final = ("value range", "backlash range")
 
 
 def _rounded(x: FloatArray, fit: _Fit, address: str, wanted: WantedCorrection) -> AxisCompensation:
     layout, capacity = fit.layout, fit.capacity
     k, home = layout.nodes.size, layout.home
-    anchor = int(np.argmin(np.abs(layout.nodes - fit.reference)))
     low, high = limited_range(capacity)
-    increment = limited_increment(capacity)
     if capacity.period is not None:  # equal but for dust: so that both are rounded the same way
         x = x.copy()
         for start in range(0, k + 1, k) if layout.shape == "bidirectional" else (0,):
@@ -295,24 +292,14 @@ def _rounded(x: FloatArray, fit: _Fit, address: str, wanted: WantedCorrection) -
     ):
         value = home.opposite.sign * x[k:]
         backlash = float(
-            round_curve(
-                value,
-                capacity.backlash_quantum,
-                value_range=capacity.backlash_range,
-                max_increment=None,
-                anchor=0,
-            )[0]
+            round_curve(value, capacity.backlash_quantum, value_range=capacity.backlash_range)[0]
         )
     # Both curves keep the range: the constant between them narrows it.
     narrowed = (max(low, low - constant), min(high, high - constant))
-    own = round_curve(
-        x[:k], capacity.quantum, value_range=narrowed, max_increment=increment, anchor=anchor
-    )
+    own = round_curve(x[:k], capacity.quantum, value_range=narrowed)
     other = own + constant
     if layout.shape == "bidirectional":
-        other = round_curve(
-            x[k:], capacity.quantum, value_range=(low, high), max_increment=increment, anchor=anchor
-        )
+        other = round_curve(x[k:], capacity.quantum, value_range=(low, high))
     elif constant:
         other = to_quanta(other, capacity.quantum) * capacity.quantum
     positive, negative = (own, other) if home is Direction.POSITIVE else (other, own)
@@ -360,11 +347,7 @@ def _limits(fit: _Fit, best: _Best, table: AxisCompensation, grid: Grid) -> tupl
         with_constant = fit.unlimited(reversal="free")
         costs.append(("one table for both directions", added(with_constant, all_shapes)))
         costs.append(("no backlash value", added(this_shape, with_constant)))
-    limited = fit.rms(fit.expected().x)
-    if added(limited, this_shape) > 0.0:
-        free_steps = fit.rms(fit.expected(("increments",)).x)
-        costs.append(("value range", added(free_steps, this_shape)))
-        costs.append(("largest increment", added(limited, free_steps)))
+    costs.append(("value range", added(fit.rms(fit.expected().x), this_shape)))
     shift = _as_unknowns(table, layout) - best.x
     zero = replace(
         fit.data, wanted={direction: np.zeros_like(fit.data.points) for direction in BOTH}

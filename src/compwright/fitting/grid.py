@@ -15,7 +15,7 @@ import numpy as np
 
 from compwright.fitting.anchored import anchored_grids, named_step
 from compwright.fitting.periodic import without_periods
-from compwright.fitting.problem import BOTH, limited_increment, rows_at
+from compwright.fitting.problem import BOTH, rows_at
 from compwright.fitting.steps import Candidate, nodes_at, own_steps, round_steps, taken_steps, whole
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.foundations.findings import Finding
@@ -497,10 +497,8 @@ def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> 
     """Return whether the control's increments, at the smallest magnification, follow what is
     wanted.
     """
-    if capacity.lattice is not None:
-        return _needed(nodes, wanted, capacity.lattice) <= capacity.lattice.magnifications[0]
-    limit = limited_increment(capacity)
-    return limit is None or _steepest(nodes, wanted) <= limit
+    lattice = capacity.lattice
+    return lattice is None or _needed(nodes, wanted, lattice) <= lattice.magnifications[0]
 
 
 def _needed(nodes: FloatArray, wanted: WantedCorrection, lattice: Lattice) -> float:
@@ -558,12 +556,3 @@ def _loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolat
         held = rows.lower * values[rows.left] + rows.upper * values[rows.left + 1]
         square.append(np.mean((held - curve) ** 2))
     return float(np.sqrt(np.mean(square)))
-
-
-def _steepest(nodes: FloatArray, wanted: WantedCorrection) -> float:
-    return float(
-        max(
-            np.max(np.abs(np.diff(np.interp(nodes, wanted.positions, wanted.total(direction)))))
-            for direction in BOTH
-        )
-    )

@@ -160,8 +160,7 @@ class QuadraticProblem:
     """Minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper; mm or deg.
 
     The objective is the mean square of (held - wanted) over the travel and both directions.
-    ``groups`` names rows of A: ``reference`` and ``period`` (equalities), ``value range``,
-    ``increments``, ``backlash range``.
+    Rows of A with ``lower`` equal to ``upper`` are equalities: the zero state, the closed period.
     """
 
     P: FloatArray
@@ -170,7 +169,6 @@ class QuadraticProblem:
     A: FloatArray
     lower: FloatArray
     upper: FloatArray
-    groups: Mapping[str, slice]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -227,13 +225,6 @@ def limited_range(capacity: Capacity) -> tuple[float, float]:
     )
 
 
-def limited_increment(capacity: Capacity) -> float | None:
-    """Return the largest increment on the lattice of the quantum."""
-    if capacity.max_increment is None:
-        return None
-    return float(np.floor(capacity.max_increment / capacity.quantum + 1e-9)) * capacity.quantum
-
-
 def state_problem(
     data: Sampled,
     layout: Layout,
@@ -251,11 +242,6 @@ def state_problem(
         for block in _limits(layout, capacity, reference)
         if block[0] not in without and block[1].shape[0]
     ]
-    groups: dict[str, slice] = {}
-    start = 0
-    for name, rows, _, _ in blocks:
-        groups[name] = slice(start, start + rows.shape[0])
-        start += rows.shape[0]
     return QuadraticProblem(
         P=P,
         q=q,
@@ -267,7 +253,6 @@ def state_problem(
         upper=np.concatenate(
             [np.empty(0), *(np.full(rows.shape[0], high) for _, rows, _, high in blocks)]
         ),
-        groups=groups,
     )
 
 
@@ -301,7 +286,9 @@ def _objective(data: Sampled, layout: Layout) -> tuple[FloatArray, FloatArray, f
 def _limits(
     layout: Layout, capacity: Capacity, reference: float
 ) -> list[tuple[str, FloatArray, float, float]]:
-    """Return name, rows, lower and upper bound of every group of limits."""
+    """Return name, rows, lower and upper bound of every group of limits: ``reference`` and
+    ``period`` (equalities), ``value range``, ``backlash range``.
+    """
     k = layout.nodes.size
     at_reference = hat_matrix(
         np.array([reference]),
@@ -324,17 +311,6 @@ def _limits(
     low, high = limited_range(capacity)
     if np.isfinite(low) or np.isfinite(high):
         blocks.append(("value range", np.vstack(curves), low, high))
-    increment = limited_increment(capacity)
-    if increment is not None:
-        distinct = curves if layout.shape == "bidirectional" else curves[:1]
-        blocks.append(
-            (
-                "increments",
-                np.vstack([np.diff(curve, axis=0) for curve in distinct]),
-                -increment,
-                increment,
-            )
-        )
     if layout.shape == "single" and layout.reversal == "backlash":
         row = np.zeros((1, layout.size))
         row[0, k] = (

@@ -36,8 +36,7 @@ class Capacity:
     table value. ``backlash_quantum`` None: the control has no backlash value beside the table (or
     ignores it). ``position_quantum``: nodes, and with ``spacing`` "equidistant" the step too, must
     be multiples of it so that the file says them exactly. ``max_points`` None: not known; the plan
-    then says how many the control must be set to hold, at most ``most_points``. ``max_increment``
-    is the largest difference of neighbouring values; None: unlimited.
+    then says how many the control must be set to hold, at most ``most_points``.
 
     ``lattice``: values are whole increments (``quantum`` is then that of magnification 1).
     ``anchored``: the nodes lie at the reference plus whole spacings. ``spacings``: the only ones
@@ -61,7 +60,6 @@ class Capacity:
     backlash_range: tuple[float, float] = (0.0, 0.0)
     min_points: int = 2
     max_points: int | None = None
-    max_increment: float | None = None
     lattice: Lattice | None = None
     interpolation: Interpolation = "linear"
     anchored: bool = False

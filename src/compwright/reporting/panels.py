@@ -330,17 +330,15 @@ def curve(values: Sequence[object] | None) -> list[float]:
 # --------------------------------------------------------------------------------------------------
 
 
-def known_format(format_: str, found: str) -> PlotFormat:
-    """Return ``format_`` as a known format. Raises UsageError, which names ``found``, for any
-    other.
-    """
+def known_format(format_: str) -> PlotFormat:
+    """Return ``format_`` as a known format. Raises UsageError, which names it, for any other."""
     ending = format_.lower().removeprefix(".")
     if ending not in _FORMATS:
         raise UsageError(
             Fault(
                 message="unknown format of a plot",
                 expected="a name that ends in .svg, .png or .pdf",
-                found=repr(found),
+                found=repr(format_),
             )
         )
     return cast("PlotFormat", ending)

@@ -9,14 +9,12 @@ a print without colours can be read. The same input gives the same bytes.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import PurePath
 from typing import Any
 
 from compwright.foundations.errors import Fault, UsageError
 from compwright.reporting.panels import (
     LOOKS,
     Document,
-    PlotFormat,
     band,
     curve,
     draw_expected,
@@ -40,13 +38,6 @@ _ROW_HEIGHT = 2.9  # inches, of one positioning result
 _MOST_MARKED = 150  # nodes of a table that markers can still tell apart
 
 
-def plot_format(name: str) -> PlotFormat:
-    """Return the format that the ending of the file ``name`` asks for. Raises UsageError for any
-    other than svg, png, pdf.
-    """
-    return known_format(PurePath(name).suffix, name)
-
-
 # the plotting library's own word
 def positioning_plot(result: Document, *, format: str = "svg") -> bytes:  # noqa: A002
     """Return the figure of one positioning result: readings, means and mean ± k s of each direction
@@ -67,7 +58,7 @@ def evaluation_plot(document: Document, *, format: str = "svg") -> bytes:  # noq
     A circular result with its samples is drawn as by `polar.polar_figure`. Raises UsageError when
     there is nothing to draw, for an unknown format, or when the report extra is missing.
     """
-    kind = known_format(format, format)
+    kind = known_format(format)
     results = document.get("results", [])
     straight = [result for result in results if result.get("kind", "positioning") == "positioning"]
     round_ = [
@@ -118,7 +109,7 @@ def before_after_plot(
     standard deviation of one reading, and, where known, ``parameters`` as in the prediction
     document (median, p05, p95); unit as in ``before``. Raises UsageError as `positioning_plot`.
     """
-    kind = known_format(format, format)
+    kind = known_format(format)
     with style():
         figure = new_figure(3.25)
         panels = figure.subplots(
@@ -159,7 +150,7 @@ def table_plot(entry: Document, *, format: str = "svg") -> bytes:  # noqa: A002
     ``unit``) as in the prediction document, and ``wanted`` (``positions``, ``positive``,
     ``negative``) or None in the same unit. Raises UsageError as `positioning_plot`.
     """
-    kind = known_format(format, format)
+    kind = known_format(format)
     table = entry["table"]
     wanted = entry.get("wanted") or {}
     with style():
@@ -200,7 +191,7 @@ def estimate_plot(estimate: Document, result: Document, *, format: str = "svg") 
     ``std_negative`` (g) in the unit of the positioning result ``result``. Raises UsageError as
     `positioning_plot`.
     """
-    kind = known_format(format, format)
+    kind = known_format(format)
     with style():
         figure = new_figure(2.9)
         panel = figure.subplots()

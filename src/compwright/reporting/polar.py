@@ -76,7 +76,7 @@ def polar_figure(result: Document, *, format: str = "svg") -> bytes:  # noqa: A0
     UsageError for an unknown format, when the result holds no runs, or when the report extra is
     missing.
     """
-    kind = known_format(format, format)
+    kind = known_format(format)
     if not result.get("runs"):
         raise UsageError(
             Fault(

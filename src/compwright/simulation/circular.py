@@ -137,17 +137,6 @@ class CircleRecording:
     traverses: tuple[Traverse, ...]
 
 
-def simulate_circle(
-    errors: CircleErrors,
-    plan: CirclePlan,
-    *,
-    seed: int = 0,
-    corrections: CircleCorrection | None = None,
-) -> CircularTest:
-    """Return the circular test of an exact virtual machine; see `record_circle`."""
-    return record_circle(errors, plan, seed=seed, corrections=corrections).test
-
-
 def record_circle(
     errors: CircleErrors,
     plan: CirclePlan,
