@@ -520,7 +520,8 @@ class TestNumbers:
 class TestContract:
     def test_known_and_unknown(self) -> None:
         heidenhain, fanuc = {"heidenhain-itnc530", "heidenhain-nck"}, {"fanuc-0i-16i", "fanuc-30i"}
-        assert set(KNOWN) == {"siemens-840d-sl", "linuxcnc"} | heidenhain | fanuc
+        single = {"siemens-840d-sl", "linuxcnc", "isg-kernel"}
+        assert set(KNOWN) == single | heidenhain | fanuc
         with pytest.raises(UsageError, match="no virtual control"):
             virtual_control("abacus", [ControlFile("a", b"")])
         for format_id in KNOWN:

@@ -7,6 +7,7 @@ from typing import Protocol
 
 from compwright.controllers.fanuc.control import fanuc_0i_16i_control, fanuc_30i_control
 from compwright.controllers.heidenhain.control import itnc530_control, nck_control
+from compwright.controllers.isg.control import isg_control
 from compwright.controllers.linuxcnc.control import linuxcnc_control
 from compwright.controllers.request import Request
 from compwright.controllers.sinumerik.control import sinumerik_control
@@ -76,6 +77,7 @@ _MAKERS: Mapping[str, Callable[[Sequence[ControlFile], Request], VirtualControl]
     "fanuc-30i": fanuc_30i_control,
     "heidenhain-itnc530": itnc530_control,
     "heidenhain-nck": nck_control,
+    "isg-kernel": isg_control,
     "linuxcnc": linuxcnc_control,
     "siemens-840d-sl": sinumerik_control,
 }

@@ -1,0 +1,126 @@
+"""Numbers of a compensation table: entries by index, positions, units and number types."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from compwright.controllers.isg.lists import AxisLists, Statement
+from compwright.controllers.request import Request, finite_number
+from compwright.foundations.errors import Fault, UsageError
+from compwright.records.axis import FloatArray
+
+#: mm or deg per unit of a list in metric unit: 0.1 µm, 0.0001 deg.
+METRIC = 1e-4
+_LIMITS = {"sgn16": 2.0**15 - 1, "sgn32": 2.0**31 - 1, "real64": float("inf")}
+_ENTRY = re.compile(r"table\[(\d+)\]\.(\w+)")
+
+Entries = dict[str, dict[int, Statement]]
+
+
+def table_entries(
+    axis: AxisLists, prefix: str, keys: Sequence[str], columns: Sequence[str]
+) -> Entries:
+    """Return the entries of a section by column and index.
+
+    What else the section holds is refused by name unless it is 0: it may act.
+    """
+    entries: Entries = {column: {} for column in columns}
+    for name, statement in axis.section(prefix).items():
+        match = _ENTRY.fullmatch(name)
+        if match is not None and match.group(2) in columns and len(match.group(1)) < 10:
+            entries[match.group(2)][int(match.group(1))] = statement
+        elif name not in keys and statement.number() != 0.0:
+            message = f"{statement.name} of axis {axis.address}: not known what it does"
+            axis.fault(statement, message, "0, or no such line")
+    return entries
+
+
+def column(
+    axis: AxisLists, entries: Mapping[int, Statement], count: int, name: str, largest: float
+) -> FloatArray | None:
+    """Return one column (count,) in units of the list; None with faults where an entry is missing,
+    no number, too large, or stands beyond the last index.
+    """
+    before = len(axis.faults)
+    inside = {index: entries[index] for index in sorted(entries) if index < count}
+    for index in sorted(entries.keys() - inside.keys()):
+        axis.fault(entries[index], f"entry {index} beyond the last", f"0 to {count - 1}")
+    if len(inside) < count:
+        lost = next(index for index in range(count) if index not in inside)
+        wanted = name.replace("[i]", f"[{lost}]")
+        axis.missing(wanted, f"{count - len(inside)} of {count} entries are not there")
+        return None
+    numbers = []
+    for statement in inside.values():
+        value = axis.number(statement.name)
+        numbers.append(value)
+        if value is not None and abs(value) > largest:
+            axis.fault(statement, "larger than the control holds", f"at most {largest:.0f}")
+    return np.array(numbers, dtype=np.float64) if len(axis.faults) == before else None
+
+
+def largest_value(request: Request, address: str, axis: AxisLists, section: str) -> float:
+    """Return the largest value that a table may hold (option ``value_type``; without it that of
+    SGN32); SGN16 and SGN32 hold whole numbers only (faults).
+
+    Raises UsageError when the option is none of the types.
+    """
+    chosen = request.options_of(address).get("value_type")
+    if chosen is None:
+        return _LIMITS["sgn32"]
+    if chosen not in _LIMITS:
+        raise UsageError(
+            Fault(
+                message="option value_type",
+                expected=" or ".join(_LIMITS),
+                found=repr(chosen),
+            )
+        )
+    if chosen != "real64":
+        for name, statement in axis.section(section).items():
+            value = statement.number()
+            if name.startswith("table[") and value is not None and value != int(value):
+                axis.fault(statement, f"{chosen} holds whole numbers", "a whole number")
+    return _LIMITS[str(chosen)]
+
+
+def unit_of(axis: AxisLists, name: str, request: Request, addresses: Sequence[str]) -> list[float]:
+    """Return mm or deg per unit of the list for each of ``addresses``; empty with a fault where the
+    list does not say its unit.
+
+    Raises UsageError where the list counts encoder increments and the option
+    ``encoder_increment`` of an axis is not given, or is no positive number.
+    """
+    metric = axis.switch(name)
+    if metric is None:
+        if name not in axis.statements:
+            axis.missing(name, "the unit is not said")
+        return []
+    return [METRIC if metric else _increment(request, address, name) for address in addresses]
+
+
+def _increment(request: Request, address: str, name: str) -> float:
+    given = request.options_of(address).get("encoder_increment")
+    increment = finite_number(given)
+    if increment is None or increment <= 0.0:
+        raise UsageError(
+            Fault(
+                message=f"option encoder_increment of axis {address}: {name} 0 counts encoder"
+                " increments",
+                expected="mm or deg per increment, larger than 0",
+                found="none" if given is None else repr(given),
+            )
+        )
+    return increment
+
+
+def ascending(axis: AxisLists, positions: FloatArray, entries: Mapping[int, Statement]) -> None:
+    """Keep a fault for the first setpoint that does not ascend."""
+    steps = np.diff(positions)
+    if steps.size and not np.all(steps > 0.0):
+        index = int(np.argmax(~(steps > 0.0))) + 1
+        expected = f"more than {positions[index - 1]:.12g}"
+        axis.fault(entries[index], f"setpoint {index} does not ascend", expected)

@@ -1,0 +1,157 @@
+"""ISG kernel (Beckhoff TwinCAT 3 CNC and others): compensation value lists, one per axis.
+
+Stated from the vendors' pages, apart from the definition that writes the files:
+
+- ``kw.ssfk``: values by position for one or both directions, linear, ends held; unit 0.1 µm or
+  0.0001 deg, or encoder increments. The values are errors (inferred): correction = -value.
+- ``getriebe[0].lose`` with ``lr_param.anwahl_losekomp``: lost motion, 0.1 µm or 0.0001 deg.
+- ``kw.crosscomp``: in the list of the corrected axis; the sign is not known.
+- Axes are named by their logical number; positions are axis coordinates, which are the machine's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.controllers.isg.cross import (
+    CrossTable,
+    read_cross,
+    refuse_others,
+    refuse_plane,
+)
+from compwright.controllers.isg.leadscrew import LeadscrewTable, read_backlash, read_table
+from compwright.controllers.isg.lists import AxisLists, read_lists
+from compwright.controllers.request import Request, unknown_axis
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.correction import Assumption, ControlFile
+
+
+@dataclass(frozen=True, slots=True)
+class _Axis:
+    """``backlash`` > 0: lost motion that is taken out, mm or deg; ``home``: the direction that
+    keeps its zero.
+    """
+
+    table: LeadscrewTable | None
+    backlash: float
+    home: Direction
+
+
+@dataclass(frozen=True, slots=True)
+class IsgControl:
+    """An ISG kernel with lists loaded, all axes referenced. See
+    ``controllers.virtual.VirtualControl``.
+
+    Addresses are logical axis numbers as text.
+    """
+
+    axes: Mapping[str, _Axis]
+    tables: Mapping[tuple[str, str], CrossTable]
+    assumed: tuple[Assumption, ...]
+    notes: tuple[str, ...]
+
+    def addresses(self) -> tuple[str, ...]:
+        """Return the logical axis numbers that the lists speak of, ascending."""
+        return tuple(self.axes)
+
+    def nodes(self, address: str) -> FloatArray:
+        """Return the positions (k,) of the table, mm or deg, whether it is switched on or not."""
+        table = self._axis(address).table
+        return np.empty(0) if table is None else table.positions
+
+    def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return what is added to the command at ``positions`` (any shape) arriving in
+        ``direction``, mm or deg.
+        """
+        axis = self._axis(address)
+        x = np.asarray(positions, dtype=np.float64)
+        total = np.zeros(x.shape) if axis.table is None else axis.table.at(x, direction)
+        return total + (0.0 if direction is axis.home else direction.sign * axis.backlash)
+
+    def cross(self) -> tuple[tuple[str, str], ...]:
+        """Return (master, slave) of the tables that act; one whose sign nobody said stands in
+        ``notes``.
+        """
+        return tuple(self.tables)
+
+    def cross_correction(
+        self,
+        input: str,  # noqa: A002
+        output: str,
+        positions: FloatArray,
+        direction: Direction,  # noqa: ARG002
+    ) -> FloatArray:
+        """Return what is added to ``output`` with ``input`` at ``positions`` (any shape); both
+        directions alike, mm or deg.
+        """
+        table = self.tables.get((input, output))
+        if table is None:
+            raise UsageError(
+                Fault(
+                    message=f"no table by which {input} corrects {output}",
+                    expected=" or ".join(f"{a} and {b}" for a, b in self.tables)
+                    or "a table kw.crosscomp that acts, and the option cross_values",
+                )
+            )
+        return table.at(np.asarray(positions, dtype=np.float64))
+
+    def _axis(self, address: str) -> _Axis:
+        axis = self.axes.get(address.strip())
+        if axis is None:
+            raise unknown_axis(address, self.addresses())
+        return axis
+
+
+def isg_control(files: Sequence[ControlFile], request: Request) -> IsgControl:
+    """Return the control with ``files`` loaded: compensation value lists, axis parameter lists and
+    a start-up list, told apart by what they hold.
+
+    Raises InputError where a list contradicts itself or another, names a table without its values,
+    or holds what acts on an axis under work and is not read; UsageError where an option is missing
+    or wrong (``encoder_increment``, ``table_values``, ``cross_values``, ``value_type``).
+    """
+    lists = read_lists(files)
+    raise_all(InputError, lists.faults)
+    assumed: list[Assumption] = []
+    notes = list(lists.notes)
+    faults: list[Fault] = []
+    axes: dict[str, _Axis] = {}
+    tables: dict[tuple[str, str], CrossTable] = {}
+    for address, lists_of_axis in sorted(lists.axes.items(), key=lambda entry: int(entry[0])):
+        try:
+            axis, cross = _loaded(lists_of_axis, request, assumed, notes)
+        except UsageError as error:
+            if request.asks_for(address):
+                raise
+            notes.append(str(error))
+            continue
+        if not lists_of_axis.faults:
+            axes[address] = axis
+            if cross is not None:
+                tables[cross.master, cross.slave] = cross
+        elif request.asks_for(address):
+            faults += lists_of_axis.faults
+        else:
+            notes += [str(fault) for fault in lists_of_axis.faults]
+    raise_all(InputError, faults)
+    return IsgControl(axes=axes, tables=tables, assumed=tuple(assumed), notes=tuple(notes))
+
+
+def _loaded(
+    axis: AxisLists, request: Request, assumed: list[Assumption], notes: list[str]
+) -> tuple[_Axis, CrossTable | None]:
+    """Return one axis and the table by which another corrects it; faults are kept in ``axis``."""
+    table = read_table(axis, request, assumed)
+    backlash = read_backlash(axis, table, assumed)
+    home = Direction.POSITIVE
+    if backlash:
+        home, why = request.returning(axis.address)
+        assumed += [why] if why is not None else []
+    cross = read_cross(axis, request, assumed, notes)
+    refuse_plane(axis, request, assumed, notes)
+    refuse_others(axis)
+    return _Axis(table, backlash, home), cross

@@ -1,0 +1,306 @@
+"""Leadscrew error compensation of one axis (``kw.ssfk``) and backlash (``getriebe[0].lose``).
+
+Vendor pages: values are "absolute position errors" in the unit of the list; linear between entries,
+the value of the nearest end kept outside; one column for each direction with ``bilateral`` 1, else
+``pos`` alone. The sign is an option, because the vendor's own example contradicts itself.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.controllers.isg.columns import (
+    METRIC,
+    Entries,
+    ascending,
+    column,
+    largest_value,
+    table_entries,
+    unit_of,
+)
+from compwright.controllers.isg.lists import AxisLists
+from compwright.controllers.request import Request, by_address
+from compwright.foundations.errors import Fault, UsageError
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.correction import Assumption
+
+SECTION = "kw.ssfk."
+_KEYS = (
+    *("unit", "interval", "kw_startpos", "kw_nr_max", "max_points"),
+    *("bilateral", "modulo", "manual_activation"),
+)
+_COLUMNS = ("setpoint", "pos", "neg")
+#: Entries that the kernel has room for where ``max_points`` is 0 or not there.
+DEFAULT_ROOM = 1500
+SIGNS = {"error": -1.0, "correction": 1.0}
+
+
+@dataclass(frozen=True, slots=True)
+class LeadscrewTable:
+    """``positions`` (k,) ascending; ``positive``, ``negative`` (k,): what is added arriving in that
+    direction; mm or deg. ``period``: the table wraps. ``acts``: whether it is switched on.
+    """
+
+    positions: FloatArray
+    positive: FloatArray
+    negative: FloatArray
+    period: float | None
+    bilateral: bool
+    acts: bool
+
+    def at(self, x: FloatArray, direction: Direction) -> FloatArray:
+        """Return what is added at ``x`` (any shape), mm or deg."""
+        if not self.acts:
+            return np.zeros(x.shape)
+        if self.period is not None:
+            x = self.positions[0] + np.mod(x - self.positions[0], self.period)
+        values = self.positive if direction is Direction.POSITIVE else self.negative
+        return np.asarray(np.interp(x, self.positions, values), dtype=np.float64)
+
+
+def read_table(
+    axis: AxisLists, request: Request, assumed: list[Assumption]
+) -> LeadscrewTable | None:
+    """Return the table of an axis, None without one or with faults (kept in the axis)."""
+    if not axis.section(SECTION):
+        return None
+    entries = table_entries(axis, SECTION, _KEYS, _COLUMNS)
+    count = _count(axis, entries)
+    if not count:
+        return None
+    largest = largest_value(request, axis.address, axis, SECTION)
+    bilateral = _required(axis, "bilateral", "one column or two is not said")
+    units = unit_of(axis, SECTION + "unit", request, [axis.address])
+    where = _positions(axis, entries, count)
+    positive = column(axis, entries["pos"], count, f"{SECTION}table[i].pos", largest)
+    negative = _negative(axis, entries, count, largest, bilateral=bilateral)
+    wraps = axis.switch(SECTION + "modulo")
+    if wraps is None and SECTION + "modulo" not in axis.statements:
+        assumed.append(Assumption(f"kw.ssfk.modulo of axis {axis.address}", "0", "the default"))
+    if (
+        axis.faults
+        or not units
+        or bilateral is None
+        or where is None
+        or positive is None
+        or negative is None
+    ):
+        return None
+    scale = _sign(request, axis.address, assumed) * units[0]
+    table = LeadscrewTable(
+        positions=where * units[0],
+        positive=positive * scale,
+        negative=negative * scale,
+        period=_period(axis, request, where, positive, negative, units[0]) if wraps else None,
+        bilateral=bilateral,
+        acts=_acts(axis, request, assumed),
+    )
+    return None if axis.faults else table
+
+
+def _required(axis: AxisLists, key: str, why: str) -> bool | None:
+    if SECTION + key not in axis.statements:
+        axis.missing(SECTION + key, why)
+    return axis.switch(SECTION + key)
+
+
+def _count(axis: AxisLists, entries: Entries) -> int:
+    """Return the number of entries; 0 where there is no table, or a fault."""
+    count = axis.whole(SECTION + "kw_nr_max", 0)
+    filled = any(entries.values())
+    if count is None:
+        if SECTION + "kw_nr_max" not in axis.statements and (
+            filled or axis.section(SECTION).keys() - {"max_points"}
+        ):
+            axis.missing(SECTION + "kw_nr_max", "the number of entries is not said")
+        return 0
+    statement = axis.statements[SECTION + "kw_nr_max"]
+    if count == 0 and filled:
+        axis.fault(statement, "no entries are announced, and there are some", "their number")
+    given = axis.whole(SECTION + "max_points", 0)
+    room = given or DEFAULT_ROOM
+    if count >= room:
+        said = "max_points" if given else "the default of max_points"
+        axis.fault(statement, "more entries than there is room for", f"less than {room} ({said})")
+        return 0
+    # the rest counts to this number: a wrong one must not fill the memory
+    if count > len(entries["pos"]):
+        name = f"{SECTION}table[i].pos"
+        axis.missing(name, f"{count - len(entries['pos'])} of {count} entries are not there")
+        return 0
+    return count
+
+
+def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | None:
+    """Return the positions (count,) in units of the list, None with a fault."""
+    interval = axis.number(SECTION + "interval")
+    start = axis.number(SECTION + "kw_startpos")
+    setpoints = entries["setpoint"]
+    if interval is None:
+        if SECTION + "interval" not in axis.statements:
+            axis.missing(SECTION + "interval", "listed or equal spacing is not said")
+        return None
+    if interval < 0.0:
+        statement = axis.statements[SECTION + "interval"]
+        axis.fault(statement, "kw.ssfk.interval", "0, or the spacing, larger than 0")
+        return None
+    listed = None
+    if setpoints or interval == 0.0:
+        name = f"{SECTION}table[i].setpoint"
+        listed = column(axis, setpoints, count, name, 2.0**31 - 1)
+    if interval == 0.0:
+        if listed is not None:
+            ascending(axis, listed, setpoints)
+            _begins(axis, start, float(listed[0]))
+        return listed
+    if start is None:
+        if SECTION + "kw_startpos" not in axis.statements:
+            axis.missing(SECTION + "kw_startpos", "where the equal spacing begins is not said")
+        return None
+    even = start + interval * np.arange(count)
+    if listed is not None and np.any(listed != even):
+        index = int(np.argmax(listed != even))
+        axis.fault(setpoints[index], "setpoint off the equal spacing", f"{even[index]:.12g}")
+    return np.asarray(even, dtype=np.float64)
+
+
+def _begins(axis: AxisLists, start: float | None, first: float) -> None:
+    """Listed setpoints and kw_startpos name the same beginning, as in the vendor's example."""
+    if start is not None and start != first:
+        statement = axis.statements[SECTION + "kw_startpos"]
+        axis.fault(
+            statement, "the table begins in two places", f"{first:.12g} as table[0].setpoint"
+        )
+
+
+def _negative(
+    axis: AxisLists, entries: Entries, count: int, largest: float, *, bilateral: bool | None
+) -> FloatArray | None:
+    """Return the column that acts arriving towards -; with one column for both, a second one that
+    says something else is a contradiction.
+    """
+    name = f"{SECTION}table[i].neg"
+    if bilateral:
+        return column(axis, entries["neg"], count, name, largest)
+    for index, statement in entries["neg"].items():
+        other = entries["pos"].get(index)
+        if other is None or other.number() != statement.number():
+            message = f"bilateral is 0, and neg of entry {index} differs from pos"
+            axis.fault(statement, message, "bilateral 1, or no column neg")
+    return column(axis, entries["pos"], count, f"{SECTION}table[i].pos", largest)
+
+
+def _sign(request: Request, address: str, assumed: list[Assumption]) -> float:
+    options = request.options_of(address)
+    chosen = options.get("table_values", "error")
+    if chosen not in SIGNS:
+        raise UsageError(
+            Fault(message="option table_values", expected=" or ".join(SIGNS), found=repr(chosen))
+        )
+    why = (
+        "option"
+        if "table_values" in options
+        else "inferred: the vendor names errors, its example contradicts itself"
+    )
+    assumed.append(Assumption(f"table_values of axis {address}", str(chosen), why))
+    return SIGNS[str(chosen)]
+
+
+def _period(
+    axis: AxisLists,
+    request: Request,
+    positions: FloatArray,
+    positive: FloatArray,
+    negative: FloatArray,
+    unit: float,
+) -> float | None:
+    """Return the turn of a table that wraps (mm or deg; ``positions`` count in ``unit``): first and
+    last entry are one place.
+    """
+    last = len(positions) - 1
+    statement = axis.statements[f"{SECTION}table[{last}].pos"]
+    if last == 0:
+        axis.fault(axis.statements[SECTION + "modulo"], "one entry makes no turn", "two or more")
+    elif positive[0] != positive[-1] or negative[0] != negative[-1]:
+        axis.fault(statement, "modulo: the last entry differs from the first", "the same values")
+    span = float(positions[-1] - positions[0]) * unit
+    turn = by_address(request.modulo, axis.address)
+    # whole numbers of the list's unit may miss the turn by half a unit at each end
+    if turn is not None and abs(span - turn) > 1.001 * unit:
+        message = f"modulo: the table of axis {axis.address} spans {span:g}"
+        axis.fault(statement, message, f"one turn, {turn:g}")
+    return span if span > 0.0 else None
+
+
+def switched(
+    axis: AxisLists, request: Request, parameter: str, section: str, assumed: list[Assumption]
+) -> bool:
+    """Return whether a compensation acts: its switch in the axis parameters, and whether an NC
+    program has to call it (``manual_activation``).
+    """
+    on = axis.switch(parameter)
+    switches = [None if on is None else float(on)]
+    called = axis.switch(section + "manual_activation")
+    switches += [0.0] if called else []
+    acts = request.acts(switches)
+    if request.active is not None:
+        why = "as the job says"
+    else:
+        why = "only where an NC program calls it" if called else "not in the files"
+    if called or on is None:
+        assumed.append(Assumption(f"{parameter} of axis {axis.address}", str(int(acts)), why))
+    return acts
+
+
+def _acts(axis: AxisLists, request: Request, assumed: list[Assumption]) -> bool:
+    return switched(axis, request, "lr_param.ssfk", SECTION, assumed)
+
+
+def read_backlash(
+    axis: AxisLists, table: LeadscrewTable | None, assumed: list[Assumption]
+) -> float:
+    """Return the lost motion (mm or deg, not negative) that the control takes out of an axis.
+
+    Which direction gets it is not said: counted as nothing in the direction in which the axis is
+    referenced. A negative value (play before the measuring system) is refused where it acts, and so
+    is any beside a table with two columns, which replaces it.
+    """
+    own = "getriebe[0].lose"
+    value = axis.whole(own, -(2**15))
+    chosen = axis.whole("lr_param.anwahl_losekomp", 0)
+    if chosen is not None and chosen > 2:
+        statement = axis.statements["lr_param.anwahl_losekomp"]
+        axis.fault(statement, "lr_param.anwahl_losekomp", "0, 1 or 2")
+    _other_gears(axis, value, chosen)
+    if value is None:
+        if own not in axis.statements:
+            assumed.append(Assumption(f"{own} of axis {axis.address}", "0", "not in the files"))
+        if chosen and own not in axis.statements:
+            axis.missing(own, "lr_param.anwahl_losekomp switches backlash on")
+        return 0.0
+    if value == 0 or chosen == 0:
+        return 0.0
+    statement = axis.statements[own]
+    if chosen is None:
+        if "lr_param.anwahl_losekomp" not in axis.statements:
+            axis.missing("lr_param.anwahl_losekomp", f"{own} is not 0, whether it acts is not said")
+    elif value < 0 or value >= 2**15:
+        message = f"{own} of axis {axis.address}: not known which way a negative one acts"
+        axis.fault(statement, message, "0 to 32767, or lr_param.anwahl_losekomp 0")
+    elif table is not None and table.acts and table.bilateral:
+        message = f"{own} of axis {axis.address} beside a table with two columns"
+        axis.fault(statement, message, "0: the table holds the reversal")
+    fact = f"sense of {own} of axis {axis.address}"
+    assumed.append(Assumption(fact, "0 in the referencing direction", "unconfirmed"))
+    return value * METRIC
+
+
+def _other_gears(axis: AxisLists, first: int | None, chosen: int | None) -> None:
+    for name, statement in axis.section("getriebe[").items():
+        if name.endswith("].lose") and not name.startswith("0]") and chosen != 0:
+            value = statement.number()
+            if value not in (0.0, first):
+                message = f"{statement.name} of axis {axis.address}: which gear acts is not known"
+                axis.fault(statement, message, "the value of getriebe[0].lose, or 0")

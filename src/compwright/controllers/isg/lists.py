@@ -1,0 +1,276 @@
+"""The lists of an ISG kernel (compensation values, axis parameters, start-up) as statements by
+axis.
+
+A statement is ``name value``, one per line; ``#`` starts a remark to the end of the line, ``/* */``
+stands around one; blanks inside the brackets of an index mean nothing. A list belongs to the axis
+that its header names (``kopf.achs_nr``, in other editions ``kopf.log_achs_nr``); a start-up list
+names axis and file once more. The names are taken whatever their case.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+_REMARK = re.compile(r"#[^\n]*|/\*.*?\*/|/\*", re.DOTALL)
+_STATEMENT = re.compile(r"([A-Za-z_]\w*(?:\s*\[\s*\d+\s*\]|\.[A-Za-z_]\w*)*)(?:\s+(\S.*))?")
+_NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
+#: What a line that is no statement must not hold: it would be one that got damaged.
+_OURS = re.compile(r"kopf|kw\s*\.|lr_param|getriebe|achs_kw|zahl_kw", re.IGNORECASE)
+_HEADERS = ("kopf.achs_nr", "kopf.log_achs_nr")
+#: Logical axis numbers are UNS16.
+_HIGHEST_AXIS = 65535
+
+
+@dataclass(frozen=True, slots=True)
+class Statement:
+    """One statement: its name without blanks, in small letters, and the rest of its line."""
+
+    name: str
+    text: str
+    file: str
+    line: int
+
+    def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
+        """Return a fault at this line."""
+        return Fault(
+            message=message,
+            file=self.file,
+            place=f"line {self.line}",
+            expected=expected,
+            found=found or repr(self.text),
+        )
+
+    def number(self) -> float | None:
+        """Return the value as a finite decimal number, None for anything else."""
+        value = float(self.text) if _NUMBER.fullmatch(self.text) else math.nan
+        return value if math.isfinite(value) else None
+
+
+@dataclass(slots=True)
+class AxisLists:
+    """All statements of one axis by name. ``files``: the lists they come from; ``faults``: what is
+    wrong with this axis; only an axis under work stops on them.
+    """
+
+    address: str
+    statements: dict[str, Statement] = field(default_factory=dict)
+    files: list[str] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+
+    def add(self, statement: Statement) -> None:
+        """Take a statement; a second one of its name must say the same."""
+        known = self.statements.setdefault(statement.name, statement)
+        if _value(known) != _value(statement):
+            self.faults.append(
+                statement.fault(
+                    f"{statement.name} of axis {self.address} stands twice and differs",
+                    expected=f"{known.text!r} as in {known.file}, line {known.line}",
+                )
+            )
+
+    def number(self, name: str) -> float | None:
+        """Return a statement's number; None where the statement is absent, or is no number (a
+        fault).
+        """
+        statement = self.statements.get(name)
+        if statement is None:
+            return None
+        value = statement.number()
+        if value is None:
+            self.fault(statement, f"{name} of axis {self.address}", "a number")
+        return value
+
+    def switch(self, name: str) -> bool | None:
+        """Return a statement's 0 or 1; None where it is absent, or anything else (a fault)."""
+        value = self.number(name)
+        if value is not None and value not in (0.0, 1.0):
+            self.fault(self.statements[name], f"{name} of axis {self.address}", "0 or 1")
+            return None
+        return None if value is None else value == 1.0
+
+    def whole(self, name: str, lowest: int) -> int | None:
+        """Return a statement's whole number from ``lowest`` on; None as in `number`."""
+        value = self.number(name)
+        if value is not None and (value != int(value) or not lowest <= value < 2**31):
+            expected = f"a whole number from {lowest} on"
+            self.fault(self.statements[name], f"{name} of axis {self.address}", expected)
+            return None
+        return None if value is None else int(value)
+
+    def fault(self, statement: Statement, message: str, expected: str) -> None:
+        """Keep a fault at a statement."""
+        self.faults.append(statement.fault(message, expected=expected))
+
+    def missing(self, name: str, why: str) -> None:
+        """Keep the fault that a statement is not there."""
+        self.faults.append(
+            Fault(
+                message=f"axis {self.address}: {why}",
+                file=", ".join(dict.fromkeys(self.files)),
+                expected=f"a line {name}",
+                found="none",
+            )
+        )
+
+    def section(self, prefix: str) -> dict[str, Statement]:
+        """Return the statements whose name starts with ``prefix``, by the rest of their name."""
+        return {
+            name.removeprefix(prefix): statement
+            for name, statement in self.statements.items()
+            if name.startswith(prefix)
+        }
+
+
+@dataclass(slots=True)
+class Lists:
+    """What all files say: the axes by logical number, notes on what is left alone, and faults that
+    concern no single axis.
+    """
+
+    axes: dict[str, AxisLists] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+
+
+def read_lists(files: Sequence[ControlFile]) -> Lists:
+    """Return the statements of all ``files`` by axis; nothing is raised."""
+    lists = Lists()
+    read = [(file.name, list(_statements(file, lists))) for file in files]
+    started = _start_up([statement for _, found in read for statement in found], lists)
+    for name, found in read:
+        names = {statement.name for statement in found}
+        if any(one.startswith("achs_kw[") for one in names) and not names & set(_HEADERS):
+            continue
+        address = _address(name, found, started, lists)
+        if address is not None and _loaded(name, found, started, lists):
+            axis = lists.axes.setdefault(address, AxisLists(address))
+            axis.files.append(name)
+            for statement in found:
+                if not statement.name.startswith("kopf.") and not _of_start_up(statement):
+                    axis.add(statement)
+    return lists
+
+
+def _statements(file: ControlFile, lists: Lists) -> Iterable[Statement]:
+    text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf")
+    if "\x00" in text:
+        lists.faults.append(
+            Fault(message="a NUL byte: no list in plain text", file=file.name, expected="ASCII")
+        )
+        return
+    text = text.replace("\r\n", "\n").replace("\r", "\n")
+    for mark in _REMARK.finditer(text):
+        if mark.group() == "/*":
+            place = f"line {text.count(chr(10), 0, mark.start()) + 1}"
+            lists.faults.append(
+                Fault(message="a remark that does not end", file=file.name, place=place)
+            )
+            return
+    bare = _REMARK.sub(lambda mark: " " + "\n" * mark.group().count("\n"), text)
+    for number, raw in enumerate(bare.split("\n"), start=1):
+        line = raw.strip()
+        if line in {"", ":"}:
+            continue
+        match = _STATEMENT.fullmatch(line)
+        statement = Statement(line if match is None else _named(match), "", file.name, number)
+        if match is not None and match.group(2):
+            yield Statement(statement.name, match.group(2).strip(), file.name, number)
+        elif _OURS.search(line):
+            lists.faults.append(
+                statement.fault("no statement", expected="a name and a value", found=repr(line))
+            )
+        else:
+            lists.notes.append(f"{file.name}: line {number}: no statement, left alone")
+
+
+def _named(match: re.Match[str]) -> str:
+    """Return a statement's name without blanks and leading zeros of its indices."""
+    bare = re.sub(r"\s+", "", match.group(1)).lower()
+    return re.sub(r"\[0*(\d+)\]", r"[\1]", bare)
+
+
+def _value(statement: Statement) -> float | str:
+    number = statement.number()
+    return statement.text if number is None else number
+
+
+def _of_start_up(statement: Statement) -> bool:
+    return statement.name.startswith(("achs_kw", "zahl_kw"))
+
+
+def _start_up(statements: Iterable[Statement], lists: Lists) -> dict[str, str] | None:
+    """Return the axis of each compensation list that a start-up list loads, by bare file name;
+    None without a start-up list.
+    """
+    found: dict[str, Statement] = {}
+    for one in statements:
+        if _of_start_up(one) and _value(found.setdefault(one.name, one)) != _value(one):
+            expected = f"{found[one.name].text!r} as before"
+            lists.faults.append(
+                one.fault(f"{one.name} stands twice and differs", expected=expected)
+            )
+    if not found:
+        return None
+    loaded = {}
+    for name, statement in found.items():
+        index = name.removeprefix("achs_kw")
+        if not index.startswith("["):
+            continue
+        axis = found.get(f"achs_kw_log_ax_nr{index}")
+        number = None if axis is None else _axis_number(axis, lists)
+        if axis is None:
+            expected = f"a line achs_kw_log_ax_nr{index}"
+            lists.faults.append(statement.fault("a list without its axis", expected=expected))
+        elif number is not None:
+            loaded[re.split(r"[/\\]", statement.text)[-1].casefold()] = number
+    return loaded
+
+
+def _axis_number(statement: Statement, lists: Lists) -> str | None:
+    value = statement.number()
+    if value is None or value != int(value) or not 1 <= value <= _HIGHEST_AXIS:
+        expected = f"a logical axis number, 1 to {_HIGHEST_AXIS}"
+        lists.faults.append(statement.fault(statement.name, expected=expected))
+        return None
+    return str(int(value))
+
+
+def _address(
+    name: str, found: list[Statement], started: dict[str, str] | None, lists: Lists
+) -> str | None:
+    """Return the logical axis number of one list, None where it is not known (a fault)."""
+    headers = [statement for statement in found if statement.name in _HEADERS]
+    numbers = [_axis_number(statement, lists) for statement in headers]
+    by_start_up = (started or {}).get(name.casefold())
+    if not headers and by_start_up is None:
+        expected = "a header kopf.achs_nr with the logical axis number"
+        lists.faults.append(
+            Fault(message="nothing says whose list this is", file=name, expected=expected)
+        )
+        return None
+    for statement, number in zip(headers, numbers, strict=True):
+        other = by_start_up or numbers[0]
+        if None not in (number, other) and number != other:
+            where = "the start-up list" if by_start_up else f"line {headers[0].line}"
+            expected = f"{other} as {where} says"
+            lists.faults.append(statement.fault("two axes for one list", expected=expected))
+            return None
+    return numbers[0] if numbers else by_start_up
+
+
+def _loaded(
+    name: str, found: list[Statement], started: dict[str, str] | None, lists: Lists
+) -> bool:
+    """Whether a list is loaded: a compensation list that the start-up list does not name is not."""
+    if started is None or name.casefold() in started:
+        return True
+    if not any(statement.name.startswith("kw.") for statement in found):
+        return True
+    lists.notes.append(f"{name}: the start-up list does not name this list: it is not loaded")
+    return False
