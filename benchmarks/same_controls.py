@@ -47,6 +47,21 @@ def old_table(rng: Rng, axis: MachineAxis, quantum: float, *, wrong: bool) -> Ol
     return OldTable(start, step, np.asarray(values), backlash)
 
 
+def hold_in_increments(axis: MachineAxis, unit: float) -> None:
+    """Make the old table one that whole increments of at most 7 can hold, zero at the reference."""
+    old = axis.old
+    if old is None or old.start > 0:
+        axis.old = None
+        return
+    increments = np.clip(np.round(np.diff(old.values) / unit), -7, 7)
+    if axis.endless:
+        increments[-1] -= increments.sum()
+        increments = np.clip(increments, -7, 7)
+    totals = np.concatenate([np.zeros(1), np.cumsum(increments)]) * unit
+    reference = min(round(-old.start / old.step), old.values.size - 1)
+    old.values = np.asarray(totals - totals[reference], dtype=np.float64)
+
+
 def sinumerik(rng: Rng, axes: list[MachineAxis], system: int, *, enabled: str) -> dict[str, str]:
     """Tables (EEC), machine data and sometimes a table between axes that are not under work."""
     eec, md = ["%_N_AX_EEC_INI", "CHANDATA(1)"], ["CHANDATA(1)"]
@@ -70,7 +85,7 @@ def sinumerik(rng: Rng, axes: list[MachineAxis], system: int, *, enabled: str) -
         elif rng.random() < 0.9:
             md.append(f"N32450 $MA_BACKLASH[{system},{name}]=0")
         if rng.random() < 0.6:
-            reserved = int(rng.choice([12, 61, 125, 500]))
+            reserved = int(rng.choice([25, 61, 125, 500, 500, 500]))
             md.append(f"N38000 $MA_MM_ENC_COMP_MAX_POINTS[{system},{name}]={reserved}")
         if rng.random() < 0.5:
             md.append(f"N30300 $MA_IS_ROT_AX[{name}]={int(axis.rotary)}")
@@ -78,6 +93,8 @@ def sinumerik(rng: Rng, axes: list[MachineAxis], system: int, *, enabled: str) -
         if rng.random() < 0.2:
             md.append(f"N36100 $MA_POS_LIMIT_MINUS[{name}]={axis.travel[0]:g}")
             md.append(f"N36110 $MA_POS_LIMIT_PLUS[{name}]={axis.travel[1]:g}")
+        if rng.random() < 0.5:
+            md.append(f"N32710 $MA_CEC_ENABLE[{name}]={int(rng.random() < 0.7)}")
     _sinumerik_extras(rng, axes, system, md)
     files = {"MD.INI": "\n".join([*md, "M17", ""])}
     if len(eec) > 2 or rng.random() < 0.5:
@@ -91,14 +108,13 @@ def _sinumerik_extras(rng: Rng, axes: list[MachineAxis], system: int, md: list[s
     name = axes[0].address
     for chance, line in (
         (0.1, "N10240 $MN_SCALING_SYSTEM_IS_METRIC=1"),
-        (0.05, "N10240 $MN_SCALING_SYSTEM_IS_METRIC=0"),
+        (0.02, "N10240 $MN_SCALING_SYSTEM_IS_METRIC=0"),
         (0.1, f'N10000 $MN_AXCONF_MACHAX_NAME_TAB[0]="{name}"'),
         (0.1, f"N30200 $MA_NUM_ENCS[{name}]={system + 1}"),
         (0.04, f"N32750 $MA_TEMP_COMP_TYPE[{name}]={int(rng.integers(0, 4))}"),
         (0.04, f"N32452 $MA_BACKLASH_FACTOR[0,{name}]={rng.choice(['1', '0.5', '1.0'])}"),
         (0.04, f"N32456 $MA_BACKLASH_DYN[{system},{name}]={rng.choice(['0', '0.003'])}"),
         (0.04, f"N37100 $MA_GANTRY_AXIS_TYPE[{name}]={int(rng.integers(0, 3))}"),
-        (0.08, f"N32710 $MA_CEC_ENABLE[{name}]={int(rng.integers(0, 2))}"),
         (0.05, "N18342 $MN_MM_CEC_MAX_POINTS[3]=40"),
         (0.05, f"N32720 $MA_CEC_MAX_SUM[{name}]=1"),
     ):
@@ -150,7 +166,7 @@ def fanuc(
     """Parameters and pitch data; axes without a table of their own hold zeros, others may claim
     numbers.
     """
-    decimal = rng.random() < 0.3
+    decimal = rng.random() < (0.95 if newer else 0.15)
     q = "Q1" if newer else ""
     rows: dict[int, list[str]] = {}
     points: dict[int, int] = {}
@@ -187,7 +203,9 @@ def _fanuc_extras(
     if rng.random() < 0.7:
         rows[3605] = [f"A{axis.address}P0000000{int(rng.random() < 0.05)}" for axis in axes]
     if decimal:
-        rows[3624] = [f"{w.split('P')[0]}P{int(w.split('P')[1]) / 1000}" for w in rows[3624]]
+        for number in {3624, 3625} & set(rows):
+            words = [word.split("P") for word in rows[number]]
+            rows[number] = [f"{name}P{int(value) / 1000}" for name, value in words]
         rows[1320] = [f"A{axis.address}P{axis.travel[1]:.3f}" for axis in axes]
         rows[1321] = [f"A{axis.address}P{axis.travel[0]:.3f}" for axis in axes]
     if rng.random() < 0.2:
@@ -278,7 +296,7 @@ def heidenhain_itnc(
 
 
 def heidenhain_nck(
-    rng: Rng, axes: list[MachineAxis], *, meaning: str, acts: bool
+    rng: Rng, axes: list[MachineAxis], *, meaning: str, acts: bool, second_curve: bool
 ) -> dict[str, str]:
     """Own table files, the file of assignments with its active line, or entry sheets."""
     sign = -1 if meaning == "error" else 1
@@ -293,7 +311,7 @@ def heidenhain_nck(
             )
             continue
         cells.append(axis.name)
-        two = rng.random() < 0.3
+        two = rng.random() < (0.7 if second_curve else 0.03)
         rows = []
         for n, value in enumerate(old.values):
             back = f"{sign * (value - old.backlash):+.4f}" if two else "       "
@@ -308,7 +326,7 @@ def heidenhain_nck(
             files[f"entry_{axis.name}.csv"] = "\n".join([*lines, words, ""])
     if cells:
         line = "".join(f"{name + '.COM':<8}" for name in cells)
-        names = "".join(f"{name:<8}" for name in cells)
+        names = "".join(f"{name:<8}" for name in [*cells, "W"])
         mark = "*" if acts else " "
         files["CONFIG.CMA"] = (
             f"BEGIN CONFIG.CMA MM\nNR  ACTIVE  {names}\n0   {mark}       {line}\n[END]\n"

@@ -47,7 +47,7 @@ def write_random_job(deal: str, seed: int, folder: Path) -> None:
     if not options and rng.random() < 0.5:
         del job["controller"]["options"]
     for axis in axes:
-        job["axes"][axis.name] = _axis_words(rng, format_id, axis, files)
+        job["axes"][axis.name] = _axis_words(rng, job, axis, files)
     _whole(rng, job, axes, files)
     files = {name: content.encode() for name, content in files.items()}  # type: ignore[misc]
     if rng.integers(FAULTY) == 0:
@@ -89,13 +89,17 @@ def _truth(axis: MachineAxis) -> dict[str, Any]:
 
 
 def _axes(rng: Rng, format_id: str) -> list[MachineAxis]:
-    endless = 0.05 if format_id == "linuxcnc" else 0.6
+    endless = 0.03 if format_id == "linuxcnc" else 0.6
     count = int(rng.choice([1, 1, 2, 2, 3]))
     places = sorted(rng.choice(6, count, replace=False, p=[0.3, 0.2, 0.2, 0.1, 0.1, 0.1]))
-    return [
+    axes = [
         random_axis(rng, LETTERS[n], controls.ADDRESSES[format_id][n], n + 1, endless)
         for n in map(int, places)
     ]
+    for axis in axes:  # of rotary axes these controls use 0 to 360 only
+        if format_id.startswith("heidenhain") and axis.travel[0] < 0 and axis.rotary:
+            axis.travel = (0.0, 300.0) if rng.random() < 0.9 else axis.travel
+    return axes
 
 
 # --- options
@@ -154,7 +158,7 @@ def _fanuc_options(rng: Rng) -> Words:
 def _heidenhain_options(rng: Rng, format_id: str) -> Words:
     common: dict[str, tuple[float, list[Any]]] = {
         "table_values": (0.4, ["error", "correction"]),
-        "max_points": (0.25, [12, 40, 128]),
+        "max_points": (0.25, [26, 40, 128]),
     }
     if format_id == "heidenhain-nck":
         own: dict[str, tuple[float, list[Any]]] = {
@@ -163,7 +167,7 @@ def _heidenhain_options(rng: Rng, format_id: str) -> Words:
     else:
         own = {
             "spacing_rule": (0.25, ["free", "power_of_two"]),
-            "method": (0.25, ["table", "line"]),
+            "method": (0.2, ["table", "line"]),
         }
     return _some(rng, common | own)
 
@@ -183,17 +187,18 @@ def _state(
         quantum = float(options.get("detection_unit", 0.001))
     wrong = rng.random() < 0.2
     for axis in axes:
-        if rng.random() < 0.9:
+        if rng.random() < (0.97 if format_id == "heidenhain-nck" else 0.9):
             axis.old = controls.old_table(rng, axis, quantum, wrong=wrong)
-            if format_id.startswith("fanuc") and axis.old.start > 0:
-                axis.old = None
+            if format_id.startswith("fanuc"):
+                controls.hold_in_increments(axis, quantum)
     acts = rng.random() < 0.85
     neighbours = [] if rng.random() < 0.6 else _neighbours(rng, format_id, axes, quantum)
     files = _files(rng, format_id, axes + neighbours, options, acts=acts)
     listed = [f"control/{name}" for name in files]
     state: Any = "control" if rng.random() < 0.15 else listed
     said = 0.9 if not acts else 0.15
-    if rng.random() < (0.02 if format_id == "linuxcnc" else said):
+    open_by_files = format_id.startswith(("siemens", "heidenhain"))
+    if rng.random() < (said if open_by_files else 0.02):
         state = {"files": state, "active": bool(acts) if rng.random() < 0.9 else not acts}
     if not acts:
         for axis in axes:
@@ -208,7 +213,9 @@ def _neighbours(
     number, letter = next((n, c) for n, c in enumerate(LETTERS) if c not in taken)
     one = random_axis(rng, letter, controls.ADDRESSES[format_id][number], number + 1)
     one.old = controls.old_table(rng, one, quantum, wrong=False)
-    return [one] if one.old.start <= 0 else []
+    if format_id.startswith("fanuc"):
+        controls.hold_in_increments(one, quantum)
+    return [one]
 
 
 def _files(
@@ -230,7 +237,13 @@ def _files(
         case "heidenhain-itnc530":
             return controls.heidenhain_itnc(rng, axes, meaning=meaning, acts=acts)
         case "heidenhain-nck":
-            return controls.heidenhain_nck(rng, axes, meaning=meaning, acts=acts)
+            return controls.heidenhain_nck(
+                rng,
+                axes,
+                meaning=meaning,
+                acts=acts,
+                second_curve=options.get("backlash_column") == "second_curve",
+            )
         case _:
             return controls.linuxcnc(rng, axes, inch=options.get("units") == "inch")
 
@@ -239,8 +252,12 @@ def _files(
 # --------------------------------------------------------------------------------------------------
 
 
-def _axis_words(rng: Rng, format_id: str, axis: MachineAxis, files: dict[str, str]) -> Words:
+def _axis_words(rng: Rng, job: Words, axis: MachineAxis, files: dict[str, str]) -> Words:
     """The axis of the job file; its tests go into ``files``."""
+    control = job["controller"]
+    format_id, options = control["format"], control.get("options", {})
+    none = job["states"]["as_found"] == "none"
+    both = 0.7 if _holds_two_curves(format_id, options, none=none) else 0.05
     name = f"runs/{axis.name.lower()}.csv"
     x = axis.targets(rng)
     files[name] = positioning_csv(rng, axis, x, axis.measure(rng, x))
@@ -263,24 +280,34 @@ def _axis_words(rng: Rng, format_id: str, axis: MachineAxis, files: dict[str, st
         {
             "screw_pitch": (0.25, [10, 20, [10, 5], 30]),
             "encoder": (0.15, [{"type": "absolute"}, {"type": "distance_coded"}]),
-            "programmed": (0.05, ["radius", "diameter"]),
+            "programmed": (0.0 if axis.rotary else 0.015, ["radius", "diameter"]),
             "reference": (0.12, [0, axis.travel[0], axis.travel[1], axis.travel[1] / 2]),
             "axis_number": (0.1, [axis.number]),
             "position_map": (0.05, [{"sense": 1, "offset": 0}]),
-            "table": (0.5, [_table(rng, axis) for _ in range(3)]),
+            "table": (0.5, [_table(rng, axis, both)]),
         },
     )
-    if format_id == "siemens-840d-sl" and rng.random() < 0.08:
-        words["gantry"] = "AX9"
-    elif rng.random() < 0.03:
+    if options.get("method") == "line" and not none and rng.random() < 0.9:
+        words.pop("table", None)
+    if format_id == "siemens-840d-sl":
+        if rng.random() < (0.12 if none else 0.02):
+            words["gantry"] = "AX9"
+    elif rng.random() < 0.01:
         words["gantry"] = "9"
     return words | axis.words
 
 
-def _table(rng: Rng, axis: MachineAxis) -> Words:
+def _holds_two_curves(format_id: str, options: Words, *, none: bool) -> bool:
+    """Whether the control can hold a curve for each direction, as far as the job tells."""
+    if format_id == "heidenhain-nck":
+        return options.get("backlash_column") == "second_curve" and not none
+    return format_id == "linuxcnc" or "cec" in options or (format_id == "fanuc-30i" and not none)
+
+
+def _table(rng: Rng, axis: MachineAxis, both: float) -> Words:
     length = axis.travel[1] - axis.travel[0]
-    odd = 0.0 if axis.endless else 0.12
-    modes = ["auto", "single"] if rng.random() < 0.7 else ["bidirectional"]
+    odd = 0.0 if axis.endless else 0.06
+    modes = ["bidirectional"] if rng.random() < both else ["auto", "single"]
     return _some(
         rng,
         {
@@ -309,15 +336,22 @@ def _whole(rng: Rng, job: Words, axes: list[MachineAxis], files: dict[str, str])
     job |= _some(
         rng,
         {
-            "uncertainty": (0.15, [device]),
-            "decision_rule": (0.2, ["simple", "guarded"]),
-            "standard": (0.15, STANDARDS),
+            "uncertainty": (0.2, [device]),
+            "decision_rule": (0.1, ["simple"]),
+            "standard": (0.2, STANDARDS),
             "thermal": (0.08, [{"alpha_m": 11.5, "T_m": 22.0}]),
             "machine": (0.3, [{"name": "VMC 850", "serial": "17", "type": "centre"}]),
             "fixed_positions": (0.2, [{"tool change": {axes[0].name: 0}}]),
             "report": (0.1, [{"language": "en"}, {"language": "de"}]),
         },
     )
+    if "uncertainty" in job and rng.random() < 0.5:
+        job["decision_rule"] = "guarded"
+    if job.get("standard") in STANDARDS and rng.random() < 0.95:
+        limit = {"P": 12.0} if job["standard"] == "vdi3441" else {"A": 12.0}
+        for words in job["axes"].values():
+            if "accept" in words:
+                words["accept"] = dict(limit)
 
 
 def _circle(rng: Rng, job: Words, linear: list[MachineAxis], files: dict[str, str]) -> None:
@@ -433,9 +467,9 @@ def later_commands(
     return [
         ["decode", tables, "--format", format_id, *options, "--json", "-"],
         ["decode", tables, "--format", format_id, *options, "--at", at],
-        [*export, "--format", format_id, "--out", "again"],
+        *([[*export, "--format", format_id, "--out", "again"]] if rng.random() < 0.5 else []),
         [*export, "--format", other, *state, "--out", "other", *option_words(addresses)],
-        ["compare", "job/plan.json", "--loaded", tables],
+        *([["compare", "job/plan.json", "--loaded", tables]] if rng.random() < 0.5 else []),
         ["compare", "job/plan.json", "--loaded", "damaged", "--json", "compared.json"],
         [*verify, *loaded, "--out", "verified"],
     ]

@@ -29,7 +29,8 @@ from pathlib import Path
 from typing import Any
 
 HERE = Path(__file__).resolve().parent
-PAINT_EVERY = 20
+#: One job in so many has its figures painted: they are two thirds of the time of a run.
+PAINT_EVERY = 40
 #: Of one control, no more differences than these are printed.
 MOST_SHOWN = 12
 
