@@ -11,6 +11,10 @@ Model (units mm or deg, deviation = measured minus target, d = +1 or -1 the appr
 Offset, slope and constant reversal are left to the data. All variances, lengths and the noise have
 weak priors and are drawn from their posterior. "Reversal constant" and "reversal varying" are two
 models; draws come from both by their evidence.
+
+Rasmussen and Williams, Gaussian Processes for Machine Learning (2006): regression in weights,
+section 2.1.2; free offset and slope, section 2.7; sums of covariances, section 4.2.4; choice
+between models, section 5.2.
 """
 
 from __future__ import annotations
@@ -74,8 +78,10 @@ class AxisPosterior:
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
         """Return mean and standard deviation of the deviation at ``positions`` (g,) strictly
-        ascending.
+        ascending, mm or deg.
 
+        Mean and variance of the mixture over the drawn hyperparameters: mean of the variances plus
+        variance of the means (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 1.8).
         The mean leaves out the local part (no table can hold it); the standard deviation contains
         it.
         """
@@ -106,7 +112,9 @@ class AxisPosterior:
         )
 
     def draw(self, positions: FloatArray, count: int, rng: np.random.Generator) -> Draws:
-        """Return ``count`` draws at ``positions`` (k,), joint over positions and directions.
+        """Return ``count`` draws at ``positions`` (k,), joint over positions and directions, mm or
+        deg: mean + root z of the weights with z standard normal (Rasmussen and Williams 2006,
+        appendix A.2).
 
         At the targets of the test the local part is what the readings say; anywhere else it is
         drawn afresh.
@@ -141,7 +149,8 @@ class AxisPosterior:
         rng: np.random.Generator,
     ) -> FloatArray:
         """Return draws (count, m) of the local part at the targets, given the weights ``values``
-        (count, j).
+        (count, j): a normal mean with normal prior and known variance (Gelman et al. 2013, section
+        2.5).
         """
         data = self.cells.data
         total = np.zeros((values.shape[0], self.cells.targets.size))
@@ -173,9 +182,9 @@ def estimate_axis(
     slope.
 
     ``travel`` (low, high) and the known ``periods`` of the error (screw pitch, scale period), mm or
-    deg. The same test gives the same posterior. Raises InputError for a test with readings at fewer
-    than two targets; UsageError for a test in the instrument's frame, an empty travel, or a period
-    that is not positive.
+    deg. The same test gives the same posterior. Model and sources: module docstring. Raises
+    InputError for a test with readings at fewer than two targets; UsageError for a test in the
+    instrument's frame, an empty travel, or a period that is not positive.
     """
     _refuse_misuse(test, travel, periods)
     cells = cells_of(test, endless=turn is not None)
@@ -238,8 +247,8 @@ def _refuse_misuse(
 
 
 def _dof_of(log_noise: FloatArray, readings: int) -> float:
-    """Return the degrees of freedom that a scatter of log s amounts to: var(log s) = 1 / (2
-    dof).
+    """Return the degrees of freedom that a scatter of log s amounts to: var(log s) = 1 / (2 dof)
+    (JCGM 100:2008, eq. G.3).
     """
     return float(np.clip(0.5 / max(float(np.var(log_noise)), 1e-12), 1.0, max(1.0, readings - 1.0)))
 
@@ -307,7 +316,9 @@ def _without_varying_reversal(prior: Prior) -> Prior:
 
 
 def _mixed(varying: FloatArray, constant: FloatArray, odds: float) -> FloatArray:
-    """Return equally likely hyperparameters from two models of equal prior probability."""
+    """Return equally likely hyperparameters from two models of equal prior probability: the share
+    of the first is odds / (1 + odds) (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995).
+    """
     count = varying.shape[0]
     share = round(count / (1.0 + float(np.exp(-np.clip(odds, -50.0, 50.0)))))
     pick = np.linspace(0, count - 1, max(share, 1)).round().astype(int)[:share]

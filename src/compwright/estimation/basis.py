@@ -70,7 +70,8 @@ class Basis:
 
     def design(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return the design matrices (k, size) of the two approach directions at ``positions``
-        (k,), mm or deg.
+        (k,), mm or deg. Deviation in direction d = f + d r / 2, because B_i = mean(+) - mean(-)
+        (ISO 230-2:1997, 2.12).
         """
         u = (positions - self.centre) / self.half
         slope = u if self.turn is None else np.zeros_like(u)
@@ -95,7 +96,8 @@ class Basis:
 
     def _waves(self, u: FloatArray, count: int) -> FloatArray:
         """Return the smooth functions (count, k): sines of the range, or with a turn (``count``
-        even) its harmonics.
+        even) its harmonics, the Fourier series of a periodic process, whose coefficients are
+        samples of the spectral density.
         """
         if self.turn is None:
             return _sines(u, count)
@@ -115,8 +117,8 @@ def _frequencies(count: int) -> FloatArray:
 
 
 def _sines(u: FloatArray, count: int) -> FloatArray:
-    """Return the eigenfunctions (count, k) of the Laplacian on [-BOUNDARY, BOUNDARY]; zero outside,
-    continuously.
+    """Return the eigenfunctions (count, k) of the Laplacian on [-BOUNDARY, BOUNDARY], sin(w (u +
+    BOUNDARY)) / sqrt(BOUNDARY) (Solin and Särkkä 2020); zero outside, continuously.
     """
     inside = np.clip(u, -BOUNDARY, BOUNDARY)
     waves: FloatArray = np.sin(np.outer(_frequencies(count), inside + BOUNDARY)) / np.sqrt(BOUNDARY)
@@ -148,7 +150,8 @@ def folded(targets: FloatArray, wavelength: float) -> float | None:
     Targets a mean interval d apart show waves longer than 2 d as what they are. A shorter one folds
     where for some frequency g within 1 / (2 d) the mean of exp(2 pi i (1 / wavelength - g) x) over
     the targets has a size above `ALIASED`: at equal intervals always, at those of ISO 230-2 with
-    their random part hardly ever.
+    their random part hardly ever. That mean is the spectral window of the targets (Deeming,
+    Astrophysics and Space Science 36, 1975).
     """
     length = float(np.ptp(targets))
     widest = (targets.size - 1) / (2.0 * max(length, 1e-300))
@@ -168,8 +171,10 @@ def hidden_share(targets: FloatArray, period: float) -> float:
     """Return how much of the first harmonic of ``period`` the targets cannot show: 0 nothing, 1 all
     of it.
 
-    Offset and slope are taken from cosine and sine at the targets; what is left of the worse phase,
-    against what well spread targets would leave, is the share that is seen.
+    Offset and slope are taken from cosine and sine at the targets (orthogonal projection; Björck,
+    Numerical Methods for Least Squares Problems, 1996, chapter 1); what is left of the worse phase,
+    against what well spread targets would leave, sqrt(m / 2), is the share that is seen.
+    ``targets`` (m,) and ``period`` in mm or deg.
     """
     middle = targets - np.mean(targets)
     span = max(float(np.ptp(targets)), 1e-300)

@@ -1,5 +1,5 @@
-"""What a test says before any model: means and counts per target and direction, pooled spread,
-straight line.
+"""What a test says before any model: means and counts per target and direction (ISO 230-2:1997,
+2.10), pooled spread (JCGM 100:2008, 4.2.4), straight line by least squares.
 """
 
 from __future__ import annotations
@@ -45,7 +45,9 @@ class Cells:
     bidirectional: bool
 
     def line_at(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return what was taken out (k,) at ``positions`` for the two directions, mm or deg."""
+        """Return what was taken out (k,) at ``positions`` for the two directions, mm or deg: line
+        +- half the mean reversal mean(+) - mean(-) (ISO 230-2:1997, 2.14).
+        """
         line = self.offset + self.slope * (positions - self.targets[0])
         return line + 0.5 * self.reversal, line - 0.5 * self.reversal
 
@@ -67,7 +69,9 @@ class Cells:
 def cells_of(test: PositioningTest, *, endless: bool = False) -> Cells:
     """Return means, counts and spread of a test; an ``endless`` axis has no slope.
 
-    Raises InputError for fewer than two targets with readings.
+    Means as in ISO 230-2:1997, 2.10; the spread pools the squares about the means of all targets
+    and directions over their n - 1 (JCGM 100:2008, 4.2.4). Raises InputError for fewer than two
+    targets with readings.
     """
     means, counts, squares = [], [], 0.0
     for readings in (test.positive, test.negative):
@@ -158,7 +162,7 @@ def _without_line(
 
 def _neighbour_spread(rows: list[FloatArray], counts: list[FloatArray]) -> float:
     """Return the scatter that second differences of neighbouring targets show: all that single
-    readings can tell.
+    readings can tell (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
     """
     parts = [np.diff(row[count > 0], 2) for row, count in zip(rows, counts, strict=True)]
     together = np.concatenate(parts)
@@ -169,8 +173,8 @@ def _neighbour_spread(rows: list[FloatArray], counts: list[FloatArray]) -> float
 
 
 def visible_periods(targets: FloatArray, periods: Sequence[float]) -> tuple[float, ...]:
-    """Return the known periods that these targets can show: neither hidden by the spacing nor
-    folded to a longer wave.
+    """Return the known periods that these targets can show: neither hidden by the spacing
+    (`hidden_share`) nor folded to a longer wave (`folded`); all in mm or deg.
     """
     return tuple(
         float(period)

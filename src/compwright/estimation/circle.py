@@ -4,7 +4,8 @@ standard error.
 Squareness and scale do not depend on the direction, lost motion and lag change sign with it, and
 the harmonics of lost motion are those of squareness: causes are told apart by fitting all of them
 at once, at the exact distance, with the correlation of the residuals in the standard errors
-(``circle_noise``). Signs and units are those of ``circle_model``.
+(``circle_noise``). Signs and units are those of ``circle_model``. What each cause does to a circle:
+ISO 230-4:1996, annex B.
 """
 
 from __future__ import annotations
@@ -46,8 +47,8 @@ _NOISE_SETTLED: Final = 0.25
 
 
 def diagnose(test: CircularTest, *, periods: Mapping[str, float] | None = None) -> Diagnosis:
-    """Return the causes of a circular test, with standard errors, correlation, and findings on what
-    is not separable.
+    """Return the causes of a circular test (ISO 230-4:1996, annex B), with standard errors,
+    correlation, and findings on what is not separable.
 
     ``periods``: pitch of a cyclic error, mm, by axis name; axes without one are searched. The same
     test gives the same answer. Raises InputError for a test too short or with too few samples;
@@ -185,7 +186,9 @@ def _fitted(problem: Problem, given: dict[str, float]) -> tuple[Fit, Search]:
 
 
 def _settled(problem: Problem, fitted: Fit) -> Fit:
-    """Return the fit once the noise that it leaves is the noise that it was weighted with."""
+    """Return the fit once the noise that it leaves is the noise that it was weighted with (iterated
+    two-stage least squares; Seber and Wild, Nonlinear Regression, 1989, chapter 6).
+    """
     spectra = spectra_of(fitted)
     for _ in range(_NOISE_ROUNDS):
         fitted = fit(problem, fitted.shapes, spectra, fitted.known)

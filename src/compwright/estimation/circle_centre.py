@@ -4,7 +4,8 @@ harmonic of the trace.
 The angle of a circular test is the commanded one, so that with the ball off the centre of the path
 the distance is r(θ) = |(R + m) u(θ) + c| with u = (cosθ, sinθ): c is the centre of the path seen
 from the ball. Its second order, (c_x sinθ - c_y cosθ)² / 2R, looks like scale mismatch and
-squareness; a linear centre term leaves it in the data.
+squareness; a linear centre term leaves it in the data. The least-squares circle is that of ISO
+230-4:1996, 3.3; the angle here is commanded, not measured.
 """
 
 from __future__ import annotations
@@ -24,7 +25,8 @@ def recentre(
     theta: FloatArray, deviations: FloatArray, radius: float
 ) -> tuple[float, float, float]:
     """Return (c_x, c_y, m), mm: centre of the path from the ball and the mean deviation of the
-    radius, by least squares.
+    radius, by least squares (Gauss-Newton: Nocedal and Wright, Numerical Optimization, 2nd ed.
+    2006, section 10.3).
 
     ``theta`` (n,) rad, commanded; ``deviations`` (n,) mm, measured distance minus ``radius`` mm. On
     an arc without curvature enough to tell the three apart the smallest of the equally good answers
@@ -46,7 +48,7 @@ def recentre(
 
 def second_order(theta: FloatArray, centre: tuple[float, float], radius: float) -> FloatArray:
     """Return what a centre adds to the distance beyond its first harmonic, mm (n,): |R u + c| - R -
-    c.u.
+    c.u, by the cosine rule exactly; ``theta`` (n,) rad, ``centre`` and ``radius`` mm.
     """
     cos, sin = np.cos(theta), np.sin(theta)
     x, y = centre

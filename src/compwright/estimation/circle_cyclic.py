@@ -1,9 +1,10 @@
 """Search for a cyclic error of unknown pitch in what a fit of a circular test has left over.
 
-A cyclic error of an axis repeats with its position x = R cosθ, not with the angle: its frequency
-along the trace changes, so that it is sought as a chirp. All frequencies at once come from one
-Fourier transform of the weighted residuals over x; the best are then weighed exactly against
-everything else in the model.
+A cyclic error of an axis (ISO 230-4:1996, B.2.3) repeats with its position x = R cosθ, not with the
+angle: its frequency along the trace changes, so that it is sought as a chirp. All frequencies at
+once come from one Fourier transform of the weighted residuals over x, laid on an even grid (Press
+and Rybicki, Astrophysical Journal 338, 1989); the best are then weighed exactly against everything
+else in the model.
 """
 
 from __future__ import annotations
@@ -46,7 +47,9 @@ def search(problem: Problem, fitted: Fit, axes: Sequence[str]) -> Search:
     doubt.
 
     One at a time, because a strong one of one axis has side lobes among the frequencies of the
-    other.
+    other. The threshold is the gain in weighted squares, a chi-square of two degrees of freedom,
+    that noise exceeds at any of the frequencies once in a thousand searches (Scargle, Astrophysical
+    Journal 263, 1982).
     """
     clearest, found = 1.0, {}
     hidden = {}
@@ -70,7 +73,9 @@ def search(problem: Problem, fitted: Fit, axes: Sequence[str]) -> Search:
 
 
 def shortest_pitch(samples: Samples) -> float:
-    """Return the shortest pitch, mm, that the samples of a run can show."""
+    """Return the shortest pitch, mm, that the samples of a run can show: `_STEEPEST` half turns of
+    phase per sample where the axis moves along the path (1 would be Nyquist's limit).
+    """
     per_run = samples.theta.size / max(np.unique(samples.run).size, 1)
     return float(2.0 * samples.radius * samples.arc[1] / per_run / _STEEPEST)
 
@@ -131,7 +136,10 @@ def _peaks(gains: FloatArray) -> FloatArray:
 
 
 def _gain(problem: Problem, fitted: Fit, axis: str, frequency: float) -> float:
-    """Return how much a cyclic error of this frequency lowers the weighted sum of squares."""
+    """Return how much a cyclic error of this frequency, 1/mm, lowers the weighted sum of squares: a
+    column added to a least-squares fit (Seber and Lee, Linear Regression Analysis, 2nd ed. 2003,
+    section 3.7).
+    """
     right, left = _weighed(problem, fitted, axis, frequency)
     return float(right @ np.linalg.solve(left, right))
 

@@ -1,5 +1,7 @@
 """Weighted least squares of all causes over both runs, at the exact distance: Gauss-Newton on |R u
-+ displacements|.
++ displacements| (Seber and Wild, Nonlinear Regression, 1989, chapter 2). A width of a cause is a
+normal prior, which adds its precision to the normal matrix (Tarantola, Inverse Problem Theory,
+2005, chapter 3).
 """
 
 from __future__ import annotations
@@ -128,15 +130,17 @@ def problem_of(samples: Samples, grid: Grid) -> Problem:
 
 
 def first_fit(problem: Problem, shapes: Shapes) -> Fit:
-    """Return a fit with ``shapes`` as they are and all samples independent and alike, to see the
-    residuals.
+    """Return a fit with ``shapes`` as they are and all samples independent and alike (1 µm each),
+    to see the residuals.
     """
     white = tuple(Spectrum(np.full(problem.grid.size, 1e-6), 1.0) for _ in problem.grid.index)
     return fit(problem, shapes, white, problem.start, rounds=2, hold=True)
 
 
 def spectra_of(found: Fit) -> tuple[Spectrum, ...]:
-    """Return the spectra of the residuals of a fit."""
+    """Return the spectra of the residuals of a fit; the leverage of an ordinate is its diagonal of
+    the hat matrix (Belsley, Kuh and Welsch, Regression Diagnostics, 1980, chapter 2).
+    """
     spectra = []
     for rows, rest, spectrum in zip(found.rows, found.rest, found.spectra, strict=True):
         leverage = np.sum((rows @ found.covariance) * rows, axis=1) / spectrum.density
@@ -154,7 +158,7 @@ def fit(
     hold: bool = False,
 ) -> Fit:
     """Return the least-squares fit weighted by ``spectra``, from ``shapes`` and the values
-    ``known`` by name as its start.
+    ``known`` by name as its start (Gauss-Newton: Seber and Wild 1989, chapter 2).
 
     ``hold``: the shapes stay; else lengths and frequencies are fitted along. Distances are exact in
     every round.
@@ -313,7 +317,9 @@ def _solved(normal: FloatArray, right: FloatArray) -> FloatArray:
 
 
 def inverse_of(normal: FloatArray) -> FloatArray:
-    """Return the inverse of a normal matrix, scaled to a unit diagonal on the way."""
+    """Return the inverse of a normal matrix (k, k), scaled to a unit diagonal on the way, which is
+    nearly the best scaling (van der Sluis, Numerische Mathematik 14, 1969).
+    """
     unit = 1.0 / np.sqrt(np.diag(normal))
     scale = np.outer(unit, unit)
     inverse: FloatArray = scale * np.linalg.inv(normal * scale)

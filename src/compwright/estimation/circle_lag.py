@@ -5,7 +5,9 @@ The angles of a test are commanded ones, and axes that follow their commands T l
 R after the commanded reversal point: 0.8° at 2 000 mm/min on R = 150 mm with a loop of Kv = 16.7/s.
 Steps fitted at the wrong angle spoil lost motion and spikes, and half of what is then left of scale
 and squareness looks like a lag difference. A lag that all axes share moves nothing else to first
-order, so that it is found here and the angles are corrected by it.
+order, so that it is found here and the angles are corrected by it. Lag and circle: ISO
+230-4:1996, B.3.2 and B.3.3; the point where a trace breaks is found by the least squares of all
+points tried (Seber and Wild, Nonlinear Regression, 1989, chapter 9).
 """
 
 from __future__ import annotations
@@ -42,8 +44,9 @@ class Lag:
 
 
 def common_lag(samples: Samples) -> Lag | None:
-    """Return the common lag if the samples beside the reversal points show one clearly, else
-    None.
+    """Return the common lag, rad, if the samples beside the reversal points show one clearly, else
+    None. Angles whose weighted squares differ by less than 9 (three standard errors) count as equal
+    (Seber and Wild 1989, chapter 9).
     """
     per_run = samples.theta.size / np.unique(samples.run).size
     spacing = samples.arc[1] / per_run
@@ -67,7 +70,9 @@ def common_lag(samples: Samples) -> Lag | None:
 
 
 def corrected(samples: Samples, lag: Lag) -> Samples:
-    """Return the samples at the angles where the axes are, not where they were told to be."""
+    """Return the samples at the angles where the axes are, not where they were told to be: behind by
+    ``lag.angle`` in the sense of the run.
+    """
     return replace(samples, theta=samples.theta - samples.sense * lag.angle, lag_doubt=lag.doubt)
 
 

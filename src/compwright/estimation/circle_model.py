@@ -3,8 +3,10 @@
 Displacements, not radial deviations, because the bar measures |R u(θ) + displacement - ball|: with
 the ball 0.5 mm off the centre a displacement across the radius counts too. Each column is the
 displacement (x, y) in mm per unit of its parameter, in the units and signs of the contract; to
-first order at the centre they are the table of ISO 230-4 effects in the handbook's model (d = +1
-ccw, -1 cw; v path speed):
+first order at the centre they are these radial deviations (d = +1 ccw, -1 cw; v path speed), whose
+shapes and signs ISO 230-4:1996, annex B draws (B.2.1 scale, B.2.2 squareness, B.2.3 cyclic, B.3.1
+lost motion and spikes, B.3.2 acceleration, B.3.3 unequal lag; see also Kakino, Ihara and Shinohara,
+Accuracy Inspection of NC Machine Tools by Double Ball Bar Method, 1993):
 
     scale_mismatch D (um)     D/4 cos2θ                     squareness β (um/m)    -(βR/2) sin2θ
     servo_mismatch τ (ms)     d (vτ/2) sin2θ                radius_change ρ (um)   d ρ
@@ -108,7 +110,9 @@ def samples_of(test: CircularTest) -> Samples:
 
 
 def since_reversal(samples: Samples, axis: str) -> FloatArray:
-    """Return the arc, mm (n,), travelled since an axis last reversed."""
+    """Return the arc, mm (n,), travelled since an axis last reversed: the first axis at 0° and
+    180°, the second at 90° and 270°.
+    """
     start = 0.0 if axis == "first" else 0.5 * np.pi
     arc: FloatArray = samples.radius * np.mod(samples.sense * (samples.theta - start), np.pi)
     return arc
@@ -203,8 +207,9 @@ def _lateral_play(samples: Samples, axis: str) -> Iterator[Column]:
 def spike_columns(
     samples: Samples, axis: str, length: float, height: float
 ) -> tuple[Column, Column]:
-    """Return the spike of an axis with decay ``length`` mm, and its change per unit of log length
-    at ``height`` µm.
+    """Return the spike of an axis (ISO 230-4:1996, B.3.1) with decay ``length`` mm, h exp(-arc /
+    length) outward, and its change per unit of log length at ``height`` µm, h (arc / length)
+    exp(-arc / length).
     """
     arc = since_reversal(samples, axis)
     zero = np.zeros_like(arc)
@@ -226,7 +231,9 @@ def spike_columns(
 
 def lag_column(samples: Samples, known: Mapping[str, float]) -> Column:
     """Return what one ``lag_doubt`` of angle does, mm: the slope of the smooth causes as they are
-    ``known``, against the motion.
+    ``known``, against the motion (the derivatives by θ of the module's table; ISO 230-4:1996, annex
+    B). A sagging axis counts by its third harmonic: k cos²θ sinθ = k/4 (sinθ + sin3θ), and the
+    first belongs to the centre.
     """
     double, triple = 2.0 * samples.theta, 3.0 * samples.theta
     slope = (
@@ -242,8 +249,8 @@ def lag_column(samples: Samples, known: Mapping[str, float]) -> Column:
 def cyclic_columns(
     samples: Samples, axis: str, frequency: float, amplitudes: tuple[float, float]
 ) -> tuple[Column, ...]:
-    """Return cosine and sine of a cyclic error of ``frequency`` 1/mm along an axis, and the change
-    per 1/mm of it.
+    """Return cosine and sine of a cyclic error (ISO 230-4:1996, B.2.3) of ``frequency`` 1/mm along
+    an axis, and the change per 1/mm of it at ``amplitudes`` (a, b) µm: a cos(2πfx) - b sin(2πfx).
     """
     zero = np.zeros_like(samples.theta)
     along = samples.radius * (np.cos(samples.theta) if axis == "first" else np.sin(samples.theta))

@@ -6,8 +6,10 @@ same angle: there are neither n independent samples nor two independent runs. Th
 therefore split into the half that both directions share and the half that changes sign with the
 direction (each cause belongs to one of them), each with a spectrum of its own: white plus
 first-order autoregressive, in the cosine transform, which makes such noise independent to good
-approximation and needs no closed circle. The spectrum is not taken at its peak but averaged over
-its likelihood, so that what the data leave open about it widens the intervals.
+approximation (Ahmed, Natarajan and Rao, IEEE Trans. Computers C-23, 1974) and needs no closed
+circle. The spectrum is not taken at its peak but averaged over its likelihood, that of independent
+ordinates (Whittle, Arkiv för Matematik 2, 1953), so that what the data leave open about it widens
+the intervals.
 """
 
 from __future__ import annotations
@@ -117,7 +119,7 @@ def cosine_transform(values: FloatArray) -> FloatArray:
     """Return the orthonormal cosine transform (type II) of values (size, ...) along the first axis.
 
     By one Fourier transform of the same length: the even samples, then the odd ones backwards
-    (Makhoul 1980).
+    (Makhoul, IEEE Trans. Acoustics, Speech, and Signal Processing 28, 1980).
     """
     size = values.shape[0]
     folded = np.fft.rfft(np.concatenate([values[::2], values[1::2][::-1]]), axis=0)
@@ -133,7 +135,7 @@ def cosine_transform(values: FloatArray) -> FloatArray:
 
 
 def inverse_cosine_transform(transformed: FloatArray) -> FloatArray:
-    """Return the values (size,) whose orthonormal cosine transform is given."""
+    """Return the values (size,) whose orthonormal cosine transform is given (Makhoul 1980)."""
     size = transformed.size
     scaled = transformed * np.sqrt(0.5 * size)
     scaled[0] *= np.sqrt(2.0)
@@ -147,7 +149,8 @@ def inverse_cosine_transform(transformed: FloatArray) -> FloatArray:
 
 
 def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
-    """Return the spectrum of one half from its transformed residuals (size,), mm.
+    """Return the spectrum of one half from its transformed residuals (size,), mm: the densities of
+    all lengths and ratios tried, weighted by their likelihood (Whittle 1953).
 
     ``leverage`` (size,): share of each ordinate that the fit has used up; the rest is what it
     carries of a degree of freedom.
@@ -175,8 +178,9 @@ def spectrum_of(residual: FloatArray, leverage: FloatArray) -> Spectrum:
 
 
 def _correlated(frequency: FloatArray, lengths: FloatArray) -> FloatArray:
-    """Return densities (2 l, f), 1 at zero, of autoregressive noise of first order and of the same
-    passed through once more.
+    """Return densities (2 l, f), 1 at zero, of autoregressive noise of first order, proportional to
+    1 / (1 - 2 ρ cos w + ρ²) (Box and Jenkins, Time Series Analysis, 1970, chapter 3), and of the
+    same passed through once more.
 
     ``lengths`` in samples to 1/e; ``frequency`` 1 is half a turn per sample.
     """

@@ -1,4 +1,6 @@
-"""The plain regression of other software for a circular test, beside the full model."""
+"""The plain regression of other software for a circular test, beside the full model: harmonics and
+reversal terms of ISO 230-4:1996, annex B, at the centre, by ordinary least squares.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,7 @@ def plain_regression(samples: Samples) -> dict[str, float]:
     On a full circle in both directions: squareness, scale mismatch, servo mismatch, radius change,
     and for each axis lost motion (mean and both ends), lateral play and straightness. On an arc
     lateral play, straightness and the two ends are left out, with one direction everything that
-    needs two.
+    needs two. Formulas: the table of ``circle_model`` (ISO 230-4:1996, annex B).
     """
     names, rows = _plain_rows(samples)
     x, y, _ = recentre(samples.theta, samples.deviations, samples.radius)

@@ -1,5 +1,6 @@
 """From the fit of a circular test to causes in the contract's names and units, and what is to be
-said about them.
+said about them. Standard errors follow the law of propagation, gradient' covariance gradient (JCGM
+100:2008, eq. 13).
 """
 
 from __future__ import annotations
@@ -51,7 +52,9 @@ def effects_of(
     """Return effects by name, their correlation in that order, and findings.
 
     The effects of details (each end of a lost motion, scale errors beside the mismatch) are parts
-    of causes that count already: shares are over the sum of the causes, each counted once.
+    of causes that count already: shares are over the sum of the causes, each counted once. Standard
+    errors and correlation by JCGM 100:2008, eq. 13 and 14; ``low`` is the lower end of a one-sided
+    95 % interval.
     """
     causes = tuple(_causes(test, samples, fitted, found))
     gradients = np.array([cause.gradient for cause in causes])
@@ -88,7 +91,8 @@ def effects_of(
 
 def shrink_doubt(samples: Samples) -> float:
     """Return the standard uncertainty, mm, of the radius by an equal lag of both axes: uniform up
-    to the softest loop's.
+    to the softest loop's v² / (2 Kv² R) (the circle shrinks with the acceleration: ISO 230-4:1996,
+    B.3.2), taken as a of the range ±a: a / sqrt(3) (JCGM 100:2008, eq. 7).
     """
     most = samples.speed**2 / (2.0 * SOFTEST_LOOP**2 * samples.radius)
     return float(most / np.sqrt(3.0))
@@ -174,8 +178,9 @@ def _spike(cause: _Cause) -> _Cause:
 def _cyclic(
     samples: Samples, fitted: Fit, found: Search, axis: str, radial: FloatArray
 ) -> Iterator[_Cause]:
-    """Yield the amplitude of a cyclic error; where none was found 0 ± half of what may be
-    hidden.
+    """Yield the amplitude of a cyclic error, sqrt(a² + b² - σ²), because the root of two squares is
+    too large by the noise in them (Gudbjartsson and Patz, Magnetic Resonance in Medicine 34, 1995);
+    where none was found 0 ± half of what may be hidden.
     """
     gradient = np.zeros(len(fitted.names))
     if axis not in fitted.shapes.frequencies:
@@ -195,7 +200,6 @@ def _cyclic(
     amplitude = float(np.hypot(*values))
     gradient[pair] = values / max(amplitude, 1e-12)
     variance = np.diag(fitted.covariance)[pair]
-    # The root of two squares is too large by the noise in them.
     fair = float(np.sqrt(max(amplitude**2 - float(np.mean(variance)), 0.0)))
     yield _Cause(f"cyclic_{axis}", fair, gradient, radial[:, pair] @ values, positive=True)
 
@@ -257,7 +261,7 @@ def _separation(
 
 def _condition(fitted: Fit) -> float:
     """Return the condition of the fit: of the correlation matrix of its linear columns, as a ratio
-    of lengths.
+    of lengths (Belsley, Kuh and Welsch, Regression Diagnostics, 1980, chapter 3).
     """
     linear = [
         index

@@ -4,6 +4,11 @@ hyperparameters.
 Everything here is in units of ``CellData.scale``. The hyperparameters are logarithms, in this
 order: noise of a reading, local (target to target) part, standard deviation and length of the
 smooth part, the same two of the reversal, amplitude of each period.
+
+Rasmussen and Williams, Gaussian Processes for Machine Learning (2006): marginal likelihood, eq.
+5.8; weights and their covariance, eq. 2.8; inverse and determinant of a sum of low rank, eq. A.9
+and A.10. Readings of one cell enter by mean and sum of squares, which are sufficient (Gelman et
+al., Bayesian Data Analysis, 3rd ed. 2013, section 3.2).
 """
 
 from __future__ import annotations
@@ -53,7 +58,9 @@ class Prior:
     free: tuple[bool, ...]
 
     def log(self, values: FloatArray) -> float:
-        """Return the logarithm of the prior density over the free hyperparameters."""
+        """Return the logarithm of the prior density over the free hyperparameters: independent
+        normal ones (Rasmussen and Williams 2006, eq. A.5). ``values`` (h,).
+        """
         free = np.array(self.free)
         z = ((values - self.centre) / self.width)[free]
         return float(
@@ -85,7 +92,8 @@ class Evidence:
 
     def log_variances(self, h: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return log prior variances (j,) of the weights and their derivatives (hyperparameters,
-        j).
+        j): the spectral density at each sine (Solin and Särkkä, Statistics and Computing 30, 2020),
+        1 / harmonic^2 for those of a period.
         """
         basis = self.basis
         logs = np.full(basis.size, 2.0 * np.log(VAGUE))
@@ -112,11 +120,14 @@ class Evidence:
         return logs, slopes
 
     def variances(self, h: FloatArray) -> tuple[float, float]:
-        """Return the variance of one reading and of the local part."""
+        """Return the variance of one reading and of the local part, in units of the scale
+        squared."""
         return float(np.exp(2.0 * h[NOISE]) + self.data.floor**2), float(np.exp(2.0 * h[LOCAL]))
 
     def weights(self, h: FloatArray) -> Weights:
-        """Return the posterior of the weights given the hyperparameters."""
+        """Return the posterior of the weights given the hyperparameters ``h`` (Rasmussen and
+        Williams 2006, eq. 2.8).
+        """
         solved = self._solve(h)
         root = solved.deviations[:, np.newaxis] * solved.inverse_factor.T
         return Weights(
@@ -124,14 +135,16 @@ class Evidence:
         )
 
     def log_posterior(self, h: FloatArray) -> float:
-        """Return log marginal likelihood plus log prior of the hyperparameters."""
+        """Return log marginal likelihood plus log prior of the hyperparameters (Rasmussen and
+        Williams 2006, eq. 5.8), up to a constant that no hyperparameter moves.
+        """
         return self._log_posterior(h, self._solve(h))
 
     def with_gradient(self, h: FloatArray) -> tuple[float, FloatArray]:
         """Return the log posterior and its gradient; the gradient of a fixed hyperparameter is 0.
 
         By Fisher's identity: the gradient of the marginal likelihood is the expected gradient of
-        the complete one.
+        the complete one (Louis, J. R. Stat. Soc. B 44, 1982).
         """
         solved = self._solve(h)
         second_moment = solved.mean**2 + np.sum(solved.inverse_factor**2, axis=0)
@@ -243,7 +256,9 @@ def _cell_precision(
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return the inverse of noise/n + local for the two directions of each target: diagonal (2m,),
     off-diagonal (2m,), and the determinant's extra factor (m,). A cell without readings has
-    precision 0."""
+    precision 0. By the formula of Sherman and Morrison (Rasmussen and Williams 2006, eq. A.9,
+    A.10).
+    """
     half = precision.size // 2
     both = precision[:half] + precision[half:]
     shared = 1.0 + local * both

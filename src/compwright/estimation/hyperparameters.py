@@ -1,9 +1,11 @@
 """Posterior of the hyperparameters: its peak, its width there, and draws corrected by their true
 density.
 
-Laplace's approximation alone is lopsided where the data say little (a length scale, the variance of
-a reversal that may be constant). Draws from a heavier-tailed version of it are therefore weighted
-with the true posterior; the mean weight is the evidence of the model.
+Laplace's approximation (MacKay, Information Theory, Inference, and Learning Algorithms, 2003,
+chapter 27) alone is lopsided where the data say little (a length scale, the variance of a reversal
+that may be constant). Draws from a heavier-tailed version of it are therefore weighted with the
+true posterior; the mean weight is the evidence of the model (importance sampling: Geweke,
+Econometrica 57, 1989).
 """
 
 from __future__ import annotations
@@ -31,8 +33,9 @@ class HyperparameterDraws:
 
 
 def maximise(evidence: Evidence, start: FloatArray) -> tuple[FloatArray, float]:
-    """Return the hyperparameters of highest posterior density, from ``start`` uphill (BFGS with
-    step halving).
+    """Return the hyperparameters (h,) of highest posterior density and its logarithm there, from
+    ``start`` uphill: BFGS with a backtracking step of sufficient increase (Nocedal and Wright,
+    Numerical Optimization, 2nd ed. 2006, algorithms 6.1 and 3.1, eq. 3.4).
     """
     free = np.array(evidence.prior.free)
     here = start.copy()
@@ -62,6 +65,7 @@ def maximise(evidence: Evidence, start: FloatArray) -> tuple[FloatArray, float]:
 def _updated(
     inverse: FloatArray, step: FloatArray, change: FloatArray, curvature: float
 ) -> FloatArray:
+    """Return the inverse of BFGS after one step (Nocedal and Wright 2006, eq. 6.17)."""
     moved = inverse @ change
     outer = np.outer(step, moved)
     updated: FloatArray = (
@@ -93,7 +97,11 @@ def draw_hyperparameters(
     evidence: Evidence, start: FloatArray, *, proposals: int, draws: int, rng: np.random.Generator
 ) -> HyperparameterDraws:
     """Return ``draws`` equally likely hyperparameters, and the evidence by importance sampling with
-    ``proposals`` points.
+    ``proposals`` points (Geweke, Econometrica 57, 1989).
+
+    Equally likely: taken where the cumulative weights cross evenly spaced steps (Kitagawa, J.
+    Comput. Graph. Stat. 5, 1996). Proposals come in mirrored pairs (antithetic variates: Hammersley
+    and Handscomb, Monte Carlo Methods, 1964, section 5.6).
     """
     peak, _ = maximise(evidence, start)
     root = _spread(evidence, peak)
@@ -119,6 +127,9 @@ def draw_hyperparameters(
 
 
 def _log_student(scaled: FloatArray) -> FloatArray:
+    """Return the log density (n,) of a Student distribution of several dimensions at ``scaled`` (n,
+    f) (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, appendix A).
+    """
     from math import lgamma
 
     size = scaled.shape[1]
