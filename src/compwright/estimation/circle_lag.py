@@ -70,8 +70,8 @@ def common_lag(samples: Samples) -> Lag | None:
 
 
 def corrected(samples: Samples, lag: Lag) -> Samples:
-    """Return the samples at the angles where the axes are, not where they were told to be: behind by
-    ``lag.angle`` in the sense of the run.
+    """Return the samples at the angles where the axes are, not where they were told to be: behind
+    by ``lag.angle`` in the sense of the run.
     """
     return replace(samples, theta=samples.theta - samples.sense * lag.angle, lag_doubt=lag.doubt)
 
