@@ -372,9 +372,12 @@ class Expectation:
     at: tuple[Expected, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class Definition:
-    """Everything that is known about one control's compensation files."""
+    """Everything that is known about one control's compensation files.
+
+    Equal only to itself: what is made of it (its compiled forms) is kept by it.
+    """
 
     id: str
     title: str

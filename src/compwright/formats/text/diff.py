@@ -14,7 +14,7 @@ from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.axis_names import axis_names
 from compwright.formats.text.entry_sheet import is_entry_sheet, read_sheet
 from compwright.formats.text.gathering import same_value
-from compwright.formats.text.texts import TextReader
+from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -80,7 +80,7 @@ def all_names(
     """Return every name that ``files`` give to the axes at ``addresses``, those themselves among
     them.
     """
-    reader, faults = TextReader(definition), list[Fault]()
+    reader, faults = text_reader(definition), list[Fault]()
     texts = [
         text
         for file in files
@@ -105,7 +105,7 @@ def _entries(
     definition: Definition, files: Sequence[ControlFile]
 ) -> Iterator[tuple[tuple[str, ...], _Entry]]:
     faults: list[Fault] = []
-    reader = TextReader(definition)
+    reader = text_reader(definition)
     for file in files:
         if is_entry_sheet(file):
             sheet = read_sheet(file, faults)

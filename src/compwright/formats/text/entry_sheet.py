@@ -11,12 +11,14 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
 HEADER = ("point", "position", "value", "unit")
 VALUES = ("error", "correction")
+KEPT_SHEETS = 128  #: Each sheet is parsed once in a run.
 _NUMBER = re.compile(r"[+-]?(?:[0-9]{1,12}(?:\.[0-9]{0,12})?|\.[0-9]{1,12})")
 
 
@@ -65,6 +67,19 @@ def read_sheet(file: ControlFile, faults: list[Fault]) -> EntrySheet | None:
     """Return a sheet; None when something is wrong with it, which goes to ``faults`` with its
     line.
     """
+    sheet, found = _read(file)
+    faults.extend(found)
+    return sheet
+
+
+@lru_cache(maxsize=KEPT_SHEETS)
+def _read(file: ControlFile) -> tuple[EntrySheet | None, tuple[Fault, ...]]:
+    faults: list[Fault] = []
+    return parse_sheet(file, faults), tuple(faults)
+
+
+def parse_sheet(file: ControlFile, faults: list[Fault]) -> EntrySheet | None:
+    """Return a sheet that was not read before; as `read_sheet`."""
     try:
         text = file.content.decode("utf-8-sig")
     except UnicodeDecodeError as error:

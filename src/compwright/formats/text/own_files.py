@@ -16,7 +16,7 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence, print_form
 from compwright.formats.text.gathering import Found, Gathered, gather, same_value
 from compwright.formats.text.patching import Change, apply_changes, set_field
-from compwright.formats.text.texts import Line, TextReader
+from compwright.formats.text.texts import Line, text_reader
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.records.correction import ControlFile
 
@@ -50,7 +50,7 @@ class OwnFiles:
     ) -> None:
         self.definition = definition
         self.files = list(files)
-        self.reader = TextReader(definition)
+        self.reader = text_reader(definition)
         faults: list[Fault] = []
         texts = [self.reader.read(file, faults, number) for number, file in enumerate(self.files)]
         raise_all(InputError, faults)

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from compwright.formats.definition.schema import Definition, Statement, TextKind
 from compwright.formats.definition.statements import (
@@ -30,6 +31,8 @@ _ENCLOSED = re.compile(r"\([^()]*\)")
 #: control: it counts as said.
 BY_HAND = " by hand: "
 _UTF8_MARK = "\xef\xbb\xbf"  # the byte order mark, seen as single bytes
+#: What was read is kept by content: a run reads each text once, of more files than a control has.
+KEPT_TEXTS, KEPT_READERS = 256, 16
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,8 +61,14 @@ class ReadText:
     findings: tuple[Finding, ...]
 
 
+@lru_cache(maxsize=KEPT_READERS)
+def text_reader(definition: Definition) -> TextReader:
+    """Return the reader of a definition: its forms are compiled once."""
+    return TextReader(definition)
+
+
 class TextReader:
-    """Reads files by one definition; the forms are compiled once."""
+    """Reads files by one definition; `text_reader` gives the one that is in use already."""
 
     def __init__(self, definition: Definition) -> None:
         self.definition = definition
@@ -77,6 +86,12 @@ class TextReader:
         """Return the statements of a file, or None when it cannot be read at all; what is wrong
         goes to ``faults``.
         """
+        text, found = _read(self, file)
+        faults.extend(found)
+        return None if text is None else replace(text, number=number)
+
+    def parse(self, file: ControlFile, faults: list[Fault]) -> ReadText | None:
+        """Return the statements of a file that was not read before; as `read`."""
         if _BINARY.search(file.content):
             faults.append(
                 Fault(
@@ -90,7 +105,7 @@ class TextReader:
             return None
         lines = self.lines(file.content.decode("latin-1"))
         kind = self._kind(lines)
-        return _KindReader(self, kind, file.name, faults).read(lines, number)
+        return _KindReader(self, kind, file.name, faults).read(lines)
 
     def lines(self, text: str) -> list[Line]:
         """Return the lines of a text; a last line without an end counts when it is not empty."""
@@ -115,6 +130,12 @@ class TextReader:
         return next(kind for kind in kinds if kind.recognised_by is None)
 
 
+@lru_cache(maxsize=KEPT_TEXTS)
+def _read(reader: TextReader, file: ControlFile) -> tuple[ReadText | None, tuple[Fault, ...]]:
+    faults: list[Fault] = []
+    return reader.parse(file, faults), tuple(faults)
+
+
 class _KindReader:
     """Reads the lines of one file as one kind of text."""
 
@@ -137,7 +158,7 @@ class _KindReader:
         self.section_start = 0
         self.seen_sections: list[str] = []
 
-    def read(self, lines: Sequence[Line], number: int) -> ReadText:
+    def read(self, lines: Sequence[Line]) -> ReadText:
         occurrences: list[Occurrence] = []
         last = max((line.number for line in lines if line.text.strip(" \t")), default=0)
         for line in lines:
@@ -159,7 +180,7 @@ class _KindReader:
             elif not self._open_section(line, code):
                 occurrences.extend(self._statement(line, code))
         return ReadText(
-            number,
+            0,
             self.file,
             self.kind.name,
             tuple(occurrences),

@@ -24,7 +24,7 @@ from compwright.formats.families.columns.text import (
 )
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.entry_sheet import EntrySheet, SheetRow, is_entry_sheet, read_sheet
-from compwright.formats.text.texts import TextReader
+from compwright.formats.text.texts import TextReader, text_reader
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis
@@ -173,7 +173,7 @@ def find_sources(
     ``faults``.
     """
     sources = Sources(definition, AxisNumbers(definition, axes))
-    reader = TextReader(definition)
+    reader = text_reader(definition)
     tables: list[UserTable] = []
     for number, file in enumerate(files):
         if is_entry_sheet(file):

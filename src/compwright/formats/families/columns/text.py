@@ -17,12 +17,13 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import lru_cache
 from typing import Literal
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.definition.statements import compile_statement
 from compwright.formats.text.patching import Change
 from compwright.formats.text.scale import NotHeld
+from compwright.formats.text.texts import TextReader, text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -33,6 +34,7 @@ ROW_NUMBER, POSITION, SECOND, ACTIVE = "NR", "AXISPOS", "BACKLASH", ("ACTIVE", "
 RESERVED = (ROW_NUMBER, POSITION, SECOND, *ACTIVE)
 _NUMBER = re.compile(r"[+-]?(?:[0-9]{1,9}(?:\.[0-9]{0,9})?|\.[0-9]{1,9})")
 _BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]")
+KEPT_TABLES = 128  #: Each table is parsed once in a run.
 _ENDS = ("END", "[END]")
 
 Kind = Literal["values", "assignments"]
@@ -136,7 +138,20 @@ def read_table_text(
     """Return the table in a file; None when something is wrong with it, which goes to ``faults``
     with its line.
     """
-    return _TableReader(definition, file, faults).read()
+    table, found = _read(text_reader(definition), file)
+    faults.extend(found)
+    return table
+
+
+@lru_cache(maxsize=KEPT_TABLES)
+def _read(reader: TextReader, file: ControlFile) -> tuple[UserTable | None, tuple[Fault, ...]]:
+    faults: list[Fault] = []
+    return parse_table(reader, file, faults), tuple(faults)
+
+
+def parse_table(reader: TextReader, file: ControlFile, faults: list[Fault]) -> UserTable | None:
+    """Return a table that was not read before; as `read_table_text`."""
+    return _TableReader(reader, file, faults).read()
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,8 +170,9 @@ class _Line:
 
 
 class _TableReader:
-    def __init__(self, definition: Definition, file: ControlFile, faults: list[Fault]) -> None:
-        self.definition = definition
+    def __init__(self, reader: TextReader, file: ControlFile, faults: list[Fault]) -> None:
+        self.reader = reader
+        self.definition = reader.definition
         self.file = file
         self.faults = faults
         self.known = len(faults)
@@ -220,7 +236,7 @@ class _TableReader:
         kinds: tuple[tuple[Kind, str], ...] = (("values", VALUES), ("assignments", ASSIGNMENTS))
         for kind, name in kinds:
             statement = self.definition.statements[name]
-            for form in compile_statement(statement, self.definition).forms:
+            for form in self.reader.matchers[name].forms:
                 match = form.fullmatch(line.text)
                 if match is not None and match["unit"].upper() in ("MM", "INCH"):
                     fields = {key: match.span(key) for key in statement.fields}

@@ -30,7 +30,7 @@ from compwright.formats.families.travel_limits import check_limits
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.gathering import Found, Gathered, gather
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.texts import ReadText, TextReader
+from compwright.formats.text.texts import ReadText, TextReader, text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState, Fact
@@ -225,7 +225,7 @@ class _StateReader:
             raise UsageError(
                 "no file of the control was given; expected its own files, or the state `none`"
             )
-        reader = TextReader(self.definition)
+        reader = text_reader(self.definition)
         texts = [reader.read(file, self.notes.faults, number) for number, file in enumerate(files)]
         raise_all(InputError, self.notes.faults)
         read = [text for text in texts if text is not None]

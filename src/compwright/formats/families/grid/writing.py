@@ -27,7 +27,7 @@ from compwright.formats.text.gathering import Found, first_set
 from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
 from compwright.formats.text.patching import Change, apply_changes, set_field
 from compwright.formats.text.scale import NotHeld, Scale
-from compwright.formats.text.texts import TextReader
+from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -416,7 +416,7 @@ def _singles(
 def _statements(definition: Definition, skeleton: ControlFile) -> tuple[Occurrence, ...]:
     """Return the places of the single values in a skeleton."""
     faults: list[Fault] = []
-    read = TextReader(definition).read(skeleton, faults)
+    read = text_reader(definition).read(skeleton, faults)
     raise_all(InputError, faults)
     return () if read is None else read.occurrences
 

@@ -25,7 +25,7 @@ from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.entry_sheet import is_entry_sheet, parameter_lines
 from compwright.formats.text.gathering import Found, Gathered, gather
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.texts import ReadText, TextReader
+from compwright.formats.text.texts import ReadText, text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis
@@ -229,7 +229,7 @@ def read_texts(
         raise UsageError(
             "no file of the control was given; expected its own files, or the state `none`"
         )
-    reader = TextReader(definition)
+    reader = text_reader(definition)
     texts = []
     for number, file in enumerate(files):
         source = file
