@@ -2,8 +2,8 @@
 
 Conditions of Karush, Kuhn and Tucker for: minimise x'Px/2 + q'x subject to lower <= Ax <= upper,
 with multipliers y > 0 at the upper and y < 0 at the lower bound (Boyd and Vandenberghe, Convex
-Optimization, section 5.5.3). Tables of whole increments are checked from the table itself: what it
-holds, within which limits, and what it leaves.
+Optimization, 2004, section 5.5.3). Tables of whole increments are checked from the table itself:
+what it holds, within which limits, and what it leaves.
 """
 
 from __future__ import annotations
@@ -24,7 +24,8 @@ WHOLE: Final = 1e-6
 
 
 def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict[str, float]:
-    """Return by how much each condition is missed, in mm or deg.
+    """Return by how much each condition of Karush, Kuhn and Tucker (Boyd and Vandenberghe 2004,
+    section 5.5.3) is missed by ``x`` (n,) and multipliers ``y`` (c,), in mm or deg.
 
     ``primal``: the worst violated limit. ``stationarity``: the gradient against the stiffness of
     each unknown, that is how far a value would move. ``dual``: a multiplier of the wrong sign on a
@@ -72,8 +73,8 @@ def range_gap(
     """Return by how much ``reached`` may lie above the least value of c'x subject to Gx <= h, for
     all x within ``box``.
 
-    Weak duality: for multipliers y >= 0, c'x >= -h'y + (c + G'y)'x; the last term is at least -box
-    |c + G'y|_1.
+    Weak duality (Boyd and Vandenberghe 2004, section 5.2.2): for multipliers y >= 0, c'x >= -h'y +
+    (c + G'y)'x; the last term is at least -box |c + G'y|_1.
     """
     y = np.maximum(multipliers, 0.0)
     left = float(np.sum(np.abs(cost + G.T @ y)))
@@ -92,9 +93,10 @@ def lattice_certificate(
     lower bound without whole numbers.
 
     ``primal``: the worst violated limit, mm or deg. ``objective``, ``lower_bound``: roots of the
-    mean squares, the first computed from the table. ``recomputed``: by how much it differs from the
-    claim. Raises CapacityError where a limit is broken, the mean square is another, or it lies
-    below its lower bound.
+    mean squares, the first computed from the table, exactly (`quadrature`: Gauss, two points).
+    ``recomputed``: by how much it differs from the claim. Raises CapacityError where a limit is
+    broken, the mean square is another, or it lies below its lower bound (weak duality; Boyd and
+    Vandenberghe 2004, section 5.2.2); TypeError for a control without a lattice.
     """
     lattice = capacity.lattice
     if lattice is None:

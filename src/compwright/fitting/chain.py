@@ -7,7 +7,9 @@ reversal value; c0 at the minimum):
 
     f(v, c) = least + (v - v0)'H(v - v0)/2 + (c - c0) r'(v - v0) + stiffness (c - c0)^2 / 2
 
-All values in mm or deg, f in their square.
+All values in mm or deg, f in their square. Mean squares of straight lines between nodes: de Boor, A
+Practical Guide to Splines (1978), chapter III; lower bounds by multipliers: Boyd and Vandenberghe,
+Convex Optimization (2004), section 5.1.3.
 """
 
 from __future__ import annotations
@@ -61,7 +63,9 @@ class Chain:
         return self.stiffness - float(self.coupling @ self.solve(self.coupling))
 
     def solve(self, right: FloatArray) -> FloatArray:
-        """Return H^-1 ``right``, (m,) or (m, n)."""
+        """Return H^-1 ``right``, (m,) or (m, n), by Cholesky's factors of a band (Golub and Van
+        Loan, Matrix Computations, 4th ed. 2013, section 4.3).
+        """
         from scipy.linalg import solveh_banded
 
         if not self.off.size:
@@ -75,7 +79,8 @@ class Chain:
         return float(0.5 * self.diagonal @ e**2 + self.off @ (e[1:] * e[:-1]))
 
     def value(self, v: FloatArray, constant: float) -> float:
-        """Return f."""
+        """Return f for ``v`` (m,) and the constant, mm or deg: the square of the module
+        docstring."""
         e, c = v - self.optimum, constant - self.constant
         return (
             self.least
@@ -123,7 +128,8 @@ def build_chain(
     closed: bool,
 ) -> Chain:
     """Return the chain of a curve with ``size`` nodes whose mean square is half the sum over
-    ``wishes``.
+    ``wishes``: the normal equations of hat functions, which couple neighbours alone (de Boor 1978,
+    chapter III).
 
     ``fixed``: nodes at which the value is zero; ``kept``: further nodes that have limits of their
     own.
@@ -208,7 +214,7 @@ def _solved(chain: Chain, wishes: tuple[Wish, ...]) -> Chain:
 
 def _inverse_diagonal(chain: Chain) -> FloatArray:
     """Return diag(H^-1) from the pivots of the elimination from both ends: 1 / (forward + backward
-    - H_ii).
+    - H_ii) (Meurant, SIAM J. Matrix Anal. Appl. 13, 1992).
     """
     forward, backward = chain.diagonal.copy(), chain.diagonal.copy()
     for index, off in enumerate(chain.off):
@@ -220,6 +226,9 @@ def _inverse_diagonal(chain: Chain) -> FloatArray:
 
 
 def _diagonal_share(chain: Chain) -> float:
+    """Return the least eigenvalue of D^-1/2 H D^-1/2, D = diag(H): H - share D has none below zero
+    (Horn and Johnson, Matrix Analysis, 2nd ed. 2013, section 4.2).
+    """
     from scipy.linalg import eigvalsh_tridiagonal
 
     if chain.diagonal.size == 1:
@@ -252,7 +261,7 @@ class Limits:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Push:
     """Multipliers of the limits: any are allowed, each gives a valid bound (weak duality; Boyd and
-    Vandenberghe, section 5.2.2).
+    Vandenberghe 2004, section 5.2.2).
 
     ``climb`` (m-1,) of the increments and ``bound`` (m,) of the range, > 0 at the upper, < 0 at the
     lower limit; ``close`` of "the last value equals the first".
@@ -273,7 +282,9 @@ class Push:
         return force
 
     def price(self, chain: Chain, limits: Limits) -> float:
-        """Return the sum of multiplier times limit."""
+        """Return the sum of multiplier times limit, the term that the limits have in the Lagrange
+        function (Boyd and Vandenberghe 2004, section 5.1.1).
+        """
         least, largest = limits.increments
         climb = (
             np.where(self.climb > 0.0, self.climb * largest, self.climb * least)
@@ -286,7 +297,8 @@ class Push:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Relaxation:
-    """A lower bound of f over all real values within the limits, for each value c of the constant.
+    """A lower bound of f over all real values within the limits, for each value c of the constant:
+    the dual function (Boyd and Vandenberghe 2004, section 5.1.2).
 
     L(v, c) = f + y'(Av - limits) <= f has its minimum ``base - tilt (c - c0) + curve (c - c0)^2 /
     2`` at v = ``centre - (c - c0) follow``, and f >= that minimum + (v - centre)'H(v - centre)/2
@@ -305,7 +317,7 @@ class Relaxation:
         return bounds
 
     def centres(self, shift: FloatArray) -> FloatArray:
-        """Return the minima (n, m) for c - c0 = ``shift`` (n,)."""
+        """Return the minima (n, m) for c - c0 = ``shift`` (n,), mm or deg."""
         centres: FloatArray = self.centre - shift[:, np.newaxis] * self.follow
         return centres
 
@@ -322,7 +334,8 @@ def no_push(chain: Chain) -> Push:
 
 def relax(chain: Chain, push: Push) -> Relaxation:
     """Return the lower bound that ``push`` gives, but for the price of the limits (`priced`), which
-    alone depends on them.
+    alone depends on them: the least of a quadratic Lagrange function (Boyd and Vandenberghe 2004,
+    section 5.2.4).
     """
     force = push.force(chain)
     moved, follow = chain.solve(force), chain.solve(chain.coupling)
@@ -341,8 +354,8 @@ def priced(relaxation: Relaxation, push: Push, chain: Chain, limits: Limits) -> 
 
 
 def limiting_push(chain: Chain, limits: Limits, constant_range: tuple[float, float]) -> Push:
-    """Return multipliers near the best ones, from OSQP. They need not be exact: every push gives a
-    valid bound.
+    """Return multipliers near the best ones, from OSQP (Stellato et al., Mathematical Programming
+    Computation 12, 2020). They need not be exact: every push gives a valid bound.
     """
     import osqp
     from scipy import sparse

@@ -14,8 +14,8 @@ def over_one_period(wanted: WantedCorrection, period: float) -> WantedCorrection
     """Return ``wanted`` from its reference over one ``period`` (mm or deg), with the same value at
     both ends.
 
-    Several turns are averaged, position by position; what none covers is bridged by a straight
-    line.
+    Several turns are averaged, position by position, each turn alike: a mean of equally good
+    values, no model; what none covers is bridged by a straight line.
     """
     begin = wanted.reference
     inside = begin + np.mod(wanted.positions - begin, period)

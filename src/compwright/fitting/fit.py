@@ -1,5 +1,10 @@
 """The table of one axis: nodes, best values under the control's limits, whole quanta, and what each
 limit costs.
+
+Least expected square: the best answer under a square loss is the mean of what is believed
+(Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006, section 2.4). A quadratic
+program, and for the least range a linear one: Boyd and Vandenberghe, Convex Optimization (2004),
+sections 4.4 and 6.1.1.
 """
 
 from __future__ import annotations
@@ -36,7 +41,8 @@ from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, Goal, Limit, TableRequest
 
-#: Natural logarithm of the evidence from which on two tables are worth it ("strong": 20 to 1).
+#: Natural logarithm of the evidence from which on two tables are worth it ("strong": 20 to 1; Kass
+#: and Raftery, J. Am. Stat. Assoc. 90, 1995, section 3.2).
 STRONG: Final = 3.0
 
 
@@ -47,9 +53,10 @@ def fit_table(
     limits.
 
     Goal ``expected``: least mean square of held minus wanted over the travel and both directions,
-    which is the expected squared deviation but for a constant that no table changes. Goals ``A``,
-    ``E``: least range over both directions (A adds the same noise everywhere, so that its best
-    table is that of E); ``M``: least range of the mean of both. Zero in the zero state. Whole
+    which is the expected squared deviation but for a constant that no table changes (Rasmussen and
+    Williams 2006, section 2.4). Goals ``A``, ``E``: least range over both directions (A adds the
+    same noise everywhere, so that its best table is that of E); ``M``: least range of the mean of
+    both (ISO 230-2:1997, 2.20, 2.21, 2.23). Zero in the zero state. Whole
     increments and a single slope take ``expected`` whatever the goal, and say so. Raises
     CapacityError where the control cannot hold what is asked or no certified solution was found.
     """
@@ -235,7 +242,8 @@ class _Fit:
 
     def least_range(self, wanted: WantedCorrection, goal: Goal) -> _Best:
         """Return the table of least range of the deviations that remain, at the positions of
-        ``wanted`` and the nodes.
+        ``wanted`` and the nodes (Chebyshev approximation as a linear program; Boyd and Vandenberghe
+        2004, section 6.1.1).
         """
         nodes, where = self.layout.nodes, wanted.positions
         inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]

@@ -2,7 +2,9 @@
 are proved wide enough.
 
 The unknowns are whole totals T[i] (magnification * unit each) with increments and values within the
-control's limits.
+control's limits. Dynamic programming: Bellman, Dynamic Programming (1957). Windows from a bound of
+the quadratic form: Fincke and Pohst, Mathematics of Computation 44 (1985). Leaving out what cannot
+be better: Land and Doig, Econometrica 28 (1960).
 
 Why nothing better lies outside the windows. A `Relaxation` says f(v) >= g + (v - x)'H(v - x)/2 for
 every v within the limits. With any solution of value U at hand, a better one has (v - x)'H(v - x)
@@ -154,7 +156,7 @@ def best_totals(
     limits allow no table.
 
     ``unit`` mm or deg; ``magnifications`` ascending. Of those that are equal within `EQUAL` the
-    smallest is taken.
+    smallest is taken. Best bound first (branch and bound; Land and Doig, Econometrica 28, 1960).
     """
     search = _Search(parts, unit, increments)
     best: Solution | None = None
@@ -187,7 +189,8 @@ def relaxed_bound(
     parts: tuple[Part, ...], *, unit: float, increments: tuple[int, int], magnification: int
 ) -> float:
     """Return a lower bound of the objective under the limits, without whole numbers: the least
-    value but for OSQP's accuracy.
+    value but for OSQP's accuracy (weak duality; Boyd and Vandenberghe, Convex Optimization, 2004,
+    section 5.2.2). Square of mm or deg.
     """
     return _Search(parts, unit, increments).without_whole_numbers(magnification)
 
@@ -518,7 +521,7 @@ def _within(
     part: Part, relaxation: Relaxation, limits: Limits, variants: Variants, ceiling: float
 ) -> Found | None:
     """Return the best solution of ``variants`` with value ``ceiling`` or less, from windows that
-    hold every such one.
+    hold every such one (Fincke and Pohst 1985).
     """
     chain = part.chain
     spare = np.maximum(0.0, _roomy(ceiling) - relaxation.bound(variants.distance))

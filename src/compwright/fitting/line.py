@@ -1,4 +1,7 @@
-"""A control without a table: one slope about the reference, and the reversal value."""
+"""A control without a table: one slope about the reference, and the reversal value. A weighted
+straight line through the mean of both directions (Draper and Smith, Applied Regression Analysis,
+3rd ed. 1998, chapter 1), centred, so that slope and constant do not depend on each other.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +29,7 @@ def fit_line(
     address: str,
 ) -> FittedTable:
     """Return the slope, a whole multiple of ``quantum`` (mm/mm, deg/deg), and the backlash of least
-    mean square over the travel.
+    mean square over the travel (Draper and Smith 1998, chapter 1).
 
     Both together are the exact optimum over whole multiples within their ranges. Raises
     CapacityError where the job asks for the grid of a table.

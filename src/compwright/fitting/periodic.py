@@ -1,4 +1,8 @@
-"""Taking a known period out of the wanted correction, for grids that cannot hold it."""
+"""Taking a known period out of the wanted correction, for grids that cannot hold it: least squares
+of cosine and sine at known frequencies (Bloomfield, Fourier Analysis of Time Series, 2nd ed. 2000,
+chapter 2) beside a piecewise straight curve (de Boor, A Practical Guide to Splines, 1978,
+chapter III).
+"""
 
 from __future__ import annotations
 
@@ -25,7 +29,7 @@ def without_periods(
 
     The harmonics are fitted to the mean of both directions together with a piecewise straight curve
     whose nodes lie further apart than the longest period, so that a smooth error is not mistaken
-    for a periodic one.
+    for a periodic one (Bloomfield 2000, chapter 2).
     """
     where = wanted.positions
     waves = _waves(where, periods)

@@ -1,5 +1,5 @@
-"""The fit as a quadratic problem: what the control does between its nodes, what is wanted, and the
-control's limits.
+"""The fit as a quadratic problem (Boyd and Vandenberghe, Convex Optimization, 2004, section 4.4):
+what the control does between its nodes, what is wanted, and the control's limits.
 """
 
 from __future__ import annotations
@@ -50,8 +50,9 @@ def rows_at(
     """Return how ``positions`` (p,) depend on the values at ``nodes`` (k,), strictly ascending, k
     >= 2.
 
-    Linear: straight lines. Step: the nearest node's value; exactly in the middle that of the upper
-    node, as the record `AxisCompensation` has it. Outside, the end value is held or nothing acts.
+    Linear: straight lines (de Boor, A Practical Guide to Splines, 1978, chapter III). Step: the
+    nearest node's value; exactly in the middle that of the upper node, as the record
+    `AxisCompensation` has it. Outside, the end value is held or nothing acts.
     """
     right = np.clip(np.searchsorted(nodes, positions, side="right"), 1, nodes.size - 1)
     if interpolation == "step":
@@ -81,7 +82,7 @@ def hat_matrix(
     interpolation: Interpolation = "linear",
 ) -> FloatArray:
     """Return `rows_at` as the matrix (p, k) that turns values at ``nodes`` (k,) into the control's
-    value at ``positions`` (p,).
+    value at ``positions`` (p,): hat functions (de Boor 1978, chapter III).
     """
     rows = rows_at(positions, nodes, below=below, above=above, interpolation=interpolation)
     matrix = np.zeros((positions.size, nodes.size))
@@ -106,8 +107,9 @@ def quadrature(
     """Return points (q,) and weights (q,) with sum 1 of the mean over the travel ``positions[0]``
     to ``positions[-1]``.
 
-    Two Gauss points in every piece between positions and bends: exact for the squared difference of
-    two piecewise straight curves.
+    Two Gauss points in every piece between positions and bends, middle +- half / sqrt(3)
+    (Abramowitz and Stegun, Handbook of Mathematical Functions, 1964, table 25.4): exact for the
+    squared difference of two piecewise straight curves.
     """
     breaks = bends(nodes, interpolation)
     inside = breaks[(breaks > positions[0]) & (breaks < positions[-1])]
@@ -157,7 +159,8 @@ class Layout:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class QuadraticProblem:
-    """Minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper; mm or deg.
+    """Minimise x'Px/2 + q'x + constant subject to lower <= Ax <= upper (Boyd and Vandenberghe 2004,
+    section 4.4); x (n,), P (n, n), A (c, n); mm or deg.
 
     The objective is the mean square of (held - wanted) over the travel and both directions.
     Rows of A with ``lower`` equal to ``upper`` are equalities: the zero state, the closed period.
@@ -184,7 +187,7 @@ class Sampled:
 
     def mean_square(self, layout: Layout, x: FloatArray) -> float:
         """Return the mean over points and directions of (held - wanted)^2 for the unknowns
-        ``x``.
+        ``x`` (layout.size,), mm or deg; the result in their square.
         """
         return 0.5 * float(
             sum(
@@ -196,7 +199,7 @@ class Sampled:
 
 
 def sampled(wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity) -> Sampled:
-    """Return ``wanted`` at the quadrature points of the travel."""
+    """Return ``wanted`` at the quadrature points of the travel (`quadrature`), mm or deg."""
     points, weights = quadrature(wanted.positions, nodes, capacity.interpolation)
     return Sampled(
         points=points,
@@ -216,7 +219,7 @@ def sampled(wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity) -> 
 
 
 def limited_range(capacity: Capacity) -> tuple[float, float]:
-    """Return the value range on the lattice of the quantum."""
+    """Return the value range on the lattice of the quantum, mm or deg: rounded inward."""
     quantum = capacity.quantum
     low, high = capacity.value_range
     return (

@@ -32,7 +32,8 @@ def worth_saying(costs: list[tuple[str, float]], quantum: float) -> tuple[Limit,
 
 
 def added(larger: float, smaller: float) -> float:
-    """Return the rms that is added to ``smaller`` in ``larger``: they add as squares."""
+    """Return the rms that is added to ``smaller`` in ``larger``, in their unit: they add as
+    squares."""
     return float(np.sqrt(max(0.0, larger**2 - smaller**2)))
 
 

@@ -1,7 +1,9 @@
 """Solving: OSQP for the quadratic problem, refined to machine accuracy by its active set; cvxpy for
 the smallest range.
 
-A solver that was cut off or calls its result inaccurate has failed.
+A solver that was cut off or calls its result inaccurate has failed. OSQP: Stellato et al.,
+Mathematical Programming Computation 12 (2020); cvxpy: Diamond and Boyd, J. Machine Learning
+Research 17 (2016).
 """
 
 from __future__ import annotations
@@ -41,8 +43,9 @@ class Solution:
 
 
 def solve_quadratic(problem: QuadraticProblem) -> Solution:
-    """Return the certified optimum. Raises CapacityError where there is none or the certificate
-    fails.
+    """Return the certified optimum (conditions of Karush, Kuhn and Tucker: Boyd and Vandenberghe,
+    Convex Optimization, 2004, section 5.5.3). Raises CapacityError where there is none or the
+    certificate fails.
     """
     limited = (problem.lower < problem.upper) & (
         np.isfinite(problem.lower) | np.isfinite(problem.upper)
@@ -129,10 +132,10 @@ def _active_set(problem: QuadraticProblem, y: FloatArray) -> tuple[BoolArray, Fl
 def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArray]:
     """Return the limits in touch (c,) and their bounds by an active-set method that cannot cycle.
 
-    Limits are whole quanta, so that several often meet in one point (a ramp of largest increments
-    that ends at the end of the range); which of them push is then not unique, and Newton's steps
+    Limits are whole quanta, so that several often meet in one point (both curves of a constant
+    reversal at an end of the range); which of them push is then not unique, and Newton's steps
     may go in circles. As a least-distance problem solved by non-negative least squares the set
-    grows one independent limit at a time (Lawson and Hanson, Solving Least Squares Problems,
+    grows one independent limit at a time (Lawson and Hanson, Solving Least Squares Problems, 1974,
     chapter 23, algorithms NNLS and LDP).
     """
     from scipy.optimize import nnls
@@ -160,7 +163,9 @@ def _with_equations(
     problem: QuadraticProblem, active: BoolArray, bound: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Return the optimum with the ``active`` limits as equations, and the multipliers (0 for the
-    rest).
+    rest): the conditions of a problem with equations (Boyd and Vandenberghe 2004, section 10.1.1),
+    solved with iterative refinement (Higham, Accuracy and Stability of Numerical Algorithms, 2nd
+    ed. 2002, chapter 12).
     """
     rows = problem.A[active]
     n, c = problem.q.size, rows.shape[0]
@@ -187,8 +192,9 @@ def _with_equations(
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RangeProblem:
-    """Minimise the range (largest minus smallest) of Dx - d over its rows, under the limits of
-    ``limits``; mm or deg.
+    """Minimise the range (largest minus smallest) of Dx - d over its rows, D (r, n), under the
+    limits of ``limits``; mm or deg (Chebyshev approximation; Boyd and Vandenberghe 2004, section
+    6.1.1).
     """
 
     D: FloatArray
@@ -202,7 +208,7 @@ def solve_range(problem: RangeProblem, *, slack: float) -> tuple[FloatArray, dic
 
     Among all unknowns within ``slack`` (mm or deg) of the least range, those of least mean square
     are taken. The certificate's ``gap`` is the distance to a lower bound that holds whatever the
-    solver did.
+    solver did (weak duality; Boyd and Vandenberghe 2004, section 5.2.2).
     """
     size = max(float(np.max(np.abs(problem.d))), 10.0 * slack)
     cost, G, h = _linear_program(problem, size)

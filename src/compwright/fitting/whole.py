@@ -1,5 +1,5 @@
-"""The table of a control that stores whole increments: the best on its lattice, what that costs,
-and why this magnification.
+"""The table of a control that stores whole increments: the best on its lattice (``lattice``:
+Bellman, Dynamic Programming, 1957), what that costs, and why this magnification.
 """
 
 from __future__ import annotations
@@ -115,7 +115,9 @@ class WholeFit:
         )
 
     def free_bounds(self) -> dict[str, float]:
-        """Return the mean squares without whole numbers and limits, by what the table may be."""
+        """Return the mean squares (of mm or deg) without whole numbers and limits, by what the
+        table may be.
+        """
         free = _free(self.home_curve()) + _free(self.other_curve(free=True))
         with_constant = _free(self.single(reversal=True))
         own = free

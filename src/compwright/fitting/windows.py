@@ -2,7 +2,8 @@
 several lanes at once.
 
 A lane is one way to put the lattice (a reversal value, a shift, a value at which an endless curve
-begins). Everything is counted in steps of the lattice.
+begins). Everything is counted in steps of the lattice. Bellman, Dynamic Programming (1957); the way
+back from stored decisions as in Viterbi's algorithm (Forney, Proceedings of the IEEE 61, 1973).
 """
 
 from __future__ import annotations
@@ -52,9 +53,9 @@ def cheapest(
     """Return the least (T - target)'H(T - target)/2 (n,) over totals in the windows (n, m), and the
     totals (n, m).
 
-    Forward over the nodes: the least cost of arriving at each total of the node. Backward: the
-    totals that gave it. All lanes share the widest window at each node; outside its own a lane's
-    cost is infinite.
+    Forward over the nodes: the least cost of arriving at each total of the node (Bellman 1957).
+    Backward: the totals that gave it (Forney 1973). All lanes share the widest window at each node;
+    outside its own a lane's cost is infinite.
     """
     first, last = np.min(low, axis=0), np.max(high, axis=0)
     costs = np.empty((targets.shape[0], 0))
