@@ -166,7 +166,7 @@ def fanuc(
     """Parameters and pitch data; axes without a table of their own hold zeros, others may claim
     numbers.
     """
-    decimal = rng.random() < (0.95 if newer else 0.15)
+    decimal = newer or rng.random() < 0.15
     q = "Q1" if newer else ""
     rows: dict[int, list[str]] = {}
     points: dict[int, int] = {}
@@ -179,7 +179,7 @@ def fanuc(
         points |= {n: int(rng.integers(-3, 4)) for n in range(500, 511)}
     _fanuc_extras(rng, axes, rows, decimal=decimal)
     lines = [f"N{number:05d}{q}{''.join(words)}" for number, words in sorted(rows.items())]
-    if rng.random() < 0.1:
+    if rng.random() < 0.05:
         one = "Q1L1" if newer else ""
         lines.insert(0, f"N01001{one}P0000000{int(rng.random() < 0.5)}")
     zero = "Q0" if newer else ""

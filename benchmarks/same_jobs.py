@@ -145,7 +145,7 @@ def _fanuc_options(rng: Rng) -> Words:
             "first_point": (0.9, [0, 40, 200]),
             "increment_limit": (0.3, ["7", "127"]),
             "output": (0.35, ["step", "ramp"]),
-            "max_feed": (0.2, [10000, 24000, 600000]),
+            "max_feed": (0.2, [10000, 24000, 120000]),
             "pitch_sign": (0.25, ["+", "-"]),
             "offset_sign": (0.15, ["+", "-"]),
             "offset_magnified": (0.15, ["no", "yes"]),
@@ -257,7 +257,7 @@ def _axis_words(rng: Rng, job: Words, axis: MachineAxis, files: dict[str, str]) 
     control = job["controller"]
     format_id, options = control["format"], control.get("options", {})
     none = job["states"]["as_found"] == "none"
-    both = 0.7 if _holds_two_curves(format_id, options, none=none) else 0.05
+    both = 0.4 if _holds_two_curves(format_id, options, none=none) else 0.05
     name = f"runs/{axis.name.lower()}.csv"
     x = axis.targets(rng)
     files[name] = positioning_csv(rng, axis, x, axis.measure(rng, x))

@@ -169,7 +169,9 @@ def run_codes(folder: Path) -> list[str]:
 
 
 def differences(base: Path, name: str) -> Iterator[str]:
-    """Every file of a job that is not the same in both trees, in words."""
+    """Every file of a job that is not the same in both trees, in words: what was said first, files
+    that are missing last.
+    """
     files = {
         tree: {
             str(path.relative_to(base / tree / name)): path
@@ -178,11 +180,8 @@ def differences(base: Path, name: str) -> Iterator[str]:
         }
         for tree in ("old", "new")
     }
-    for file in sorted({*files["old"], *files["new"]}):
-        missing = [tree for tree in ("old", "new") if file not in files[tree]]
-        if missing:
-            yield f"{file}: not in the {missing[0]} tree"
-            continue
+    both = files["old"].keys() & files["new"].keys()
+    for file in sorted(both, key=lambda file: (not file.startswith("said/"), file)):
         old, new = files["old"][file].read_bytes(), files["new"][file].read_bytes()
         if old == new:
             continue
@@ -192,6 +191,8 @@ def differences(base: Path, name: str) -> Iterator[str]:
         )
         if old != new:
             yield f"{file}: {first_difference(old, new)}"
+    for file in sorted(files["old"].keys() ^ files["new"].keys()):
+        yield f"{file}: not in the {'new' if file in files['old'] else 'old'} tree"
 
 
 def settled(file: str, content: bytes) -> bytes:
