@@ -23,7 +23,7 @@ from loop import Machine, csv_of
 
 MACHINE = Machine()
 ADDRESSES = {"siemens-840d-sl": "AX1", "linuxcnc": "0", "fanuc-30i": "1", "fanuc-0i-16i": "1"}
-PULSE = {"detection_unit": 0.001, "first_point": 0}
+PULSE: dict[str, object] = {"detection_unit": 0.001, "first_point": 0}
 OPTIONS: dict[str, dict[str, object]] = {"fanuc-30i": PULSE, "fanuc-0i-16i": PULSE}
 COLUMNS = {
     "X.COM": "BEGIN X .COM MM DATUM:0 DIST:100\nNR   1=F()\n"
@@ -90,6 +90,7 @@ def test_a_run_compiles_each_form_once_and_reads_each_text_once(
         (tmp_path / name).write_bytes(content)
         states += ["--state", str(tmp_path / name)]
     options = [f"{name}={value}" for name, value in OPTIONS.get(format_id, {}).items()]
+    text_reader.cache_clear()  # as at the start of the program
     forms, parsed = counted(monkeypatch)
     code = compwright(
         [
