@@ -520,7 +520,7 @@ class TestNumbers:
 class TestContract:
     def test_known_and_unknown(self) -> None:
         heidenhain, fanuc = {"heidenhain-itnc530", "heidenhain-nck"}, {"fanuc-0i-16i", "fanuc-30i"}
-        single = {"siemens-840d-sl", "linuxcnc", "isg-kernel"}
+        single = {"siemens-840d-sl", "linuxcnc", "isg-kernel", "pmac"}
         assert set(KNOWN) == single | heidenhain | fanuc
         with pytest.raises(UsageError, match="no virtual control"):
             virtual_control("abacus", [ControlFile("a", b"")])

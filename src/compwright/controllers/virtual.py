@@ -9,6 +9,7 @@ from compwright.controllers.fanuc.control import fanuc_0i_16i_control, fanuc_30i
 from compwright.controllers.heidenhain.control import itnc530_control, nck_control
 from compwright.controllers.isg.control import isg_control
 from compwright.controllers.linuxcnc.control import linuxcnc_control
+from compwright.controllers.pmac.control import pmac_control
 from compwright.controllers.request import Request
 from compwright.controllers.sinumerik.control import sinumerik_control
 from compwright.foundations.errors import Fault, InputError, UsageError
@@ -79,6 +80,7 @@ _MAKERS: Mapping[str, Callable[[Sequence[ControlFile], Request], VirtualControl]
     "heidenhain-nck": nck_control,
     "isg-kernel": isg_control,
     "linuxcnc": linuxcnc_control,
+    "pmac": pmac_control,
     "siemens-840d-sl": sinumerik_control,
 }
 

@@ -1,0 +1,187 @@
+"""Delta Tau PMAC and Turbo PMAC: leadscrew and backlash tables, constant backlash.
+
+Stated from the manuals (PMAC and Turbo PMAC, software reference and user manual), apart from the
+definition that writes the scripts:
+
+- ``DEFINE COMP``: corrections, added; 1/16 count of the target motor by position of the source
+  motor, entry i at i * length / entries counts from motor zero, 0 at motor zero, linear, repeating
+  after the length. ``I51`` enables all tables.
+- ``DEFINE BLCOMP`` and ``Ixx86``: subtracted while the last commanded direction is negative;
+  ``Ixx85`` 0 switches them off.
+- Axes are motors, named by their number. Counts per unit are an option; motor zero is the
+  reference position.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.controllers.pmac.motor import Judged, Motor, Scale, looked_up
+from compwright.controllers.pmac.script import Card, Table, run_scripts
+from compwright.controllers.request import Request, finite_number, unknown_axis
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.correction import Assumption, ControlFile
+
+
+@dataclass(frozen=True, slots=True)
+class PmacControl:
+    """A PMAC after its scripts, all motors homed. See ``controllers.virtual.VirtualControl``.
+
+    Addresses are motor numbers as text.
+    """
+
+    motors: Mapping[int, Motor]
+    tables: Mapping[tuple[int, int], Sequence[Table]]
+    scales: Mapping[int, Scale]
+    assumed: tuple[Assumption, ...]
+    notes: tuple[str, ...]
+
+    def addresses(self) -> tuple[str, ...]:
+        """Return the numbers of the motors that the scripts speak of, ascending."""
+        return tuple(str(number) for number in self.motors)
+
+    def nodes(self, address: str) -> FloatArray:
+        """Return the positions (k,) of the entries of the motor's own tables, with motor zero, over
+        one length; mm or deg, whether they are switched on or not.
+        """
+        number, motor = self._motor(address)
+        return self._scale(number).nodes(motor.tables) if motor.tables else np.empty(0)
+
+    def correction(self, address: str, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return what is added to the command at ``positions`` (any shape) arriving in
+        ``direction``, mm or deg.
+        """
+        number, motor = self._motor(address)
+        x = np.asarray(positions, dtype=np.float64)
+        if motor.idle:
+            return np.zeros(x.shape)
+        scale = self._scale(number)
+        negative = direction.sign * scale.counts < 0.0
+        return motor.added(scale.motor(x), negative=negative) / scale.counts
+
+    def cross(self) -> tuple[tuple[str, str], ...]:
+        """Return (source, target) of the tables of one motor over another that act."""
+        return tuple((str(source), str(target)) for source, target in self.tables)
+
+    def cross_correction(
+        self,
+        input: str,  # noqa: A002
+        output: str,
+        positions: FloatArray,
+        direction: Direction,  # noqa: ARG002
+    ) -> FloatArray:
+        """Return what is added to ``output`` with ``input`` at ``positions`` (any shape); both
+        directions alike, mm or deg.
+        """
+        pair = next(
+            (one for one in self.tables if (str(one[0]), str(one[1])) == (input, output)), None
+        )
+        if pair is None:
+            raise UsageError(
+                Fault(
+                    message=f"no table by which {input} corrects {output}",
+                    expected=" or ".join(f"{a} and {b}" for a, b in self.tables) or "a table",
+                )
+            )
+        where = self._scale(pair[0]).motor(np.asarray(positions, dtype=np.float64))
+        total = np.zeros(where.shape)
+        for table in self.tables[pair]:
+            total = total + looked_up(table, where)
+        return total / self._scale(pair[1]).counts
+
+    def _motor(self, address: str) -> tuple[int, Motor]:
+        number = int(address) if address.isdecimal() and len(address) < 10 else 0
+        motor = self.motors.get(number)
+        if motor is None:
+            raise unknown_axis(address, self.addresses())
+        return number, motor
+
+    def _scale(self, number: int) -> Scale:
+        scale = self.scales.get(number)
+        if scale is None:
+            raise _without_counts(number, None)
+        return scale
+
+
+def pmac_control(files: Sequence[ControlFile], request: Request) -> PmacControl:
+    """Return the control after the scripts ``files`` in their order.
+
+    Raises InputError for what the card would refuse, what contradicts itself, what is not known
+    and may act, and what acts on an axis under work and is not read; UsageError where the option
+    ``counts_per_unit`` of a motor that is corrected is missing or 0.
+    """
+    card = run_scripts(files)
+    raise_all(InputError, card.faults)
+    assumed: list[Assumption] = []
+    judged = Judged(card, request, assumed)
+    motors = judged.motors()
+    crossing = judged.crossing() if judged.enabled else {}
+    notes = _left(card, judged, request)
+    faulty = {number for number, _ in judged.faults}
+    motors = {number: motor for number, motor in motors.items() if number not in faulty}
+    crossing = {pair: found for pair, found in crossing.items() if pair[1] not in faulty}
+    needed = {number for number, motor in motors.items() if not motor.idle}
+    scales = _scales(
+        needed | {one for pair in crossing for one in pair}, crossing, request, assumed
+    )
+    _looked_up_by(card, assumed)
+    tables = {pair: found for pair, found in crossing.items() if set(pair) <= scales.keys()}
+    notes += [
+        f"what motor {a} does to motor {b} is not said: option counts_per_unit"
+        for a, b in crossing.keys() - tables.keys()
+    ]
+    return PmacControl(motors, tables, scales, tuple(assumed), tuple(notes))
+
+
+def _left(card: Card, judged: Judged, request: Request) -> list[str]:
+    """Raise the faults of motors under work; return those of others as notes, with the card's."""
+    faults = [
+        fault for number, fault in judged.faults if not number or request.asks_for(str(number))
+    ]
+    raise_all(InputError, list(dict.fromkeys(faults)))
+    return [*card.notes, *(str(fault) for _, fault in judged.faults)]
+
+
+def _scales(
+    numbers: set[int],
+    crossing: Mapping[tuple[int, int], Sequence[Table]],
+    request: Request,
+    assumed: list[Assumption],
+) -> dict[int, Scale]:
+    """Return the scale of each motor; one that is not under work may have none."""
+    asked = {number for number in numbers if request.asks_for(str(number))}
+    asked |= {source for source, target in crossing if target in asked}
+    scales = {}
+    for number in sorted(numbers):
+        given = request.options_of(str(number)).get("counts_per_unit")
+        counts = finite_number(given)
+        if counts:
+            zero, why = request.referenced(str(number))
+            assumed += [why] if why is not None else []
+            scales[number] = Scale(counts, zero)
+        elif number in asked:
+            raise _without_counts(number, given)
+    return scales
+
+
+def _without_counts(number: int, given: object) -> UsageError:
+    return UsageError(
+        Fault(
+            message=f"option counts_per_unit of motor {number}",
+            expected="counts per mm or deg, negative where the motor counts against the axis",
+            found="none" if given is None else repr(given),
+        )
+    )
+
+
+def _looked_up_by(card: Card, assumed: list[Assumption]) -> None:
+    for table in card.tables.values():
+        if table.kind == "COMP" and not table.desired:
+            fact = f"position that the table of motor {table.motor} is looked up by"
+            assumed.append(
+                Assumption(fact, "the commanded one", "actual, without D: they are close")
+            )

@@ -1,0 +1,233 @@
+"""What a motor's tables and its backlash add, in counts of the motor.
+
+The control looks up the uncorrected position of the source motor, rolled over into 0 to length,
+interpolates between two entries and adds the result to the target in both directions. Backlash
+(Ixx86 and the backlash table) is subtracted while the last commanded direction of the motor is
+negative, and only with a take-up rate Ixx85 above 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.controllers.pmac.script import (
+    ENABLE,
+    LARGEST,
+    SIZE,
+    TAKE_UP,
+    Card,
+    Place,
+    Setting,
+    Table,
+)
+from compwright.controllers.request import Request, by_address, finite_number
+from compwright.foundations.errors import Fault
+from compwright.records.axis import FloatArray
+from compwright.records.correction import Assumption
+
+#: Entries and Ixx86 count 1/16 count.
+PER_COUNT = 16.0
+
+
+@dataclass(frozen=True, slots=True)
+class Scale:
+    """``counts`` per mm or deg, negative where the motor counts against the axis; ``zero``: machine
+    coordinate of motor zero, mm or deg.
+    """
+
+    counts: float
+    zero: float
+
+    def motor(self, x: FloatArray) -> FloatArray:
+        """Return motor positions (counts) of machine coordinates (mm or deg, any shape)."""
+        return (x - self.zero) * self.counts
+
+    def nodes(self, tables: Sequence[Table]) -> FloatArray:
+        """Return the machine coordinates of all entries of ``tables`` with motor zero, ascending;
+        one length of each.
+        """
+        places = [
+            table.length * np.arange(table.announced + 1) / table.announced for table in tables
+        ]
+        motor = np.unique(np.concatenate(places)) if places else np.empty(0)
+        return np.sort(self.zero + motor / self.counts)
+
+
+@dataclass(frozen=True, slots=True)
+class Motor:
+    """``own``: tables over the motor itself; ``varying``: its backlash table; ``constant``: Ixx86,
+    1/16 count; ``tables_act`` and ``backlash_acts``: whether they are switched on.
+    """
+
+    own: tuple[Table, ...]
+    varying: Table | None
+    constant: float
+    tables_act: bool
+    backlash_acts: bool
+
+    @property
+    def tables(self) -> tuple[Table, ...]:
+        """All tables over the motor itself, whether they act or not."""
+        return (*self.own, *(() if self.varying is None else (self.varying,)))
+
+    @property
+    def idle(self) -> bool:
+        """Whether nothing is added at any place whatever the counts."""
+        return not self.tables and not (self.constant and self.backlash_acts)
+
+    def added(self, position: FloatArray, *, negative: bool) -> FloatArray:
+        """Return what is added (counts) at ``position`` (counts, any shape) when the motor was last
+        commanded in ``negative`` direction or not.
+        """
+        total = np.zeros(position.shape)
+        for table in self.own if self.tables_act else ():
+            total = total + looked_up(table, position)
+        if negative and self.backlash_acts:
+            total = total - self.constant / PER_COUNT
+            if self.varying is not None and self.tables_act:
+                total = total - looked_up(self.varying, position)
+        return total
+
+
+def looked_up(table: Table, position: FloatArray) -> FloatArray:
+    """Return a table's value (counts of its target) at ``position`` of its source (counts)."""
+    nodes = table.length * np.arange(table.announced + 1) / table.announced
+    values = np.array([0, *table.entries], dtype=np.float64) / PER_COUNT
+    return np.asarray(np.interp(np.mod(position, table.length), nodes, values), dtype=np.float64)
+
+
+class Judged:
+    """Reads what acts on each motor, and gathers what is assumed and what is wrong by motor."""
+
+    def __init__(self, card: Card, request: Request, assumed: list[Assumption]) -> None:
+        self.card = card
+        self.request = request
+        self.assumed = assumed
+        self.faults: list[tuple[int, Fault]] = []
+        self.enabled = self._enabled()
+
+    def motors(self) -> dict[int, Motor]:
+        """Return every motor that is corrected, or whose backlash the scripts set."""
+        numbers = {table.target for table in self.card.tables.values() if table.kind != "TCOMP"}
+        numbers |= {number // 100 for number in self.card.variables if number != ENABLE}
+        return {number: self._motor(number) for number in sorted(numbers)}
+
+    def crossing(self) -> dict[tuple[int, int], list[Table]]:
+        """Return the tables of one motor over another by (source, target)."""
+        found: dict[tuple[int, int], list[Table]] = {}
+        for table in self.card.tables.values():
+            if table.kind == "COMP" and not table.plane and table.source != table.target:
+                self._closed(table)
+                found.setdefault((table.source, table.target), []).append(table)
+        return found
+
+    def _enabled(self) -> bool:
+        """Whether I51 ends as 1; where no script says it, tables count as active."""
+        setting = self.card.variables.get(ENABLE)
+        if setting is not None and setting.value not in (0.0, 1.0):
+            self._wrong(0, setting, "I51", "0 or 1")
+        value = None if setting is None else setting.value
+        acts = self.request.acts([value])
+        if (value is None or self.request.active is not None) and self.card.tables:
+            why = "not in the files" if self.request.active is None else "as the job says"
+            self.assumed.append(Assumption("I51", str(int(acts)), why))
+        return acts
+
+    def _wrong(self, motor: int, setting: Setting, name: str, expected: str) -> None:
+        fault = setting.place.fault(name, expected=expected, found=repr(setting.text))
+        self.faults.append((motor, fault))
+
+    def _motor(self, number: int) -> Motor:
+        for name in (ENABLE, 100 * number + TAKE_UP, 100 * number + SIZE):
+            if name in self.card.later:
+                message = f"a program sets I{name} when it runs: what acts then is not known"
+                self.faults.append((number, self.card.later[name].fault(message)))
+        own = []
+        for table in self.card.tables.values():
+            if table.target == number and table.kind == "COMP" and table.plane:
+                self._plane(table)
+            elif table.target == table.source == number and table.kind == "COMP":
+                self._closed(table)
+                own.append(table)
+        varying = self.card.tables.get(("BLCOMP", number))
+        if varying is not None:
+            self._closed(varying)
+        size = self._size(number, varying, has_table=bool(own))
+        amount = size != 0.0 or (varying is not None and any(varying.entries))
+        backlash = amount and self._taken_up(number, varying)
+        return Motor(tuple(own), varying, size, self.enabled, backlash)
+
+    def _closed(self, table: Table) -> None:
+        """The last entry stands for motor zero too, where the correction is 0 by definition."""
+        if table.entries and table.entries[-1] != 0:
+            message = (
+                f"the last entry of DEFINE {table.kind} of motor {table.motor} is the place of"
+                " motor zero too, where nothing is corrected"
+            )
+            fault = table.place.fault(message, expected="0", found=str(table.entries[-1]))
+            self.faults.append((table.target, fault))
+        self._turn(table)
+
+    def _turn(self, table: Table) -> None:
+        """On an endless axis the table has to repeat with the turn."""
+        turn = by_address(self.request.modulo, str(table.source))
+        options = self.request.options_of(str(table.source))
+        counts = abs(finite_number(options.get("counts_per_unit")) or 0.0) * (turn or 0.0)
+        # half a count: a turn need not be a whole number of counts
+        if counts and abs(counts - max(1, round(counts / table.length)) * table.length) > 0.5:
+            message = f"the table repeats after {table.length} counts, the axis after its turn"
+            expected = f"{counts:.12g} counts, or a whole part of it"
+            self.faults.append((table.target, table.place.fault(message, expected=expected)))
+
+    def _plane(self, table: Table) -> None:
+        if any(table.entries):
+            message = f"a table over two motors corrects motor {table.target}: not read"
+            fault = table.place.fault(message, expected="entries 0, or none")
+            self.faults.append((table.target, fault))
+
+    def _register(self, number: int) -> float | None:
+        """Return a backlash variable, None where no script sets it, or with a fault."""
+        setting = self.card.variables.get(number)
+        if setting is None:
+            return None
+        value = setting.value
+        if value is None or value != value // 1 or not 0.0 <= value <= LARGEST:
+            expected = f"a whole number, 0 to {LARGEST}"
+            self._wrong(number // 100, setting, f"I{number}", expected)
+            return None
+        return value
+
+    def _size(self, number: int, varying: Table | None, *, has_table: bool) -> float:
+        """Return the backlash at motor zero (Ixx86, 1/16 count)."""
+        name = 100 * number + SIZE
+        value = self._register(name)
+        if value is None and name not in self.card.variables:
+            if varying is not None:
+                self._missing(number, name, varying.place, "the backlash table adds to it")
+            elif has_table:
+                self.assumed.append(Assumption(f"I{name}", "0", "not in the files"))
+        return value or 0.0
+
+    def _taken_up(self, number: int, varying: Table | None) -> bool:
+        """Whether the take-up rate lets backlash act."""
+        name = 100 * number + TAKE_UP
+        value = self._register(name)
+        if value is None and name not in self.card.variables and self.request.active is None:
+            setting = self.card.variables.get(100 * number + SIZE)
+            if setting is not None:
+                place = setting.place
+            else:
+                place = varying.place if varying is not None else Place("", 0)
+            self._missing(number, name, place, "0, its default, switches backlash off")
+            return False
+        acts = self.request.acts([value])
+        if not acts:
+            self.card.notes.append(f"backlash of motor {number} is off (I{name})")
+        return acts
+
+    def _missing(self, motor: int, name: int, place: Place, why: str) -> None:
+        fault = place.fault(f"I{name} is not in the files: {why}", expected=f"a line I{name}=...")
+        self.faults.append((motor, fault))

@@ -1,0 +1,342 @@
+"""A download script of a PMAC, carried out command by command: what stands in the card afterwards.
+
+``;`` starts a remark. A table is announced (``DEFINE COMP``, ``DEFINE BLCOMP``) for the motor
+addressed last (``#n``); its entries follow as decimal whole numbers. The card refuses a table
+(ERR003) while one of its kind exists for a lower motor, or a buffer that has to come later; what it
+would refuse is a fault here. Commands that do not concern compensation are left alone; one that is
+not known is a fault, because it may act.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+#: Registers have 24 bits.
+LARGEST = 8388607
+HIGHEST_MOTOR = 32
+#: Global switch of all tables; take-up rate and size of backlash, plus 100 per motor.
+ENABLE, TAKE_UP, SIZE = 51, 85, 86
+
+_NUMBER = re.compile(r"[+-]?\d+(?![\d.$])")
+_MOTOR = re.compile(r"#\s*(\d+)(\s*->.*)?")
+_LINE = r"(\d{1,9})\s*,\s*(?:#\s*(\d+)\s*(D?)\s*,\s*(?:#\s*(\d+)\s*,\s*)?)?(\d{1,15})"
+_COMP = re.compile(rf"DEF(?:INE)?\s*COMP\s*{_LINE}(?![\d.,])")
+_PLANE = re.compile(
+    r"DEF(?:INE)?\s*COMP\s*(\d{1,9})\.(\d{1,9})((?:\s*,\s*#\s*\d+\s*D?)*)\s*,\s*\d+\s*,\s*\d+"
+)
+_OWN = re.compile(r"DEF(?:INE)?\s*(BLCOMP|TCOMP)\s*(\d{1,9})\s*,\s*(\d{1,15})(?![\d.,])")
+_BUFFER = re.compile(
+    r"(DEF|DEL)(?:INE|ETE)?\s*(GATHER|TBUF|ROT(?:ARY)?|LOOKAHEAD|CCBUF|UBUF(?:FER)?)\b"
+    r"(?:\s*\d+(?:\s*,\s*\d+)*)?"
+)
+_DELETE = re.compile(r"DEL(?:ETE)?\s*(COMP|BLCOMP|TCOMP)\b")
+_VARIABLE = re.compile(
+    r"I(\d{1,4})(?:\s*\.\.\s*(\d{1,4}))?\s*=\s*(\$[0-9A-F]+|[+-]?\d+(?:\.\d*)?|[^\s;]*)"
+)
+_HARMLESS = re.compile(
+    r"[MPQ]\d+(?:\.\.\d+)?\s*(?:=|->)\s*\S+|&\s*\d+|SAVE\b|CLOSE\b|UNDEFINE(?:\s*ALL)?\b"
+    r"|ENDG(?:ATHER)?\b|(?:EN|DIS)(?:ABLE)?\s*PLCC?\s*\d*(?:(?:,|\.\.)\d+)*"
+)
+_OPEN = re.compile(r"OPEN\b(.*)")
+_POWER = re.compile(r"(?:COMPTABLE|MOTOR|SYS|COORD)\s*[\[.]")
+#: Buffers that have to be defined after tables of a kind.
+_LATER = {
+    "COMP": ("TCOMP", "BLCOMP", "TBUF", "ROT", "LOOKAHEAD", "GATHER"),
+    "BLCOMP": ("TBUF", "ROT", "LOOKAHEAD", "GATHER"),
+    "TCOMP": ("TBUF", "ROT", "LOOKAHEAD", "GATHER"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A line of a script."""
+
+    file: str
+    line: int
+
+    def fault(self, message: str, *, expected: str = "", found: str = "") -> Fault:
+        """Return a fault at this line."""
+        return Fault(
+            message=message,
+            file=self.file,
+            place=f"line {self.line}",
+            expected=expected,
+            found=found,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table as the card holds it. ``entries``: 1/16 count of ``target``; entry i (from 1) stands
+    i * ``length`` / n counts of ``source`` from its motor zero. ``plane``: over two motors;
+    ``desired``: looked up by the commanded position.
+    """
+
+    kind: str
+    motor: int
+    source: int
+    target: int
+    length: int
+    announced: int
+    place: Place
+    entries: list[int] = field(default_factory=list)
+    plane: bool = False
+    desired: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """The last value of an I-variable; None where it is not a plain number."""
+
+    value: float | None
+    text: str
+    place: Place
+
+
+@dataclass(slots=True)
+class Card:
+    """What stands in the card when all scripts have run. ``later``: assignments that programs make
+    when they run.
+    """
+
+    tables: dict[tuple[str, int], Table] = field(default_factory=dict)
+    variables: dict[int, Setting] = field(default_factory=dict)
+    later: dict[int, Place] = field(default_factory=dict)
+    buffers: set[str] = field(default_factory=set)
+    notes: list[str] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+
+    def holds(self, kind: str) -> bool:
+        """Return whether a buffer or a table of a kind exists."""
+        return kind in self.buffers or any(one == kind for one, _ in self.tables)
+
+
+def run_scripts(files: Sequence[ControlFile]) -> Card:
+    """Return the card after all ``files`` in their order; nothing is raised."""
+    card = Card()
+    for file in files:
+        text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf").upper()
+        if "\x00" in text:
+            card.faults.append(Fault(message="a NUL byte: no script in plain text", file=file.name))
+            continue
+        script = _Script(card)
+        lines = text.replace("\r\n", "\n").replace("\r", "\n").split("\n")
+        for number, line in enumerate(lines, start=1):
+            script.line(line.partition(";")[0], Place(file.name, number))
+        script.finish()
+        if script.inside is not None:
+            card.faults.append(script.inside.fault("a program that does not end", expected="CLOSE"))
+    return card
+
+
+class _Script:
+    """Carries out one script: which motor is addressed, which table waits for entries."""
+
+    def __init__(self, card: Card) -> None:
+        self.card = card
+        self.motor: int | None = None
+        self.waiting: Table | None = None
+        self.inside: Place | None = None
+
+    def line(self, text: str, place: Place) -> None:
+        rest = text.strip()
+        if self.inside is not None:
+            self._program(rest, place)
+            return
+        while rest:
+            match = self._command(rest, place)
+            if match is None:
+                return
+            rest = rest[match.end() :].strip()
+
+    def finish(self) -> None:
+        """Keep the fault of a table that did not get all its entries."""
+        table, self.waiting = self.waiting, None
+        if table is not None:
+            self.card.faults.append(
+                table.place.fault(
+                    f"DEFINE {table.kind} of motor {table.motor} does not get its entries",
+                    expected=f"{table.announced} whole numbers",
+                    found=str(len(table.entries)),
+                )
+            )
+
+    def _command(self, rest: str, place: Place) -> re.Match[str] | None:
+        """Carry out the first command of ``rest``; None ends the line."""
+        if self.waiting is not None:
+            match = _NUMBER.match(rest)
+            if match is not None:
+                self._entry(self.waiting, int(match.group()[:20]), place)
+                return match
+            self.finish()
+        for form, action in (
+            (_MOTOR, self._address),
+            (_PLANE, self._plane),
+            (_COMP, self._comp),
+            (_OWN, self._own),
+            (_BUFFER, self._buffer),
+            (_DELETE, self._delete),
+            (_VARIABLE, self._variable),
+            (_OPEN, self._open),
+            (_HARMLESS, None),
+        ):
+            match = form.match(rest)
+            if match is not None:
+                if action is not None:
+                    action(match, place)
+                return match
+        message = "not a command that is known here: it may act"
+        if _NUMBER.match(rest):
+            message = "a number that belongs to no table"
+        elif _POWER.match(rest):
+            message = "a script of a Power PMAC, which is not read"
+        self.card.faults.append(place.fault(message, found=repr(rest[:60])))
+        return None
+
+    def _entry(self, table: Table, value: int, place: Place) -> None:
+        if abs(value) > LARGEST:
+            expected = f"-{LARGEST} to {LARGEST}"
+            self.card.faults.append(place.fault("an entry", expected=expected, found=str(value)))
+        table.entries.append(value)
+        if len(table.entries) == table.announced:
+            self.waiting = None
+
+    def _known(self, number: int, place: Place) -> int | None:
+        if 1 <= number <= HIGHEST_MOTOR:
+            return number
+        expected = f"1 to {HIGHEST_MOTOR}"
+        self.card.faults.append(place.fault("a motor", expected=expected, found=f"#{number}"))
+        return None
+
+    def _address(self, match: re.Match[str], place: Place) -> None:
+        motor = self._known(int(match.group(1)[:9]), place)
+        if match.group(2) is None:
+            self.motor = motor
+
+    def _comp(self, match: re.Match[str], place: Place) -> None:
+        count, source, desired, target, length = match.groups()
+        motor = self._addressed(match, place)
+        named = [self._known(int(one[:9]), place) for one in (source, target) if one]
+        if motor is None or None in named:
+            return
+        self._define(
+            Table(
+                kind="COMP",
+                motor=motor,
+                source=(named[0] if named else None) or motor,
+                target=(named[1] if len(named) > 1 else None) or motor,
+                desired=bool(desired),
+                length=int(length),
+                announced=int(count),
+                place=place,
+            )
+        )
+
+    def _plane(self, match: re.Match[str], place: Place) -> None:
+        rows, columns = int(match.group(1)), int(match.group(2))
+        named = [int(one[:9]) for one in re.findall(r"\d+", match.group(3))]
+        motor = self._addressed(match, place)
+        if motor is not None:
+            target = named[2] if len(named) > 2 else motor
+            count = (rows + 1) * (columns + 1) - 1
+            self._define(Table("COMP", motor, 0, target, 1, count, place, plane=True))
+
+    def _own(self, match: re.Match[str], place: Place) -> None:
+        kind, count, length = match.groups()
+        motor = self._addressed(match, place)
+        if motor is not None:
+            self._define(Table(kind, motor, motor, motor, int(length), int(count), place))
+
+    def _addressed(self, match: re.Match[str], place: Place) -> int | None:
+        if self.motor is None:
+            found = repr(match.group())
+            self.card.faults.append(
+                place.fault("no motor is addressed", expected="#n before it", found=found)
+            )
+        return self.motor
+
+    def _define(self, table: Table) -> None:
+        if not table.announced or not table.length:
+            found = f"{table.announced}, {table.length}"
+            expected = "at least one entry and one count"
+            self.card.faults.append(
+                table.place.fault(f"DEFINE {table.kind}", expected=expected, found=found)
+            )
+            return
+        self._refuse(table.kind, table.motor, table.place)
+        self.card.tables[table.kind, table.motor] = table
+        self.waiting = table
+
+    def _refuse(self, kind: str, motor: int, place: Place) -> None:
+        """Keep a fault where the card would not take a table (ERR003)."""
+        lower = [other for one, other in self.card.tables if one == kind and other < motor]
+        later = [one for one in _LATER[kind] if self.card.holds(one)]
+        if (kind, motor) in self.card.tables:
+            found, expected = f"one of motor {motor} already", f"DELETE {kind} before it"
+        elif lower:
+            found, expected = f"one of motor {min(lower)} already", "the highest motor first"
+        elif later:
+            found, expected = f"{', '.join(later)} already", f"these after DEFINE {kind}"
+        else:
+            return
+        message = f"ERR003: DEFINE {kind} of motor {motor} is refused"
+        self.card.faults.append(place.fault(message, expected=expected, found=found))
+
+    def _buffer(self, match: re.Match[str], place: Place) -> None:  # noqa: ARG002
+        what, kind = match.group(1), match.group(2)
+        kind = "ROT" if kind.startswith("ROT") else kind
+        if what == "DEF":
+            self.card.buffers.add(kind)
+        else:
+            self.card.buffers.discard(kind)
+
+    def _delete(self, match: re.Match[str], place: Place) -> None:
+        kind, motor = match.group(1), self._addressed(match, place)
+        if motor is None:
+            return
+        lower = [one for name, one in self.card.tables if name == kind and one < motor]
+        if lower:
+            self.card.faults.append(
+                place.fault(
+                    f"ERR003: DELETE {kind} of motor {motor} is refused",
+                    expected="the lowest motor first",
+                    found=f"one of motor {min(lower)}",
+                )
+            )
+        self.card.tables.pop((kind, motor), None)
+
+    def _variable(self, match: re.Match[str], place: Place) -> None:
+        first, last, text = match.groups()
+        value = None
+        if text[:1] == "$" and len(text) > 1:
+            value = float(int(text[1:13], 16)) if len(text) < 14 else None
+        elif re.fullmatch(r"[+-]?\d+\.?\d*", text):
+            value = float(text)
+        for number in range(int(first), int(last or first) + 1):
+            if acts(number):
+                self.card.variables[number] = Setting(value, text, place)
+
+    def _open(self, match: re.Match[str], place: Place) -> None:
+        self.inside = place
+        self._program(match.group(1), place)
+
+    def _program(self, rest: str, place: Place) -> None:
+        """Read over a program: what it does to compensation happens when it runs."""
+        program, closed, after = re.match(r"(.*?)(?:\b(CLOSE\b)(.*))?$", rest).groups()  # type: ignore[union-attr]
+        for match in re.finditer(r"(?<![A-Z0-9])I(\d{1,4})\s*=(?!=)", program):
+            if acts(int(match.group(1))):
+                self.card.later[int(match.group(1))] = place
+        if closed:
+            self.inside = None
+            self.line(after, place)
+
+
+def acts(number: int) -> bool:
+    """Return whether an I-variable is one of those that switch or size compensation."""
+    motor, kind = divmod(number, 100)
+    return number == ENABLE or (1 <= motor <= HIGHEST_MOTOR and kind in (TAKE_UP, SIZE))
