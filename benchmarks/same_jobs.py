@@ -90,7 +90,7 @@ def _truth(axis: MachineAxis) -> dict[str, Any]:
 
 def _axes(rng: Rng, format_id: str) -> list[MachineAxis]:
     endless = 0.03 if format_id == "linuxcnc" else 0.6
-    count = int(rng.choice([1, 1, 2, 2, 3]))
+    count = int(rng.choice([1, 1, 1, 2, 2, 3]))
     places = sorted(rng.choice(6, count, replace=False, p=[0.3, 0.2, 0.2, 0.1, 0.1, 0.1]))
     axes = [
         random_axis(rng, LETTERS[n], controls.ADDRESSES[format_id][n], n + 1, endless)
@@ -273,6 +273,9 @@ def _axis_words(rng: Rng, job: Words, axis: MachineAxis, files: dict[str, str]) 
         x = axis.targets(rng)
         files[later] = positioning_csv(rng, axis, x, axis.measure(rng, x))
         words["before"].append({"files": [later], "name": f"later_{axis.name}"})
+        if rng.random() < 0.4:
+            job["states"]["earlier"] = "none"
+            words["before"][-1]["measured_in"] = "earlier"
     if rng.random() < 0.5:
         words["accept"] = {"A": float(rng.choice([2, 6, 12, 40])), "B": 5}
     words |= _some(
@@ -287,6 +290,14 @@ def _axis_words(rng: Rng, job: Words, axis: MachineAxis, files: dict[str, str]) 
             "table": (0.5, [_table(rng, axis, both)]),
         },
     )
+    _odd_words(rng, format_id, options, words, none=none)
+    return words | axis.words
+
+
+def _odd_words(rng: Rng, format_id: str, options: Words, words: Words, *, none: bool) -> None:
+    """What few axes have: options of their own, no table beside a line, a synchronised axis."""
+    if options and rng.random() < 0.1:
+        words["options"] = dict([next(iter(options.items()))])
     if options.get("method") == "line" and not none and rng.random() < 0.9:
         words.pop("table", None)
     if format_id == "siemens-840d-sl":
@@ -294,7 +305,6 @@ def _axis_words(rng: Rng, job: Words, axis: MachineAxis, files: dict[str, str]) 
             words["gantry"] = "AX9"
     elif rng.random() < 0.01:
         words["gantry"] = "9"
-    return words | axis.words
 
 
 def _holds_two_curves(format_id: str, options: Words, *, none: bool) -> bool:
@@ -323,7 +333,7 @@ def _table(rng: Rng, axis: MachineAxis, both: float) -> Words:
 def _whole(rng: Rng, job: Words, axes: list[MachineAxis], files: dict[str, str]) -> None:
     """What stands beside the axes: circles, tables between axes, uncertainty, rules."""
     linear = [axis for axis in axes if not axis.rotary]
-    if len(linear) >= 2 and rng.random() < 0.5:
+    if len(linear) >= 2 and rng.random() < 0.4:
         _circle(rng, job, linear, files)
     if len(axes) >= 2 and rng.random() < 0.2:
         one, two = (axes[int(n)] for n in rng.choice(len(axes), 2, replace=False))
@@ -433,6 +443,13 @@ def _commands(
         commands.append(["decode", *control, "--format", format_id, *options])
     worse = ["--accept-worse"] if rng.random() < 0.5 else []
     commands.append(["run", "job.yaml", *worse, *(["--json", "-"] if rng.random() < 0.1 else [])])
+    if rng.random() < 0.15:
+        test = next(name for name in sorted(files) if name.startswith("runs/"))
+        state = [word for name in control or ["none"] for word in ("--state", name)]
+        words = ["run", test, "--format", format_id, "--axis", axes[0].name]
+        words += ["--travel", f"{axes[0].travel[0]:g}:{axes[0].travel[1]:g}", *state, *options]
+        place = ["--option", f"address={axes[0].address}", "--out", "quick"]
+        commands.append([*words, *place])
     return commands + later_commands(rng, format_id, options, axes)
 
 

@@ -62,6 +62,8 @@ class Figures:
 def main(root: Path, paint_every: int) -> None:
     run: Callable[[list[str]], int] = importlib.import_module("compwright.cli").run
     figures = Figures()
+    # The disk is waited for otherwise, file by file.
+    os.fsync = lambda _: None  # type: ignore[assignment]
     seconds: dict[str, float] = defaultdict(float)
     start = time.perf_counter()
     todo = json.loads((root / "todo.json").read_text())
@@ -123,7 +125,7 @@ def _after(folder: Path) -> None:
         lines = [f"# axis: {name}", f"target_{unit},direction,run,deviation_{column}"]
         for sign, mark, key in (("1", "+", "positive"), ("-1", "-", "negative")):
             adds = np.zeros(len(truth["targets"]))
-            if table is not None:
+            if table is not None and table["positions"]:
                 adds = np.interp(truth["targets"], table["positions"], table[f"correction_{key}"])
             lines += [
                 f"{target:.4f},{mark},{run},{value * factor + add:.6f}"
