@@ -86,7 +86,16 @@ def contradictions(definition: Definition) -> tuple[Fault, ...]:
     document = YamlDocument(data=None, lines=dict(definition.lines))
     return tuple(
         Fault(message=message, file=definition.file, place=document.place(path))
-        for check in (_texts, _statements, _layout, _bindings, _options, _limits, _writing)
+        for check in (
+            _texts,
+            _statements,
+            _layout,
+            _between_axes,
+            _bindings,
+            _options,
+            _limits,
+            _writing,
+        )
         for path, message in check(definition)
     )
 
@@ -166,6 +175,14 @@ def _layout(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
         and row.fields.get("index") != "integer"
     ):
         yield ("statements", row.name, "fields"), "a value by index needs the field index: integer"
+
+
+def _between_axes(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    if not definition.between_axes.instead and definition.layout.shape != "user_tables":
+        yield (
+            ("between_axes", "instead"),
+            "only where every table has columns for other axes nothing else is needed",
+        )
 
 
 def _bindings(definition: Definition) -> Iterator[tuple[KeyPath, str]]:

@@ -19,12 +19,15 @@ from compwright.formats.definition.schema import (
     Absent,
     Addresses,
     AddressType,
+    BetweenAxes,
     Binding,
     CardRule,
     Case,
     Choice,
     Definition,
     Dialect,
+    DiameterRule,
+    DiameterTables,
     EvidenceNote,
     Expectation,
     Expected,
@@ -68,6 +71,8 @@ _TOP = (
     "statements",
     "layout",
     "bindings",
+    "between_axes",
+    "diameter",
     "limits",
     "options",
     "writing",
@@ -177,6 +182,8 @@ def _definition(part: Mapping[str, Node], document: YamlDocument, file: str) -> 
             section="bindings",
             file=file,
         ),
+        between_axes=_between_axes(part["between_axes"]),
+        diameter=_diameter(part["diameter"]),
         limits=tuple(_limit(node) for node in part["limits"].items()),
         options=Required(
             {name: _option(name, node) for name, node in part["options"].entries()},
@@ -402,6 +409,22 @@ def _limit(node: Node) -> LimitRule:
     return LimitRule(
         predicate=part["predicate"].literal(Predicate),
         number=number,
+        evidence=_evidence(part["evidence"]),
+    )
+
+
+def _between_axes(node: Node) -> BetweenAxes:
+    part = node.keys("instead", "evidence")
+    return BetweenAxes(
+        instead=part["instead"].optional_text() or "", evidence=_evidence(part["evidence"])
+    )
+
+
+def _diameter(node: Node) -> DiameterRule:
+    part = node.keys("tables", "card", "evidence")
+    return DiameterRule(
+        tables=part["tables"].literal(DiameterTables),
+        card=part["card"].text(),
         evidence=_evidence(part["evidence"]),
     )
 

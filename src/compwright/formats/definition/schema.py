@@ -130,6 +130,8 @@ Predicate = Literal[
 #: When a file belongs to the set: always, with one table for both directions, with one for each,
 #: for tables between two axes.
 When = Literal["always", "one_curve", "two_curves", "cross"]
+#: What a table of an axis that is programmed in diameter counts in.
+DiameterTables = Literal["radius", "unconfirmed"]
 OptionType = Literal["integer", "number", "choice", "text", "integers"]
 
 
@@ -300,6 +302,29 @@ class LimitRule:
 
 
 @dataclass(frozen=True, slots=True)
+class BetweenAxes:
+    """``instead``: what helps where the control, as a job describes it, has no tables between axes,
+    with fields (see `families.between.instead`).
+    """
+
+    instead: str
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
+class DiameterRule:
+    """What is known of tables of an axis that is programmed in diameter.
+
+    ``tables``: they count in radius whatever programs count in, or nobody knows. ``card``: what the
+    card says of such an axis (``{name}``).
+    """
+
+    tables: DiameterTables
+    card: str
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
 class OptionRule:
     """An option. ``settled_by``: the quantity in the control's files that answers it;
     ``option_wins`` where both differ.
@@ -390,6 +415,8 @@ class Definition:
     statements: Mapping[str, Statement]
     layout: Layout
     bindings: Mapping[str, Binding]
+    between_axes: BetweenAxes
+    diameter: DiameterRule
     limits: tuple[LimitRule, ...]
     options: Mapping[str, OptionRule]
     writing: tuple[WrittenFile, ...]

@@ -16,6 +16,7 @@ from compwright.formats.definition.options import axis_options, resolve_options
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
@@ -71,8 +72,10 @@ class Family(ABC):
         """
         return normal_address(self.definition, axis)
 
-    def options_of(self, axis: Axis) -> Mapping[str, object]:
-        """Return the options of an axis: its own over the controller's. Raises UsageError."""
+    def options_of(self, axis: Axis | None) -> Mapping[str, object]:
+        """Return the options of an axis: its own over the controller's, which alone count for an
+        axis that no job knows. Raises UsageError.
+        """
         return axis_options(self.definition, self.options, axis)
 
     @abstractmethod
@@ -127,6 +130,14 @@ class Family(ABC):
 
         ``facts``: what the files that hold the table say of the axis. ``check_at``: positions at
         which the axis can be measured, mm or deg, ascending.
+        """
+
+    @abstractmethod
+    def between(self, asked: Asked) -> Between:
+        """Return what the control does with corrections between axes, by the state that is bound.
+
+        What it cannot hold is said, and what would help; nothing of that is written. Raises
+        CompwrightError where its files cannot be read.
         """
 
     def sheets(

@@ -7,7 +7,9 @@ from copy import copy
 from typing import Self
 
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import table_values
+from compwright.formats.families.columns.between import columns_between
 from compwright.formats.families.columns.capacity import (
     broken_limits,
     user_card_values,
@@ -79,6 +81,10 @@ class ColumnsFamily(Family):
         scale = scale_for_writing(self.definition, axis, self.options)
         values = table_values(self.definition, scale, compensation)
         return values | user_card_values(self.definition, axis, compensation, self.options)
+
+    def between(self, asked: Asked) -> Between:
+        """See `Family.between`: columns to type in."""
+        return columns_between(self, asked)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]

@@ -11,11 +11,13 @@ import numpy as np
 from compwright.formats.definition.consistency import has_cross
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.between import Asked, Between, instead
 from compwright.formats.families.card_words import CURVES, table_values
 from compwright.formats.families.family import AxisTable, Family, sound
 from compwright.formats.families.grid.capacity import grid_capacity, scale_for_writing
 from compwright.formats.families.grid.reading import read_grid
 from compwright.formats.families.grid.writing import holds_two_curves, write_table_files
+from compwright.formats.families.pairs.between import pairs_between
 from compwright.formats.families.pairs.capacity import cec_available, with_cec
 from compwright.formats.families.pairs.reading import CEC_PAIR
 from compwright.foundations.errors import CapacityError, Fault, raise_all
@@ -71,6 +73,12 @@ class GridFamily(Family):
         )
         raise_all(CapacityError, list(dict.fromkeys(faults)))
         return written
+
+    def between(self, asked: Asked) -> Between:
+        """See `Family.between`: tables of their own, where the control has them."""
+        if cec_available(self.definition, self.options):
+            return pairs_between(self, asked)
+        return instead(self.definition, asked.planned)
 
     def card_values(
         self,

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import sign_check
 from compwright.formats.families.family import AxisTable, Family, sound
+from compwright.formats.families.increments.between import straightness_between
 from compwright.formats.families.increments.capacity import increments_capacity
 from compwright.formats.families.increments.card import increment_values
 from compwright.formats.families.increments.reading import read_increments
@@ -56,6 +58,10 @@ class IncrementsFamily(Family):
         own = self.options_of(axis)
         values = increment_values(axis, compensation, self.definition, own, facts)
         return values | sign_check(compensation, check_at)
+
+    def between(self, asked: Asked) -> Between:
+        """See `Family.between`: one straight line in parameters to type in, as an option."""
+        return straightness_between(self, asked)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]

@@ -1,0 +1,131 @@
+"""Corrections between axes (squareness, straightness): what is asked of a control, and what it
+answers. What the control does with them is its family's.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import print_form
+from compwright.foundations.findings import Severity
+from compwright.records.axis import Axis
+from compwright.records.correction import ControlFile, ControlState
+from compwright.records.plan import PlannedCross
+
+#: A table between axes that moves the whole axis by less than this is not said to, mm or deg.
+_NO_SHIFT = 2e-6
+
+
+class Reading(Protocol):
+    """Reads control files. ``written``: compwright wrote them just now, so that a contradiction is
+    a fault of its own.
+    """
+
+    def __call__(self, files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
+        """Return what the files say. Raises CompwrightError."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Asked:
+    """What shall be added between axes.
+
+    ``axes``: those of the job by name; ``tabled``: the names of those that get a table of their own
+    in ``tables``. ``base``: the control's own files with ``tables`` in their place.
+    """
+
+    planned: tuple[PlannedCross, ...]
+    axes: Mapping[str, Axis]
+    tabled: Collection[str]
+    tables: tuple[ControlFile, ...]
+    base: tuple[ControlFile, ...]
+    read: Reading
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Between:
+    """What a control does with corrections between axes.
+
+    ``files``: those of ``Asked.base`` that change, and new ones; None: no file holds them.
+    ``sheets``: what is typed in. ``remarks``: what is to be said; ``steps``: title, text and
+    evidence of steps of the card.
+    """
+
+    files: tuple[ControlFile, ...] | None = None
+    sheets: tuple[ControlFile, ...] = ()
+    remarks: tuple[tuple[Severity, str], ...] = ()
+    steps: tuple[Mapping[str, str], ...] = ()
+
+
+def label(entry: PlannedCross) -> str:
+    """Return what is corrected, as people read it."""
+    what = "squareness" if entry.source == "circle" else "the measured deviation"
+    return f"{what} of {entry.output} over {entry.input} ({entry.squareness * 1e6:+.1f} µm/m)"
+
+
+def together(first: Sequence[ControlFile], then: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
+    """Return the files of both, those of ``then`` in place of others of their name."""
+    return tuple({file.name: file for file in (*first, *then)}.values())
+
+
+def in_turn(answers: Iterable[Between]) -> Between:
+    """Return answers that are in no file as one."""
+    every = list(answers)
+    return Between(
+        sheets=tuple(sheet for one in every for sheet in one.sheets),
+        remarks=tuple(remark for one in every for remark in one.remarks),
+        steps=tuple(step for one in every for step in one.steps),
+    )
+
+
+def typed_in(entry: PlannedCross, sheet: ControlFile, message: str, text: str) -> Between:
+    """Return the answer of a control into which ``sheet`` is typed: neither form nor sign are
+    confirmed.
+    """
+    title = f"{entry.output} over {entry.input}: type in"
+    return Between(
+        sheets=(sheet,),
+        remarks=(("warning", message),),
+        steps=({"title": title, "text": text, "evidence": "unconfirmed"},),
+    )
+
+
+def not_held(entry: PlannedCross, why: str) -> Between:
+    """Return the answer of a control that cannot hold a correction; ``why``, or what would help."""
+    message = (
+        f"{label(entry)} is not corrected: this control, as the job describes it, cannot hold it;"
+        f" {why}."
+    )
+    title = f"Not corrected: {label(entry)}"
+    return Between(
+        remarks=(("error", message),),
+        steps=({"title": title, "text": f"{why}.", "evidence": "inferred"},),
+    )
+
+
+def instead(definition: Definition, planned: Iterable[PlannedCross]) -> Between:
+    """Return the answer of a control without tables between axes: what its definition knows
+    instead.
+
+    Its text may name the angle that kinematics have to take away (``{squareness}``, rad), the axes
+    (``{input}`` and ``{output}``, lower case), and what that also moves (``{shift}``): the line of
+    the angle runs through machine zero, the correction is zero at the reference.
+    """
+    return in_turn(
+        not_held(entry, print_form(definition.between_axes.instead, _named(entry)))
+        for entry in planned
+    )
+
+
+def _named(entry: PlannedCross) -> dict[str, str]:
+    added = entry.added
+    constant = entry.squareness * float(added.positions[0]) - float(added.positive[0])
+    moved = f", which also moves {entry.output} as a whole by {constant * 1e3:+.2f} µm"
+    return {
+        "squareness": f"{entry.squareness:+.9f}",
+        "input": entry.input.lower(),
+        "output": entry.output.lower(),
+        "shift": moved if abs(constant) > _NO_SHIFT else "",
+    }

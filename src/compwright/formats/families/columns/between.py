@@ -1,0 +1,99 @@
+"""Corrections between axes as columns that the engineer types into the table of the moving axis:
+its text form and sign are unconfirmed.
+
+A column acts on an axis only while tables are selected for that axis, and then its linear error is
+dead: an axis that the linear error corrects gets no column, and that is said.
+"""
+
+from __future__ import annotations
+
+from compwright.formats.families.between import Asked, Between, in_turn, label, not_held, typed_in
+from compwright.formats.families.columns.sources import parameter_name
+from compwright.formats.families.family import Family
+from compwright.records.correction import ControlFile
+from compwright.records.plan import PlannedCross
+
+#: More points than these are typed from the sheet.
+_MOST_SHOWN = 8
+
+
+def columns_between(family: Family, asked: Asked) -> Between:
+    """Return the column of every correction, or why it cannot act."""
+    return in_turn(_column(family, asked, entry) for entry in asked.planned)
+
+
+def _column(family: Family, asked: Asked, entry: PlannedCross) -> Between:
+    why = _by_line(family, asked, entry)
+    if why:
+        return not_held(entry, why)
+    # the table is the moving axis' own, and so is what its values mean
+    form = str(family.options_of(asked.axes.get(entry.input))["table_values"])
+    rows = _rows(entry, form)
+    where = f"the table (.COM) of {entry.input}, column of {entry.output}"
+    message = (
+        f"{label(entry)} is in no file: type it into {where}, {_shown(entry, rows)} (values are"
+        f" {form}s), as the card and its sheet say; the sign is unconfirmed."
+    )
+    select = _parameter(family, "enabled")
+    text = (
+        f"{label(entry)}. Add to what stands in {where}, on a straight line between:"
+        f" {_shown(entry, rows)} (values are {form}s). "
+        + (
+            f"It acts on {entry.output} only while the bit of {entry.output} in {select} is 1. "
+            if select
+            else ""
+        )
+        + "The sign is unconfirmed: check it with a square or a dial gauge, on and off, before"
+        " production."
+    )
+    return typed_in(entry, _sheet(entry, form, rows), message, text)
+
+
+def _by_line(family: Family, asked: Asked, entry: PlannedCross) -> str:
+    """Return why a column cannot act on its axis: the linear error of that axis acts, now or by
+    this job; empty where it can.
+    """
+    axis, linear = asked.axes.get(entry.output), _parameter(family, "slope")
+    if axis is None:
+        return ""
+    old = None if family.state is None else family.state.axes.get(axis.address)
+    if family.options_of(axis).get("method") == "line":
+        why = f"the job corrects {axis.name} by {linear} (method: line)"
+    elif entry.output not in asked.tabled and old is not None and old.slope != 0.0:
+        why = f"{linear} acts on {axis.name} now ({-old.slope * 1e3:+.3f} mm/m)"
+    else:
+        return ""
+    return (
+        f"{why}, and a column acts only where tables do, never beside {linear}; give {axis.name} a"
+        " test and a table of its own"
+    )
+
+
+def _parameter(family: Family, quantity: str) -> str:
+    """Return the control's name of a parameter; empty where it has none."""
+    known = quantity in family.definition.bindings
+    return parameter_name(family.definition, quantity) if known else ""
+
+
+def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:
+    """Return positions and values of a column, mm or deg; ``form``: what the values are."""
+    sign = -1.0 if form == "error" else 1.0
+    added = entry.added
+    return [
+        (float(position), sign * float(value) + 0.0)
+        for position, value in zip(added.positions, added.positive, strict=True)
+    ]
+
+
+def _shown(entry: PlannedCross, rows: list[tuple[float, float]]) -> str:
+    unit = entry.added.output_kind.unit
+    shown = rows if len(rows) <= _MOST_SHOWN else [rows[0], rows[-1]]
+    return ", ".join(f"{value:+.4f} {unit} at {position:g}" for position, value in shown)
+
+
+def _sheet(entry: PlannedCross, form: str, rows: list[tuple[float, float]]) -> ControlFile:
+    unit = entry.added.output_kind.unit
+    head = f"# column of {entry.output} in the table of {entry.input}\n# value: {form}\n"
+    head += f"position_{entry.input},{entry.output},unit\n"
+    body = "".join(f"{position:.4f},{value:.4f},{unit}\n" for position, value in rows)
+    return ControlFile(f"cross_{entry.input}_{entry.output}.csv", (head + body).encode())
