@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from compwright.formats.card import card_steps, card_steps_of_all, loading_order
+from compwright.formats.card import card_steps, card_steps_of_all
 from compwright.formats.control_format import control_format
 from compwright.records.axis import Axis, AxisKind
 from compwright.reporting.card import card_html
@@ -214,4 +214,8 @@ def test_values_are_loaded_before_the_switches_that_protect_them(cec: str) -> No
         NC_CEC__INI="$AN_CEC[9,0]=0.001\nM17\n",
         AX_EEC__INI="$AA_ENC_COMP[0,0,AX1]=0.001\nM17\n",
     )
-    assert loading_order(SIEMENS, given) == ["NC_CEC.INI", "AX_EEC.INI", "MD.INI"]
+    assert control_format(SIEMENS, {}).loading_order(given) == [
+        "NC_CEC.INI",
+        "AX_EEC.INI",
+        "MD.INI",
+    ]

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from compwright.jobs.idle_keys import idle_keys
 from compwright.jobs.reading import read_job
 from compwright.workflow.stages.control import open_control
-from compwright.workflow.stages.idle_keys import without_effect
 
 
 @pytest.mark.parametrize(
@@ -28,7 +28,8 @@ def test_keys_without_effect_are_named(control: str, idle: list[str]) -> None:
         "  X: {travel: [0, 100], before: [x.csv], encoder: {system: 2}, axis_number: 3}\n"
     )
     job = read_job(text.encode(), "job.yaml", lambda _: iter(()))
-    found = without_effect(job, open_control(control, {}).definition)
+    family = open_control(control, {}).format
+    found = idle_keys(job, systems=family.counts_systems, numbers=family.counts_axes)
     assert [finding.message for finding in found] == [
         f"axes.X.{key} has no effect on this control ({control})" for key in idle
     ]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -11,10 +10,8 @@ from compwright.formats.definition.statements import field_names, print_form
 from compwright.formats.families.card_words import CURVES, REFERENCING, UNKNOWN
 from compwright.formats.text.addresses import normal_address
 from compwright.records.axis import Axis
-from compwright.records.correction import ControlFile, Evidence
+from compwright.records.correction import Evidence
 
-#: What makes tables act, and while it does protects their values from being written.
-_SWITCHES = ("enabled", "cross_table_enabled", "cross_axis_enabled")
 #: A field with a longer value is a sentence and keeps its place in the text.
 _LONGEST_CELL = 48
 #: The heading of the column that names the axis of a row.
@@ -99,29 +96,6 @@ def file_names(definition: Definition, axis: Axis) -> list[str]:
     address, _ = normal_address(definition, axis)
     named = {"axis": address, "system": str(axis.encoder.system - 1)}
     return [print_form(file.name, named) for file in definition.writing]
-
-
-def loading_order(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
-    """Return the names of files in the order in which a control takes them all: values before the
-    switches that protect them.
-    """
-
-    def holds(file: ControlFile, quantity: str) -> bool:
-        binding = definition.bindings.get(quantity)
-        if binding is None or binding.statement not in definition.statements:
-            return False
-        form = definition.statements[binding.statement].form.split("[", 1)[0].encode()
-        return re.search(re.escape(form) + rb"\s*\[", file.content) is not None
-
-    def place(file: ControlFile) -> tuple[bool, bool]:
-        return any(holds(file, name) for name in _SWITCHES), not any(
-            holds(file, name) for name in ("value", "cross_value")
-        )
-
-    return [
-        file.name
-        for file in (sorted(files, key=place) if "enabled" in definition.bindings else files)
-    ]
 
 
 def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:

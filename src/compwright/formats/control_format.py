@@ -18,6 +18,18 @@ _FAMILIES: Mapping[Shape, type[Family]] = {
     "user_tables": ColumnsFamily,
 }
 
+_WORDS: Mapping[Shape, str] = {
+    "values_by_index": "values by index on an equally spaced grid",
+    "rows_by_position": "rows by position, freely spaced",
+    "section_increments": "whole increments by section, numbered in one array for all axes",
+    "user_tables": "rows in tables that the control exports, or typed in from a sheet",
+}
+
+
+def shape_words(definition: Definition) -> str:
+    """Return the form of a control's table, as people read it."""
+    return _WORDS[definition.layout.shape]
+
 
 def control_format(
     definition: Definition,

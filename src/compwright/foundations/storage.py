@@ -474,13 +474,23 @@ def _stage(target: Path, content: bytes, changes: _Changes) -> None:
 def definition_files() -> Iterator[tuple[str, bytes]]:
     """Yield name and bytes of the controller definitions that ship with compwright, in the order of
     their names.
+    """
+    return _shipped("controller_formats")
 
-    They lie beside the code in an installed wheel and at the top of a source checkout.
+
+def demo_files() -> dict[str, bytes]:
+    """Return machine and job of the demo, which name a control, by the names of their files."""
+    return dict(_shipped("controller_formats/demo"))
+
+
+def _shipped(folder: str) -> Iterator[tuple[str, bytes]]:
+    """Yield name and bytes of the YAML files of a folder, which lies beside the code in an
+    installed wheel and at the top of a source checkout.
     """
     package = Path(__file__).resolve().parents[1]
-    for folder in (package / "controller_formats", package.parents[1] / "controller_formats"):
-        if folder.is_dir():
-            for path in sorted(folder.glob("*.yaml")):
+    for place in (package / folder, package.parents[1] / folder):
+        if place.is_dir():
+            for path in sorted(place.glob("*.yaml")):
                 yield path.name, read_bytes(path)
             return
 

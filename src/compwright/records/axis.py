@@ -56,8 +56,8 @@ class PositionMap:
 
 @dataclass(frozen=True, slots=True)
 class Encoder:
-    """The measuring system: ``system`` 1 or 2 (2 is index 1 in SINUMERIK files); ``stated`` False:
-    nobody said which one.
+    """The measuring system: ``system`` 1 or 2 (2 is index 1 in files that count from 0);
+    ``stated`` False: nobody said which one.
     """
 
     type: Literal["incremental", "absolute", "distance_coded"] = "incremental"

@@ -149,6 +149,51 @@ class Family(ABC):
         del compensations, axes
         return ()
 
+    def partner_sheet(self, leading: str, address: str) -> str:
+        """Return whose name the sheet of a gantry's synchronised axis bears, by the name of the
+        leading axis and its own address.
+        """
+        return f"{leading}_{address}"
+
+    def loading_order(self, files: Sequence[ControlFile]) -> list[str]:
+        """Return the names of files in the order in which the control takes them all."""
+        return [file.name for file in files]
+
+    def points_needed(self, table: AxisCompensation) -> int | None:
+        """Return how many points the control must have room for; None where it reserves none."""
+        reserves = any(
+            self.definition.limit(limit) is not None for limit in ("points_reserved", "max_points")
+        )
+        return int(table.positions.size) if reserves else None
+
+    @property
+    def says_activity(self) -> bool:
+        """Whether the control's files can say, or leave open, that a table does not act."""
+        return "enabled" in self.definition.bindings
+
+    @property
+    def counts_systems(self) -> bool:
+        """Whether the control's files count measuring systems."""
+        return any("system" in each.fields for each in self.definition.statements.values())
+
+    @property
+    def counts_axes(self) -> bool:
+        """Whether the control's files number axes otherwise than by address."""
+        return False
+
+    @property
+    def one_by_one(self) -> Sequence[str]:
+        """The addresses that may be read alone where one odd axis spoils the whole; empty where
+        none may.
+        """
+        return ()
+
+    def for_a_view(self) -> Self:
+        """Return the control as it reads files that are only shown: what no readings hang on may
+        be assumed, and is said.
+        """
+        return self
+
     def write(
         self,
         compensations: Sequence[AxisCompensation],

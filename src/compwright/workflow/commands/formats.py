@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from compwright.controllers.virtual import KNOWN, virtual_control
+from compwright.formats.control_format import shape_words
 from compwright.formats.definition.options import describe_options, resolve_options
 from compwright.formats.definition.reading import definitions_from, load_definition
 from compwright.formats.definition.schema import (
@@ -26,12 +27,6 @@ from compwright.foundations.units import TO_INSIDE
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 
-_SHAPES = {
-    "values_by_index": "values by index on an equally spaced grid",
-    "rows_by_position": "rows by position, freely spaced",
-    "section_increments": "whole increments by section, numbered in one array for all axes",
-    "user_tables": "rows in tables that the control exports, or typed in from a sheet",
-}
 _PAIRINGS = {
     "none": "one curve for both directions",
     "two_columns": "one curve for each direction, in two columns",
@@ -205,7 +200,7 @@ def _contents(paths: Sequence[Path]) -> Iterator[tuple[str, bytes]]:
 def _table(definition: Definition) -> Iterator[str]:
     layout = definition.layout
     ends = {"hold": "the end value stays", "zero": "nothing is corrected"}
-    yield f"{_SHAPES[layout.shape]}; {_PAIRINGS[layout.pairing]}"
+    yield f"{shape_words(definition)}; {_PAIRINGS[layout.pairing]}"
     yield f"below the table {ends[layout.below]}, above it {ends[layout.above]} [{layout.evidence}]"
     letters = definition.addresses.letters
     named = "a number" if definition.addresses.type == "integer" else "a name"

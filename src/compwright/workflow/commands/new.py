@@ -16,9 +16,6 @@ from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.workflow.stages.control import Control, decode, open_control, read_files
 
-#: No control numbers more axes than this.
-_MOST_AXES = 40
-
 Facts = Mapping[str, float | int | str | bool]
 
 
@@ -85,11 +82,9 @@ def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState,
     try:
         return decode(control, files).state, ()
     except InputError:
-        if control.definition.layout.shape != "section_increments":
-            raise
         left_out: list[str] = []
         state: ControlState | None = None
-        for address in map(str, range(1, _MOST_AXES + 1)):
+        for address in control.format.one_by_one:
             said = {} if state is None else state.facts.get(address, {})
             if state is not None and not (said.get("enabled") or said.get("backlash_count")):
                 continue

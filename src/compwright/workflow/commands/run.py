@@ -18,6 +18,7 @@ from compwright.foundations.errors import Fault, InputError, UsageError, raise_a
 from compwright.foundations.findings import Finding, doubts_of
 from compwright.foundations.provenance import fingerprint
 from compwright.foundations.utf8 import encoded
+from compwright.jobs.idle_keys import idle_keys
 from compwright.records.axis import Axis
 from compwright.records.circular import CircularTest
 from compwright.records.correction import Assumption, ControlFile
@@ -50,7 +51,6 @@ from compwright.workflow.stages.control import (
 )
 from compwright.workflow.stages.cross import plan_cross
 from compwright.workflow.stages.cross_tables import CrossOutcome, write_planned
-from compwright.workflow.stages.idle_keys import without_effect
 from compwright.workflow.stages.inputs import JobInputs, read_job_inputs
 from compwright.workflow.stages.own_output import refuse_own_output
 from compwright.workflow.stages.plausible import given_twice, impossible_tests, named_tests
@@ -166,7 +166,7 @@ def run_job(
 def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool) -> _Finished:
     control = open_control(job.format, job.options, origin_of(job))
     job, renamed = named_axes(job, control)
-    idle = without_effect(job, control.definition)
+    idle = idle_keys(job, systems=control.format.counts_systems, numbers=control.format.counts_axes)
     inputs, tests = _inputs(job, control, folder)
     job = settled_by_files(job, inputs.states, AS_FOUND)
     axes = {name: entry.axis for name, entry in job.axes.items()}

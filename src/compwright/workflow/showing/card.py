@@ -16,8 +16,8 @@ from compwright.formats.card import (
     card_steps_of_all,
     file_names,
     gantry_words,
-    loading_order,
 )
+from compwright.formats.definition.statements import print_form
 from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.units import outside_factor, outside_unit
@@ -34,16 +34,6 @@ SCHEMA = "compwright/card/1"
 #: A reading further off than this many times the scatter of one reading is no accident (with a
 #: normal scatter, one in 10^6).
 STOP_SCATTER = 5.0
-_DIAMETER = (
-    "Axis {} is programmed in diameter: the laser and this table count in radius. Programs and"
-    " displays show twice as much; if the quick check is off by a factor of two, the control counts"
-    " its table in diameter"
-)
-_JOINT_DIAMETER = (
-    "Axis {} is programmed in diameter: laser, table and every position on this card count in"
-    " radius, as the joint moves; the control looks its table up there, whatever G7 and G8 say. In"
-    " G7 program twice the position"
-)
 
 
 def card_document(
@@ -57,7 +47,6 @@ def card_document(
     """Return the card of a run as plain data, values in µm or arcsec."""
     written = {name: work for name, work in works.items() if work.planned.fitted is not None}
     facts = assumed_documents(assumed)
-    diameter = _JOINT_DIAMETER if control.id.startswith("linuxcnc") else _DIAMETER
     return {
         "schema": SCHEMA,
         "title": f"Commissioning card: {', '.join(written or job.axes)}",
@@ -73,7 +62,7 @@ def card_document(
                 if "unconfirmed" in entry["evidence"]
             ),
             *(
-                diameter.format(work.planned.axis.name)
+                print_form(control.definition.diameter.card, {"name": work.planned.axis.name})
                 for work in written.values()
                 if work.planned.axis.programmed == "diameter"
             ),
@@ -101,7 +90,7 @@ def _axis(
         "position_unit": axis.kind.unit,
         "rows": _rows(work.planned.active, table, factor, axis.kind.unit),
         "quick_check": _quick_check(work, loaded, factor),
-        "points_needed": _points_needed(control, table),
+        "points_needed": control.format.points_needed(table) if table is not None else None,
         "fixed_positions": [
             {
                 "name": name,
@@ -112,15 +101,6 @@ def _axis(
             if axis.name in places
         ],
     }
-
-
-def _points_needed(control: Control, table: AxisCompensation | None) -> int | None:
-    """Return how many points the control must have room for; None where it reserves none."""
-    reserves = (
-        control.definition.limit("points_reserved") is not None
-        or control.definition.limit("max_points") is not None
-    )
-    return int(table.positions.size) if table is not None and reserves else None
 
 
 def _rows(
@@ -261,14 +241,8 @@ def _steps(
             )  # the same table, on numbers and in files of its own
             facts = loaded.state.facts.get(axis.gantry, {})
             values = control.format.card_values(partner, fitted.compensation, facts, where)
-            sheet = (
-                axis.gantry
-                if control.definition.layout.shape == "user_tables"
-                else f"{axis.name}_{axis.gantry}"
-            )
-            axes.append(
-                (partner, {**values, **_named_files(control, partner, loaded), "sheet": sheet})
-            )
+            own = {"sheet": control.format.partner_sheet(axis.name, axis.gantry)}
+            axes.append((partner, {**values, **_named_files(control, partner, loaded), **own}))
             both.append(
                 {
                     "title": f"{axis.name} and {axis.gantry} together",
@@ -292,7 +266,7 @@ def _named_files(control: Control, axis: Axis, loaded: DecodedState | None) -> d
     """Return the names of the definition's files as they were written; what went into the control's
     own files names these.
     """
-    written = loading_order(control.definition, loaded.files) if loaded else []
+    written = control.format.loading_order(loaded.files) if loaded else []
     fresh = {
         f"file_{number}": name
         for number, name in enumerate(file_names(control.definition, axis), start=1)
@@ -313,7 +287,7 @@ def _restore(control: Control, inputs: JobInputs) -> list[str]:
             " reference"
         )
         return [f"The job says that nothing was active. To go back: {off}."]
-    names = ", ".join(loading_order(control.definition, files))
+    names = ", ".join(control.format.loading_order(files))
     return [
         (
             f"Load the untouched copies in rollback/{control.id}/ ({names}) the same way, restart"

@@ -24,11 +24,9 @@ from compwright.formats.definition.reading import definitions_from
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
-from compwright.formats.families.pairs.reading import CEC_TABLES
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
-from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile, ControlState, CrossCompensation
 from compwright.records.job import AxisJob, Job
@@ -110,7 +108,7 @@ class Control:
 
     @property
     def id(self) -> str:
-        """The format's name, such as ``siemens-840d-sl``."""
+        """The format's name."""
         return self.definition.id
 
     def in_state(self, state: ControlState) -> Control:
@@ -293,11 +291,7 @@ def decode(
     """
     if not files:
         return DecodedState(files=(), state=ControlState(format=control.id, axes={}), judge=None)
-    if (
-        active is False
-        and "enabled" not in control.definition.bindings
-        and control.definition.layout.shape != "user_tables"
-    ):
+    if active is False and not control.format.says_activity:
         raise UsageError(
             Fault(
                 message=(
@@ -308,10 +302,8 @@ def decode(
             )
         )
     activity = Activity(said=active, asking=asking)
-    shown = not axes and "cec_sign" in control.options and control.options["cec_sign"] is None
-    reading = control.format.with_options(cec_sign="correction") if shown else control.format
+    reading = control.format if axes else control.format.for_a_view()
     state = reading.read(files, axes, address=address, activity=activity)
-    state = _with_sign_unknown(state) if shown else state
     if asking or not axes:
         _check_meaning(control, state, axes)
     named = [
@@ -363,29 +355,6 @@ def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) 
             )
         )
     raise_all(UsageError, faults)
-
-
-def _with_sign_unknown(state: ControlState) -> ControlState:
-    """Say of tables that are only shown, and hang together with no readings, that nobody knows
-    their sign.
-    """
-    if not any(CEC_TABLES in facts for facts in state.facts.values()):
-        return state
-    message = (
-        "CEC tables are shown as corrections, although no manual says in which direction a positive"
-        " value moves the axis: their sign may be the opposite; give the option cec_sign after the"
-        " check on the card"
-    )
-    assumption = Assumption(
-        "option cec_sign",
-        "correction",
-        "unconfirmed: no text of Siemens says it; no readings hang on it here",
-    )
-    return replace(
-        state,
-        assumed=(*state.assumed, assumption),
-        findings=(*state.findings, Finding("CW-S055", "warning", message)),
-    )
 
 
 def _systems(state: ControlState) -> dict[str, int]:

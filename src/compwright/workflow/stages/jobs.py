@@ -61,10 +61,10 @@ def _unknown_diameter(axes: object, control: Control, *, files: bool) -> Iterato
     radius or in diameter.
 
     Everything in a job counts in radius, as the machine moves. A control whose files say how the
-    axis is programmed checks the job against them, without ``files`` there is nothing to check;
-    LinuxCNC looks its table up at the position of the joint, which no diameter mode changes.
+    axis is programmed checks the job against them, without ``files`` there is nothing to check.
     """
-    if (files and "diameter" in control.definition.bindings) or control.id.startswith("linuxcnc"):
+    definition = control.definition
+    if definition.diameter.tables == "radius" or (files and "diameter" in definition.bindings):
         return
     for name, section in axes.items() if isinstance(axes, dict) else ():
         if (

@@ -16,6 +16,7 @@ from compwright.formats.families.columns.capacity import (
     user_tables_capacity,
 )
 from compwright.formats.families.columns.reading import read_user_tables
+from compwright.formats.families.columns.text import VALUES
 from compwright.formats.families.columns.writing import write_user_tables
 from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.families.grid.capacity import scale_for_writing
@@ -85,6 +86,22 @@ class ColumnsFamily(Family):
     def between(self, asked: Asked) -> Between:
         """See `Family.between`: columns to type in."""
         return columns_between(self, asked)
+
+    def partner_sheet(self, leading: str, address: str) -> str:
+        """See `Family.partner_sheet`."""
+        del leading
+        return address
+
+    @property
+    def says_activity(self) -> bool:
+        """See `Family.says_activity`: a selection of tables may be missing among the files."""
+        return True
+
+    @property
+    def counts_axes(self) -> bool:
+        """See `Family.counts_axes`: columns on an equally spaced grid are named by number."""
+        values = self.definition.statements.get(VALUES)
+        return values is not None and "datum" in values.fields
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]

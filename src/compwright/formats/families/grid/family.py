@@ -5,6 +5,7 @@ them, where the control has them, tables between axes.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Self
 
 import numpy as np
 
@@ -15,11 +16,13 @@ from compwright.formats.families.between import Asked, Between, instead
 from compwright.formats.families.card_words import CURVES, table_values
 from compwright.formats.families.family import AxisTable, Family, sound
 from compwright.formats.families.grid.capacity import grid_capacity, scale_for_writing
+from compwright.formats.families.grid.loading import loading_order
 from compwright.formats.families.grid.reading import read_grid
 from compwright.formats.families.grid.writing import holds_two_curves, write_table_files
 from compwright.formats.families.pairs.between import pairs_between
 from compwright.formats.families.pairs.capacity import cec_available, with_cec
 from compwright.formats.families.pairs.reading import CEC_PAIR
+from compwright.formats.families.pairs.view import with_sign_unknown
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
@@ -28,6 +31,8 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 
 class GridFamily(Family):
     """Values by index, or rows by position."""
+
+    sign_assumed = False
 
     def read(
         self,
@@ -38,7 +43,22 @@ class GridFamily(Family):
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
         """See `Family.read`."""
-        return read_grid(self.definition, self.options, files, axes, address, activity)
+        state = read_grid(self.definition, self.options, files, axes, address, activity)
+        return with_sign_unknown(state) if self.sign_assumed else state
+
+    def for_a_view(self) -> Self:
+        """See `Family.for_a_view`: tables between axes are shown as corrections where nobody says
+        their sign.
+        """
+        if self.options.get("cec_sign", "") is not None:
+            return self
+        shown = self.with_options(cec_sign="correction")
+        shown.sign_assumed = True
+        return shown
+
+    def loading_order(self, files: Sequence[ControlFile]) -> list[str]:
+        """See `Family.loading_order`."""
+        return loading_order(self.definition, files)
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`. With tables between axes a pair of them holds two curves."""

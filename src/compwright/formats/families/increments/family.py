@@ -19,6 +19,9 @@ from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState, Fact
 
+#: No control numbers more axes than this.
+_MOST_AXES = 40
+
 
 class IncrementsFamily(Family):
     """Whole steps by section."""
@@ -62,6 +65,11 @@ class IncrementsFamily(Family):
     def between(self, asked: Asked) -> Between:
         """See `Family.between`: one straight line in parameters to type in, as an option."""
         return straightness_between(self, asked)
+
+    @property
+    def one_by_one(self) -> Sequence[str]:
+        """See `Family.one_by_one`: axes have numbers, and each its own part of the points."""
+        return [str(number) for number in range(1, _MOST_AXES + 1)]
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]

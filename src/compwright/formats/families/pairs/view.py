@@ -1,0 +1,32 @@
+"""Tables between axes that are only shown, and hang together with no readings."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from compwright.formats.families.pairs.reading import tables_in
+from compwright.foundations.findings import Finding
+from compwright.records.correction import Assumption, ControlState
+
+
+def with_sign_unknown(state: ControlState) -> ControlState:
+    """Return a state that was read as corrections, saying of its tables between axes that nobody
+    knows their sign.
+    """
+    if not tables_in(state.facts):
+        return state
+    message = (
+        "CEC tables are shown as corrections, although no manual says in which direction a positive"
+        " value moves the axis: their sign may be the opposite; give the option cec_sign after the"
+        " check on the card"
+    )
+    assumption = Assumption(
+        "option cec_sign",
+        "correction",
+        "unconfirmed: no text of Siemens says it; no readings hang on it here",
+    )
+    return replace(
+        state,
+        assumed=(*state.assumed, assumption),
+        findings=(*state.findings, Finding("CW-S055", "warning", message)),
+    )
