@@ -1,0 +1,172 @@
+"""Every number that leaves in a document, once for a linear and once for a rotary axis: mm become µm
+(times 1000), deg become arcsec (times 3600), positions stay.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from circle_machine import Machine, Setup, measured
+from compwright.documents.compare import ComparedAxis, compare_document
+from compwright.documents.decode import DecodedAxis, decode_document
+from compwright.documents.plan_check import _broken_rules
+from compwright.documents.prediction import (
+    circle_values,
+    compensation_outside,
+    cross_outside,
+    parameters_outside,
+    prediction_document,
+    quantiles_outside,
+)
+from compwright.documents.verification import SquarenessCheck
+from compwright.evaluation.circular import evaluate_circle
+from compwright.evaluation.standards import evaluate
+from compwright.records.axis import AxisKind, Direction
+from compwright.records.correction import AxisCompensation, CrossCompensation
+from compwright.records.fitted import Limit
+from compwright.records.prediction import AxisPrediction, Quantiles, TestPrediction
+from compwright.records.verification import ReadBack
+from evaluation_samples import axis_test
+
+KINDS = pytest.mark.parametrize(
+    ("kind", "factor", "unit"),
+    [(AxisKind.LINEAR, 1000.0, "um"), (AxisKind.ROTARY, 3600.0, "arcsec")],
+)
+
+
+def table(kind: AxisKind) -> AxisCompensation:
+    """Two curves and a backlash of 0.004, which acts with its sign against the return direction."""
+    return AxisCompensation(
+        address="1",
+        kind=kind,
+        positions=np.array([-10.0, 0.0, 250.0]),
+        positive=np.array([0.001, 0.0, -0.0025]),
+        negative=np.array([0.002, 0.0, 0.0005]),
+        backlash=0.004,
+        reference_return=Direction.POSITIVE,
+    )
+
+
+@KINDS
+def test_a_table(kind: AxisKind, factor: float, unit: str) -> None:
+    found = compensation_outside(table(kind))
+    assert found["positions"] == [-10.0, 0.0, 250.0]
+    assert found["unit"] == unit
+    assert found["correction_positive"] == pytest.approx([0.001 * factor, 0.0, -0.0025 * factor])
+    # arriving in -: the second curve less the backlash
+    assert found["correction_negative"] == pytest.approx(
+        [-0.002 * factor, -0.004 * factor, -0.0035 * factor]
+    )
+
+
+@KINDS
+def test_what_is_decoded_and_compared(kind: AxisKind, factor: float, unit: str) -> None:
+    axis = DecodedAxis(kind, np.array([5.0, 1.0]), np.array([0.001, 0.002]), np.array([0.0, -0.25]))
+    (found,) = decode_document({"X": axis}, (), ())["axes"].values()
+    assert found == {
+        "positions": [5.0, 1.0],
+        "correction_positive": pytest.approx([0.001 * factor, 0.002 * factor]),
+        "correction_negative": pytest.approx([0.0, -0.25 * factor]),
+        "unit": unit,
+    }
+    back = ReadBack(0.0125, 320.5, Direction.NEGATIVE, "scaled", "twice")
+    document = compare_document("id", {"X": ComparedAxis("AX1", kind, back, ())}, (), ())
+    assert document["axes"]["X"]["largest_difference"] == pytest.approx(0.0125 * factor)
+    assert (document["axes"]["X"]["at"], document["axes"]["X"]["unit"]) == (320.5, unit)
+
+
+@pytest.mark.parametrize(
+    ("output", "factor", "unit"),
+    [(AxisKind.LINEAR, 1000.0, "um"), (AxisKind.ROTARY, 3600.0, "arcsec")],
+)
+def test_what_one_axis_adds_to_another_is_in_the_unit_of_the_other(
+    output: AxisKind, factor: float, unit: str
+) -> None:
+    one = CrossCompensation(
+        input="X",
+        output="Y",
+        input_kind=AxisKind.LINEAR,
+        output_kind=output,
+        positions=np.array([0.0, 400.0]),
+        positive=np.array([0.0, -0.012]),
+        negative=np.array([0.0, -0.012]),
+    )
+    found = cross_outside(one)
+    assert found["correction"] == pytest.approx([0.0, -0.012 * factor])
+    assert (found["positions"], found["unit"]) == ([0.0, 400.0], unit)
+    assert "correction_positive" not in found
+    other = cross_outside(replace(one, negative=np.array([0.0, 0.003])))
+    assert other["correction"] == other["correction_positive"]
+    assert other["correction_negative"] == pytest.approx([0.0, 0.003 * factor])
+
+
+@KINDS
+def test_a_prediction(kind: AxisKind, factor: float, unit: str) -> None:
+    """One direction, means from -0.01 to 0.03: E = 0.04."""
+    test = axis_test([0, 90, 180], [[-0.01] * 2, [0.0] * 2, [0.03] * 2], kind=kind)
+    before = evaluate(test)
+    assert parameters_outside(before)["E_positive"] == pytest.approx(0.04 * factor)
+    bands = {"A": Quantiles(median=0.02, p05=0.01, p95=0.05)}
+    assert quantiles_outside(bands, kind)["A"] == pytest.approx(
+        {"median": 0.02 * factor, "p05": 0.01 * factor, "p95": 0.05 * factor}
+    )
+    axis = AxisPrediction(
+        tests=(
+            TestPrediction(name="t", before=before, predicted=bands, predicted_new_targets=bands),
+        ),
+        table=table(kind),
+        quantum=0.0005,
+        limits=(Limit("value range", 0.002),),
+    )
+    found = prediction_document("id", {"X": axis})["axes"]["X"]
+    assert found["quantum"] == pytest.approx(0.0005 * factor)
+    assert found["limits"] == [
+        {"cause": "value range", "value": pytest.approx(0.002 * factor), "unit": unit}
+    ]
+    assert found["before"]["E_positive"] == pytest.approx(0.04 * factor)
+    assert found["predicted"]["A"]["p95"] == pytest.approx(0.05 * factor)
+
+
+def test_a_circle_is_in_micrometres() -> None:
+    """A bar that reads 25 µm too long everywhere: D = 25 µm, and the circle stays round."""
+    test = measured(Machine(), Setup(samples=90))
+    longer = replace(
+        test, runs=tuple(replace(run, deviations=run.deviations + 0.025) for run in test.runs)
+    )
+    found = circle_values(evaluate_circle(longer))
+    assert found["D"] == pytest.approx(25.0, abs=1e-6)
+    assert found["G_ccw"] == pytest.approx(0.0, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("value", "decision"),
+    [(10.0, "accept"), (12.5, "accept"), (7.5, "accept"), (12.6, "reject"), (7.4, "reject")],
+)
+def test_squareness_is_kept_within_its_uncertainty(value: float, decision: str) -> None:
+    assert SquarenessCheck(value=value, expected=10.0, U=2.5).decision == decision
+
+
+CIRCLE = measured(Machine(), Setup(samples=30))
+
+
+@pytest.mark.parametrize(
+    ("record", "broken"),
+    [
+        (table(AxisKind.LINEAR), 0),
+        (replace(table(AxisKind.LINEAR), period=260.0), 0),
+        (replace(table(AxisKind.LINEAR), period=0.0), 1),
+        (replace(table(AxisKind.LINEAR), period=-260.0), 1),
+        (replace(table(AxisKind.LINEAR), positions=np.array([0.0, -10.0, 250.0])), 1),
+        (CIRCLE, 0),
+        (replace(CIRCLE, feed=0.0), 1),
+        (replace(CIRCLE, nominal_radius=-150.0), 1),
+        (replace(CIRCLE, arc=(0.0, 361.0)), 1),
+        (replace(CIRCLE, arc=(0.0, 0.0), runs=()), 2),
+    ],
+)
+def test_what_a_plan_may_not_hold(record: Any, broken: int) -> None:
+    assert len(list(_broken_rules(record))) == broken
