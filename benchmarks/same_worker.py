@@ -75,8 +75,11 @@ def main(root: Path, paint_every: int) -> None:
         for number, words in enumerate(commands):
             seconds[words[0]] += _said(run, number, words)
             if words[:2] == ["run", "job.yaml"]:
-                _after(folder)
-                _damaged(folder)
+                try:
+                    _after(folder)
+                    _damaged(folder)
+                except Exception as error:  # noqa: BLE001 - one odd result must not end the worker
+                    (folder / "said" / "after.txt").write_text(repr(error))
         (root / "done.txt").write_text(f"{turn + 1} of {len(todo)}")
     os.chdir(root)
     total = {"wall": time.perf_counter() - start, "processor": time.process_time()}
