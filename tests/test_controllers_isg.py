@@ -230,6 +230,9 @@ class TestModulo:
         # deg, here in 0.001
         wanted = [-2.5, -1.0, -2.0, -2.0, -1.0]
         assert um(control, [-45, 0, 45, 405, 720], UP, "4") == close(wanted)
+        # the same values a quarter turn earlier: 45 is half way from 30 to -20
+        early = isg(TURN.replace("kw_startpos 0", "kw_startpos -900000"))
+        assert um(early, [-135, -90, 45, 225, 315], UP, "4") == close([-2.5, -1, -0.5, -2.5, -2])
 
     def test_without_modulo_the_ends_hold(self) -> None:
         for text in (TURN.replace("modulo 1", "modulo 0"), TURN.replace("kw.ssfk.modulo 1\n", "")):
@@ -476,6 +479,10 @@ class TestLists:
         with pytest.raises(InputError, match=says) as caught:
             isg(text)
         assert all("achskw1.lis" in str(fault) for fault in caught.value.faults)
+
+    def test_lines_count_on_through_a_remark_of_two(self) -> None:
+        with pytest.raises(InputError, match="line 17: no statement"):
+            isg(EVEN + "kw.ssfk.modulo=1\n", options={"encoder_increment": 1e-4})
 
     def test_more_room_has_to_be_said(self) -> None:
         head = one_column(LISTED).split("kw.ssfk.table")[0]

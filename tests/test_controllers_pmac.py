@@ -266,6 +266,8 @@ class TestCross:
         assert any("two motors" in note for note in pmac(plane, asked=("2",)).notes)
         with pytest.raises(InputError, match="expected 5 whole numbers, found 4"):
             pmac(plane.replace("0 0 5 0 0", "0 0 5 0"))
+        with pytest.raises(InputError, match="corrects motor 1"):
+            pmac("#4" + plane.removeprefix("#1"))
         # the third motor is the target, the addressed one without it
         with pytest.raises(InputError, match="corrects motor 1"):
             pmac(plane.replace("#1D,#2D,#1,", "#3,"))

@@ -177,7 +177,7 @@ class Judged:
         options = self.request.options_of(str(table.source))
         counts = abs(finite_number(options.get("counts_per_unit")) or 0.0) * (turn or 0.0)
         # half a count: a turn need not be a whole number of counts
-        if counts and abs(counts - max(1, round(counts / table.length)) * table.length) > 0.5:
+        if counts and abs(counts - round(counts / table.length) * table.length) > 0.5:
             message = f"the table repeats after {table.length} counts, the axis after its turn"
             expected = f"{counts:.12g} counts, or a whole part of it"
             self.faults.append((table.target, table.place.fault(message, expected=expected)))
