@@ -8,15 +8,15 @@ line that changes loses its checksum.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal, InvalidOperation
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence, print_form
 from compwright.formats.text.gathering import Found, Gathered, gather, same_value
-from compwright.formats.text.patching import Change, apply_changes, set_field
-from compwright.formats.text.texts import Line, text_reader
+from compwright.formats.text.patching import Patches, set_field
+from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.records.correction import ControlFile
 
@@ -40,26 +40,23 @@ class TablePlaces:
         return bool(self.rows) or any(self.singles.values())
 
 
-class OwnFiles:
-    """Collects the changes. ``asked``: the addresses of the axes under work. Raises InputError when
-    the files cannot be read.
+class OwnFiles(Patches):
+    """The changes by what they mean. ``asked``: the addresses of the axes under work. Raises
+    InputError when the files cannot be read.
     """
 
     def __init__(
         self, definition: Definition, files: Sequence[ControlFile], asked: Sequence[str] = ()
     ) -> None:
+        super().__init__(definition.dialect, files)
         self.definition = definition
-        self.files = list(files)
-        self.reader = text_reader(definition)
+        reader = text_reader(definition)
         faults: list[Fault] = []
-        texts = [self.reader.read(file, faults, number) for number, file in enumerate(self.files)]
+        texts = [reader.read(file, faults, number) for number, file in enumerate(self.files)]
         raise_all(InputError, faults)
         self.gathered: Gathered = gather(
             definition, [text for text in texts if text is not None], asked
         )
-        self.lines = [self.reader.lines(file.content.decode("latin-1")) for file in self.files]
-        self.changes: dict[int, dict[tuple[int, int], Change]] = {}
-        self.inserted: dict[tuple[int, int], list[str]] = {}
 
     def put(self, quantity: str, places: Sequence[Found], text: str) -> bool:
         """Set a single value where it counts (everywhere, or the first or last of each file); False
@@ -91,14 +88,13 @@ class OwnFiles:
                 )
         anchor = _last(places)
         missing = [index for index in range(len(rows)) if index not in places.rows]
-        self.inserted.setdefault((anchor.number, anchor.occurrence.line), []).extend(
-            self._row(anchor, places, index, rows[index]) for index in missing
-        )
-        for quantity, text in singles.items():
-            if not self.put(quantity, places.singles.get(quantity, ()), text):
-                self.inserted[(anchor.number, anchor.occurrence.line)].append(
-                    self._single(places, quantity, text)
-                )
+        added = [self._row(anchor, places, index, rows[index]) for index in missing]
+        added += [
+            self._single(places, quantity, text)
+            for quantity, text in singles.items()
+            if not self.put(quantity, places.singles.get(quantity, ()), text)
+        ]
+        self._add(anchor, added)
 
     def put_behind(self, places: TablePlaces, number: int, quantity: str, text: str) -> None:
         """Put a single value on a line of its own behind everything of a table in one file."""
@@ -109,9 +105,7 @@ class OwnFiles:
             if found.number == number
         ]
         anchor = max(lines, key=lambda found: found.occurrence.line)
-        self.inserted.setdefault((number, anchor.occurrence.line), []).append(
-            self._single(places, quantity, text)
-        )
+        self._add(anchor, [self._single(places, quantity, text)])
 
     def clear_rows(self, places: TablePlaces) -> None:
         """Set all values of a table to zero."""
@@ -128,8 +122,11 @@ class OwnFiles:
         old = occurrence.tokens[field].text
         if same_value(old, text):
             return
-        for change in set_field(occurrence, field, styled(old, text)):
-            self.changes.setdefault(number, {})[(change.start, change.end)] = change
+        self.replace(number, *set_field(occurrence, field, styled(old, text)))
+
+    def _add(self, anchor: Found, lines: Sequence[str]) -> None:
+        some = next(iter(anchor.occurrence.tokens.values()))
+        self.add_lines(anchor.number, some.start, lines)
 
     def _row(self, anchor: Found, places: TablePlaces, index: int, text: str) -> str:
         """Return the line of a new value: the neighbouring row with other index and value, without
@@ -141,29 +138,13 @@ class OwnFiles:
                 self.definition.statements[binding.statement].form,
                 {**places.named, "index": str(index), binding.field: text},
             )
-        tokens = anchor.occurrence.tokens
-        line = self._line(anchor)
-        end = tokens[binding.field].end - line.start
-        value = tokens[binding.field]
-        changes = [
-            Change(
-                tokens["index"].start - line.start,
-                tokens["index"].end - line.start,
-                str(index).encode(),
-            ),
-            Change(
-                value.start - line.start, value.end - line.start, styled(value.text, text).encode()
-            ),
-        ]
-        copy = apply_changes(line.text[:end].encode("latin-1"), changes).decode("latin-1")
+        value = styled(anchor.occurrence.tokens[binding.field].text, text)
+        texts = {"index": str(index), binding.field: value}
+        copy = self.like(anchor.number, anchor.occurrence, texts, end=binding.field)
         letter = self.definition.dialect.block_number
-        return (
-            copy
-            if letter is None
-            else re.sub(
-                rf"^([ \t]*){letter}[0-9]+[ \t]+", r"\1", copy, count=1, flags=re.IGNORECASE
-            )
-        )
+        if letter is None:
+            return copy
+        return re.sub(rf"^([ \t]*){letter}[0-9]+[ \t]+", r"\1", copy, count=1, flags=re.IGNORECASE)
 
     def _single(self, places: TablePlaces, quantity: str, text: str) -> str:
         binding = self.definition.bindings[quantity]
@@ -171,44 +152,6 @@ class OwnFiles:
             self.definition.statements[binding.statement].form,
             {**places.named, binding.field: text},
         )
-
-    def _line(self, place: Found) -> Line:
-        return self.lines[place.number][place.occurrence.line - 1]
-
-    def patched(self, speaking: Iterable[int]) -> tuple[ControlFile, ...]:
-        """Return the files ``speaking`` (by their place among those given) with all changes
-        made.
-        """
-        return tuple(self._patched(number) for number in sorted(set(speaking)))
-
-    def changed(self) -> tuple[ControlFile, ...]:
-        """Return the files that change, with all changes made."""
-        numbers = {
-            *self.changes,
-            *(number for (number, _), lines in self.inserted.items() if lines),
-        }
-        return self.patched(numbers)
-
-    def _patched(self, number: int) -> ControlFile:
-        file = self.files[number]
-        changes = list(self.changes.get(number, {}).values())
-        for (owner, line_number), added in self.inserted.items():
-            if owner == number and added:
-                changes.append(self._insertion(number, self.lines[number][line_number - 1], added))
-        return ControlFile(file.name, apply_changes(file.content, changes))
-
-    def _insertion(self, number: int, line: Line, added: Sequence[str]) -> Change:
-        """Return the change that puts lines behind one, each with that line's own end."""
-        text = self.files[number].content.decode("latin-1")
-        behind = line.start + len(line.text)
-        match = self.reader.newline.match(text, behind)
-        newline = match[0] if match is not None else self.definition.dialect.newline
-        content = "".join(entry + newline for entry in added)
-        if match is None:  # the last line has no end: it gets one, and the new last line none
-            return Change(
-                behind, behind, (newline + content).removesuffix(newline).encode("latin-1")
-            )
-        return Change(match.end(), match.end(), content.encode("latin-1"))
 
 
 def styled(old: str, new: str) -> str:

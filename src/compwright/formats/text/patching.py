@@ -1,13 +1,17 @@
-"""Changes to a file as (start, end, bytes) on the original. A fresh file is a patch of a skeleton:
-one way for both.
+"""Changes to files as (start, end, bytes) on the original: every other byte stays.
+
+A fresh file is a patch of a skeleton: one way for both.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from compwright.formats.definition.statements import Occurrence
+from compwright.formats.definition.schema import Definition, Dialect, WrittenFile
+from compwright.formats.definition.statements import Occurrence, Token, print_form
+from compwright.records.correction import ControlFile
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +23,15 @@ class Change:
     start: int
     end: int
     content: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A line in bytes: its text from ``start`` to ``end``, the following line from ``next``."""
+
+    start: int
+    end: int
+    next: int
 
 
 def set_field(occurrence: Occurrence, field: str, text: str) -> tuple[Change, ...]:
@@ -48,3 +61,121 @@ def apply_changes(original: bytes, changes: Iterable[Change]) -> bytes:
         parts += [original[place : change.start], change.content]
         place = change.end
     return b"".join([*parts, original[place:]])
+
+
+class Patches:
+    """Collects the changes to files, which are counted by their place among those given.
+
+    What replaces the same bytes twice counts by its last text.
+    """
+
+    def __init__(self, dialect: Dialect, files: Sequence[ControlFile]) -> None:
+        self.dialect = dialect
+        self.files = list(files)
+        self._ends = sorted((end.encode() for end in dialect.newlines_read), key=len, reverse=True)
+        self._end = re.compile(b"|".join(map(re.escape, self._ends)))
+        self._replaced: dict[int, dict[tuple[int, int], Change]] = {}
+        self._inserted: dict[int, list[Change]] = {}
+
+    def replace(self, number: int, *changes: Change) -> None:
+        """Put other bytes in the place of some."""
+        replaced = self._replaced.setdefault(number, {})
+        replaced.update({(change.start, change.end): change for change in changes})
+
+    def insert(self, number: int, place: int, text: str) -> None:
+        """Put text before the byte ``place``, behind what was put there already."""
+        change = Change(place, place, text.encode("latin-1"))
+        self._inserted.setdefault(number, []).append(change)
+
+    def text(self, number: int, token: Token) -> str:
+        """Return what stands at a token with the changes so far."""
+        change = self._replaced.get(number, {}).get((token.start, token.end))
+        return token.text if change is None else change.content.decode("latin-1")
+
+    def line(self, number: int, place: int) -> Place:
+        """Return the line in which the byte ``place`` lies."""
+        content = self.files[number].content
+        before = [
+            found + len(end) for end in self._ends if (found := content.rfind(end, 0, place)) >= 0
+        ]
+        match = self._end.search(content, place)
+        end = len(content.removesuffix(b"\x1a")) if match is None else match.start()
+        return Place(max(before, default=0), end, end if match is None else match.end())
+
+    def like(
+        self, number: int, occurrence: Occurrence, texts: Mapping[str, str], *, end: str = ""
+    ) -> str:
+        """Return the line of a statement with other texts in some of its fields; up to the field
+        ``end`` where that is said.
+        """
+        line = self.line(number, occurrence.tokens[next(iter(texts))].start)
+        stop = occurrence.tokens[end].end if end else line.end
+        changes = [
+            Change(token.start - line.start, token.end - line.start, text.encode("ascii"))
+            for token, text in ((occurrence.tokens[name], text) for name, text in texts.items())
+        ]
+        content = self.files[number].content[line.start : stop]
+        return apply_changes(content, changes).decode("latin-1")
+
+    def add_lines(
+        self, number: int, place: int, lines: Iterable[str], *, before: bool = False
+    ) -> None:
+        """Put lines behind (or ``before``) the line in which the byte ``place`` lies, with its end.
+
+        A last line without an end gets one, and the new last line has none.
+        """
+        line = self.line(number, place)
+        found = self.files[number].content[line.end : line.next].decode()
+        end = found or self.dialect.newline
+        for text in lines:
+            if before:
+                self.insert(number, line.start, text + end)
+            else:
+                self.insert(number, line.next, text + end if found else end + text)
+
+    def cut_line(self, number: int, place: int) -> None:
+        """Take out the line in which the byte ``place`` lies."""
+        line = self.line(number, place)
+        self.replace(number, Change(line.start, line.next, b""))
+
+    def changed(self) -> set[int]:
+        """Return the files that change, by their place."""
+        return {*self._replaced, *self._inserted}
+
+    def patched(self, numbers: Iterable[int]) -> tuple[ControlFile, ...]:
+        """Return some of the files with all changes made, in the order in which they were given."""
+        return tuple(
+            ControlFile(
+                self.files[number].name,
+                apply_changes(
+                    self.files[number].content,
+                    [
+                        *self._replaced.get(number, {}).values(),
+                        *self._inserted.get(number, ()),
+                    ],
+                ),
+            )
+            for number in sorted(set(numbers))
+        )
+
+
+def fresh_file(
+    definition: Definition,
+    file: WrittenFile,
+    name: str,
+    named: Mapping[str, str],
+    rows: Iterable[str],
+) -> Patches:
+    """Return a fresh file of a definition as a patch of its skeleton: ``rows`` between its header
+    and its footer.
+
+    ``named``: the fields that these have.
+    """
+    newline = definition.dialect.newline
+    header, footer = (
+        "".join(print_form(line, named) + newline for line in lines).encode("ascii", "replace")
+        for lines in (file.header, file.footer)
+    )
+    patches = Patches(definition.dialect, [ControlFile(name, header + footer)])
+    patches.insert(0, len(header), "".join(row + newline for row in rows))
+    return patches

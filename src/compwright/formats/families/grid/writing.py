@@ -25,7 +25,7 @@ from compwright.formats.families.pairs.capacity import cec_available
 from compwright.formats.families.pairs.writing import CecWriter, word_text
 from compwright.formats.text.gathering import Found, first_set
 from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
-from compwright.formats.text.patching import Change, apply_changes, set_field
+from compwright.formats.text.patching import fresh_file, set_field
 from compwright.formats.text.scale import NotHeld, Scale
 from compwright.formats.text.texts import text_reader
 from compwright.foundations.errors import Fault, InputError, raise_all
@@ -345,48 +345,34 @@ def _file(
     ``placed``: quantities that stand in the control's own files and are left out; None when nothing
     is left. ``switches``: lines before the end of a file without rows.
     """
-    newline = definition.dialect.newline
-    header = "".join(print_form(line, text.named) + newline for line in file.header)
-    footer = [print_form(line, text.named) + newline for line in file.footer]
     name = print_form(file.name, {**text.named, "axis": text.address})
-    skeleton = (header + "".join(footer)).encode("ascii")
-    changes: list[Change] = []
+    rows: list[str] = []
     left = 0
-    if switches and file.rows is None:
-        end = len(header) + sum(len(line) for line in footer[:-1])
-        changes.append(
-            Change(end, end, "".join(line + newline for line in switches).encode("ascii"))
-        )
-        left += 1
     if file.rows is not None and curves(definition)[0] not in placed:
         form = definition.statements[file.rows].form
         rows = [print_form(form, {**text.named, **row}) for row in text.rows]
-        changes.append(
-            Change(len(header), len(header), "".join(row + newline for row in rows).encode("ascii"))
-        )
         _check_lines(definition, name, rows, faults)
         left += 1
-    for place in _statements(definition, ControlFile(name, skeleton)):
+    made = fresh_file(definition, file, name, text.named, rows)
+    if switches and file.rows is None:
+        end = len(made.files[0].content) - len(definition.dialect.newline)
+        made.add_lines(0, end, switches, before=True)
+        left += 1
+    for place in _statements(definition, made.files[0]):
         here = [
             quantity
             for quantity, binding in definition.bindings.items()
             if binding.statement == place.statement
         ]
         if placed.intersection(here):
-            start = len(header) + sum(
-                len(line) for line in footer[: place.line - 1 - header.count(newline)]
-            )
-            changes.append(
-                Change(start, start + len(footer[place.line - 1 - header.count(newline)]), b"")
-            )
+            made.cut_line(0, next(iter(place.tokens.values())).start)
             continue
         left += 1
         for quantity in here:
             if quantity in text.singles:
-                changes.extend(
-                    set_field(place, definition.bindings[quantity].field, text.singles[quantity])
-                )
-    return ControlFile(name, apply_changes(skeleton, changes)) if left or not placed else None
+                field = definition.bindings[quantity].field
+                made.replace(0, *set_field(place, field, text.singles[quantity]))
+    return made.patched([0])[0] if left or not placed else None
 
 
 def _singles(

@@ -19,7 +19,7 @@ from compwright.formats.families.increments.points import POINTS_FROM, point_num
 from compwright.formats.families.increments.reading import read_texts
 from compwright.formats.text.entry_sheet import SheetRow, is_entry_sheet
 from compwright.formats.text.gathering import Found, Gathered, gather
-from compwright.formats.text.patching import Change, apply_changes, set_field
+from compwright.formats.text.patching import Patches, fresh_file, set_field
 from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -40,7 +40,7 @@ def write_increments(
     entries = all_entries(definition, pairs, options, state)
     faults: list[Fault] = []
     own = [file for file in files if not is_entry_sheet(file)]
-    patched = _Patcher(definition, own)
+    patched = _OwnFiles(definition, own)
     names = {file.name for file in own}
     fresh = [
         file
@@ -48,16 +48,15 @@ def write_increments(
         for file in _fresh(definition, entry, patched.put(entry, faults), names)
     ]
     raise_all(CapacityError, faults)
-    return (*patched.files(entries), *fresh)
+    return (*patched.speaking(entries), *fresh)
 
 
-class _Patcher:
+class _OwnFiles(Patches):
     """Collects the changes to the user's own files."""
 
     def __init__(self, definition: Definition, files: Sequence[ControlFile]) -> None:
+        super().__init__(definition.dialect, files)
         self.definition = definition
-        self.own = list(files)
-        self.changes: dict[int, list[Change]] = {number: [] for number in range(len(files))}
         self.gathered: Gathered | None = None
         self.rows: dict[int, list[Found]] = {}
         if files:
@@ -65,7 +64,7 @@ class _Patcher:
             texts = read_texts(definition, files, found)
             raise_all(InputError, found)
             self.gathered = gather(definition, texts)
-            for row in point_rows(definition, self.gathered, self.own):
+            for row in point_rows(definition, self.gathered, self.files):
                 self.rows.setdefault(point_number(row), []).append(row)
 
     def put(self, entry: Entries, faults: list[Fault]) -> Entries:
@@ -105,13 +104,12 @@ class _Patcher:
             return False
         places = self.gathered.singles.get((entry.address, None), {}).get(quantity, [])
         for place in places:
-            changes = self.changes[place.number]
             value = text
             if quantity in ("table_spacing", "turn"):
                 value = self._length_there(place, entry, text)
             if isinstance(binding, Choice) and place.text == value:
                 continue
-            changes.extend(_changed(place, binding.field, value))
+            self._set(place, binding.field, value)
         return bool(places)
 
     def _length_there(self, place: Found, entry: Entries, text: str) -> str:
@@ -130,8 +128,14 @@ class _Patcher:
     def _point(self, number: int, value: int) -> bool:
         rows = self.rows.get(number, [])
         for row in rows:
-            self.changes[row.number].extend(_changed(row, "value", str(value)))
+            self._set(row, "value", str(value))
         return bool(rows)
+
+    def _set(self, place: Found, field: str, text: str) -> None:
+        """Change a field, unless it says the same already: a value that stays keeps its bytes."""
+        token = place.occurrence.tokens[field]
+        if token.text != text and not _equal(token.text, text):
+            self.replace(place.number, *set_field(place.occurrence, field, text))
 
     def _insert(self, missing: Mapping[int, int]) -> None:
         """Put points that the files do not hold behind the nearest lower one, in the style of that
@@ -141,32 +145,12 @@ class _Patcher:
         for number, value in sorted(missing.items()):
             below = [one for one in known if one < number]
             neighbour = self.rows[below[-1] if below else known[0]][-1]
-            content = self.own[neighbour.number].content
-            start, end = _line_of(
-                content,
-                neighbour.occurrence.tokens["number"].start,
-                self.definition.dialect.newlines_read,
-            )
-            tokens = neighbour.occurrence.tokens
-            line = apply_changes(
-                content[start:end],
-                [
-                    Change(
-                        tokens["number"].start - start,
-                        tokens["number"].end - start,
-                        str(POINTS_FROM + number).encode(),
-                    ),
-                    Change(
-                        tokens["value"].start - start,
-                        tokens["value"].end - start,
-                        str(value).encode(),
-                    ),
-                ],
-            )
-            where = end if below else start
-            self.changes[neighbour.number].append(Change(where, where, line))
+            texts = {"number": str(POINTS_FROM + number), "value": str(value)}
+            line = self.like(neighbour.number, neighbour.occurrence, texts)
+            place = neighbour.occurrence.tokens["number"].start
+            self.add_lines(neighbour.number, place, [line], before=not below)
 
-    def files(self, entries: Sequence[Entries]) -> tuple[ControlFile, ...]:
+    def speaking(self, entries: Sequence[Entries]) -> tuple[ControlFile, ...]:
         """Return the user's files that say something of the axes or hold point data, with all
         changes made.
         """
@@ -177,37 +161,11 @@ class _Patcher:
         for (address, _), singles in self.gathered.singles.items():
             if address in addresses:
                 speaking |= {place.number for places in singles.values() for place in places}
-        return tuple(
-            ControlFile(file.name, apply_changes(file.content, self.changes[number]))
-            for number, file in enumerate(self.own)
-            if number in speaking
-        )
-
-
-def _changed(place: Found, field: str, text: str) -> tuple[Change, ...]:
-    """Return the change of a field, none where it says the same already: a value that stays keeps
-    its bytes.
-    """
-    token = place.occurrence.tokens[field]
-    same = token.text == text or _equal(token.text, text)
-    return () if same else set_field(place.occurrence, field, text)
+        return self.patched(speaking)
 
 
 def _equal(one: str, other: str) -> bool:
     return ("." in one) == ("." in other) and Decimal(one) == Decimal(other)
-
-
-def _line_of(content: bytes, place: int, newlines: Sequence[str]) -> tuple[int, int]:
-    """Return start and end (behind the line end) of the line in which ``place`` lies."""
-    start = max(content.rfind(b"\n", 0, place), content.rfind(b"\r", 0, place)) + 1
-    ends = sorted((newline.encode() for newline in newlines), key=len, reverse=True)
-    end = content.find(b"\n", place)
-    carriage = content.find(b"\r", place)
-    if carriage >= 0 and (end < 0 or carriage < end):
-        end = carriage
-    if end < 0:
-        return start, len(content)
-    return start, end + next((len(mark) for mark in ends if content.startswith(mark, end)), 1)
 
 
 def _fresh(
@@ -236,13 +194,10 @@ def _fresh(
 def _file(
     definition: Definition, file: WrittenFile, entry: Entries, lines: Sequence[str]
 ) -> ControlFile:
-    newline = definition.dialect.newline
     # Each axis' program has a number of its own: of two with one number the control keeps one.
     named = {"axis": entry.address, "name": entry.name, "program": f"91{int(entry.address):02d}"}
-    text = "".join(
-        print_form(line, named) + newline for line in (*file.header, *lines, *file.footer)
-    )
-    return ControlFile(print_form(file.name, named), text.encode("ascii", "replace"))
+    name = print_form(file.name, named)
+    return fresh_file(definition, file, name, named, lines).patched([0])[0]
 
 
 def _parameter_lines(definition: Definition, entry: Entries) -> Iterator[str]:

@@ -36,6 +36,7 @@ from compwright.formats.families.pairs.reading import (
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.gathering import Found, same_value
 from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
+from compwright.formats.text.patching import fresh_file
 from compwright.formats.text.scale import Scale
 from compwright.formats.text.texts import BY_HAND
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
@@ -485,8 +486,7 @@ class CecWriter:
             file for file in self.definition.writing if file.when == when and file.rows is not None
         )
         named = {"axis": address, "system": "0"}
-        newline = self.definition.dialect.newline
-        lines = [print_form(line, named) for line in file.header]
+        lines: list[str] = []
         for entry in entries:
             for index, text in enumerate(entry.rows):
                 lines.append(self._line("cross_value", entry.index, text, index=str(index)))
@@ -495,10 +495,8 @@ class CecWriter:
             ]
         if when == "cross":  # no file of the set holds their switches
             lines += [f"{self._comment()}{BY_HAND}{line}" for line in self.switches(entries)]
-        lines += [print_form(line, named) for line in file.footer]
-        return ControlFile(
-            print_form(file.name, named), "".join(line + newline for line in lines).encode("ascii")
-        )
+        name = print_form(file.name, named)
+        return fresh_file(self.definition, file, name, named, lines).patched([0])[0]
 
     def _comment(self) -> str:
         return next(
@@ -613,7 +611,7 @@ def write_cross(
     fresh = [
         writer.new_file("cross", output, entries) for output, entries in left.items() if entries
     ]
-    return (*(own.changed() if own is not None else ()), *fresh)
+    return (*(own.patched(own.changed()) if own is not None else ()), *fresh)
 
 
 def _wrong(entry: CrossCompensation) -> list[Fault]:
