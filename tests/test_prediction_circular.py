@@ -12,7 +12,14 @@ import pytest
 from circle_machine import Machine, Setup, measured
 from compwright.estimation.circle import diagnose
 from compwright.evaluation.circular import evaluate_circle
-from compwright.prediction.circular import CirclePath, moved_test, path_of, predict_circle
+from compwright.prediction.circular import (
+    CirclePath,
+    _columns,
+    _smoothed,
+    moved_test,
+    path_of,
+    predict_circle,
+)
 from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun, CircularTest
 from compwright.simulation.circular import CircleErrors, CirclePlan, record_circle
@@ -165,3 +172,66 @@ def test_a_parameter_that_the_test_does_not_have_is_not_predicted() -> None:
     assert "F_max_ccw" not in prediction.predicted
     assert "H" not in prediction.predicted
     assert {"G_ccw", "G_cw", "G_bidirectional", "D"} <= set(prediction.predicted)
+
+
+#: One unit of each cause is small enough for the first order: 1 µm on R = 150 mm leaves 1e-8 mm.
+UNITS = {
+    "squareness": 1.0,
+    "backlash_first_at_positive": 1.0,
+    "backlash_first_at_negative": 1.0,
+    "backlash_second_at_positive": 1.0,
+    "backlash_second_at_negative": 1.0,
+    "servo_mismatch": 0.01,
+    "lateral_play_first": 1.0,
+    "lateral_play_second": 1.0,
+    "straightness_first": 1.0,
+    "straightness_second": 1.0,
+    "radius_change": 1.0,
+}
+
+
+@pytest.mark.parametrize("sense", ["ccw", "cw"])
+@pytest.mark.parametrize("name", sorted(UNITS))
+def test_a_cause_is_spread_over_the_circle_as_on_the_exact_machine(name: str, sense: str) -> None:
+    """What the doubt about a cause adds to a fresh test is that cause's own radial deviation."""
+    value = UNITS[name]
+    test = measured(Machine(**{name: value}), Setup(samples=90, senses=(sense,)))
+    (run,) = test.runs
+    assert value * _columns(test, run)[name] == pytest.approx(run.deviations, abs=3e-8)
+
+
+@pytest.mark.parametrize("sense", ["ccw", "cw"])
+def test_causes_of_two_parts_are_the_sum_of_their_parts(sense: str) -> None:
+    test = measured(
+        Machine(scale_error_first=1.0, scale_error_second=-1.0),
+        Setup(samples=90, senses=(sense,)),
+    )
+    (run,) = test.runs
+    columns = _columns(test, run)
+    # e_x - e_y = 2 µm/m over the diameter of 0.3 m: 0.6 µm
+    assert 0.6 * columns["scale_mismatch"] == pytest.approx(run.deviations, abs=1e-8)
+    for axis in ("first", "second"):
+        ends = columns[f"backlash_{axis}_at_positive"] + columns[f"backlash_{axis}_at_negative"]
+        assert columns[f"backlash_{axis}"] == pytest.approx(ends, abs=1e-15)
+
+
+def test_the_noise_of_a_fresh_test_is_what_a_parabola_leaves() -> None:
+    """A parabola is no noise; of independent noise the smoothing over 11 samples leaves in the
+    residual 1 - 0.2075 of the variance in the middle (quadratic Savitzky-Golay weights: 89/429).
+    """
+    angles = (np.arange(720) + 0.5) / 2.0
+    along = np.mod(angles, 90.0) / 90.0
+    smooth = 0.01 * (along - 0.3) ** 2
+    assert _smoothed(CircularRun(sense="ccw", angles=angles, deviations=smooth)) == pytest.approx(
+        smooth, abs=1e-14
+    )
+    spike = np.zeros(720)
+    spike[300] = 1.0
+    found = _smoothed(CircularRun(sense="ccw", angles=angles, deviations=spike))
+    assert found[300] == pytest.approx(89.0 / 429.0)
+    assert found[301] == pytest.approx(84.0 / 429.0)
+    assert found[305] == pytest.approx(-36.0 / 429.0)
+    # a reversal point parts the windows: nothing goes over it
+    spike = np.zeros(720)
+    spike[180] = 1.0
+    assert not np.any(_smoothed(CircularRun(sense="ccw", angles=angles, deviations=spike))[:180])

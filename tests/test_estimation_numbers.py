@@ -1,0 +1,251 @@
+"""Numbers of the estimation that no whole fit shows clearly: each against a formula from outside,
+tabulated or differentiated numerically.
+"""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from circle_machine import Machine, Setup, distance, measured
+from compwright.estimation.basis import hidden_share, log_density
+from compwright.estimation.circle_centre import second_order
+from compwright.estimation.circle_cyclic import longest_pitch, shortest_pitch
+from compwright.estimation.circle_lag import Lag, corrected
+from compwright.estimation.circle_model import (
+    Samples,
+    cyclic_columns,
+    lag_column,
+    samples_of,
+    since_reversal,
+    spike_columns,
+)
+from compwright.estimation.circle_noise import grid_of
+from compwright.estimation.circle_report import _condition, shrink_doubt
+from compwright.estimation.hyperparameters import _log_student, draw_hyperparameters
+
+Array = NDArray[np.float64]
+R = 150.0
+UM = 1e-3
+
+
+def samples(sense: float = 1.0, count: int = 360) -> Samples:
+    theta = np.radians((np.arange(count) + 0.5) * 360.0 / count)
+    return Samples(
+        theta=theta,
+        sense=np.full(count, sense),
+        deviations=np.zeros(count),
+        run=np.zeros(count),
+        radius=R,
+        speed=2000.0 / 60.0,
+        arc=(0.0, 2.0 * np.pi),
+        lag_doubt=1e-3,
+    )
+
+
+def radial(of: Samples, x: Array, y: Array) -> Array:
+    return np.asarray(x * np.cos(of.theta) + y * np.sin(of.theta))
+
+
+# ---------------------------------------------------------------- circles
+
+#: Radial deviation, µm by rad, of one unit of each smooth cause (handbook's table; the first
+#: harmonic of a sag belongs to the centre): mismatch over the diameter, squareness in µm/m.
+SHAPES: dict[str, Any] = {
+    "scale_mismatch": lambda t: 0.25 * np.cos(2 * t),
+    "squareness": lambda t: -0.5 * R * 1e-3 * np.sin(2 * t),
+    "straightness_first": lambda t: np.cos(t) ** 2 * np.sin(t) - 0.25 * np.sin(t),
+    "straightness_second": lambda t: np.sin(t) ** 2 * np.cos(t) - 0.25 * np.cos(t),
+}
+
+
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+@pytest.mark.parametrize("name", sorted(SHAPES))
+def test_a_lag_moves_the_trace_of_a_cause_by_its_slope(name: str, sense: float) -> None:
+    """What was measured at θ belongs to θ - d lag: the trace differs by -d lag times its slope."""
+    of, value, h = samples(sense), 7.0, 1e-6
+    found = lag_column(of, {name: value})
+    shape = SHAPES[name]
+    slope = (shape(of.theta + h) - shape(of.theta - h)) / (2.0 * h)
+    expected = -sense * of.lag_doubt * value * UM * slope
+    assert radial(of, found.x, found.y) == pytest.approx(expected, abs=1e-12)
+
+
+def test_a_late_machine_is_seen_where_it_is() -> None:
+    """Constant feed: what is commanded at θ arrives d v T / R later."""
+    of = samples(-1.0)
+    assert corrected(of, Lag(2e-3, 1e-4)).theta == pytest.approx(of.theta + 2e-3, abs=1e-15)
+    assert corrected(samples(), Lag(2e-3, 1e-4)).theta == pytest.approx(of.theta - 2e-3, abs=1e-15)
+    assert corrected(of, Lag(2e-3, 1e-4)).lag_doubt == 1e-4
+
+
+@pytest.mark.parametrize("axis", ["first", "second"])
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_a_spike_is_that_of_the_exact_machine(axis: str, sense: float) -> None:
+    of = samples(sense)
+    decay = {f"decay_{axis}": 6.0}
+    machine = Machine(**{f"reversal_spike_{axis}": 5.0}, **decay)
+    spike, change = spike_columns(of, axis, 6.0, 5.0)
+    exact = distance(machine, Setup(), of.theta, sense) - R
+    assert 5.0 * radial(of, spike.x, spike.y) == pytest.approx(exact, abs=1e-6)
+    # per unit of log length: h exp(-s / L) s / L
+    wider = spike_columns(of, axis, 6.0 * np.exp(1e-4), 5.0)[0]
+    slope = 5.0 * (radial(of, wider.x, wider.y) - radial(of, spike.x, spike.y)) / 1e-4
+    assert radial(of, change.x, change.y) == pytest.approx(slope, abs=1e-6)
+
+
+@pytest.mark.parametrize("axis", ["first", "second"])
+def test_a_cyclic_error_and_its_change_with_frequency(axis: str) -> None:
+    of, a, b, f = samples(), 2.0, -1.5, 0.1
+    cosine, sine, change = cyclic_columns(of, axis, f, (a, b))
+    along = R * (np.cos(of.theta) if axis == "first" else np.sin(of.theta))
+
+    def field(frequency: float) -> Array:
+        phase = 2.0 * np.pi * frequency * along
+        return np.asarray(UM * (a * np.cos(phase) - b * np.sin(phase)))
+
+    moved = [column.x if axis == "first" else column.y for column in (cosine, sine, change)]
+    assert a * moved[0] + b * moved[1] == pytest.approx(field(f), abs=1e-12)
+    h = 1e-8
+    assert moved[2] == pytest.approx((field(f + h) - field(f - h)) / (2 * h), abs=1e-4)
+    other = [column.y if axis == "first" else column.x for column in (cosine, sine, change)]
+    assert not np.any(other)
+
+
+def test_arc_since_the_reversal() -> None:
+    """A quarter of the circle is 235.62 mm; the first axis turns at 0° and 180°."""
+    of = samples()
+    quarter = 0.5 * np.pi * R
+    at = int(np.argmin(np.abs(of.theta - np.radians(90.5))))
+    half_degree = R * np.radians(0.5)
+    assert since_reversal(of, "first")[at] == pytest.approx(quarter + half_degree)
+    assert since_reversal(of, "second")[at] == pytest.approx(half_degree)
+    back = samples(-1.0)
+    assert since_reversal(back, "first")[at] == pytest.approx(quarter - half_degree)
+    assert since_reversal(back, "second")[at] == pytest.approx(2.0 * quarter - half_degree)
+
+
+def test_the_second_order_of_a_centre_is_exact() -> None:
+    """3-4-5: at θ = 0 a centre (0, 40) on R = 30 is 50 away, 20 more than R and nothing of first
+    order.
+    """
+    found = second_order(np.array([0.0, 0.5 * np.pi]), (0.0, 40.0), 30.0)
+    assert found == pytest.approx([20.0, 0.0], abs=1e-12)
+
+
+@pytest.mark.parametrize(("start", "extent"), [(0.0, 360.0), (40.0, 220.0), (300.0, 100.0)])
+def test_runs_are_laid_on_one_grid_from_the_start_of_the_arc(start: float, extent: float) -> None:
+    """A run whose samples lie on the grid's places is taken as it is, in order of the angle."""
+    test = measured(Machine(), Setup(samples=88, start=start, extent=extent))
+    of = samples_of(test)
+    grid = grid_of(of)
+    assert grid.size == 88
+    for index, sense in zip(grid.index, (1.0, -1.0), strict=True):
+        assert index.shape == (1, 88)
+        assert np.all(of.sense[index] == sense)
+        travelled = np.mod(np.degrees(of.theta[index[0]]) - start, 360.0)
+        assert travelled == pytest.approx((np.arange(88) + 0.5) * extent / 88.0, abs=1e-6)
+
+
+def test_pitches_that_the_samples_can_show() -> None:
+    """360 samples on R = 150: 2.618 mm from sample to sample; 0.7 half turns of phase each."""
+    of = samples()
+    step = 2.0 * np.pi * R / 360.0
+    assert shortest_pitch(of) == pytest.approx(2.0 * step / 0.7)
+    assert longest_pitch(of) == pytest.approx(75.0)  # four periods over the diameter
+
+
+def test_the_condition_of_two_correlated_causes() -> None:
+    """Correlation 0.6: eigenvalues 1.6 and 0.4, the ratio of their roots is 2, whatever the units."""
+    scale = np.diag([1e-3, 50.0])
+    covariance = scale @ np.array([[1.0, 0.6], [0.6, 1.0]]) @ scale
+    fitted: Any = SimpleNamespace(names=("a", "b"), covariance=covariance)
+    assert _condition(fitted) == pytest.approx(2.0)
+
+
+def test_a_soft_loop_makes_the_circle_smaller_by_its_acceleration() -> None:
+    """v² / (2 Kv² R) at 2 000 mm/min, Kv = 1000/60 per s, R = 150: 13.3 µm, uniform: over sqrt(3)."""
+    assert shrink_doubt(samples()) == pytest.approx(13.333e-3 / np.sqrt(3.0), rel=1e-4)
+
+
+# ---------------------------------------------------------------- axes
+
+
+@pytest.mark.parametrize(
+    ("targets", "period", "share"),
+    [
+        (np.arange(11) * 20.0, 10.0, 1.0),  # always the same phase
+        (np.arange(11) * 20.0, 20.0, 1.0),
+        (np.arange(12) * 5.0, 10.0, 1.0),  # the sine is zero at every target
+        (np.arange(400) * 2.5, 10.0, 0.0),  # four per period: cosine and sine alike
+        (np.arange(40) * 25.0 + 7.0 * np.arange(40) % 10, 10.0, 0.0),
+    ],
+)
+def test_what_the_targets_hide_of_a_period(targets: Array, period: float, share: float) -> None:
+    # offset and slope take a little: 1 / m of a wave
+    assert hidden_share(targets, period) == pytest.approx(share, abs=0.02)
+
+
+def test_the_density_of_the_matern_process() -> None:
+    """Its integral over all frequencies / 2 pi is the variance, 1; at zero it is 16 l / (3 sqrt 5)."""
+    w = np.linspace(-400.0, 400.0, 400_001)
+    for length in (0.3, 1.0):
+        logs, _ = log_density(w, float(np.log(length)))
+        area = float(np.sum(np.exp(logs)) * (w[1] - w[0])) / (2.0 * np.pi)
+        assert area == pytest.approx(1.0, abs=1e-4)
+        assert np.exp(logs[200_000]) == pytest.approx(16.0 * length / (3.0 * np.sqrt(5.0)))
+
+
+def test_the_density_of_students_law() -> None:
+    """Five degrees of freedom: 0.3796067 at zero, 0.2196798 at one (tabulated); in two dimensions
+    1 / (2 pi) at zero.
+    """
+    found = np.exp(_log_student(np.array([[0.0], [1.0]])))
+    assert found == pytest.approx([0.3796067, 0.2196798], abs=1e-7)
+    assert np.exp(_log_student(np.zeros((1, 2)))) == pytest.approx([0.5 / np.pi])
+
+
+class Normal:
+    """A posterior that is known: ``mass`` times a normal density about ``centre``; one of three
+    numbers is fixed.
+    """
+
+    def __init__(self, mass: float) -> None:
+        self.mass = mass
+        self.centre = np.array([1.0, -2.0, 0.5])
+        self.root = np.array([[0.5, 0.0], [0.3, 0.2]])
+        self.precision = np.linalg.inv(self.root @ self.root.T)
+        self.prior = SimpleNamespace(free=(True, False, True), width=np.full(3, 5.0))
+
+    def log_posterior(self, h: Array) -> float:
+        off = (h - self.centre)[[0, 2]]
+        log = -0.5 * off @ self.precision @ off - np.log(2.0 * np.pi)
+        return float(np.log(self.mass) + log + 0.5 * np.linalg.slogdet(self.precision)[1])
+
+    def with_gradient(self, h: Array) -> tuple[float, Array]:
+        gradient = np.zeros(3)
+        gradient[[0, 2]] = -self.precision @ (h - self.centre)[[0, 2]]
+        return self.log_posterior(h), gradient
+
+
+@pytest.mark.parametrize("mass", [1.0, 1e-30])
+def test_evidence_is_the_mass_of_the_posterior_and_draws_follow_it(mass: float) -> None:
+    known: Any = Normal(mass)
+    drawn = draw_hyperparameters(
+        known,
+        np.array([0.0, -2.0, 0.0]),
+        proposals=4000,
+        draws=2000,
+        rng=np.random.default_rng(1),
+    )
+    # 4000 points whose weights scatter by about a half: 0.01; four of these
+    assert drawn.log_evidence == pytest.approx(np.log(mass), abs=0.04)
+    assert np.all(drawn.values[:, 1] == -2.0)
+    # mean and covariance of 2000 draws: 1 / sqrt(2000) = 0.022 of each spread, about four times
+    assert np.mean(drawn.values, axis=0) == pytest.approx(known.centre, abs=0.05)
+    spread = np.cov(drawn.values[:, [0, 2]].T)
+    assert spread == pytest.approx(known.root @ known.root.T, abs=0.03)

@@ -1,0 +1,116 @@
+"""Small problems of the fit that are solved by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from compwright.fitting.chain import Wish, build_chain
+from compwright.fitting.fit import fit_table
+from compwright.fitting.problem import QuadraticProblem, Rows
+from compwright.fitting.rounding import to_quanta
+from compwright.fitting.solve import RangeProblem, solve_range
+from compwright.records.axis import AxisKind, Direction
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import TableRequest
+
+Array = NDArray[np.float64]
+UM = 1e-3
+X = np.linspace(-80.0, 75.0, 32)
+PLAIN = Capacity(
+    format="plain",
+    curves=1,
+    spacing="equidistant",
+    quantum=1e-7,
+    position_quantum=1e-3,
+    value_range=(-10.0, 10.0),
+)
+LINE = replace(PLAIN, quantum=1e-6, line=5e-6, value_range=(-1e-3, 1e-3))
+
+
+def fitted(curve: Array, capacity: Capacity, *, reference: float = 10.0, **asked: Any) -> Any:
+    wanted = WantedCorrection(
+        kind=AxisKind.LINEAR,
+        positions=X,
+        positive=curve,
+        negative=curve,
+        reference=reference,
+        reference_return=Direction.POSITIVE,
+        noise=UM,
+    )
+    table: AxisCompensation = fit_table(
+        wanted, capacity, TableRequest(**asked), address="1"
+    ).compensation
+    return table
+
+
+@pytest.mark.parametrize(
+    ("ends", "nodes"),
+    [
+        ({}, [-90.0, -40.0, 10.0, 60.0, 110.0]),  # through the reference
+        ({"start": -80.0}, [-80.0, -30.0, 20.0, 70.0, 120.0]),
+        ({"end": 75.0}, [-125.0, -75.0, -25.0, 25.0, 75.0]),
+    ],
+)
+def test_certain_spacings_reach_over_the_open_ends(
+    ends: dict[str, float], nodes: list[float]
+) -> None:
+    capacity = replace(PLAIN, spacings=(25.0, 50.0))
+    found = fitted(1e-5 * X, capacity, spacing=50.0, **ends)
+    assert found.positions.tolist() == nodes
+
+
+@pytest.mark.parametrize(
+    ("slope", "held"),
+    [(12e-6, 10e-6), (13e-6, 15e-6), (-13e-6, -15e-6), (-2e-6, 0.0), (2e-3, 1e-3)],
+)
+def test_one_slope_is_the_nearest_that_the_control_holds(slope: float, held: float) -> None:
+    found = fitted(slope * X + 0.02, LINE)
+    assert found.slope == pytest.approx(held, abs=1e-12)
+    assert not np.signbit(found.slope) or held < 0.0  # no minus zero in a file
+    assert (found.origin, found.backlash, found.positions.size) == (10.0, 0.0, 0)
+
+
+@pytest.mark.parametrize(("scale", "slack"), [(1.0, 0.1), (0.01, 1e-3)])
+def test_the_least_range_and_its_gap_by_hand(scale: float, slack: float) -> None:
+    """Deviations 0, x - s and 2 x: their range is s + |x| near 0, least at x = 0. The square pulls x
+    up; half the slack is given to it, so that the range lies that much above the least.
+    """
+    limits = QuadraticProblem(
+        P=np.eye(1),
+        q=np.array([-scale]),
+        constant=0.0,
+        A=np.empty((0, 1)),
+        lower=np.empty(0),
+        upper=np.empty(0),
+    )
+    problem = RangeProblem(
+        D=np.array([[0.0], [1.0], [2.0]]), d=np.array([0.0, scale, 0.0]), limits=limits
+    )
+    x, proof = solve_range(problem, slack=slack)
+    assert x == pytest.approx([0.5 * slack], abs=1e-6)
+    assert proof["gap"] == pytest.approx(0.5 * slack, abs=1e-6)
+    assert proof["primal"] == 0.0
+
+
+def test_a_chain_of_one_node_is_a_mean() -> None:
+    """Weights 3 and 1 at aims 2 and 6: the mean is 3, the mean square half of 3 + 9."""
+    rows = Rows(left=np.zeros(2, dtype=np.int64), lower=np.ones(2), upper=np.zeros(2))
+    wish = Wish(rows=rows, weights=np.array([3.0, 1.0]), aims=np.array([2.0, 6.0]))
+    chain = build_chain((wish,), 2, fixed=(), kept=(), closed=False)
+    assert chain.kept.tolist() == [0]
+    assert chain.optimum == pytest.approx([3.0])
+    assert chain.least == pytest.approx(6.0)
+    assert chain.solve(np.array([2.0])) == pytest.approx([0.5])
+    assert chain.value(np.array([4.0]), 0.0) == pytest.approx(0.5 * (3 * 4.0 + 4.0))
+
+
+def test_halves_go_up_on_both_sides_of_zero() -> None:
+    values = np.array([-1.5, -0.5, -0.4999, 0.4999, 0.5, 1.5]) * UM
+    assert to_quanta(values, UM).tolist() == [-1.0, 0.0, 0.0, 0.0, 1.0, 2.0]
