@@ -164,6 +164,8 @@ class TestTable:
     def test_encoder_increments_need_their_size(self) -> None:
         with pytest.raises(UsageError, match=r"encoder_increment of axis 1: kw\.ssfk\.unit 0"):
             isg(EVEN)
+        with pytest.raises(InputError, match="kw_startpos; expected -2147483647 to 2147483647"):
+            isg(EVEN.replace("-909000", "-1e308"), options={"encoder_increment": 1e-4})
         for wrong in (0, -1, "x", True, float("nan")):
             with pytest.raises(UsageError, match="encoder_increment"):
                 isg(EVEN, options={"encoder_increment": wrong})
@@ -442,7 +444,8 @@ class TestLists:
             ("kw.ssfk.unit                      1", "kw.ssfk.unit=1", "line 4: no statement"),
             ("kw.ssfk.unit                      1", "kw.ssfk.unit", "line 4: no statement"),
             ("kw.ssfk.interval                  0", "", r"expected a line kw\.ssfk\.interval"),
-            ("kw.ssfk.interval                  0", "kw.ssfk.interval -5", "larger than 0"),
+            ("kw.ssfk.interval                  0", "kw.ssfk.interval -5", "0 to 2147483647"),
+            ("kw.ssfk.interval                  0", "kw.ssfk.interval 1e308", "0 to 2147"),
             (
                 "kw.ssfk.interval                  0",
                 "kw.ssfk.interval 1500000",
@@ -519,7 +522,9 @@ class TestLists:
         assert any("table[2].neg" in note for note in control.notes)
 
     def test_unknown_lines_are_left_alone(self) -> None:
-        extra = "kenngr.hub_messtaster 20000\n...\nlr_param.n_backlash_cyc 5\n"
+        extra = (
+            "kenngr.hub_messtaster 20000\n...\nlr_param.n_backlash_cyc 5\nkenngr.hub_messtaster 3\n"
+        )
         assert um(isg(LISTED + extra), AT, UP) == close(WORKED[UP])
 
     def test_binary(self) -> None:

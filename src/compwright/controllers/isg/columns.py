@@ -14,7 +14,9 @@ from compwright.records.axis import FloatArray
 
 #: mm or deg per unit of a list in metric unit: 0.1 µm, 0.0001 deg.
 METRIC = 1e-4
-_LIMITS = {"sgn16": 2.0**15 - 1, "sgn32": 2.0**31 - 1, "real64": float("inf")}
+#: Largest number of SGN32; more than that (214 m in 0.1 µm) is not believed of REAL64 either.
+LARGEST = 2.0**31 - 1
+_LIMITS = {"sgn16": 2.0**15 - 1, "sgn32": LARGEST, "real64": LARGEST}
 _ENTRY = re.compile(r"table\[(\d+)\]\.(\w+)")
 
 Entries = dict[str, dict[int, Statement]]
@@ -70,7 +72,7 @@ def largest_value(request: Request, address: str, axis: AxisLists, section: str)
     """
     chosen = request.options_of(address).get("value_type")
     if chosen is None:
-        return _LIMITS["sgn32"]
+        return LARGEST
     if chosen not in _LIMITS:
         raise UsageError(
             Fault(

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.controllers.isg.columns import (
+    LARGEST,
     ascending,
     column,
     largest_value,
@@ -107,7 +108,7 @@ def _entries(axis: AxisLists, request: Request) -> tuple[str, FloatArray, FloatA
         return None
     largest = largest_value(request, axis.address, axis, SECTION)
     name = f"{SECTION}table[i]."
-    positions = column(axis, entries["setpoint"], last + 1, name + "setpoint", 2.0**31 - 1)
+    positions = column(axis, entries["setpoint"], last + 1, name + "setpoint", LARGEST)
     values = column(axis, entries["correction"], last + 1, name + "correction", largest)
     if positions is not None:
         ascending(axis, positions, entries["setpoint"])

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from compwright.controllers.isg.columns import (
+    LARGEST,
     METRIC,
     Entries,
     ascending,
@@ -135,29 +136,21 @@ def _count(axis: AxisLists, entries: Entries) -> int:
 
 def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | None:
     """Return the positions (count,) in units of the list, None with a fault."""
-    interval = axis.number(SECTION + "interval")
-    start = axis.number(SECTION + "kw_startpos")
-    setpoints = entries["setpoint"]
+    interval = _said(axis, "interval", "listed or equal spacing is not said", 0.0)
     if interval is None:
-        if SECTION + "interval" not in axis.statements:
-            axis.missing(SECTION + "interval", "listed or equal spacing is not said")
         return None
-    if interval < 0.0:
-        statement = axis.statements[SECTION + "interval"]
-        axis.fault(statement, "kw.ssfk.interval", "0, or the spacing, larger than 0")
-        return None
+    setpoints = entries["setpoint"]
     listed = None
     if setpoints or interval == 0.0:
         name = f"{SECTION}table[i].setpoint"
-        listed = column(axis, setpoints, count, name, 2.0**31 - 1)
+        listed = column(axis, setpoints, count, name, LARGEST)
     if interval == 0.0:
         if listed is not None:
             ascending(axis, listed, setpoints)
-            _begins(axis, start, float(listed[0]))
+            _begins(axis, float(listed[0]))
         return listed
+    start = _said(axis, "kw_startpos", "where the equal spacing begins is not said", -LARGEST)
     if start is None:
-        if SECTION + "kw_startpos" not in axis.statements:
-            axis.missing(SECTION + "kw_startpos", "where the equal spacing begins is not said")
         return None
     even = start + interval * np.arange(count)
     if listed is not None and np.any(listed != even):
@@ -166,8 +159,22 @@ def _positions(axis: AxisLists, entries: Entries, count: int) -> FloatArray | No
     return np.asarray(even, dtype=np.float64)
 
 
-def _begins(axis: AxisLists, start: float | None, first: float) -> None:
+def _said(axis: AxisLists, key: str, why: str, lowest: float) -> float | None:
+    """Return a number that has to be said, ``lowest`` to the largest; None with a fault."""
+    name = SECTION + key
+    if name not in axis.statements:
+        axis.missing(name, why)
+        return None
+    value = axis.number(name)
+    if value is not None and not lowest <= value <= LARGEST:
+        axis.fault(axis.statements[name], name, f"{lowest:.0f} to {LARGEST:.0f}")
+        return None
+    return value
+
+
+def _begins(axis: AxisLists, first: float) -> None:
     """Listed setpoints and kw_startpos name the same beginning, as in the vendor's example."""
+    start = axis.number(SECTION + "kw_startpos")
     if start is not None and start != first:
         statement = axis.statements[SECTION + "kw_startpos"]
         axis.fault(

@@ -22,6 +22,8 @@ _STATEMENT = re.compile(r"([A-Za-z_]\w*(?:\s*\[\s*\d+\s*\]|\.[A-Za-z_]\w*)*)(?:\
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?")
 #: What a line that is no statement must not hold: it would be one that got damaged.
 _OURS = re.compile(r"kopf|kw\s*\.|lr_param|getriebe|achs_kw|zahl_kw", re.IGNORECASE)
+#: What acts on a standing axis; an axis parameter list holds hundreds of other statements.
+_ACTING = re.compile(r"kw\.|lr_param\.(?:ssfk|crosscomp2?|anwahl_losekomp)$|getriebe\[\d+\]\.lose$")
 _HEADERS = ("kopf.achs_nr", "kopf.log_achs_nr")
 #: Logical axis numbers are UNS16.
 _HIGHEST_AXIS = 65535
@@ -54,8 +56,8 @@ class Statement:
 
 @dataclass(slots=True)
 class AxisLists:
-    """All statements of one axis by name. ``files``: the lists they come from; ``faults``: what is
-    wrong with this axis; only an axis under work stops on them.
+    """The statements of one axis that act, by name. ``files``: the lists they come from;
+    ``faults``: what is wrong with this axis; only an axis under work stops on them.
     """
 
     address: str
@@ -152,7 +154,7 @@ def read_lists(files: Sequence[ControlFile]) -> Lists:
             axis = lists.axes.setdefault(address, AxisLists(address))
             axis.files.append(name)
             for statement in found:
-                if not statement.name.startswith("kopf.") and not _of_start_up(statement):
+                if _ACTING.match(statement.name):
                     axis.add(statement)
     return lists
 
