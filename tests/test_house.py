@@ -34,6 +34,7 @@ ROOMS = (
         "formats",
         "controllers",
         "prediction",
+        "planning",
     ),
     *("verification", "simulation", "documents", "reporting", "jobs", "workflow"),
 )
@@ -47,6 +48,9 @@ MAY_IMPORT: dict[str, set[str]] = {
     "formats": {"foundations", "records"},
     "controllers": {"foundations", "records"},
     "prediction": {"foundations", "records", "evaluation"},
+    "planning": {
+        *("foundations", "records", "evaluation", "estimation", "fitting", "prediction"),
+    },
     "verification": {"foundations", "records", "evaluation"},
     "simulation": {"foundations", "records"},
     "documents": {"foundations", "records"},
@@ -435,7 +439,7 @@ FAMILIES = {
     "E": {"estimation"},
     "F": {"fitting"},
     "X": {"formats", "controllers", "workflow"},
-    "P": {"prediction", "workflow"},
+    "P": {"planning", "prediction", "workflow"},
     "V": {"verification", "workflow"},
 }
 

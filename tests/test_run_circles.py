@@ -25,13 +25,13 @@ from compwright.controllers.virtual import VirtualControl, virtual_control
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document, read_plan
 from compwright.foundations.errors import InputError
+from compwright.planning.circles import start_circle
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.circular import CircularRun, CircularTest
 from compwright.records.correction import ControlFile
 from compwright.records.job import CircleRequest
 from compwright.simulation.circular import CircleAxis, CircleErrors, CirclePlan, record_circle
 from compwright.simulation.circular_files import to_circular_csv
-from compwright.workflow.stages.circle_work import start_circle
 from loop import Floats, Machine, csv_of
 
 SIEMENS = "siemens-840d-sl"

@@ -25,11 +25,11 @@ from circular_samples import ballbar_file, table
 from compwright.cli import run as compwright
 from compwright.estimation.circle import diagnose
 from compwright.foundations.errors import UsageError
+from compwright.planning import diagnosed
 from compwright.records.circular import CircularTest, Diagnosis
 from compwright.simulation.circular import CircleErrors, CirclePlan, record_circle
 from compwright.simulation.circular_files import to_b5r
 from compwright.workflow.commands.evaluate import evaluate_files, evaluation_renderables
-from compwright.workflow.stages import circles
 from places import PROJECT, REAL, needs_shared
 
 pytestmark = pytest.mark.painted
@@ -410,7 +410,7 @@ def test_causes_without_a_standard_error_are_not_given(
             },
         )
 
-    monkeypatch.setattr(circles, "diagnose", unsound)
+    monkeypatch.setattr(diagnosed, "diagnose", unsound)
     put(tmp_path, xy=csv_of())
     (result,) = evaluate_files([tmp_path]).document["results"]
     assert result["diagnosis"] is None

@@ -14,9 +14,8 @@ from typing import Any
 
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.yaml_reader import YamlDocument
-from compwright.jobs.consistency import AS_FOUND
 from compwright.jobs.reading import Further, check, job_of
-from compwright.records.job import Job
+from compwright.records.job import AS_FOUND, Job
 
 #: Keys of ``--option`` that describe the axis -> their place below the axis in a job file, and
 #: whether they are numbers.

@@ -16,9 +16,8 @@ from typing import Any
 from compwright.foundations.units import TO_INSIDE
 from compwright.foundations.yaml_reader import KeyPath
 from compwright.jobs.faults import number_hint, shown, suggestion, too_large
-from compwright.records.job import other_axis
+from compwright.records.job import AS_FOUND, other_axis
 
-AS_FOUND = "as_found"
 NONE_WORD = "none"
 ISO_PARAMETERS = (
     *("A", "A_positive", "A_negative", "E", "E_positive", "E_negative", "M"),

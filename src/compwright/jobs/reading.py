@@ -14,7 +14,6 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import TO_INSIDE
 from compwright.foundations.yaml_reader import YamlDocument, read_yaml_with_faults
 from compwright.jobs.consistency import (
-    AS_FOUND,
     NONE_WORD,
     Contradiction,
     contradictions,
@@ -33,6 +32,7 @@ from compwright.jobs.schema import (
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, PositionMap
 from compwright.records.fitted import TableRequest
 from compwright.records.job import (
+    AS_FOUND,
     NONE_STATE,
     Acceptance,
     ApplyRequest,

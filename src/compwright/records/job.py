@@ -14,6 +14,8 @@ from compwright.records.fitted import TableRequest
 
 #: The value of a state that says "nothing is active in the control".
 NONE_STATE: tuple[str, ...] = ()
+#: The state that is in the control now.
+AS_FOUND = "as_found"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -16,18 +16,19 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.job import AS_FOUND
 from compwright.records.plan import PlannedAxis
 from compwright.verification.read_back import SAME, judge_read_back
+from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.control import (
     DecodedState,
     Origin,
     decode,
-    judged,
     open_control,
     probe_positions,
     read_files,
 )
-from compwright.workflow.stages.work import AS_FOUND, write_fitted
+from compwright.workflow.stages.written import write_fitted
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,9 +67,9 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     compared: dict[str, ComparedAxis] = {}
     for entry in planned:
         read_back = judge_read_back(
-            _correction(wish, entry),
-            _correction(found, entry),
-            _correction(as_found, entry),
+            correction_of(wish, entry.axis),
+            correction_of(found, entry.axis),
+            correction_of(as_found, entry.axis),
             *_nodes(entry),
         )
         values = tuple(_values(entry, wish, found))
@@ -114,17 +115,6 @@ def _unsaid(axes: Sequence[Axis], found: DecodedState, loaded: Sequence[Path]) -
             )
 
 
-def _correction(state: DecodedState | None, entry: PlannedAxis) -> Any:
-    def correction(positions: FloatArray, direction: Direction) -> FloatArray:
-        return (
-            np.zeros(np.shape(positions))
-            if state is None
-            else judged(state, entry.axis.address, positions, direction)
-        )
-
-    return correction
-
-
 def _nodes(entry: PlannedAxis) -> tuple[FloatArray, float]:
     positions = entry.fitted.compensation.positions if entry.fitted is not None else np.empty(0)
     if positions.size < 2:
@@ -145,8 +135,8 @@ def _values(
         positions = np.array(axis.travel)
     for direction in Direction:
         mine, theirs = (
-            _correction(wish, entry)(positions, direction),
-            _correction(found, entry)(positions, direction),
+            correction_of(wish, axis)(positions, direction),
+            correction_of(found, axis)(positions, direction),
         )
         for position, planned, loaded in zip(positions, mine, theirs, strict=True):
             if abs(planned - loaded) > SAME:

@@ -256,9 +256,9 @@ def _with_repeats(
 
 
 def _evaluated_circle(test: CircularTest, standard: str) -> CircularResult:
-    from compwright.workflow.stages.circles import evaluated_circle
+    from compwright.planning.diagnosed import diagnosed_circle
 
-    return evaluated_circle(test, standard)
+    return diagnosed_circle(test, standard)
 
 
 def _entry(result: PositioningResult | CircularResult) -> dict[str, Any]:

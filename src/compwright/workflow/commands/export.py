@@ -19,8 +19,10 @@ from compwright.foundations.errors import (
 )
 from compwright.foundations.findings import Finding
 from compwright.jobs.command_line import ACTIVE
+from compwright.planning.axes import fit_within
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlFile
+from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedCross
 from compwright.workflow.stages.control import (
     Control,
@@ -31,7 +33,7 @@ from compwright.workflow.stages.control import (
 )
 from compwright.workflow.stages.cross_tables import write_planned
 from compwright.workflow.stages.own_output import refuse_added_again
-from compwright.workflow.stages.work import AS_FOUND, fit_within, write_fitted
+from compwright.workflow.stages.written import write_fitted
 
 #: ``--option address.X=0``: how the control names axis X of the plan.
 ADDRESS = "address."

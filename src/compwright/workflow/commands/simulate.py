@@ -11,6 +11,7 @@ import numpy as np
 from compwright.formats.text.addresses import normal_address
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.prediction.acting import IDLE, Acting
 from compwright.prediction.circular import moved_test
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularRun
@@ -19,7 +20,7 @@ from compwright.simulation.circular_files import to_b5r, to_circular_csv
 from compwright.simulation.files import to_csv
 from compwright.simulation.machine import Correction, VirtualMachine
 from compwright.simulation.reading import read_machine
-from compwright.workflow.stages.circle_work import Acting, acting
+from compwright.workflow.stages.acting import acting
 from compwright.workflow.stages.control import (
     Control,
     DecodedState,
@@ -68,7 +69,7 @@ def simulate_files(
         if loaded
         else {}
     )
-    between = _between(machine, loaded) if loaded else Acting({}, {})
+    between = _between(machine, loaded) if loaded else IDLE
     for number, name in enumerate(machine.circles, start=len(machine.axes)):
         files[_circle_file(machine, name)] = _measured_circle(
             machine, name, seed=_seed_of(seed, number), corrections=corrections, between=between

@@ -22,13 +22,14 @@ from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.foundations.utf8 import encoded
+from compwright.planning.axes import AxisWork
+from compwright.prediction.acting import Correction, difference
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import Assumption, AxisCompensation
-from compwright.records.job import Job
+from compwright.records.job import AS_FOUND, Job
+from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.control import Control, DecodedState
 from compwright.workflow.stages.inputs import JobInputs
-from compwright.workflow.stages.outlook import Change, Correction
-from compwright.workflow.stages.work import AS_FOUND, AxisWork, correction_of
 
 SCHEMA = "compwright/card/1"
 #: A reading further off than this many times the scatter of one reading is no accident (with a
@@ -163,13 +164,13 @@ def _quick_check(
     """
     axis = work.planned.axis
     new = correction_of(loaded, axis)
-    change = Change(new, work.active)
+    change = difference(new, work.active)
     chosen = check_positions(work, new)
     estimate = work.posterior.summary(chosen)
-    zero = float(estimate.mean_positive[0] + change.at(chosen[:1], Direction.POSITIVE)[0])
+    zero = float(estimate.mean_positive[0] + change(chosen[:1], Direction.POSITIVE)[0])
     rows = []
     for direction, order in ((Direction.POSITIVE, (0, 1, 2)), (Direction.NEGATIVE, (2, 1, 0))):
-        shift = change.at(chosen, direction)
+        shift = change(chosen, direction)
         adds = new(chosen, direction)
         for index in order:
             expected = float(estimate.mean(direction)[index] + shift[index]) - zero
@@ -190,8 +191,8 @@ def _quick_check(
 
 def _moves(work: AxisWork, loaded: DecodedState | None, position: float) -> float:
     axis = work.planned.axis
-    change = Change(correction_of(loaded, axis), work.as_found)
-    return float(change.at(np.array([position]), axis.reference_return)[0])
+    change = difference(correction_of(loaded, axis), work.as_found)
+    return float(change(np.array([position]), axis.reference_return)[0])
 
 
 def changes_document(

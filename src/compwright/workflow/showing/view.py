@@ -10,13 +10,14 @@ from compwright.documents.circular import circular_document
 from compwright.documents.decode import finding_documents
 from compwright.documents.evaluation import evaluation_document
 from compwright.foundations.units import outside_factor, outside_unit
+from compwright.planning.axes import AxisWork
+from compwright.prediction.acting import difference
 from compwright.records.axis import Direction
 from compwright.records.circular import CircularResult
 from compwright.records.job import Job
 from compwright.records.result import PositioningResult
 from compwright.workflow.stages.control import Control, DecodedState
-from compwright.workflow.stages.outlook import Change
-from compwright.workflow.stages.work import AxisWork, correction_of
+from compwright.workflow.stages.predicted import after_loading
 
 
 def evaluations(
@@ -105,16 +106,14 @@ def expected_targets(work: AxisWork, loaded: DecodedState | None) -> dict[str, A
     """Return the deviations that a fresh test is expected to show at the first test's targets, and
     the scatter of one reading.
     """
-    axis = work.planned.axis
     test = work.results[0].test
-    factor = outside_factor(axis.kind.unit)
-    new = work.as_found if work.planned.fitted is None else correction_of(loaded, axis)
-    change = Change(new, work.active)
+    factor = outside_factor(test.kind.unit)
+    change = difference(after_loading(work, loaded), work.active)
     estimate = work.posterior.summary(test.targets)
     measured = {direction: bool(test.readings(direction).any()) for direction in Direction}
     expected = {
         direction: (
-            ((estimate.mean(direction) + change.at(test.targets, direction)) * factor).tolist()
+            ((estimate.mean(direction) + change(test.targets, direction)) * factor).tolist()
             if measured[direction]
             else []
         )

@@ -1,27 +1,23 @@
-"""Circular tests for ``evaluate``: read, paired, evaluated and diagnosed.
+"""Circular tests read from their files, and the two files of one test joined.
 
-Apart from ``workflow.evaluate``, which loads it only when a file is no positioning test: the way of
-a positioning test stays short.
+``evaluate`` loads it only when a file is no positioning test: the way of a positioning test stays
+short.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from pathlib import Path
 
-import numpy as np
-
-from compwright.estimation.circle import diagnose
-from compwright.evaluation.circular import evaluate_circle
-from compwright.foundations.errors import Fault, InputError
+from compwright.foundations import storage
+from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
+from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_pairs import paired
-from compwright.instruments.circular_reading import is_circular, read_circular
-from compwright.records.circular import CircularResult, CircularTest, Diagnosis
+from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
+from compwright.records.circular import CircularTest
+from compwright.records.job import Job
 from compwright.records.positioning import PositioningTest
-
-_NOT_SEPARABLE = (
-    "the samples do not tell the causes apart: no noise to judge them by, or too short an arc"
-)
+from compwright.workflow.stages.measurement_files import measurement_files
 
 
 def read_if_circular(content: bytes, file: str) -> CircularTest | None:
@@ -46,29 +42,48 @@ def pairs_joined(
     return list(kept.values())
 
 
-def evaluated_circle(test: CircularTest, standard: str) -> CircularResult:
-    """Return the test evaluated to ``standard`` with its causes; without them, and with the reason,
-    where they cannot be told.
-
-    Raises InputError for a test that cannot be evaluated.
+def read_circles(job: Job, folder: Path) -> tuple[CircularTest, ...]:
+    """Read the circular tests of a job in its order. Raises InputError with the faults of all their
+    files.
     """
-    result = evaluate_circle(test, standard)
-    try:
-        return replace(result, diagnosis=_diagnosed(result.test))
-    except InputError as error:
-        reason = "; ".join(str(replace(fault, file="")) for fault in error.faults)
-        return replace(result, not_applicable={**result.not_applicable, "diagnosis": reason})
-
-
-def _diagnosed(test: CircularTest) -> Diagnosis:
-    """Return the causes. Raises InputError where they cannot be told, as for computed samples:
-    without noise nothing is judged.
-    """
-    with np.errstate(invalid="ignore"):  # a variance below zero is found by its root
+    errors: list[CompwrightError] = []
+    tests = []
+    for request in job.circles:
         try:
-            diagnosis = diagnose(test)
-        except np.linalg.LinAlgError as error:
-            raise InputError(Fault(message=_NOT_SEPARABLE)) from error
-    if not all(np.isfinite(effect.std_error) for effect in diagnosis.effects.values()):
-        raise InputError(Fault(message=_NOT_SEPARABLE))
-    return diagnosis
+            tests.append(read_circle([folder / file for file in request.files], request.name))
+        except InputError as error:
+            errors.append(error)
+    raise_all(InputError, collect(errors))
+    return tuple(tests)
+
+
+def read_circle(paths: list[Path], name: str) -> CircularTest:
+    """Read the files of one circular test. Raises InputError."""
+    errors: list[CompwrightError] = []
+    parts = []
+    for given in paths:
+        try:
+            files = measurement_files(given).files
+        except InputError as error:
+            errors.append(error)
+            continue
+        for path in files:
+            try:
+                parts.append(_read_part(path))
+            except InputError as error:
+                errors.append(error)
+    raise_all(InputError, collect(errors))
+    return merge_circular(parts, name)
+
+
+def _read_part(path: Path) -> CircularTest:
+    content, file = storage.read_bytes(path), shown_path(path)
+    if not is_circular(content, file):
+        raise InputError(
+            Fault(
+                message="is no circular test",
+                file=file,
+                expected="a .b5r file or CSV with angle_deg",
+            )
+        )
+    return read_circular(content, file)

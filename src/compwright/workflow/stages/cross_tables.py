@@ -14,7 +14,7 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import ControlFile, ControlState, CrossCompensation
 from compwright.records.plan import PlannedCross
-from compwright.workflow.stages.circle_work import judged_cross
+from compwright.workflow.stages.acting import judged_cross
 from compwright.workflow.stages.control import Control, DecodedState, decode
 
 #: Reading back may differ from what was planned by half a step of the value at either node, mm or

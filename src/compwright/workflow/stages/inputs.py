@@ -23,9 +23,8 @@ from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.plausibility import skipped_finding
 from compwright.instruments.reading import read_positioning
-from compwright.jobs.consistency import AS_FOUND
 from compwright.records.axis import Axis, AxisKind
-from compwright.records.job import AxisJob, Job, TestRequest
+from compwright.records.job import AS_FOUND, AxisJob, Job, TestRequest
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest, merge, to_machine
 from compwright.workflow.stages.control import Control, DecodedState, decode, read_files

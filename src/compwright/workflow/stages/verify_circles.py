@@ -23,22 +23,21 @@ from compwright.foundations.errors import (
 )
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.circular_reading import is_circular, read_circular
-from compwright.records.axis import Axis, Direction, FloatArray
-from compwright.records.circular import CircularTest
-from compwright.records.plan import Plan, PlannedCircle, PlannedCross
-from compwright.workflow.stages.circle_checks import effect_of
-from compwright.workflow.stages.circle_work import (
+from compwright.planning.circles import (
     CIRCULAR_STANDARD,
-    Acting,
-    acting,
+    effect_of,
     in_job_names,
     predicted_circle,
-    read_circle,
 )
-from compwright.workflow.stages.circles import evaluated_circle
+from compwright.planning.diagnosed import diagnosed_circle
+from compwright.planning.stated import SIGNIFICANT
+from compwright.prediction.acting import Acting, added
+from compwright.records.axis import Axis
+from compwright.records.circular import CircularTest
+from compwright.records.plan import Plan, PlannedCircle
+from compwright.workflow.stages.acting import acting
+from compwright.workflow.stages.circles import read_circle
 from compwright.workflow.stages.control import DecodedState
-from compwright.workflow.stages.cross import SIGNIFICANT
-from compwright.workflow.stages.outlook import Correction
 
 
 def split_after(plan: Plan, specs: Sequence[str]) -> tuple[list[str], dict[str, list[Path]]]:
@@ -137,9 +136,9 @@ def verify_circles(
 def _verified(
     plan: Plan, circle: PlannedCircle, after: CircularTest, during: Acting, then: Acting
 ) -> VerifiedCircle:
-    before = evaluated_circle(circle.test, CIRCULAR_STANDARD)
+    before = diagnosed_circle(circle.test, CIRCULAR_STANDARD)
     prediction = predicted_circle(before, circle, during, then)
-    result = evaluated_circle(replace(after, name=circle.test.name), CIRCULAR_STANDARD)
+    result = diagnosed_circle(replace(after, name=circle.test.name), CIRCULAR_STANDARD)
     corrected = (entry for entry in plan.cross if entry.written and entry.source == "circle")
     bent = next((entry for entry in corrected if entry.pair == frozenset(circle.test.axes)), None)
     check = None
@@ -166,16 +165,11 @@ def _planned(plan: Plan, as_found: DecodedState, axes: Mapping[str, Axis]) -> Ac
         for name, entry in plan.axes.items()
         if entry.fitted is not None
     }
-    across = dict(now.across)
-    for entry in (entry for entry in plan.cross if entry.written):
-        pair = (entry.input, entry.output)
-        across[pair] = _more(across.get(pair), entry)
-    return Acting({**now.along, **along}, across)
-
-
-def _more(old: Correction | None, entry: PlannedCross) -> Correction:
-    def correction(positions: FloatArray, direction: Direction) -> FloatArray:
-        added = entry.added.at(positions, direction)
-        return added if old is None else added + old(positions, direction)
-
-    return correction
+    then = Acting({**now.along, **along}, dict(now.across))
+    for entry in plan.cross:
+        if entry.written:
+            pair = (entry.input, entry.output)
+            then = replace(
+                then, across={**then.across, pair: added(then.between(*pair), entry.added.at)}
+            )
+    return then

@@ -10,26 +10,19 @@ the values larger (drift, a traverse or a reading far off) leave it.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass
 from itertools import combinations
-from pathlib import Path
 from typing import Any, Final
 
-import numpy as np
-
-from compwright.documents.verification import VerifiedAxis, VerifiedCircle
 from compwright.evaluation.repeats import Named, same_measurement
-from compwright.foundations.errors import CompwrightError, Fault
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import share_a_file
-from compwright.records.job import AxisJob, Job, TestRequest
-from compwright.records.plan import Plan, PlannedAxis
-from compwright.records.positioning import SAME_READING, PositioningTest
+from compwright.records.circular import CircularTest
+from compwright.records.job import Job
+from compwright.records.plan import Plan
+from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
 from compwright.verification.measurement import NamedFault, copied_scatter
-from compwright.workflow.stages.control import Control, open_control
-from compwright.workflow.stages.inputs import read_test
-from compwright.workflow.stages.work import AS_FOUND
 
 #: Warnings that only say that values are larger than those of a quiet machine, or that an
 #: assumption was stated: they leave the verdict.
@@ -56,145 +49,6 @@ class AfterTest:
     axis: str
     test: PositioningTest
     repeats: str
-
-
-# ---------------------------------------------------------------- the plan of this job
-
-
-def stale_plan(job: Job, plan: Plan, file: str) -> list[Fault]:
-    """Return how the job differs from what the plan was made of: axes, options, tests and circles;
-    not its limits.
-    """
-    told = [*_axes_differ(job, plan), *_options_differ(job, plan), *_states_differ(job, plan)]
-    circles = {circle.name for circle in job.circles}
-    if circles != set(plan.circles):
-        told.append(
-            (
-                "circles",
-                ", ".join(sorted(circles)) or "none",
-                ", ".join(sorted(plan.circles)) or "none",
-            )
-        )
-    return [stale(what, mine, theirs, file) for what, mine, theirs in told]
-
-
-def stale(what: str, mine: str, theirs: str, file: str) -> Fault:
-    """Return the fault of a job that says ``mine`` where its plan says ``theirs``."""
-    message = (
-        "the plan was made for another job, or before the job was edited; run the job again, or"
-        " name its own plan with --plan"
-    )
-    return Fault(message=message, file=file, place=what, expected=mine, found=theirs)
-
-
-def _axes_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
-    names = {name for name, entry in job.axes.items() if entry.before}
-    planned = {name for name, entry in plan.axes.items() if entry.tests}
-    if names != planned:
-        yield "axes", ", ".join(sorted(names)), ", ".join(sorted(planned))
-    for name in sorted(names & planned):
-        mine, theirs = job.axes[name], plan.axes[name]
-        yield from _differences(f"axis {name}: ", mine.axis, theirs.axis)
-        yield from _differences(f"axis {name}: table.", mine.table, theirs.request)
-        yield from _tests_differ(job, mine, theirs)
-
-
-def _differences(place: str, mine: Any, theirs: Any) -> Iterator[tuple[str, str, str]]:
-    """Yield what two records of one kind say otherwise, each by the name of its key in the job."""
-    for field in fields(mine):
-        one, other = getattr(mine, field.name), getattr(theirs, field.name)
-        if not field.compare or one == other:
-            continue
-        if is_dataclass(one):
-            yield from _differences(f"{place}{field.name}.", one, other)
-        elif isinstance(one, Mapping):
-            for key in sorted({*one, *other}):
-                if _plain(one.get(key)) != _plain(other.get(key)):
-                    yield f"{place}{field.name}.{key}", _text(one.get(key)), _text(other.get(key))
-        else:
-            yield f"{place}{field.name}", _text(one), _text(other)
-
-
-def _tests_differ(job: Job, mine: AxisJob, theirs: PlannedAxis) -> Iterator[tuple[str, str, str]]:
-    name = mine.axis.name
-    if [request.name for request in mine.before] != [planned.test.name for planned in theirs.tests]:
-        was = ", ".join(planned.test.name for planned in theirs.tests)
-        yield f"axis {name}: tests", ", ".join(request.name for request in mine.before), was
-        return
-    for request, planned in zip(mine.before, theirs.tests, strict=True):
-        if request.measured_in != planned.measured_in:
-            yield (
-                f"axis {name}, test {request.name}: measured_in",
-                request.measured_in,
-                planned.measured_in,
-            )
-        now = _read_again(job, mine, request)
-        if now is not None and not _same(now, planned.test):
-            yield (
-                f"axis {name}, test {request.name}",
-                "the readings that its files hold now",
-                "other readings",
-            )
-
-
-def _read_again(job: Job, entry: AxisJob, request: TestRequest) -> PositioningTest | None:
-    """Return a test of the job as its files say it now; None where they are not there any more."""
-    try:
-        return read_test(job, entry, request, Path(job.file).parent)
-    except CompwrightError:
-        return None
-
-
-def _same(one: PositioningTest, other: PositioningTest) -> bool:
-    pairs = (
-        (one.targets, other.targets),
-        (one.positive, other.positive),
-        (one.negative, other.negative),
-    )
-    return all(
-        a.shape == b.shape and np.allclose(a, b, rtol=0.0, atol=SAME_READING, equal_nan=True)
-        for a, b in pairs
-    )
-
-
-def _options_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
-    control: Control = open_control(job.format, job.options)
-    for name in job.options:
-        mine, theirs = control.options.get(name), plan.options.get(name)
-        if _plain(mine) != _plain(theirs):
-            yield f"controller.options.{name}", _text(mine), _text(theirs)
-
-
-def _states_differ(job: Job, plan: Plan) -> Iterator[tuple[str, str, str]]:
-    """Yield the states that the job names otherwise than its run; the contents of the files are the
-    plan's own copies.
-    """
-    for name in sorted({AS_FOUND, *job.states} & {AS_FOUND, *plan.states}):
-        mine, theirs = job.states.get(name), plan.states.get(name)
-        if (mine is None) != (theirs is None) or bool(mine) != bool(theirs):
-            was, now = (
-                "not given" if state is None else "files" if state else "none"
-                for state in (theirs, mine)
-            )
-            yield f"states.{name}", now, was
-        elif job.active.get(name) != plan.active.get(name):
-            yield f"states.{name}.active", _text(job.active.get(name)), _text(plan.active.get(name))
-
-
-def _plain(value: Any) -> Any:
-    """Return a value as JSON gives it back."""
-    return [_plain(entry) for entry in value] if isinstance(value, list | tuple) else value
-
-
-def _text(value: Any) -> str:
-    """Return a value as a job writes it."""
-    if value is None:
-        return "not given"
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    if isinstance(value, list | tuple):
-        return f"[{', '.join(map(_text, value))}]"
-    return f"{value:g}" if isinstance(value, float) else str(value)
 
 
 def changed_limits(job: Job, plan: Plan) -> Iterator[Finding]:
@@ -231,10 +85,13 @@ def _changed(what: str) -> Finding:
 
 
 def not_measured(
-    job: Job, plan: Plan, axes: Mapping[str, VerifiedAxis], circles: Mapping[str, VerifiedCircle]
+    job: Job, plan: Plan, axes: Mapping[str, str], circles: Mapping[str, CircularTest]
 ) -> Iterator[Finding]:
     """Yield what was planned or limited and has no test after loading (CW-V023), with what to
     measure.
+
+    ``axes``: those that were measured, each with the name of the test that was repeated;
+    ``circles``: the circular tests after loading by the name of those before.
     """
     for name, entry in plan.axes.items():
         limited = name in job.axes and job.axes[name].accept is not None
@@ -244,7 +101,7 @@ def not_measured(
                 f"axis {name} was not measured after loading", f"Measure it as for the test {test}."
             )
         elif name in axes and limited:
-            meant, was = _limited_test(job, name), axes[name].before.test.name
+            meant, was = _limited_test(job, name), axes[name]
             if meant != was:
                 about = (
                     f"the limits of axis {name} are for the test {meant}, and {was} was measured"
@@ -255,7 +112,7 @@ def not_measured(
     yield from _circles_missing(plan, circles)
 
 
-def _circles_missing(plan: Plan, circles: Mapping[str, VerifiedCircle]) -> Iterator[Finding]:
+def _circles_missing(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Finding]:
     """Yield what was corrected by circles, scale of an axis or squareness of a plane, and has no
     circle after loading.
     """
@@ -263,7 +120,7 @@ def _circles_missing(plan: Plan, circles: Mapping[str, VerifiedCircle]) -> Itera
         if (
             not entry.tests
             and entry.fitted is not None
-            and not any(name in circle.after.test.axes for circle in circles.values())
+            and not any(name in test.axes for test in circles.values())
         ):
             what = (
                 f"the scale of axis {name} came from circles, and none was measured after loading"
@@ -347,10 +204,10 @@ def copies(tests: Iterable[AfterTest]) -> dict[str, NamedFault]:
     return found
 
 
-def old_circles(plan: Plan, circles: Mapping[str, VerifiedCircle]) -> Iterator[Finding]:
+def old_circles(plan: Plan, circles: Mapping[str, CircularTest]) -> Iterator[Finding]:
     """Yield circles that are those from before loading, by the content of their files (CW-V025)."""
-    for name, circle in circles.items():
-        if share_a_file(plan.circles[name].test.sources, circle.after.test.sources):
+    for name, test in circles.items():
+        if share_a_file(plan.circles[name].test.sources, test.sources):
             message = (
                 f"The circle {name} given as measured after loading is the one from before. Measure"
                 " it again."

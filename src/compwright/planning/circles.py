@@ -1,32 +1,25 @@
-"""Circular tests on their way through a job: read, evaluated, diagnosed, and predicted with what
+"""Circular tests of a job: evaluated and diagnosed, placed in the machine, and predicted with what
 the tables change.
 """
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 
-from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, collect, raise_all
 from compwright.foundations.findings import Finding
-from compwright.foundations.utf8 import shown_path
-from compwright.instruments.circular_reading import is_circular, merge_circular, read_circular
-from compwright.prediction.circular import CirclePath, moved_test, predict_circle
-from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
-from compwright.records.circular import CircularResult, CircularTest
-from compwright.records.correction import CrossCompensation
+from compwright.planning.diagnosed import diagnosed_circle
+from compwright.prediction.acting import Acting
+from compwright.prediction.circular import moved_test, predict_circle
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.circular import CircularEffect, CircularResult, CircularTest
 from compwright.records.job import CircleRequest, Job
 from compwright.records.plan import PlannedCircle
 from compwright.records.prediction import CirclePrediction
-from compwright.workflow.stages.circles import evaluated_circle
-from compwright.workflow.stages.control import DecodedState, judged
-from compwright.workflow.stages.measurement_files import measurement_files
-from compwright.workflow.stages.outlook import Correction
 
 CIRCULAR_STANDARD = "iso230-4:2005"
 #: A circular deviation that grows by this factor or less is told by the numbers alone.
@@ -49,134 +42,9 @@ class CircleWork:
         return self.result.test.name
 
 
-@dataclass(frozen=True, slots=True)
-class Acting:
-    """What a control does: ``along`` by axis name, on the axis itself; ``across`` by input and
-    output axis, on the output.
-    """
-
-    along: Mapping[str, Correction]
-    across: Mapping[tuple[str, str], Correction]
-
-    def displacement(self, axes: tuple[str, str]) -> Callable[[CirclePath], FloatArray]:
-        """Return what moves the tool in the plane of two axes (names of the job), (n, 2) mm.
-
-        An axis outside the plane stands still; what it does to the two is the same everywhere on
-        the circle.
-        """
-
-        def at(path: CirclePath) -> FloatArray:
-            places = {
-                axes[0]: (path.first, path.moves_first),
-                axes[1]: (path.second, path.moves_second),
-            }
-            moved = np.zeros((path.first.size, 2))
-            for index, name in enumerate(axes):
-                if name in self.along:
-                    moved[:, index] += by_motion(self.along[name], *places[name])
-                for other, place in places.items():
-                    if (other, name) in self.across:
-                        moved[:, index] += by_motion(self.across[other, name], *place)
-            return moved
-
-        return at
-
-
-def by_motion(correction: Correction, positions: FloatArray, moves: FloatArray) -> FloatArray:
-    """Return a correction at ``positions`` (n,) of an axis that moves with the sign ``moves`` (n,)
-    there.
-    """
-    either = [correction(positions, direction) for direction in Direction]
-    return np.where(moves > 0.0, *either)
-
-
-def acting(decoded: DecodedState | None, axes: Mapping[str, Axis]) -> Acting:
-    """Return what the judge says that a state does to the axes of a job and between them; nothing
-    where nobody said it.
-    """
-    if decoded is None or decoded.judge is None:
-        return Acting({}, {})
-    names = {axis.address: name for name, axis in axes.items()}
-    pairs = dict.fromkeys((entry.input, entry.output) for entry in decoded.state.cross)
-    return Acting(
-        along={name: _along(decoded, axis) for name, axis in axes.items()},
-        across={
-            (names[pair[0]], names[pair[1]]): _across(decoded, pair)
-            for pair in pairs
-            if pair[0] in names and pair[1] in names
-        },
-    )
-
-
-def _along(decoded: DecodedState, axis: Axis) -> Correction:
-    def correction(positions: FloatArray, direction: Direction) -> FloatArray:
-        return judged(decoded, axis.address, positions, direction)
-
-    return correction
-
-
-def _across(decoded: DecodedState, pair: tuple[str, str]) -> Correction:
-    def correction(positions: FloatArray, direction: Direction) -> FloatArray:
-        if decoded.judge is None:
-            return np.zeros(np.shape(positions))
-        return decoded.judge.cross_correction(*pair, positions, direction)
-
-    return correction
-
-
-def judged_cross(
-    decoded: DecodedState, at: FloatArray | None = None
-) -> tuple[CrossCompensation, ...]:
-    """Return what one axis adds to another by the judge's reading, by address: at the nodes of its
-    tables or at positions (k,).
-
-    Each pair of axes once, with everything that acts between them.
-    """
-    pairs: dict[tuple[str, str], list[CrossCompensation]] = {}
-    for entry in decoded.state.cross:
-        pairs.setdefault((entry.input, entry.output), []).append(entry)
-    found = []
-    for pair, entries in pairs.items():
-        where = (
-            np.unique(np.concatenate([entry.positions for entry in entries])) if at is None else at
-        )
-        positive, negative = (_across(decoded, pair)(where, direction) for direction in Direction)
-        found.append(replace(entries[0], positions=where, positive=positive, negative=negative))
-    return tuple(found)
-
-
-def read_circles(job: Job, folder: Path) -> tuple[CircularTest, ...]:
-    """Read the circular tests of a job in its order. Raises InputError with the faults of all their
-    files.
-    """
-    errors: list[CompwrightError] = []
-    tests = []
-    for request in job.circles:
-        try:
-            tests.append(read_circle([folder / file for file in request.files], request.name))
-        except InputError as error:
-            errors.append(error)
-    raise_all(InputError, collect(errors))
-    return tuple(tests)
-
-
-def read_circle(paths: list[Path], name: str) -> CircularTest:
-    """Read the files of one circular test. Raises InputError."""
-    errors: list[CompwrightError] = []
-    parts = []
-    for given in paths:
-        try:
-            files = measurement_files(given).files
-        except InputError as error:
-            errors.append(error)
-            continue
-        for path in files:
-            try:
-                parts.append(_read_part(path))
-            except InputError as error:
-                errors.append(error)
-    raise_all(InputError, collect(errors))
-    return merge_circular(parts, name)
+def effect_of(result: CircularResult, name: str) -> CircularEffect | None:
+    """Return one cause of a circle; None where the diagnosis does not have it."""
+    return None if result.diagnosis is None else result.diagnosis.effects.get(name)
 
 
 def start_circle(
@@ -189,25 +57,12 @@ def start_circle(
     given = request.centre if request.centre is not None else test.centre
     centre, said = _centre(test, given, axes)
     findings = () if said else (_middle_assumed(test, centre),)
-    result = evaluated_circle(replace(test, centre=given), CIRCULAR_STANDARD)
+    result = diagnosed_circle(replace(test, centre=given), CIRCULAR_STANDARD)
     return CircleWork(
         result,
         PlannedCircle(test=result.test, measured_in=request.measured_in, centre=centre),
         findings,
     )
-
-
-def _read_part(path: Path) -> CircularTest:
-    content, file = storage.read_bytes(path), shown_path(path)
-    if not is_circular(content, file):
-        raise InputError(
-            Fault(
-                message="is no circular test",
-                file=file,
-                expected="a .b5r file or CSV with angle_deg",
-            )
-        )
-    return read_circular(content, file)
 
 
 def start_circles(
@@ -293,13 +148,6 @@ def checked_axes(work: CircleWork, axes: Mapping[str, Axis]) -> tuple[Finding, .
     return tuple(found)
 
 
-def predict(work: CircleWork, change_from: Acting, change_to: Acting) -> CirclePrediction:
-    """Return what a fresh circular test will show when what acts changes. The same job predicts the
-    same numbers.
-    """
-    return predicted_circle(work.result, work.planned, change_from, change_to)
-
-
 def worse_circles(predictions: Mapping[str, CirclePrediction]) -> tuple[Finding, ...]:
     """Return a finding for every circle whose circular deviation the tables are predicted to make
     worse.
@@ -357,7 +205,7 @@ def predicted_circle(
     axes = planned.test.axes
     old, new = change_from.displacement(axes), change_to.displacement(axes)
     moved = moved_test(planned.test, planned.centre, lambda path: new(path) - old(path))
-    expected = evaluated_circle(moved, result.standard)
+    expected = diagnosed_circle(moved, result.standard)
     seed = hashlib.sha256(
         f"circle\x1f{planned.test.name}".encode("utf-8", "surrogatepass")
     ).digest()

@@ -10,7 +10,7 @@ from compwright.estimation.axis import AxisPosterior, Draws, estimate_axis
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
-from compwright.records.correction import AxisCompensation
+from compwright.records.correction import AxisCompensation, ControlState, no_compensation
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.positioning import PositioningTest
 
@@ -136,6 +136,15 @@ def check_coverage(file: str, axis: Axis, test: PositioningTest) -> None:
                 f" {unit}"
             ),
         )
+    )
+
+
+def held_by(state: ControlState, axis: Axis) -> AxisCompensation:
+    """Return what a state of the control does on an axis; an axis of which it does not speak has no
+    compensation.
+    """
+    return state.axes.get(
+        axis.address, no_compensation(axis.address, axis.kind, axis.reference_return)
     )
 
 

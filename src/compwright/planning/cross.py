@@ -15,18 +15,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.foundations.findings import Finding, Severity
+from compwright.planning.circles import CircleWork
+from compwright.planning.stated import SIGNIFICANT
+from compwright.prediction.acting import Acting
 from compwright.prediction.circular import path_of
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.circular import CircularRun
 from compwright.records.correction import CrossCompensation
 from compwright.records.job import CrossRequest, Job, other_axis
 from compwright.records.plan import PlannedCross
-from compwright.workflow.stages.circle_work import Acting, CircleWork, acting
-from compwright.workflow.stages.control import DecodedState
 
-#: An effect smaller than this many standard errors is not corrected, two values further apart than
-#: this disagree (95 %).
-SIGNIFICANT = 2.0
 #: What a good granite square is true to, rad: two values closer than this agree.
 SQUARE = 5e-6
 #: A correction over more than this many diameters of the circle (lengths of the measured range) is
@@ -67,13 +65,16 @@ class CrossPlan:
 def plan_cross(
     job: Job,
     circles: Sequence[CircleWork],
-    states: Mapping[str, DecodedState],
-    as_found: DecodedState,
+    states: Mapping[str, Acting],
+    now: Acting,
 ) -> CrossPlan:
     """Return the corrections between axes that the job asks for: direct measurements, and of
     circles what ``apply`` names.
+
+    ``states``: what acts in each state of the job, by its name; ``now``: what acts in the control
+    now.
     """
-    planner = _Planner(job, circles, states, as_found)
+    planner = _Planner(job, circles, states, now)
     planned = tuple(planner.measured()) + tuple(planner.squareness())
     return CrossPlan(planned, tuple(planner.findings))
 
@@ -83,14 +84,14 @@ class _Planner:
         self,
         job: Job,
         circles: Sequence[CircleWork],
-        states: Mapping[str, DecodedState],
-        as_found: DecodedState,
+        states: Mapping[str, Acting],
+        now: Acting,
     ) -> None:
         self.job = job
         self.axes: dict[str, Axis] = {name: entry.axis for name, entry in job.axes.items()}
         self.findings: list[Finding] = []
-        self.now = acting(as_found, self.axes)
-        self.states = {name: acting(decoded, self.axes) for name, decoded in states.items()}
+        self.now = now
+        self.states = states
         self.angles = dict(self._angles(circles))
         self.measured_pairs: dict[frozenset[str], PlannedCross] = {}
 
@@ -116,13 +117,14 @@ class _Planner:
         """Return minus the deviation, plus what acted during the measurement less what acts now."""
         where = np.array(request.positions)
         pair = (request.input, request.output)
-        before = self.states.get(request.measured_in, self.now).across.get(pair)
-        now = self.now.across.get(pair)
-        curves = {}
-        for direction in Direction:
-            added = -np.array(request.deviations)
-            added = added + (before(where, direction) if before is not None else 0.0)
-            curves[direction] = added - (now(where, direction) if now is not None else 0.0)
+        before = self.states.get(request.measured_in, self.now).between(*pair)
+        now = self.now.between(*pair)
+        curves = {
+            direction: before(where, direction)
+            - np.array(request.deviations)
+            - now(where, direction)
+            for direction in Direction
+        }
         slope = float(np.polyfit(where, np.mean(list(curves.values()), axis=0), 1)[0])
         self._reach(
             f"{request.input} on {request.output}",

@@ -10,34 +10,16 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.foundations.findings import Finding
+from compwright.planning.axes import AxisWork
+from compwright.planning.circles import CircleWork, effect_of
+from compwright.planning.stated import Stated
+from compwright.prediction.acting import IDLE, Acting, difference
 from compwright.records.axis import Axis, Direction
-from compwright.records.circular import CircularEffect, CircularResult
 from compwright.records.job import Job
-from compwright.workflow.stages.circle_work import Acting, CircleWork
-from compwright.workflow.stages.cross import SIGNIFICANT
-from compwright.workflow.stages.work import AxisWork
 
 ENDS = ("first", "second")
 _DRAWS = 500
 _UM, _PPM = 1e3, 1e6
-
-
-@dataclass(frozen=True, slots=True)
-class Stated:
-    """A value and its standard error: mm for lost motion, mm/mm for scale."""
-
-    value: float
-    std_error: float
-
-    def differs(self, other: Stated) -> bool:
-        """Whether two values lie further apart than both uncertainties allow."""
-        return abs(self.value - other.value) > SIGNIFICANT * float(
-            np.hypot(self.std_error, other.std_error)
-        )
-
-    def words(self, factor: float, unit: str) -> str:
-        """The value as people read it, with its 95 % uncertainty."""
-        return f"{self.value * factor:+.1f} ± {SIGNIFICANT * self.std_error * factor:.1f} {unit}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,15 +42,9 @@ def laser_over(work: CircleWork, axis: AxisWork, index: int, during: Acting) -> 
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[index]
     ends = np.array([middle - radius, middle + radius])
     draws = axis.posterior.draw(ends, _DRAWS, np.random.default_rng(0))
-    name = axis.planned.axis.name
-    change = {}
-    for direction in Direction:
-        acts = during.along[name](ends, direction) if name in during.along else np.zeros(2)
-        change[direction] = acts - axis.active(ends, direction)
-    positive, negative = (
-        draws.positive + change[Direction.POSITIVE],
-        draws.negative + change[Direction.NEGATIVE],
-    )
+    change = difference(during.on(axis.planned.axis.name), axis.active)
+    positive = draws.positive + change(ends, Direction.POSITIVE)
+    negative = draws.negative + change(ends, Direction.NEGATIVE)
     lost = np.mean(negative - positive, axis=1)
     scale = np.mean([curve[:, 1] - curve[:, 0] for curve in (positive, negative)], axis=0) / (
         2.0 * radius
@@ -77,11 +53,6 @@ def laser_over(work: CircleWork, axis: AxisWork, index: int, during: Acting) -> 
         lost_motion=Stated(float(np.mean(lost)), float(np.std(lost))),
         scale=Stated(float(np.mean(scale)), float(np.std(scale))),
     )
-
-
-def effect_of(result: CircularResult, name: str) -> CircularEffect | None:
-    """Return one cause of a circle; None where the diagnosis does not have it."""
-    return None if result.diagnosis is None else result.diagnosis.effects.get(name)
 
 
 def lost_motion(work: CircleWork, index: int) -> Stated | None:
@@ -122,9 +93,7 @@ class Checks:
         axis = self.works.get(work.planned.test.axes[index])
         if axis is None or not axis.results[0].test.bidirectional:
             return None
-        found = laser_over(
-            work, axis, index, self.states.get(work.planned.measured_in, Acting({}, {}))
-        )
+        found = laser_over(work, axis, index, self.states.get(work.planned.measured_in, IDLE))
         budget = self.job.uncertainty
         own = budget.device_per_m / 2.0 / _PPM if budget is not None else 0.0
         return replace(

@@ -16,16 +16,17 @@ from compwright.estimation.circle_model import SOFTEST_LOOP
 from compwright.fitting.fit import fit_table
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
+from compwright.planning.axes import CapacityOf
+from compwright.planning.checks import Checks, mismatch, scale_error
+from compwright.planning.circles import CircleWork
+from compwright.planning.stated import SIGNIFICANT, Stated
+from compwright.planning.wanted import dense_positions, held_by, wanted_correction
+from compwright.prediction.acting import IDLE, Acting
 from compwright.records.axis import Axis, Direction
-from compwright.records.correction import AxisCompensation, ControlState, no_compensation
+from compwright.records.correction import ControlState
 from compwright.records.estimate import ErrorEstimate
-from compwright.records.job import AxisJob, Job
+from compwright.records.job import AS_FOUND, AxisJob, Job
 from compwright.records.plan import PlannedAxis
-from compwright.workflow.stages.circle_checks import Checks, Stated, mismatch, scale_error
-from compwright.workflow.stages.circle_work import Acting, CircleWork
-from compwright.workflow.stages.control import Control
-from compwright.workflow.stages.cross import SIGNIFICANT
-from compwright.workflow.stages.planning import dense_positions, wanted_correction
 
 #: A feed is low when the softest usual position loop shrinks the circle by no more than this part
 #: of its radius.
@@ -45,10 +46,14 @@ class Scaled:
 
 
 def scaled_axes(
-    job: Job, circles: Sequence[CircleWork], checks: Checks, control: Control, state: ControlState
+    job: Job,
+    circles: Sequence[CircleWork],
+    checks: Checks,
+    capacity: CapacityOf,
+    state: ControlState,
 ) -> tuple[Scaled, ...]:
     """Return what becomes of every axis of ``apply.scale``. The laser's slope wins where there is
-    one.
+    one. ``state``: what is in the control now.
     """
     found = []
     for name in job.apply.scale:
@@ -59,7 +64,7 @@ def scaled_axes(
             message = f"{name}: its scale is that of its positioning test; circles only check it."
             found.append(Scaled(name, None, Finding("CW-P118", "info", message)))
             continue
-        found.append(_scaled(entry, circles, checks, control, state))
+        found.append(_scaled(entry, circles, checks, capacity, state))
     return tuple(found)
 
 
@@ -67,7 +72,7 @@ def _scaled(
     entry: AxisJob,
     circles: Sequence[CircleWork],
     checks: Checks,
-    control: Control,
+    capacity: CapacityOf,
     state: ControlState,
 ) -> Scaled:
     name = entry.axis.name
@@ -93,7 +98,7 @@ def _scaled(
             name, None, Finding("CW-P119", "info", f"{words}; not significant, not corrected.")
         )
     try:
-        planned = _planned(entry, scale, control, state)
+        planned = _planned(entry, scale, capacity, state)
     except CapacityError as error:
         message = f"{words}; not corrected: {'; '.join(str(fault) for fault in error.faults)}."
         return Scaled(name, None, Finding("CW-P119", "error", message))
@@ -207,8 +212,8 @@ def _index(work: CircleWork, name: str) -> int:
 def _now(stated: Stated, work: CircleWork, name: str, checks: Checks) -> Stated:
     """Return a scale found while a circle was measured as it is with what acts now."""
     radius, middle = work.planned.test.nominal_radius, work.planned.centre[_index(work, name)]
-    during = checks.states.get(work.planned.measured_in)
-    now = checks.states.get("as_found")
+    during = checks.states.get(work.planned.measured_in, IDLE)
+    now = checks.states.get(AS_FOUND, IDLE)
     return replace(
         stated,
         value=stated.value
@@ -217,16 +222,16 @@ def _now(stated: Stated, work: CircleWork, name: str, checks: Checks) -> Stated:
     )
 
 
-def _slope(state: Acting | None, name: str, middle: float, radius: float) -> float:
-    if state is None or name not in state.along:
-        return 0.0
-    ends = np.array([middle - radius, middle + radius])
-    return float(
-        np.mean([np.diff(state.along[name](ends, direction))[0] for direction in Direction])
-    ) / (2.0 * radius)
+def _slope(state: Acting, name: str, middle: float, radius: float) -> float:
+    ends, correction = np.array([middle - radius, middle + radius]), state.on(name)
+    return float(np.mean([np.diff(correction(ends, direction))[0] for direction in Direction])) / (
+        2.0 * radius
+    )
 
 
-def _planned(entry: AxisJob, scale: Stated, control: Control, state: ControlState) -> PlannedAxis:
+def _planned(
+    entry: AxisJob, scale: Stated, capacity: CapacityOf, state: ControlState
+) -> PlannedAxis:
     """Return the table that takes a scale away, about the reference of the axis. Raises
     CapacityError.
     """
@@ -247,12 +252,9 @@ def _planned(entry: AxisJob, scale: Stated, control: Control, state: ControlStat
         noise_dof=1.0,
         measured=axis.travel,
     )
-    active: AxisCompensation = state.axes.get(
-        axis.address, no_compensation(axis.address, axis.kind, axis.reference_return)
-    )
+    active = held_by(state, axis)
     wanted = wanted_correction(estimate, active, axis, reversal_log_odds=0.0)
-    capacity = control.format.capacity(axis)
-    fitted = fit_table(wanted, capacity, entry.table, address=axis.address)
+    fitted = fit_table(wanted, capacity(axis), entry.table, address=axis.address)
     return PlannedAxis(
         axis=axis,
         tests=(),

@@ -1,0 +1,281 @@
+"""One axis on its way through a job: evaluated, estimated, fitted, predicted."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Literal, Protocol
+
+from compwright.estimation.reach import longer_tests
+from compwright.evaluation.agreement import disagreeing_test
+from compwright.evaluation.standards import evaluate
+from compwright.fitting.beyond import beyond_limits
+from compwright.fitting.fit import fit_table
+from compwright.foundations.errors import CapacityError, CompwrightError, collect, raise_all
+from compwright.foundations.findings import Finding
+from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
+from compwright.planning.outlook import predict, predict_new_targets, why_not_better
+from compwright.planning.sharing import shared_fairly
+from compwright.planning.wanted import (
+    MeasuredError,
+    check_coverage,
+    dense_positions,
+    held_by,
+    measured_error,
+    wanted_correction,
+    with_change,
+)
+from compwright.prediction.acting import Correction, difference, nothing
+from compwright.records.axis import Axis, Direction
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation, ControlState
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.job import AxisJob, Job
+from compwright.records.plan import PlannedAxis, PlannedTest
+from compwright.records.positioning import PositioningTest
+from compwright.records.prediction import AxisPrediction
+from compwright.records.result import PositioningResult
+
+
+class CapacityOf(Protocol):
+    """The limits of one axis' table; raises CapacityError where the control holds nothing."""
+
+    def __call__(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
+        """Return them; ``one_curve``: the job asks for one table and a backlash value."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AxisWork:
+    """One axis of a run. ``as_found``: what the control does now, by the judge; ``refused``: why
+    its table is not written.
+    """
+
+    entry: AxisJob
+    results: tuple[PositioningResult, ...]
+    posterior: MeasuredError
+    planned: PlannedAxis
+    as_found: Correction
+    capacity: Capacity | None = None
+    refused: str = ""
+    disagreeing: tuple[Finding, ...] = ()
+
+    @property
+    def active(self) -> Correction:
+        """What acted during the first test; zero where nobody said."""
+        active = self.planned.active
+        return nothing if active is None else active.at
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What was noticed on this axis beside the findings of its tests."""
+        fitted = self.planned.fitted
+        first, *others = (result.test for result in self.results)
+        own = (
+            *longer_tests(first, others),
+            *self.disagreeing,
+            *self.planned.estimate.findings,
+            *self.posterior.findings,
+            *(fitted.findings if fitted else ()),
+        )
+        if self.refused:
+            own = (
+                *own,
+                Finding(
+                    "CW-P001",
+                    "error",
+                    f"No table is written for axis {self.entry.axis.name}: {self.refused}.",
+                ),
+            )
+        return tuple(dict.fromkeys(own))
+
+
+def evaluated(job: Job, axis: Axis, test: PositioningTest) -> PositioningResult:
+    """Return a test of an axis evaluated as its job asks."""
+    return evaluate(
+        test,
+        job.standard,
+        travel=axis.travel,
+        periods=axis.screw_pitch,
+        budget=job.budget(axis.kind),
+        thermal=job.thermal,
+    )
+
+
+def start_axis(
+    job: Job,
+    entry: AxisJob,
+    tests: tuple[PlannedTest, ...],
+    states: Mapping[str, ControlState],
+    as_found: Correction,
+) -> AxisWork:
+    """Evaluate the tests of an axis and estimate its error from the first.
+
+    ``states``: by name, those of which somebody said what they are; ``as_found``: what acts now.
+    Raises UsageError for tolerances that fit no test, InputError where the tests cover less than
+    half of the travel.
+    """
+    axis = entry.axis
+    check_coverage(job.file, axis, tests[0].test)
+    results = tuple(evaluated(job, axis, planned.test) for planned in tests)
+    check_limits(job, entry, results)
+    held = {name: held_by(state, axis) for name, state in states.items()}
+    active = held.get(tests[0].measured_in)
+    posterior = measured_error(tests[0].test, axis, active)
+    planned = PlannedAxis(
+        axis=axis,
+        tests=tests,
+        estimate=posterior.summary(dense_positions(axis)),
+        active=active,
+        wanted=None,
+        request=entry.table,
+        fitted=None,
+        accept=entry.accept,
+    )
+    return AxisWork(
+        entry=entry,
+        results=results,
+        posterior=posterior,
+        planned=planned,
+        as_found=as_found,
+        disagreeing=tuple(_disagreeing(tests, held, posterior)),
+    )
+
+
+def _disagreeing(
+    tests: Sequence[PlannedTest], held: Mapping[str, AxisCompensation], posterior: MeasuredError
+) -> Iterator[Finding]:
+    """Yield the doubts of tests that contradict the first, each in the state that it was measured
+    in. ``held``: what acts on the axis, by state.
+    """
+    first, *others = tests
+    before = held.get(first.measured_in)
+    for other in others:
+        now = held.get(other.measured_in)
+        if other.measured_in != first.measured_in and (now is None or before is None):
+            continue
+        targets = other.test.targets
+        estimate = posterior.summary(targets)
+        expected = {direction: estimate.mean(direction) for direction in Direction}
+        if now is not None and before is not None and other.measured_in != first.measured_in:
+            expected = {
+                side: mean + now.at(targets, side) - before.at(targets, side)
+                for side, mean in expected.items()
+            }
+        std = {Direction.POSITIVE: estimate.std_positive, Direction.NEGATIVE: estimate.std_negative}
+        finding = disagreeing_test(other.test, expected, std, estimate.noise, first.test.name)
+        if finding is not None:
+            yield finding
+
+
+def fit_all(
+    works: Mapping[str, AxisWork], capacity_of: CapacityOf, job_file: str
+) -> dict[str, AxisWork]:
+    """Fit every axis under the limits of the control. Raises CapacityError with the faults of all
+    axes.
+    """
+    errors: list[CompwrightError] = []
+    fitted: dict[str, AxisWork] = {}
+    capacities: dict[str, Capacity] = {}
+    for name, work in works.items():
+        try:
+            one_curve = work.planned.request.mode == "single"
+            capacities[name] = capacity_of(work.planned.axis, one_curve=one_curve)
+        except CapacityError as error:
+            errors.append(
+                CapacityError(
+                    *(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)
+                )
+            )
+    capacities = shared_fairly(
+        capacities,
+        {name: work.planned for name, work in works.items() if work.planned.active is not None},
+    )
+    for name, work in works.items():
+        planned = work.planned
+        if planned.active is None or name not in capacities:
+            fitted[name] = work
+            continue
+        wanted = wanted_correction(
+            planned.estimate,
+            planned.active,
+            planned.axis,
+            reversal_log_odds=work.posterior.reversal_log_odds,
+        )
+        try:
+            capacity = capacities[name]
+            table = fit_within(wanted, capacity, planned.request, address=planned.axis.address)
+        except CapacityError as error:
+            errors.append(
+                CapacityError(
+                    *(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)
+                )
+            )
+            continue
+        fitted[name] = replace(
+            work, capacity=capacity, planned=replace(planned, wanted=wanted, fitted=table)
+        )
+    raise_all(CapacityError, collect(errors))
+    return fitted
+
+
+def fit_within(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str
+) -> FittedTable:
+    """Return the fitted table. Raises CapacityError where the control cannot hold it by more than
+    the noise of a reading.
+    """
+    table = fit_table(wanted, capacity, request, address=address)
+    raise_all(CapacityError, list(beyond_limits(table, wanted, capacity)))
+    return table
+
+
+def predict_axis(
+    work: AxisWork,
+    new: Correction,
+    table: AxisCompensation | None,
+    rule: Literal["simple", "guarded"] = "simple",
+) -> AxisPrediction:
+    """Return what fresh tests of an axis will show when ``new`` acts. ``table``: what was written
+    for it, as read back; None where nothing was.
+    """
+    fitted = work.planned.fitted
+    change = difference(new, work.active)
+    tests = tuple(
+        predict(result, work.posterior, change, work.planned.axis) for result in work.results
+    )
+    folded = any(finding.code == "CW-E010" for finding in work.posterior.findings)
+    accept = accept_decisions(work.entry, tests, rule, folded=folded)
+    lacking = [
+        name for name, entry in accept.items() if entry.rule == "guarded" and entry.U is None
+    ]
+    guard = lacking_guard(work.planned.axis, work.results[0].standard, lacking)
+    return AxisPrediction(
+        tests=tests,
+        table=table,
+        quantum=work.capacity.quantum if work.capacity is not None else None,
+        limits=fitted.limits if fitted is not None else (),
+        accept=accept,
+        findings=(*work.findings, *guard),
+    )
+
+
+def no_gain(work: AxisWork, new: Correction) -> str:
+    """Return why ``new``, the table as read back, would not improve the axis over what the control
+    does now; empty when it does.
+    """
+    changes = [difference(each, work.active) for each in (new, work.as_found)]
+    first = work.results[0]
+    after, before = (
+        evaluate(
+            with_change(
+                first.test, *(change(first.test.targets, direction) for direction in Direction)
+            ),
+            first.standard,
+        )
+        for change in changes
+    )
+    fresh, old = (
+        predict_new_targets(first, work.posterior, change, work.planned.axis) for change in changes
+    )
+    return why_not_better(before, after, old, fresh)

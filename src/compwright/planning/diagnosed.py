@@ -1,0 +1,44 @@
+"""A circular test evaluated with its causes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from compwright.estimation.circle import diagnose
+from compwright.evaluation.circular import evaluate_circle
+from compwright.foundations.errors import Fault, InputError
+from compwright.records.circular import CircularResult, CircularTest, Diagnosis
+
+_NOT_SEPARABLE = (
+    "the samples do not tell the causes apart: no noise to judge them by, or too short an arc"
+)
+
+
+def diagnosed_circle(test: CircularTest, standard: str) -> CircularResult:
+    """Return the test evaluated to ``standard`` with its causes; without them, and with the reason,
+    where they cannot be told.
+
+    Raises InputError for a test that cannot be evaluated.
+    """
+    result = evaluate_circle(test, standard)
+    try:
+        return replace(result, diagnosis=_diagnosed(result.test))
+    except InputError as error:
+        reason = "; ".join(str(replace(fault, file="")) for fault in error.faults)
+        return replace(result, not_applicable={**result.not_applicable, "diagnosis": reason})
+
+
+def _diagnosed(test: CircularTest) -> Diagnosis:
+    """Return the causes. Raises InputError where they cannot be told, as for computed samples:
+    without noise nothing is judged.
+    """
+    with np.errstate(invalid="ignore"):  # a variance below zero is found by its root
+        try:
+            diagnosis = diagnose(test)
+        except np.linalg.LinAlgError as error:
+            raise InputError(Fault(message=_NOT_SEPARABLE)) from error
+    if not all(np.isfinite(effect.std_error) for effect in diagnosis.effects.values()):
+        raise InputError(Fault(message=_NOT_SEPARABLE))
+    return diagnosis

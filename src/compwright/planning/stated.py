@@ -1,0 +1,29 @@
+"""A value with its standard error, and when two of them disagree."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+#: An effect smaller than this many standard errors is not corrected, two values further apart than
+#: this disagree (95 %).
+SIGNIFICANT = 2.0
+
+
+@dataclass(frozen=True, slots=True)
+class Stated:
+    """A value and its standard error: mm for lost motion, mm/mm for scale."""
+
+    value: float
+    std_error: float
+
+    def differs(self, other: Stated) -> bool:
+        """Whether two values lie further apart than both uncertainties allow."""
+        return abs(self.value - other.value) > SIGNIFICANT * float(
+            np.hypot(self.std_error, other.std_error)
+        )
+
+    def words(self, factor: float, unit: str) -> str:
+        """The value as people read it, with its 95 % uncertainty."""
+        return f"{self.value * factor:+.1f} ± {SIGNIFICANT * self.std_error * factor:.1f} {unit}"

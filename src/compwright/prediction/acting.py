@@ -1,0 +1,83 @@
+"""What acts in a control: corrections by position and direction, on axes and between them.
+
+A correction is what the control adds to the command, mm or deg, > 0 towards the positive end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.prediction.circular import CirclePath, Displacement
+from compwright.records.axis import Direction, FloatArray
+
+#: A correction by position (mm or deg, any shape) and approach direction, of the same shape.
+Correction = Callable[[FloatArray, Direction], FloatArray]
+
+
+def nothing(positions: FloatArray, _direction: Direction) -> FloatArray:
+    """Return the correction of a control that does nothing."""
+    return np.zeros(np.shape(positions))
+
+
+def difference(new: Correction, old: Correction) -> Correction:
+    """Return what changes when ``new`` acts in place of ``old``."""
+    return lambda positions, direction: new(positions, direction) - old(positions, direction)
+
+
+def added(one: Correction, other: Correction) -> Correction:
+    """Return what two corrections of one axis do together."""
+    return lambda positions, direction: one(positions, direction) + other(positions, direction)
+
+
+@dataclass(frozen=True, slots=True)
+class Acting:
+    """What a control does: ``along`` by axis name, on the axis itself; ``across`` by input and
+    output axis, on the output.
+    """
+
+    along: Mapping[str, Correction]
+    across: Mapping[tuple[str, str], Correction]
+
+    def on(self, axis: str) -> Correction:
+        """Return what acts on an axis by its own position."""
+        return self.along.get(axis, nothing)
+
+    def between(self, given: str, bent: str) -> Correction:
+        """Return what acts on the axis ``bent`` by the position of ``given``."""
+        return self.across.get((given, bent), nothing)
+
+    def displacement(self, axes: tuple[str, str]) -> Displacement:
+        """Return what moves the tool in the plane of two axes (names of the job), (n, 2) mm.
+
+        An axis outside the plane stands still; what it does to the two is the same everywhere on
+        the circle.
+        """
+
+        def at(path: CirclePath) -> FloatArray:
+            places = {
+                axes[0]: (path.first, path.moves_first),
+                axes[1]: (path.second, path.moves_second),
+            }
+            moved = np.zeros((path.first.size, 2))
+            for index, name in enumerate(axes):
+                moved[:, index] += by_motion(self.on(name), *places[name])
+                for other, place in places.items():
+                    moved[:, index] += by_motion(self.between(other, name), *place)
+            return moved
+
+        return at
+
+
+#: Nothing acts, or nobody said what does.
+IDLE = Acting({}, {})
+
+
+def by_motion(correction: Correction, positions: FloatArray, moves: FloatArray) -> FloatArray:
+    """Return a correction at ``positions`` (n,) of an axis that moves with the sign ``moves`` (n,)
+    there.
+    """
+    either = [correction(positions, direction) for direction in Direction]
+    return np.where(moves > 0.0, *either)

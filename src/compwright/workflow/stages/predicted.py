@@ -1,0 +1,69 @@
+"""Last stage of a job: what the next tests will show."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from compwright.planning.axes import AxisWork, predict_axis
+from compwright.planning.circles import CircleWork, predicted_circle
+from compwright.prediction.acting import IDLE, Acting, Correction
+from compwright.records.job import AS_FOUND
+from compwright.records.prediction import AxisPrediction, CirclePrediction
+from compwright.workflow.stages.acting import acting, correction_of
+from compwright.workflow.stages.control import DecodedState
+from compwright.workflow.stages.fitted import Fitted
+from compwright.workflow.stages.measured import Measured
+from compwright.workflow.stages.wanted import Wanted
+from compwright.workflow.stages.written import Written, tables_of
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Predicted:
+    """What fresh tests of the axes and circles will show, by their names."""
+
+    axes: Mapping[str, AxisPrediction]
+    circles: Mapping[str, CirclePrediction]
+
+
+def predicted(measured: Measured, wanted: Wanted, fitted: Fitted, written: Written) -> Predicted:
+    """Return what fresh tests will show with the tables as read back, or with what is in the
+    control now where there are none.
+    """
+    loaded, rule = written.loaded, measured.job.decision_rule
+    axes = {}
+    for name, work in written.works.items():
+        planned = work.planned
+        has = planned.fitted is not None and loaded is not None
+        table = loaded.state.axes[planned.axis.address] if has and loaded is not None else None
+        axes[name] = predict_axis(work, after_loading(work, loaded), table, rule)
+    then = _acting_then(measured, fitted, written) if wanted.circles else IDLE
+    return Predicted(
+        axes=axes, circles={work.name: _circle(work, measured, then) for work in wanted.circles}
+    )
+
+
+def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
+    """Return what acts on an axis after loading: its table as read back, or what acts now."""
+    return (
+        work.as_found if work.planned.fitted is None else correction_of(loaded, work.planned.axis)
+    )
+
+
+def _circle(work: CircleWork, measured: Measured, then: Acting) -> CirclePrediction:
+    """Predict a circle from the state it was measured in to what acts after loading."""
+    during = measured.acting.get(work.planned.measured_in, IDLE)
+    return predicted_circle(work.result, work.planned, during, then)
+
+
+def _acting_then(measured: Measured, fitted: Fitted, written: Written) -> Acting:
+    """Return what acts after loading, on the axes and between them."""
+    now, after = measured.acting.get(AS_FOUND, IDLE), written.cross.after
+    along = {
+        axis.name: correction_of(written.loaded, axis)
+        for axis, _ in tables_of(written.works, fitted.scales)
+    }
+    return Acting(
+        {**now.along, **along},
+        now.across if after is None else acting(after, measured.axes).across,
+    )

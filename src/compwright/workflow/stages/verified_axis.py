@@ -1,0 +1,196 @@
+"""One axis after loading: what its test shows beside what the plan expects of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from compwright.documents.verification import ExpectedMeans, VerifiedAxis
+from compwright.estimation.cells import folded_findings
+from compwright.evaluation.uncertainty import temperature_between
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.axes import evaluated
+from compwright.planning.limits import lacking_guard, measured_decisions
+from compwright.planning.outlook import DRAWS, predict
+from compwright.planning.wanted import MeasuredError, measured_error
+from compwright.prediction.acting import Correction, difference, nothing
+from compwright.records.axis import Direction
+from compwright.records.job import Job
+from compwright.records.plan import PlannedAxis
+from compwright.records.positioning import PositioningTest
+from compwright.records.result import PositioningResult
+from compwright.records.verification import LoadingVerdict
+from compwright.verification.loading import judge_loading
+from compwright.verification.measurement import NamedFault, measurement_fault, proof_lacking
+from compwright.verification.proof import AfterTest, doubted
+from compwright.workflow.stages.acting import correction_of
+from compwright.workflow.stages.control import DecodedState, probe_positions
+
+
+def verified_axis(
+    job: Job,
+    planned: PlannedAxis,
+    after: AfterTest,
+    as_found: DecodedState,
+    read_back: DecodedState | None,
+    twice: NamedFault | None,
+) -> VerifiedAxis:
+    """Return what the test after loading shows of an axis, beside what was expected.
+
+    ``as_found``: what was in the control before; ``read_back``: what was read back from it since,
+    if anything; ``twice``: that the test is a copy of another one.
+    """
+    axis, guarded = planned.axis, job.decision_rule == "guarded"
+    before_test = next(
+        (entry.test for entry in planned.tests if entry.test.name == after.repeats),
+        planned.tests[0].test,
+    )
+    before, result = (evaluated(job, axis, test) for test in (before_test, after.test))
+    posterior = measured_error(planned.tests[0].test, axis, planned.active)
+    active = nothing if planned.active is None else planned.active.at
+    unchanged = correction_of(as_found, axis)
+    new = unchanged if planned.fitted is None else planned.fitted.compensation.at
+    change = difference(new, active)
+    fault = twice or measurement_fault(after.test, before_test, axis.travel)
+    loading = (
+        _judge(job, after.test, posterior, change, difference(unchanged, active))
+        if fault is None
+        else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
+    )
+    if planned.fitted is None and fault is None:
+        loading = replace(
+            loading,
+            verdict="undecided",
+            message="The plan holds no table for this axis: nothing was to be loaded.",
+        )
+    waves = folded_findings(after.test.targets, axis.screw_pitch, axis.kind.unit)
+    accept = measured_decisions(
+        job.axes[axis.name],
+        result,
+        job.decision_rule,
+        believed=loading.verdict != "measurement",
+        folded=bool(waves),
+    )
+    lacking = [name for name, entry in accept.items() if guarded and entry.U is None]
+    proof = () if fault else proof_lacking(after.test, before_test)
+    doubts = () if fault else doubted(result, before, guarded=guarded)
+    return VerifiedAxis(
+        before=before,
+        predicted=predict(result, posterior, change, axis).predicted,
+        expected=_expected(result, posterior, change),
+        after=result,
+        loading=_told(loading),
+        accept=accept,
+        findings=(
+            *loading.findings,
+            *_named(loading),
+            *proof,
+            *doubts,
+            *waves,
+            *lacking_guard(axis, result.standard, lacking),
+            *_compare_loaded(planned, read_back),
+        ),
+    )
+
+
+def _told(loading: LoadingVerdict) -> dict[str, Any]:
+    """Return the verdict about the loading as the document holds it."""
+    return {
+        "verdict": loading.verdict,
+        **({"of": loading.of} if loading.of is not None else {}),
+        "equivalent": list(loading.equivalent),
+        "factor": loading.factor,
+        "shift_nodes": loading.shift_nodes,
+        "margin": loading.margin,
+        "message": loading.message,
+    }
+
+
+def _expected(
+    result: PositioningResult, posterior: MeasuredError, change: Correction
+) -> ExpectedMeans:
+    targets = result.test.targets
+    estimate = posterior.summary(targets)
+    positive, negative = (
+        (
+            estimate.mean(direction) + change(targets, direction)
+            if result.test.readings(direction).any()
+            else np.empty(0)
+        )
+        for direction in Direction
+    )
+    return ExpectedMeans(positions=targets, positive=positive, negative=negative, s=estimate.noise)
+
+
+def _judge(
+    job: Job,
+    test: PositioningTest,
+    posterior: MeasuredError,
+    loaded: Correction,
+    inactive: Correction,
+) -> LoadingVerdict:
+    draws = posterior.draw(test.targets, DRAWS, np.random.default_rng(0))
+    estimate = posterior.summary(test.targets)
+    expected = {
+        direction: (
+            estimate.mean(direction) + loaded(test.targets, direction),
+            estimate.mean(direction) + inactive(test.targets, direction),
+        )
+        for direction in Direction
+    }
+    return judge_loading(
+        test.positive,
+        test.negative,
+        expected[Direction.POSITIVE][0],
+        expected[Direction.NEGATIVE][0],
+        expected[Direction.POSITIVE][1],
+        expected[Direction.NEGATIVE][1],
+        np.cov(np.hstack([draws.positive, draws.negative]), rowvar=False)
+        + temperature_between(test, job.budget(test.kind), job.thermal),
+        posterior.noise,
+        noise_dof=posterior.noise_dof,
+        positions=test.targets,
+        unit=test.kind.unit,
+    )
+
+
+def _named(loading: LoadingVerdict) -> tuple[Finding, ...]:
+    """Return the finding of a fault of measurement (CW-V026)."""
+    return (
+        (Finding("CW-V026", "warning", loading.message),)
+        if loading.verdict == "measurement"
+        else ()
+    )
+
+
+def _compare_loaded(planned: PlannedAxis, read_back: DecodedState | None) -> tuple[Finding, ...]:
+    """Compare what was read back from the control with the plan's table, by its correction over the
+    travel.
+    """
+    if read_back is None or planned.fitted is None:
+        return ()
+    axis, table = planned.axis, planned.fitted.compensation
+    where = probe_positions(table.positions)
+    off = difference(table.at, correction_of(read_back, axis))
+    worst = max(float(np.max(np.abs(off(where, direction)))) for direction in Direction)
+    factor = outside_factor(axis.kind.unit)
+    unit = shown_unit(axis.kind.unit)
+    if worst * factor <= 1e-3:
+        return (
+            Finding(
+                "CW-V010",
+                "info",
+                f"Axis {axis.name}: what was read back from the control is the plan's table.",
+            ),
+        )
+    return (
+        Finding(
+            "CW-V011",
+            "error",
+            f"Axis {axis.name}: what was read back from the control differs from the plan by up to"
+            f" {worst * factor:.2f} {unit}.",
+        ),
+    )

@@ -1,0 +1,131 @@
+"""Fourth stage of a job: tables as the control's files, read back by both readers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from compwright.foundations.errors import CompwrightError, UsageError, raise_all
+from compwright.foundations.findings import Finding
+from compwright.planning.axes import AxisWork, no_gain
+from compwright.planning.cross import plan_cross
+from compwright.planning.scale import scale_steps
+from compwright.records.axis import Axis
+from compwright.records.correction import ControlFile
+from compwright.records.fitted import FittedTable
+from compwright.records.job import AS_FOUND
+from compwright.records.plan import PlannedAxis
+from compwright.workflow.stages.acting import correction_of
+from compwright.workflow.stages.changes import changed_neighbours
+from compwright.workflow.stages.control import Control, DecodedState, decode
+from compwright.workflow.stages.cross_tables import CrossOutcome, write_planned
+from compwright.workflow.stages.fitted import Fitted
+from compwright.workflow.stages.measured import Measured
+from compwright.workflow.stages.wanted import Wanted
+
+_NOTHING_BETWEEN = CrossOutcome(files=())
+FittedAxes = Sequence[tuple[Axis, FittedTable]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Written:
+    """The files of the tables (``tables``) and what they do (``loaded``; None without tables).
+
+    ``works``: the axes, without the tables that would not improve them; ``cross``: what became of
+    the corrections between axes.
+    """
+
+    works: Mapping[str, AxisWork]
+    tables: tuple[ControlFile, ...] = ()
+    loaded: DecodedState | None = None
+    cross: CrossOutcome = _NOTHING_BETWEEN
+    findings: tuple[Finding, ...] = ()
+
+
+def written(measured: Measured, wanted: Wanted, fitted: Fitted, *, accept_worse: bool) -> Written:
+    """Write the tables of a job and read them back; leave out those that would not improve their
+    axis, unless ``accept_worse``.
+
+    Raises CapacityError where the control cannot hold something, CompwrightError (a fault of our
+    own) where other things come back than were written.
+    """
+    as_found, control = measured.as_found, fitted.control
+    if as_found is None:
+        return Written(works=fitted.works)
+    works = fitted.works
+    tables, loaded = write_fitted(control, tables_of(works, fitted.scales), as_found)
+    if loaded is not None and not accept_worse:
+        works = _improving(works, loaded)
+    if works is not fitted.works:
+        tables, loaded = write_fitted(control, tables_of(works, fitted.scales), as_found)
+    kept = tables_of(works, fitted.scales)
+    plan = plan_cross(measured.job, wanted.circles, measured.acting, measured.acting[AS_FOUND])
+    tabled = [axis.name for axis, table in kept if table.compensation.positions.size]
+    cross = write_planned(control, plan.planned, tables, as_found, measured.axes, tabled)
+    if cross.written:
+        tables = cross.files
+        loaded = decode(control, tables, [axis for axis, _ in kept])
+    return Written(
+        works=works,
+        tables=tables,
+        loaded=loaded,
+        cross=replace(cross, steps=(*scale_steps(fitted.scaled), *cross.steps)),
+        findings=(
+            *(entry.finding for entry in fitted.scaled),
+            *plan.findings,
+            *cross.findings,
+        ),
+    )
+
+
+def tables_of(
+    works: Mapping[str, AxisWork], scales: Mapping[str, PlannedAxis]
+) -> list[tuple[Axis, FittedTable]]:
+    """Return every axis that gets a table, those of tests before those of circles."""
+    planned = (*(work.planned for work in works.values()), *scales.values())
+    return [(entry.axis, entry.fitted) for entry in planned if entry.fitted is not None]
+
+
+def _improving(works: Mapping[str, AxisWork], loaded: DecodedState) -> Mapping[str, AxisWork]:
+    """Return the axes without the tables that would not improve them, with the reason; ``works``
+    itself where all would.
+    """
+    refused = {
+        name: why
+        for name, work in works.items()
+        if work.planned.fitted is not None
+        and (why := no_gain(work, correction_of(loaded, work.planned.axis)))
+    }
+    if not refused:
+        return works
+    return {
+        name: (
+            replace(work, refused=refused[name], planned=replace(work.planned, fitted=None))
+            if name in refused
+            else work
+        )
+        for name, work in works.items()
+    }
+
+
+def write_fitted(
+    control: Control, fitted: FittedAxes, as_found: DecodedState
+) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
+    """Write fitted tables as the control's files and read them back with both readers; (), None
+    where there are none.
+
+    What is in the control (``as_found``) is patched. Raises CapacityError where something cannot be
+    held, and CompwrightError (a fault of our own) when a table of an axis that was not asked for
+    reads otherwise than before.
+    """
+    if not fitted:
+        return (), None
+    axes = [axis for axis, _ in fitted]
+    compensations = [table.compensation for _, table in fitted]
+    try:
+        files = control.format.write(compensations, axes, as_found.files)
+    except UsageError as error:  # an option that the control's files do not answer
+        named = all(fault.place in control.definition.options for fault in error.faults)
+        raise (control.origin.named(error) if named else error) from error
+    raise_all(CompwrightError, changed_neighbours(control, as_found.files, files, axes))
+    return files, decode(control, files, axes, written=True)
