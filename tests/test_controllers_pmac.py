@@ -293,6 +293,8 @@ class TestScript:
             ("#1 DEFINE COMP", "#0 DEFINE COMP", "a motor; expected 1 to 32, found #0"),
             ("I51=1", "I51=2", "line 7: I51; expected 0 or 1, found '2'"),
             ("I51=1", "I51=P1", "line 7: I51; expected 0 or 1"),
+            ("I51=1", "I51=$#1", "line 7: I51; expected 0 or 1, found '.#1'"),
+            ("I51=1", "I51=", "line 7: I51; expected 0 or 1, found ''"),
             ("I51=1", "$$$", "line 7: not a command that is known here"),
             ("I51=1", "COMPTABLE[0].NX[0]=4", "line 7: a script of a Power PMAC"),
             ("I51=1", "OPEN PROG 1 CLEAR\nI51=1\nCLOSE", "line 8: a program sets I51 when it runs"),

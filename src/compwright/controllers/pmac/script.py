@@ -313,8 +313,8 @@ class _Script:
     def _variable(self, match: re.Match[str], place: Place) -> None:
         first, last, text = match.groups()
         value = None
-        if text[:1] == "$" and len(text) > 1:
-            value = float(int(text[1:13], 16)) if len(text) < 14 else None
+        if re.fullmatch(r"\$[0-9A-F]{1,12}", text):
+            value = float(int(text[1:], 16))
         elif re.fullmatch(r"[+-]?\d+\.?\d*", text):
             value = float(text)
         for number in range(int(first), int(last or first) + 1):
