@@ -16,6 +16,8 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 
 CONTENT = dict(definition_files())
 DEFINITIONS = definitions_from(CONTENT.items())
+#: File names of the definitions of whole controls; what others extend is none by itself.
+CONTROLS = [name for name in CONTENT if not name.endswith(".base.yaml")]
 SIEMENS = DEFINITIONS["siemens-840d-sl"]
 LINUXCNC = DEFINITIONS["linuxcnc"]
 

@@ -122,7 +122,7 @@ def test_a_prediction(kind: AxisKind, factor: float, unit: str) -> None:
         quantum=0.0005,
         limits=(Limit("value range", 0.002),),
     )
-    found = prediction_document("id", {"X": axis})["axes"]["X"]
+    found = prediction_document("id", {"X": axis}, judged="independent")["axes"]["X"]
     assert found["quantum"] == pytest.approx(0.0005 * factor)
     assert found["limits"] == [
         {"cause": "value range", "value": pytest.approx(0.002 * factor), "unit": unit}

@@ -17,12 +17,14 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.formats.control_format import control_format
+from compwright.formats.definition.extends import found_in, texts_of
 from compwright.formats.definition.options import resolve_options
-from compwright.formats.definition.reading import load_definition
+from compwright.formats.definition.reading import definition_of
 from compwright.foundations import storage
 from compwright.foundations.errors import CapacityError, CompwrightError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
+from compwright.records.plan import Texts
 from loop import Floats, Machine, accuracy, allowed, csv_of
 
 FORMATS = (
@@ -341,21 +343,19 @@ def perfect_table(machine: Machine, format_id: str) -> AxisCompensation:
         positive=positive,
         negative=positive if one_curve else negative,
         backlash=machine.lost if one_curve else 0.0,
-        below=control_format(
-            load_definition(definition_text(format_id), ""), OPTIONS.get(format_id, {})
-        )
+        below=control_format(definition_of(definition_texts(format_id)), OPTIONS.get(format_id, {}))
         .capacity(axis_of(machine, format_id))
         .below,
         interpolation="step" if format_id in STEPS else "linear",
     )
 
 
-def accuracy_with(text: bytes, format_id: str, table: AxisCompensation | None = None) -> float:
+def accuracy_with(texts: Texts, format_id: str, table: AxisCompensation | None = None) -> float:
     """A after loading what a definition writes for the perfect table (or ``table``), by the virtual
     control; mm.
     """
     machine = MACHINES["plain"]
-    definition = load_definition(text, f"{format_id}.yaml")
+    definition = definition_of(texts)
     options = resolve_options(definition, OPTIONS.get(format_id, {}))
     files = control_format(definition, options).write(
         [table or perfect_table(machine, format_id)], [axis_of(machine, format_id)]
@@ -364,14 +364,23 @@ def accuracy_with(text: bytes, format_id: str, table: AxisCompensation | None = 
     return accuracy(machine.measure(fresh, 2, loaded(files, format_id, machine)))
 
 
-def definition_text(format_id: str) -> bytes:
-    return dict(storage.definition_files())[f"{format_id}.yaml"]
+def definition_texts(format_id: str, old: str = "", new: str = "") -> Texts:
+    """A definition that ships, with what it extends; ``old`` -> ``new`` where it stands first."""
+    files = dict(storage.definition_files())
+    name = f"{format_id}.yaml"
+    texts = texts_of(files[name], name, found_in(files))
+    hit = [name for name, text in texts if old.encode() in text]
+    assert hit, "the mutation must hit something"
+    return tuple(
+        (name, text.replace(old.encode(), new.encode(), 1) if name == hit[0] else text)
+        for name, text in texts
+    )
 
 
 @pytest.mark.parametrize("format_id", FORMATS)
 def test_the_definition_as_it_is_keeps_the_demand(format_id: str) -> None:
     machine = MACHINES["plain"]
-    assert accuracy_with(definition_text(format_id), format_id) <= allowed_by(
+    assert accuracy_with(definition_texts(format_id), format_id) <= allowed_by(
         format_id, machine, machine.targets(seed=8), 20.0
     )
 
@@ -382,12 +391,11 @@ def test_the_definition_as_it_is_keeps_the_demand(format_id: str) -> None:
 )
 def test_a_mistake_in_the_definition_breaks_the_demand(format_id: str, name: str) -> None:
     old, new = MUTATIONS[format_id][name]
-    text = definition_text(format_id).decode()
-    assert old in text, "the mutation must hit something"
+    texts = definition_texts(format_id, old, new)
     machine = MACHINES["plain"]
     limit = allowed_by(format_id, machine, machine.targets(seed=8), 20.0)
     try:
-        after = accuracy_with(text.replace(old, new, 1).encode(), format_id)
+        after = accuracy_with(texts, format_id)
     except (CompwrightError, AssertionError):
         return  # refused by the writer, or by the virtual control that cannot read it
     assert after > limit
@@ -402,9 +410,9 @@ def test_a_table_one_node_off_breaks_the_demand(format_id: str) -> None:
     )
     if format_id in STEPS:  # refused by the writer: its table is no longer zero at the reference
         with pytest.raises(CapacityError, match="not zero at the reference"):
-            accuracy_with(definition_text(format_id), format_id, shifted)
+            accuracy_with(definition_texts(format_id), format_id, shifted)
         return
-    assert accuracy_with(definition_text(format_id), format_id, shifted) > allowed_by(
+    assert accuracy_with(definition_texts(format_id), format_id, shifted) > allowed_by(
         format_id, machine, machine.targets(seed=8), 20.0
     )
 
@@ -416,6 +424,6 @@ def test_exchanged_directions_break_the_demand(format_id: str) -> None:
     swapped = replace(
         table, positive=table.negative, negative=table.positive, backlash=-table.backlash
     )
-    assert accuracy_with(definition_text(format_id), format_id, swapped) > allowed_by(
+    assert accuracy_with(definition_texts(format_id), format_id, swapped) > allowed_by(
         format_id, machine, machine.targets(seed=8), 20.0
     )

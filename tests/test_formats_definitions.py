@@ -12,21 +12,20 @@ import pytest
 
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
-from compwright.formats.definition import reading as definitions
+from compwright.formats.definition.extends import found_in, merged, texts_of
 from compwright.formats.definition.options import describe_options, resolve_options
-from compwright.formats.definition.reading import definitions_from, load_definition
+from compwright.formats.definition.reading import definition_in, definitions_from, load_definition
 from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.gate.gate import check_definition
 from compwright.formats.text.patching import Change, apply_changes, set_field
 from compwright.formats.text.texts import TextReader
 from compwright.foundations.errors import InputError, UsageError
-from compwright.foundations.yaml_reader import read_yaml
 from compwright.records.correction import ControlFile
 from compwright.workflow.commands.formats import check_formats, list_formats, show_format
-from format_samples import CONTENT, DEFINITIONS, LINUXCNC, SIEMENS, axis_of, table
+from format_samples import CONTENT, CONTROLS, DEFINITIONS, LINUXCNC, SIEMENS, axis_of, table
 
 TEXT = {name: content.decode() for name, content in CONTENT.items()}
-NAMES = list(TEXT)
+NAMES = CONTROLS
 
 
 @pytest.mark.parametrize("definition", DEFINITIONS.values(), ids=list(DEFINITIONS))
@@ -51,19 +50,16 @@ def key_paths(data: object, path: tuple[str, ...] = ()) -> list[tuple[str, ...]]
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_every_missing_key_is_named_with_its_place(
-    name: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    document = read_yaml(CONTENT[name], "mine.yaml")
-    paths = _one_of_each(key_paths(document.data))
+def test_every_missing_key_is_named_with_its_place(name: str) -> None:
+    texts = texts_of(CONTENT[name], "mine.yaml", found_in(CONTENT))
+    whole = merged(texts)
+    paths = _one_of_each(key_paths(whole.data))
     assert len(paths) > 60
     for path in paths:
-        damaged = replace(document, data=_without(document.data, path))
-        monkeypatch.setattr(definitions, "read_yaml", lambda *_, found=damaged: found)
         with pytest.raises(InputError) as caught:
-            load_definition(b"", "mine.yaml")
+            definition_in(replace(whole, data=_without(whole.data, path)))
         assert any(
-            fault.file == "mine.yaml" and path[-1] in fault.place for fault in caught.value.faults
+            fault.file in dict(texts) and path[-1] in fault.place for fault in caught.value.faults
         ), path
 
 
@@ -311,17 +307,6 @@ def test_options_have_defaults_and_are_converted() -> None:
     assert (values["points"], values["cec_tables"], values["reference"]) == (26, (3, 4), 0.001)
     assert resolve_options(SIEMENS, values) == values
     assert any(line.startswith("points (default not given)") for line in describe_options(SIEMENS))
-
-
-def test_a_choice_that_is_not_built_is_refused_with_what_is_missing() -> None:
-    text = CONTENT["siemens-840d-sl.yaml"].decode()
-    old = "    choices: [absent, available]\n    not_built: {}\n"
-    assert old in text
-    definition = load_definition(
-        text.replace(old, old.replace("{}", "{available: later}")).encode(), "mine.yaml"
-    )
-    with pytest.raises(UsageError, match="not built yet: later"):
-        resolve_options(definition, {"cec": "available"})
 
 
 @pytest.mark.parametrize(

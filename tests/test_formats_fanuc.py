@@ -17,6 +17,7 @@ import pytest
 
 from compwright.controllers.virtual import virtual_control
 from compwright.formats.control_format import control_format
+from compwright.formats.definition.extends import found_in
 from compwright.formats.definition.options import resolve_options
 from compwright.formats.definition.reading import load_definition
 from compwright.formats.families.increments.numbering import NoRoom, Place, find_place, longest_gap
@@ -1059,7 +1060,7 @@ def judged_with(text: bytes) -> float:
     """The largest difference, mm, between what was meant and what the judge makes of the files of a
     definition.
     """
-    definition = load_definition(text, "fanuc-30i.yaml")
+    definition = load_definition(text, "fanuc-30i.yaml", found_in(CONTENT))
     options = resolve_options(definition, {"detection_unit": 0.001, "first_point": 0})
     new = control_format(definition, options).write([WANTED], [axis()])
     judge = virtual_control(

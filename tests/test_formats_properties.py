@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from compwright.formats.control_format import control_format
+from compwright.formats.definition.extends import found_in
 from compwright.formats.definition.reading import load_definition
 from compwright.formats.definition.schema import Definition
 from compwright.foundations.errors import InputError
@@ -221,7 +222,7 @@ def test_a_damaged_definition_is_refused_or_read(name: str, data: st.DataObject)
     ]
     lines[place] = data.draw(st.sampled_from(words))
     try:
-        definition = load_definition(b"".join(lines), name)
+        definition = load_definition(b"".join(lines), name, found_in(CONTENT))
     except InputError:
         return
     assert definition.id

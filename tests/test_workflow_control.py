@@ -17,7 +17,7 @@ def test_a_control_is_opened_from_the_file_of_its_name(
     # The other files may be damaged: they are not read, which is also what keeps the start of a run
     # short.
     files = {
-        name: content if name == f"{format_id}.yaml" else b"id: ["
+        name: content if name in (f"{format_id}.yaml", "fanuc.base.yaml") else b"id: ["
         for name, content in storage.definition_files()
     }
     monkeypatch.setattr(storage, "definition_files", lambda: iter(files.items()))
@@ -26,7 +26,10 @@ def test_a_control_is_opened_from_the_file_of_its_name(
 
 
 def test_a_definition_in_a_file_of_another_name_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
-    files = {f"my-{name}": content for name, content in storage.definition_files()}
+    files = {
+        name if name.endswith(".base.yaml") else f"my-{name}": content
+        for name, content in storage.definition_files()
+    }
     monkeypatch.setattr(storage, "definition_files", lambda: iter(files.items()))
     assert open_control("linuxcnc", {}).definition.file == "my-linuxcnc.yaml"
 

@@ -319,7 +319,7 @@ def evaluate(
     "--format",
     "format_id",
     metavar="ID",
-    help="Without a job file: the control, see compwright formats list.",
+    help="Without a job file: the control's id (compwright formats list), or your own definition.",
 )
 @click.option("--axis", metavar="NAME", help="Without a job file: the axis that was measured.")
 @click.option(
@@ -384,7 +384,7 @@ def run_command(
     "format_id",
     required=True,
     metavar="ID",
-    help="The control, see compwright formats list.",
+    help="The control: its id, see compwright formats list, or your own definition (*.yaml).",
 )
 @_option
 @_state
@@ -420,7 +420,7 @@ def export(
     "format_id",
     required=True,
     metavar="ID",
-    help="The control, see compwright formats list.",
+    help="The control: its id, see compwright formats list, or your own definition (*.yaml).",
 )
 @_option
 @click.option("--axis", metavar="ADDRESS", help="Only this axis, by the control's own name.")
@@ -500,7 +500,7 @@ def compare(
     "format_id",
     required=True,
     metavar="ID",
-    help="The control, see compwright formats list.",
+    help="The control: its id, see compwright formats list, or your own definition (*.yaml).",
 )
 @_option
 @click.option("--out", required=True, type=_PATH, metavar="JOB.yaml", help="The job file to write.")
@@ -562,12 +562,13 @@ def verify(
     from compwright.workflow.showing.answers import verify_summary
     from compwright.workflow.stages.jobs import default_folder, read_job_file
 
-    job = read_job_file(job_file)
     folder = default_folder(job_file)
+    plan_file = plan_path(plan, folder)
+    job = read_job_file(job_file, plan_file)
     outcome = verify_job(
         job,
         after,
-        plan_file=plan_path(plan, folder),
+        plan_file=plan_file,
         out=out or folder,
         loaded=loaded,
         force=force,
@@ -641,7 +642,7 @@ def formats_list() -> int:
 
 
 @formats.command("show")
-@click.argument("format_id", metavar="ID")
+@click.argument("format_id", metavar="ID|FILE")
 @_exiting
 def formats_show(format_id: str) -> int:
     """Show what a control can hold, its options, and how well each fact is known."""

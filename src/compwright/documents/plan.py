@@ -27,7 +27,14 @@ from compwright.records.correction import (
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, Limit, TableRequest
 from compwright.records.job import Acceptance
-from compwright.records.plan import Plan, PlannedAxis, PlannedCircle, PlannedCross, PlannedTest
+from compwright.records.plan import (
+    Plan,
+    PlannedAxis,
+    PlannedCircle,
+    PlannedCross,
+    PlannedTest,
+    Texts,
+)
 from compwright.records.positioning import PositioningTest
 
 SCHEMA = "compwright/plan/1"
@@ -40,6 +47,7 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         "schema": SCHEMA,
         "version": plan.version,
         "format": plan.format,
+        **_definition_out(plan.definition),
         "options": dict(plan.options),
         "standard": plan.standard,
         "decision_rule": plan.decision_rule,
@@ -59,6 +67,27 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         "circles": {name: _circle_out(circle) for name, circle in plan.circles.items()},
         "results": dict(plan.results),
     }
+
+
+def carried_definition(content: bytes) -> Texts:
+    """Return the definition of one's own that a plan carries; empty where it has none, or is no
+    plan.
+    """
+    try:
+        return _definition_in(json.loads(content))
+    except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        return ()
+
+
+def _definition_out(texts: Texts) -> dict[str, Any]:
+    """Return nothing for a control that ships: every installation has its definition."""
+    entries = [{"name": name, "text": content.decode("utf-8")} for name, content in texts]
+    return {"definition": entries} if entries else {}
+
+
+def _definition_in(data: Mapping[str, Any]) -> Texts:
+    entries = data.get("definition", ())
+    return tuple((str(entry["name"]), entry["text"].encode("utf-8")) for entry in entries)
 
 
 def listed_files(content: bytes) -> Mapping[str, str]:
@@ -118,6 +147,7 @@ def _plan_in(data: Mapping[str, Any]) -> Plan:
     return Plan(
         version=str(data["version"]),
         format=str(data["format"]),
+        definition=_definition_in(data),
         options=dict(data["options"]),
         standard=str(data["standard"]),
         decision_rule=str(data.get("decision_rule", "")),

@@ -11,7 +11,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, outside_factor, outside_unit
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.circular import CircularResult
-from compwright.records.correction import AxisCompensation, CrossCompensation
+from compwright.records.correction import AxisCompensation, CrossCompensation, Judged
 from compwright.records.prediction import (
     AxisPrediction,
     CirclePrediction,
@@ -29,17 +29,20 @@ def prediction_document(
     cross: Iterable[CrossCompensation] = (),
     circles: Mapping[str, CirclePrediction] | None = None,
     doubts: Iterable[Finding] = (),
+    *,
+    judged: Judged,
 ) -> dict[str, Any]:
     """Return the prediction of a run; ``cross`` holds what one axis' position adds to another, by
     the names of the job.
 
-    ``doubts``: what has to be settled before the tables are loaded.
+    ``doubts``: what has to be settled before the tables are loaded. ``judged``: by whom the files
+    of this control were read.
     """
     return {
         "schema": SCHEMA,
         "format": format_id,
         "doubts": findings_outside(doubts),
-        "axes": {name: _axis(axis) for name, axis in axes.items()},
+        "axes": {name: _axis(axis, judged) for name, axis in axes.items()},
         "cross": [cross_outside(entry) for entry in cross],
         "circles": {name: circle_outside(circle) for name, circle in (circles or {}).items()},
     }
@@ -166,7 +169,7 @@ def _test(test: TestPrediction) -> dict[str, Any]:
     }
 
 
-def _axis(axis: AxisPrediction) -> dict[str, Any]:
+def _axis(axis: AxisPrediction, judged: Judged) -> dict[str, Any]:
     tests = [_test(test) for test in axis.tests]
     kind = axis.tests[0].before.test.kind
     factor = outside_factor(kind.unit)
@@ -178,6 +181,7 @@ def _axis(axis: AxisPrediction) -> dict[str, Any]:
         "predicted": tests[0]["predicted"],
         "predicted_new_targets": tests[0]["predicted_new_targets"],
         "table": compensation_outside(axis.table) if axis.table is not None else None,
+        "judged": judged,
         "quantum": axis.quantum * factor if axis.quantum is not None else None,
         "limits": [
             {"cause": limit.cause, "value": limit.value * factor, "unit": unit}

@@ -24,6 +24,8 @@ Fact = float | int | str | bool
 #: the section).
 Interpolation = Literal["linear", "step"]
 Evidence = Literal["confirmed", "inferred", "unconfirmed"]
+#: Who read what a control's files do: two readers that share no code, or one alone.
+Judged = Literal["independent", "read_back"]
 
 
 @dataclass(frozen=True, slots=True)

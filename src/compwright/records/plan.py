@@ -22,6 +22,9 @@ from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import Acceptance
 from compwright.records.positioning import PositioningTest
 
+#: File name and bytes of a definition of one's own, then of what it extends.
+Texts = tuple[tuple[str, bytes], ...]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedTest:
@@ -99,7 +102,8 @@ class Plan:
     wanted between axes, written or not; ``circles``: the circular tests by name. ``results``: the
     other files of the run by their relative names, with the SHA-256 of each: by it the next run
     tells them from what the user has put or changed there. ``decision_rule``: how the limits were
-    decided; empty where the plan of an older version does not say.
+    decided; empty where the plan of an older version does not say. ``definition``: of one's own,
+    its text and what it extends; empty for a control that ships.
     """
 
     version: str
@@ -116,3 +120,4 @@ class Plan:
     circles: Mapping[str, PlannedCircle] = field(default_factory=dict)
     results: Mapping[str, str] = field(default_factory=dict)
     decision_rule: str = ""
+    definition: Texts = ()

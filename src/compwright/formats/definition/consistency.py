@@ -20,7 +20,7 @@ from compwright.formats.definition.schema import (
 )
 from compwright.formats.definition.statements import field_names
 from compwright.foundations.errors import Fault
-from compwright.foundations.yaml_reader import KeyPath, YamlDocument
+from compwright.foundations.yaml_reader import KeyPath
 
 #: Quantities that stand alone, one value each.
 SINGLES = tuple(name for name in ("backlash", "slope", *CHOICES, *PLAIN) if name not in CROSS)
@@ -54,6 +54,7 @@ _NUMBERED = (
     "spacing_per_step",
 )
 _FILE_NAME = re.compile(r"[A-Za-z0-9_.{}-]+")
+_ID = re.compile(r"(?!(?:con|prn|aux|nul|com\d|lpt\d)$)[a-z0-9][a-z0-9_-]{0,63}", re.IGNORECASE)
 
 
 def curves(definition: Definition) -> tuple[str, ...]:
@@ -83,10 +84,10 @@ def has_cross(definition: Definition) -> bool:
 
 def contradictions(definition: Definition) -> tuple[Fault, ...]:
     """Return what does not fit together in a definition whose keys are all well formed."""
-    document = YamlDocument(data=None, lines=dict(definition.lines))
     return tuple(
-        Fault(message=message, file=definition.file, place=document.place(path))
+        definition.text.fault(path, message)
         for check in (
+            _id,
             _texts,
             _statements,
             _layout,
@@ -98,6 +99,17 @@ def contradictions(definition: Definition) -> tuple[Fault, ...]:
         )
         for path, message in check(definition)
     )
+
+
+def _id(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+    if not _ID.fullmatch(definition.id):
+        yield (
+            ("id",),
+            (
+                "must be a plain name for a folder: at most 64 letters a to z, digits, - and _, and"
+                " no device of Windows such as con"
+            ),
+        )
 
 
 def _texts(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
@@ -270,8 +282,8 @@ def _options(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
             yield (*path, "choices"), "only a choice has choices"
         if not _default_suits(option):
             yield (*path, "default"), f"the default does not suit the type {option.type}"
-        if set(option.not_built) - set(option.choices):
-            yield (*path, "not_built"), "names what is not among the choices"
+        if option.asked is not None and option.type != "number":
+            yield (*path, "asked"), "only a number is asked for"
         if option.settled_by is not None and option.settled_by not in definition.bindings:
             yield (*path, "settled_by"), f"no quantity is called {option.settled_by}"
 

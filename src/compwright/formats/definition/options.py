@@ -21,8 +21,6 @@ REFERENCE_RETURN = "reference_return"
 DETECTION_UNIT = "detection_unit"
 #: What the values of a table mean, where no manual says it; an entry sheet says it of its axis.
 TABLE_VALUES = "table_values"
-#: Options that hold for the control as a whole: an axis cannot have one of its own.
-WHOLE_CONTROL = frozenset({"units", "cec_sign", "straightness", "program"})
 #: The option that names the measuring system to read where no job does.
 ENCODER_SYSTEM = "encoder_system"
 
@@ -39,8 +37,8 @@ def resolve_options(
     ``given`` may hold text from the command line (``"0.001"``, ``"3,4"``). With a ``state``, an
     option that the control's own files answer for all axes alike (such as the unit) takes that
     answer. ``strict``: every one of ``given`` was said by somebody, not taken from defaults. Raises
-    UsageError with every fault: unknown option, a value of the wrong kind, a choice that is not
-    built yet, a value that contradicts the control's files.
+    UsageError with every fault: unknown option, a value of the wrong kind, one that
+    contradicts the control's files.
     """
     faults: list[Fault] = []
     known = [*definition.options, REFERENCE, REFERENCE_RETURN]
@@ -80,10 +78,10 @@ def axis_options(
     """Return the options of one axis: its own go over the controller's (``resolved``); None: an
     axis without a job.
 
-    ``unit_needed``: False while files of the control that may say the detection unit are not read
+    ``unit_needed``: False while files of the control that may say what is asked for are not read
     yet.
 
-    Raises UsageError with every fault: unknown option, wrong value, and the detection unit where
+    Raises UsageError with every fault: unknown option, wrong value, and what is asked for where
     nobody says it.
     """
     faults: list[Fault] = []
@@ -99,7 +97,7 @@ def axis_options(
                     expected=f"one of {known}",
                 )
             )
-        elif name in WHOLE_CONTROL:
+        elif rule.whole_control:
             message = (
                 f"this option of {definition.id} holds for the whole control, not for one axis"
             )
@@ -113,24 +111,21 @@ def axis_options(
             )
         else:
             values[name] = _value(rule, given, definition, faults)
-    silent = not unit_needed and values.get(DETECTION_UNIT) is None
-    if (
-        DETECTION_UNIT in definition.options
-        and not faults
-        and not silent
-        and not _positive(values[DETECTION_UNIT])
-    ):
-        faults.append(
-            Fault(
-                message=(
-                    f"{definition.id}: the detection unit of the axis must be given; no file that"
-                    " was given says it"
-                ),
-                place=DETECTION_UNIT,
-                expected="mm or deg, such as 0.001, or a parameter file with 1820 and 1013 (1004)",
-                found="nothing" if values[DETECTION_UNIT] is None else str(values[DETECTION_UNIT]),
+    for rule in () if faults else definition.options.values():
+        value = values[rule.name]
+        silent = not unit_needed and value is None
+        if rule.asked is not None and not silent and not _positive(value):
+            faults.append(
+                Fault(
+                    message=(
+                        f"{definition.id}: the {rule.name.replace('_', ' ')} of the axis must be"
+                        " given; no file that was given says it"
+                    ),
+                    place=rule.name,
+                    expected=rule.asked,
+                    found="nothing" if value is None else str(value),
+                )
             )
-        )
     raise_all(
         UsageError,
         faults if axis is None else [fault.within(f"axis {axis.name}") for fault in faults],
@@ -148,8 +143,7 @@ def describe_options(definition: Definition) -> tuple[str, ...]:
     for name, rule in definition.options.items():
         default = "not given" if rule.default is None else _shown(rule.default)
         choices = f"; one of {', '.join(rule.choices)}" if rule.choices else ""
-        later = "".join(f"; {choice} is not built yet" for choice in rule.not_built)
-        lines.append(f"{name} (default {default}{choices}{later}): {rule.help} [{rule.evidence}]")
+        lines.append(f"{name} (default {default}{choices}): {rule.help} [{rule.evidence}]")
     lines.append(
         f"{REFERENCE} (default 0): position at which the correction is zero, for reading files"
         " without a job"
@@ -211,20 +205,7 @@ def _value(rule: OptionRule, value: object, definition: Definition, faults: list
         return None
     if rule.type == "choice":
         text = str(value)
-        if text in rule.not_built:
-            faults.append(
-                Fault(
-                    message=(
-                        f"this choice of {definition.id} is not built yet: {rule.not_built[text]}"
-                    ),
-                    place=rule.name,
-                    expected=", ".join(
-                        choice for choice in rule.choices if choice not in rule.not_built
-                    ),
-                    found=text,
-                )
-            )
-        elif text not in rule.choices:
+        if text not in rule.choices:
             faults.append(_wrong(rule.name, definition, f"one of {', '.join(rule.choices)}", value))
         return text
     if rule.type == "text":

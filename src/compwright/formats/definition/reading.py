@@ -7,9 +7,19 @@ docs/formats.md.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from functools import cache
 from typing import cast, get_args
 
 from compwright.formats.definition.consistency import contradictions
+from compwright.formats.definition.extends import (
+    BASE_ENDING,
+    NOTHING_ELSE,
+    DefinitionText,
+    Find,
+    found_in,
+    merged,
+    texts_of,
+)
 from compwright.formats.definition.required import Required
 from compwright.formats.definition.schema import (
     CHOICES,
@@ -53,9 +63,9 @@ from compwright.formats.definition.schema import (
 )
 from compwright.formats.definition.yaml_fields import Node
 from compwright.foundations.errors import Fault, InputError, collect, raise_all
-from compwright.foundations.yaml_reader import YamlDocument, read_yaml
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import Beyond, Evidence
+from compwright.records.plan import Texts
 
 _NEWLINES = {"lf": "\n", "crlf": "\r\n", "lfcrcr": "\n\r\r"}
 _UNITS = ("mm", "um", "inch", "pulse", "mm/m")
@@ -82,70 +92,83 @@ _TOP = (
 )
 
 
-def load_definition(content: bytes, file: str) -> Definition:
-    """Return the definition that YAML bytes describe.
+def load_definition(
+    content: bytes,
+    file: str,
+    find: Find = NOTHING_ELSE,
+    *,
+    own: bool = False,
+) -> Definition:
+    """Return the definition that YAML bytes describe, with what it ``extends`` (see `found_in`).
 
-    ``file`` is the name for messages. Raises InputError with every fault: not YAML, newer schema,
-    missing or unknown key, wrong type, a value outside its closed list, parts that do not fit
-    together.
+    ``file`` is the name for messages; ``own``: brought by a user. Raises InputError with every
+    fault: not YAML, newer schema, missing or unknown key, wrong type, a value outside its closed
+    list, parts that do not fit together; each names the text in which it stands.
     """
-    document = read_yaml(content, file)
+    return definition_of(texts_of(content, file, find), own=own)
+
+
+@cache  # by content: a job is checked before it is done, and reading a definition takes a while
+def definition_of(texts: Texts, *, own: bool = False) -> Definition:
+    """Return the definition whose text comes first in ``texts``, behind it what it extends. Raises
+    as `load_definition`.
+    """
+    return definition_in(merged(texts), texts if own else ())
+
+
+def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
+    """Return the definition that merged data describe. Raises as `load_definition`."""
     faults: list[Fault] = []
-    root = Node(document, file, faults, (), document.data)
+    root = Node(text, faults, (), text.data)
     _check_version(root)
     part = root.keys(*_TOP)
     part["compwright_format"].integer(1, SCHEMA_VERSION)
-    definition = _definition(part, document, file)
+    definition = _definition(part, text, own)
     raise_all(InputError, faults)
     raise_all(InputError, contradictions(definition))
     return definition
 
 
 def definitions_from(files: Iterable[tuple[str, bytes]]) -> dict[str, Definition]:
-    """Return the definitions in ``files`` (name, bytes) by their id.
+    """Return the definitions in ``files`` (name, bytes) by their id; a base is none by itself.
 
     Raises InputError with the faults of all files, and when two files give the same id.
     """
+    given = dict(files)
     found: dict[str, Definition] = {}
     errors: list[InputError] = []
-    for name, content in files:
+    for name, content in given.items():
+        if name.endswith(BASE_ENDING):
+            continue
         try:
-            definition = load_definition(content, name)
+            definition = load_definition(content, name, found_in(given))
         except InputError as error:
             errors.append(error)
             continue
         if definition.id in found:
-            first = found[definition.id].file
-            errors.append(
-                InputError(
-                    Fault(
-                        message="the id is given twice",
-                        file=name,
-                        place="id",
-                        found=f"{definition.id} in {first}",
-                    )
-                )
-            )
+            errors.append(InputError(given_twice(definition, found[definition.id].file)))
         found[definition.id] = definition
     raise_all(InputError, collect(errors))
     return found
 
 
+def given_twice(definition: Definition, first: str) -> Fault:
+    """Return the fault of a second definition of one id."""
+    found = f"{definition.id} in {first}"
+    return definition.text.fault(("id",), "the id is given twice", found=found)
+
+
 def _check_version(root: Node) -> None:
     version = root.data.get("compwright_format") if isinstance(root.data, dict) else None
     if isinstance(version, int) and not isinstance(version, bool) and version > SCHEMA_VERSION:
-        raise InputError(
-            Fault(
-                message="is written for a newer version of compwright",
-                file=root.file,
-                place=root.document.place(("compwright_format",)),
-                expected=str(SCHEMA_VERSION),
-                found=str(version),
-            )
-        )
+        message = "is written for a newer version of compwright"
+        expected, found = str(SCHEMA_VERSION), str(version)
+        path = ("compwright_format",)
+        raise InputError(root.source.fault(path, message, expected=expected, found=found))
 
 
-def _definition(part: Mapping[str, Node], document: YamlDocument, file: str) -> Definition:
+def _definition(part: Mapping[str, Node], text: DefinitionText, own: Texts) -> Definition:
+    file = text.file
     sample = part["sample"].keys("options", "files")
     sample_files = {name: node.text() for name, node in sample["files"].entries()}
     return Definition(
@@ -195,7 +218,8 @@ def _definition(part: Mapping[str, Node], document: YamlDocument, file: str) -> 
         sample_files=sample_files,
         sample_options={name: node.data for name, node in sample["options"].entries()},
         expect=tuple(_expectation(node, sample_files) for node in part["expect"].items()),
-        lines=document.lines,
+        text=text,
+        own=own,
     )
 
 
@@ -430,7 +454,9 @@ def _diameter(node: Node) -> DiameterRule:
 
 
 def _option(name: str, node: Node) -> OptionRule:
-    part = node.keys("type", "default", "choices", "not_built", "settled_by", "help", "evidence")
+    part = node.keys(
+        "type", "default", "choices", "settled_by", "belongs_to", "asked", "help", "evidence"
+    )
     settled = (
         None if part["settled_by"].is_null else part["settled_by"].keys("quantity", "contradiction")
     )
@@ -448,9 +474,10 @@ def _option(name: str, node: Node) -> OptionRule:
             else part["default"].data
         ),
         choices=() if part["choices"].is_null else part["choices"].texts(),
-        not_built={choice: what.text() for choice, what in part["not_built"].entries()},
         settled_by=None if settled is None else settled["quantity"].text(),
         option_wins=contradiction == "option_wins",
+        whole_control=part["belongs_to"].one_of(("axis", "control")) == "control",
+        asked=part["asked"].optional_text(),
         help=part["help"].text(),
         evidence=_evidence(part["evidence"]),
     )

@@ -5,11 +5,14 @@ docs/formats.md explains each key.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from pathlib import PurePath
 from typing import Literal
 
+from compwright.formats.definition.extends import DefinitionText
 from compwright.records.axis import AxisKind, Direction
-from compwright.records.correction import Beyond, Evidence
+from compwright.records.correction import Beyond, Evidence, Judged
+from compwright.records.plan import Texts
 
 #: Version of the schema; a definition that names a newer one is refused.
 SCHEMA_VERSION = 1
@@ -328,15 +331,19 @@ class DiameterRule:
 class OptionRule:
     """An option. ``settled_by``: the quantity in the control's files that answers it;
     ``option_wins`` where both differ.
+
+    ``whole_control``: an axis cannot have one of its own. ``asked``: of a number that every axis
+    needs, what the user is asked for where nobody says it; None: the default does.
     """
 
     name: str
     type: OptionType
     default: object
     choices: tuple[str, ...]
-    not_built: Mapping[str, str]
     settled_by: str | None
     option_wins: bool
+    whole_control: bool
+    asked: str | None
     help: str
     evidence: EvidenceNote
 
@@ -402,6 +409,9 @@ class Definition:
     """Everything that is known about one control's compensation files.
 
     Equal only to itself: what is made of it (its compiled forms) is kept by it.
+
+    ``text``: where each key stands, for faults. ``own``: of a definition that a user brought,
+    its text and what it extends; empty for those that ship.
     """
 
     id: str
@@ -424,7 +434,20 @@ class Definition:
     sample_files: Mapping[str, str]
     sample_options: Mapping[str, object]
     expect: tuple[Expectation, ...]
-    lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict)
+    text: DefinitionText
+    own: Texts
+
+    @property
+    def carried(self) -> Texts:
+        """What a plan carries of a definition of one's own: the texts by their bare names."""
+        return tuple((PurePath(name).name, text) for name, text in self.own)
+
+    @property
+    def judged(self) -> Judged:
+        """Whether there is a second reader for this control: for those that ship, never for a
+        definition of one's own.
+        """
+        return "read_back" if self.own else "independent"
 
     def measure(self, quantity: str) -> Measure:
         """Return the binding of a length or an angle. Raises KeyError where the definition has

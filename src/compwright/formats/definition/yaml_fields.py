@@ -1,5 +1,5 @@
-"""Walk a YAML document against a fixed set of keys: every fault is kept with its line, so that all
-are told at once.
+"""Walk a definition's data against a fixed set of keys: every fault is kept with its line, so
+that all are told at once.
 
 A reader that meets a fault notes it and returns a harmless value; the caller raises before that
 value is used.
@@ -13,8 +13,9 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any, TypeVar, cast, get_args
 
+from compwright.formats.definition.extends import DefinitionText
 from compwright.foundations.errors import Fault
-from compwright.foundations.yaml_reader import KeyPath, YamlDocument
+from compwright.foundations.yaml_reader import KeyPath
 
 Word = TypeVar("Word", bound=str)
 
@@ -40,27 +41,18 @@ def _found(value: object) -> str:
 class Node:
     """A place in the document, with the list to which faults go."""
 
-    document: YamlDocument
-    file: str
+    source: DefinitionText
     faults: list[Fault]
     path: KeyPath
     data: Any
 
     def fault(self, message: str, *, expected: str = "", found: str = "") -> None:
         """Note a fault at this place."""
-        self.faults.append(
-            Fault(
-                message=message,
-                file=self.file,
-                place=self.document.place(self.path),
-                expected=expected,
-                found=found,
-            )
-        )
+        self.faults.append(self.source.fault(self.path, message, expected=expected, found=found))
 
     def child(self, part: str | int, data: object) -> Node:
         """Return the place one step further down."""
-        return Node(self.document, self.file, self.faults, (*self.path, part), data)
+        return Node(self.source, self.faults, (*self.path, part), data)
 
     def entries(self) -> Iterator[tuple[str, Node]]:
         """Yield name and place of a mapping whose keys are free."""
@@ -167,4 +159,4 @@ class Node:
 
 def _silent(node: Node, name: str) -> Node:
     """Return the place of a missing key, whose faults are not told again."""
-    return Node(node.document, node.file, [], (*node.path, name), None)
+    return Node(node.source, [], (*node.path, name), None)

@@ -4,7 +4,7 @@ written is read back.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.gate.limits import unenforced_limits
 from compwright.foundations.errors import CompwrightError, Fault
 from compwright.foundations.units import TO_INSIDE
-from compwright.records.axis import Axis, Direction, Encoder
+from compwright.records.axis import Axis, Direction, Encoder, FloatArray
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 
 #: Hand-worked corrections and decoded ones agree to this many µm or arcsec: far below every quantum
@@ -27,39 +27,71 @@ AGREEMENT = 1e-6
 def check_definition(definition: Definition) -> tuple[Fault, ...]:
     """Return what a definition gets wrong; nothing when it passes.
 
-    Its keys were checked when it was loaded. Here: each hand-worked expectation holds; the sample
-    can be read; its tables can be written, give the same bytes twice and are read back as the same
-    numbers; a table beyond any limit is refused; the card knows all its fields.
+    Its keys were checked when it was loaded. Here: there are hand-worked expectations that show
+    more than zeros at nodes, and each holds; the sample can be read; its tables can be written,
+    give the same bytes twice and are read back as the same numbers; a table beyond any limit is
+    refused; the card knows all its fields.
     """
     faults: list[Fault] = []
-    if not definition.expect:
-        faults.append(
-            Fault(
-                message="there is no hand-worked expectation",
-                place="expect",
-                expected="at least one",
-            )
-        )
-    for expectation in definition.expect:
+    shown: list[AxisCompensation] = []
+    for index, expectation in enumerate(definition.expect):
         try:
-            faults.extend(_expectation(definition, expectation))
+            shown.append(_read(definition, expectation))
+            faults += disagreements(
+                definition,
+                index,
+                shown[-1].at,
+                "the correction at {} is not the one worked by hand",
+            )
         except CompwrightError as error:
-            faults.extend(
-                Fault(message=str(fault), place=f"expect, {expectation.name}")
+            place = f"expect, {expectation.name}"
+            faults += (
+                definition.text.fault(("expect", index), str(fault), place=place)
                 for fault in error.faults
             )
+    if len(shown) == len(definition.expect):
+        faults += (
+            definition.text.fault(("expect",), what) for what in _unproven(definition, shown)
+        )
     try:
         faults.extend(_round_trip(definition))
     except CompwrightError as error:
-        faults.extend(Fault(message=str(fault), place="sample") for fault in error.faults)
-    return tuple(fault.in_file(definition.file) for fault in faults)
+        faults += (definition.text.fault(("sample",), str(fault)) for fault in error.faults)
+    return tuple(faults)
+
+
+def disagreements(
+    definition: Definition,
+    index: int,
+    correction: Callable[[FloatArray, Direction], FloatArray],
+    says: str,
+) -> Iterator[Fault]:
+    """Yield a fault for each hand-worked correction of an expectation that ``correction`` (mm or
+    deg, at positions arriving in a direction) does not give. ``says``: the sentence, {} its place.
+    """
+    expectation = definition.expect[index]
+    factor = TO_INSIDE[expectation.unit][1]
+    for row, point in enumerate(expectation.at):
+        for direction, expected in (
+            (Direction.POSITIVE, point.positive),
+            (Direction.NEGATIVE, point.negative),
+        ):
+            found = float(correction(np.array([point.position]), direction)[0]) / factor
+            if not abs(found - expected) <= AGREEMENT:
+                yield definition.text.fault(
+                    ("expect", index, "at", row),
+                    says.format(f"{point.position:g} arriving in {direction.value}"),
+                    expected=f"{expected:g} {expectation.unit}",
+                    found=f"{found:.9g} {expectation.unit}",
+                    place=f"expect, {expectation.name}",
+                )
 
 
 def _files(texts: Mapping[str, str]) -> list[ControlFile]:
     return [ControlFile(name, text.encode("utf-8")) for name, text in texts.items()]
 
 
-def _expectation(definition: Definition, expectation: Expectation) -> Iterator[Fault]:
+def _read(definition: Definition, expectation: Expectation) -> AxisCompensation:
     axis = Axis(
         name=expectation.axis,
         kind=expectation.kind,
@@ -69,24 +101,28 @@ def _expectation(definition: Definition, expectation: Expectation) -> Iterator[F
         encoder=Encoder(system=_system(definition, expectation)),
     )
     state = control_format(definition, expectation.options).read(_files(expectation.files), [axis])
-    compensation = next(iter(state.axes.values()))
-    factor = TO_INSIDE[expectation.unit][1]
-    for point in expectation.at:
-        for direction, expected in (
-            (Direction.POSITIVE, point.positive),
-            (Direction.NEGATIVE, point.negative),
-        ):
-            found = float(compensation.at(np.array([point.position]), direction)[0]) / factor
-            if not abs(found - expected) <= AGREEMENT:
-                yield Fault(
-                    message=(
-                        f"the correction at {point.position:g} arriving in {direction.value} is not"
-                        " the one worked by hand"
-                    ),
-                    place=f"expect, {expectation.name}",
-                    expected=f"{expected:g} {expectation.unit}",
-                    found=f"{found:.9g} {expectation.unit}",
-                )
+    return next(iter(state.axes.values()))
+
+
+def _unproven(definition: Definition, shown: Sequence[AxisCompensation]) -> Iterator[str]:
+    """Yield what the expectations leave open; ``shown``: what was read for each of them. Zeros show
+    no sign, nodes alone not what acts between and beyond them, equal directions no backlash.
+    """
+    pairs = [
+        (compensation, point)
+        for compensation, expectation in zip(shown, definition.expect, strict=True)
+        for point in expectation.at
+    ]
+    if not pairs:
+        yield "there is no hand-worked expectation: files, and what the control does with them"
+        return
+    if not any(point.positive or point.negative for _, point in pairs):
+        yield "nothing but zeros is worked by hand: this shows no sign"
+    if all(point.position in table.positions for table, point in pairs):
+        yield "only nodes are worked by hand: add a position between two, or beyond the ends"
+    two = definition.layout.pairing == "two_columns" or "backlash" in definition.bindings
+    if two and all(point.positive == point.negative for _, point in pairs):
+        yield "no position is worked by hand at which the two directions differ"
 
 
 def _system(definition: Definition, expectation: Expectation) -> int:
@@ -104,13 +140,12 @@ def _round_trip(definition: Definition) -> Iterator[Fault]:
     axes = [_axis_of(state, compensation) for compensation in compensations]
     files = control.write(compensations, axes)
     if files != control.write(compensations, axes):
-        yield Fault(message="writing the sample twice gives different bytes", place="sample")
+        yield definition.text.fault(("sample",), "writing the sample twice gives different bytes")
     again = control.read(files, axes)
     for address, compensation in ((one.address, one) for one in compensations):
         if not same_compensation(compensation, again.axes[address]):
-            yield Fault(
-                message=f"axis {address}: what is written is not what was read", place="sample"
-            )
+            message = f"axis {address}: what is written is not what was read"
+            yield definition.text.fault(("sample",), message)
     for axis, compensation in zip(axes, compensations, strict=True):
         yield from unenforced_limits(control, axis, compensation)
         values = control.card_values(
@@ -118,11 +153,8 @@ def _round_trip(definition: Definition) -> Iterator[Fault]:
         )
         for step in card_steps(definition, axis, values):
             if UNKNOWN in step.text:
-                yield Fault(
-                    message=f"the step {step.title!r} uses a field that does not exist",
-                    place="card",
-                    found=step.text,
-                )
+                message = f"the step {step.title!r} uses a field that does not exist"
+                yield definition.text.fault(("card",), message, found=step.text)
 
 
 def _axis_of(state: ControlState, compensation: AxisCompensation) -> Axis:

@@ -34,13 +34,11 @@ def unenforced_limits(
         except CapacityError:
             continue
         except CompwrightError as error:
-            yield Fault(
-                message=f"the limit {name} is refused in the wrong way: {error}", place="limits"
-            )
+            message = f"the limit {name} is refused in the wrong way: {error}"
+            yield control.definition.text.fault(("limits",), message)
             continue
-        yield Fault(
-            message=f"a table that breaks the limit {name} is written all the same", place="limits"
-        )
+        message = f"a table that breaks the limit {name} is written all the same"
+        yield control.definition.text.fault(("limits",), message)
 
 
 def _broken(

@@ -22,9 +22,9 @@ from compwright.verification.read_back import SAME, judge_read_back
 from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.control import (
     DecodedState,
-    Origin,
     decode,
     open_control,
+    plan_origin,
     probe_positions,
     read_files,
 )
@@ -46,7 +46,7 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     contradict themselves or say nothing of an axis of the plan.
     """
     plan = read_plan(storage.read_bytes(plan_file), str(plan_file))
-    control = open_control(plan.format, plan.options, Origin(str(plan_file), "format", "options."))
+    control = open_control(plan.format, plan.options, plan_origin(plan, plan_file))
     planned = [entry for entry in plan.axes.values() if entry.fitted is not None]
     if not planned:
         raise UsageError(
@@ -91,7 +91,8 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
             read_back,
             () if same and not _matters(texts) else (*texts, *values),
         )
-    document = compare_document(plan.format, compared, found.state.assumed, found.state.findings)
+    findings = (*control.findings, *found.state.findings)
+    document = compare_document(plan.format, compared, found.state.assumed, findings)
     return CompareOutcome(0 if document["verdict"] == "same" else 1, document)
 
 

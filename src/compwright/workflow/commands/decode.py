@@ -44,7 +44,8 @@ def decode_files(
             negative=judged(decoded, address, where, Direction.NEGATIVE),
         )
     assumed = (*control.assumed(decoded.state), *decoded.state.assumed)
-    return decode_document(answer, assumed, decoded.state.findings, judged_cross(decoded, wanted))
+    findings = (*control.findings, *decoded.state.findings)
+    return decode_document(answer, assumed, findings, judged_cross(decoded, wanted))
 
 
 def positions_of(text: str) -> FloatArray:

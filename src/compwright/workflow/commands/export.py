@@ -25,6 +25,7 @@ from compwright.records.correction import Assumption, ControlFile
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedCross
 from compwright.workflow.stages.control import (
+    COMMAND_LINE,
     Control,
     DecodedState,
     decode,
@@ -75,8 +76,10 @@ def export_plan(
     }
     active = _answer(options.pop(ACTIVE, None))
     raise_all(UsageError, _unknown(addresses, plan, str(path)))
-    given = {**plan.options, **options} if plan.format == format_id else options
-    control = open_control(format_id, given)
+    origin = replace(COMMAND_LINE, carried=plan.definition)
+    control = open_control(format_id, options, origin)
+    if control.id == plan.format:
+        control = open_control(format_id, {**plan.options, **options}, origin)
     moved, taken = _axes_here(plan, control, addresses)
     state = _state(plan, control, list(moved.values()), states, str(path), active=active)
     refuse_added_again(plan, path, state)
@@ -124,7 +127,7 @@ def export_plan(
         files=tuple(written),
         assumed=tuple(dict.fromkeys(assumed)),
         missing=missing,
-        findings=cross.findings,
+        findings=(*control.findings, *cross.findings),
     )
 
 

@@ -5,14 +5,18 @@ definition keeps its word.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import partial
 from pathlib import Path
-
-import numpy as np
 
 from compwright.controllers.virtual import KNOWN, virtual_control
 from compwright.formats.control_format import shape_words
+from compwright.formats.definition.extends import Find, found_in
 from compwright.formats.definition.options import describe_options, resolve_options
-from compwright.formats.definition.reading import definitions_from, load_definition
+from compwright.formats.definition.reading import (
+    definitions_from,
+    given_twice,
+    load_definition,
+)
 from compwright.formats.definition.schema import (
     Choice,
     Definition,
@@ -20,13 +24,19 @@ from compwright.formats.definition.schema import (
     Measure,
     OptionValue,
 )
-from compwright.formats.gate.gate import AGREEMENT, check_definition
+from compwright.formats.gate.gate import check_definition, disagreements
 from compwright.foundations import storage
-from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
-from compwright.foundations.units import TO_INSIDE
-from compwright.records.axis import Direction
+from compwright.foundations.errors import CompwrightError, Fault, InputError, raise_all
 from compwright.records.correction import ControlFile
+from compwright.workflow.stages.definitions import (
+    definition_named,
+    definitions_at,
+    is_base,
+    is_path,
+    own_definition,
+)
 
+NOT_JUDGED = "not independently judged: there is no virtual control for it"
 _PAIRINGS = {
     "none": "one curve for both directions",
     "two_columns": "one curve for each direction, in two columns",
@@ -50,23 +60,14 @@ def list_formats() -> tuple[str, ...]:
     return tuple(f"{name:<{width}}  {definition.title}" for name, definition in definitions.items())
 
 
-def show_format(format_id: str) -> tuple[str, ...]:
+def show_format(name: str) -> tuple[str, ...]:
     """Return what is known about a control as lines: form, quantities, limits, options, each with
-    its evidence.
+    its evidence. ``name``: an id that ships, or the path of a definition of one's own.
 
-    Raises UsageError for an unknown id, naming those that exist.
+    Raises UsageError for an unknown id, naming those that exist, InputError for a file that is no
+    definition.
     """
-    definitions = definitions_from(storage.definition_files())
-    if format_id not in definitions:
-        raise UsageError(
-            Fault(
-                message="no such control format",
-                place="format",
-                expected=" or ".join(definitions),
-                found=format_id,
-            )
-        )
-    definition = definitions[format_id]
+    definition = own_definition(Path(name)) if is_path(name) else definition_named(name, Path())
     lines = [f"{definition.id}: {definition.title}", ""]
     for heading, section in (
         ("The table", _table(definition)),
@@ -92,34 +93,23 @@ def check_formats(paths: Sequence[Path]) -> tuple[str, ...]:
     lines: list[str] = []
     faults: list[Fault] = []
     ids: dict[str, str] = {}
-    for file, content in _contents(paths):
+    for file, content, find in _contents(paths):
         try:
-            definition = load_definition(content, file)
+            definition = load_definition(content, file, find)
         except CompwrightError as error:
             faults.extend(error.faults)
             continue
         found = check_definition(definition)
         judged = definition.id in KNOWN
         if not found and judged:
-            found = tuple(fault.in_file(file) for fault in _judge(definition))
+            found = tuple(_judge(definition))
         faults.extend(found)
         if definition.id in ids:
-            faults.append(
-                Fault(
-                    message="the id is given twice",
-                    file=file,
-                    place="id",
-                    found=f"{definition.id} ({ids[definition.id]})",
-                )
-            )
+            faults.append(given_twice(definition, ids[definition.id]))
         ids[definition.id] = file
         if not found:
             positions = sum(len(expectation.at) for expectation in definition.expect)
-            says = (
-                "by the virtual control too"
-                if judged
-                else "not independently judged: there is no virtual control for it"
-            )
+            says = "by the virtual control too" if judged else NOT_JUDGED
             lines.append(
                 f"{file}: {definition.id}: {positions} positions worked by hand agree, {says}; the"
                 " sample is read back as written; every limit is kept"
@@ -140,11 +130,10 @@ def _judge(definition: Definition) -> Iterator[Fault]:
     """Yield a fault for every hand-worked correction on which the virtual control does not
     agree.
     """
-    for expectation in definition.expect:
+    for index, expectation in enumerate(definition.expect):
         files = [
             ControlFile(name, text.encode("utf-8")) for name, text in expectation.files.items()
         ]
-        place = f"expect, {expectation.name}"
         try:
             control = virtual_control(
                 definition.id,
@@ -156,45 +145,30 @@ def _judge(definition: Definition) -> Iterator[Fault]:
                     "axis": expectation.axis,
                 },
             )
-            factor = TO_INSIDE[expectation.unit][1]
-            for point in expectation.at:
-                for direction, expected in (
-                    (Direction.POSITIVE, point.positive),
-                    (Direction.NEGATIVE, point.negative),
-                ):
-                    found = (
-                        float(
-                            control.correction(
-                                expectation.axis, np.array([point.position]), direction
-                            )[0]
-                        )
-                        / factor
-                    )
-                    if not abs(found - expected) <= AGREEMENT:
-                        yield Fault(
-                            message=(
-                                f"the virtual control does not agree at {point.position:g} arriving"
-                                f" in {direction.value}"
-                            ),
-                            place=place,
-                            expected=f"{expected:g} {expectation.unit}",
-                            found=f"{found:.9g} {expectation.unit}",
-                        )
+            yield from disagreements(
+                definition,
+                index,
+                partial(control.correction, expectation.axis),
+                "the virtual control does not agree at {}",
+            )
         except CompwrightError as error:
+            place = f"expect, {expectation.name}"
             yield from (
-                Fault(message=f"the virtual control: {fault}", place=place)
+                definition.text.fault(
+                    ("expect", index), f"the virtual control: {fault}", place=place
+                )
                 for fault in error.faults
             )
 
 
-def _contents(paths: Sequence[Path]) -> Iterator[tuple[str, bytes]]:
+def _contents(paths: Sequence[Path]) -> Iterator[tuple[str, bytes, Find]]:
     if not paths:
-        yield from storage.definition_files()
-        return
+        files = dict(storage.definition_files())
+        for name, content in files.items():
+            if not is_base(Path(name)):
+                yield name, content, found_in(files)
     for path in paths:
-        for entry in storage.list_files(path):
-            if entry == path or entry.suffix.lower() in {".yaml", ".yml"}:
-                yield str(entry), storage.read_bytes(entry)
+        yield from definitions_at(path)
 
 
 def _table(definition: Definition) -> Iterator[str]:

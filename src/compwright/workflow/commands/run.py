@@ -65,7 +65,7 @@ def run_job(
     results = result_files(finished)
     files = results.files
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
-    sets = [f"{name}/{job.format}" for name in ("tables", "rollback")]
+    sets = [f"{name}/{finished.measured.control.id}" for name in ("tables", "rollback")]
     paths = storage.write_files(
         out,
         files,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -29,10 +29,11 @@ from compwright.workflow.stages.after_tests import after_tests, read_again
 from compwright.workflow.stages.control import (
     Control,
     DecodedState,
-    Origin,
     decode,
     named_axes,
     open_control,
+    origin_of,
+    plan_origin,
     read_files,
     settled_by_files,
 )
@@ -106,7 +107,8 @@ def verify_job(
         *old_circles(plan, measured),
     ]
     verdict = _verdict(axes, circles, general)
-    document = verification_document(plan.format, axes, verdict, circles, general)
+    said = [*control.findings, *general]
+    document = verification_document(plan.format, axes, verdict, circles, said)
     files, notes = _files(job, control, axes, circles, document)
     elsewhere = {} if json_path is None else {json_path: files["verification.json"]}
     written = storage.write_files(out, files, force=force, elsewhere=elsewhere)
@@ -125,9 +127,11 @@ def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, Decode
     Raises InputError for the plan of another job.
     """
     plan = read_plan(storage.read_bytes(file), str(file))
-    control = open_control(plan.format, plan.options, Origin(str(file), "format", "options."))
-    if job.format != plan.format:
-        raise InputError(stale("format", job.format, plan.format, str(file)))
+    control = open_control(plan.format, plan.options, plan_origin(plan, file))
+    named = open_control(job.format, job.options, replace(origin_of(job), carried=plan.definition))
+    if named.id != plan.format:
+        raise InputError(stale("format", named.id, plan.format, str(file)))
+    control = replace(control, notes=named.notes)
     job, _ = named_axes(job, control)
     known = [entry.axis for entry in plan.axes.values()]
     states = {
@@ -135,8 +139,7 @@ def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, Decode
         for name, files in plan.states.items()
     }
     job = settled_by_files(job, states, AS_FOUND)
-    options = open_control(job.format, job.options).options
-    faults = stale_plan(job, plan, str(file), options=options, read=partial(read_again, job))
+    faults = stale_plan(job, plan, str(file), options=named.options, read=partial(read_again, job))
     raise_all(InputError, faults)
     return plan, control, job, states
 

@@ -72,7 +72,9 @@ def card_document(
         "restore": _restore(control, inputs),
         "files": [f"tables/{control.id}/{file.name}" for file in (loaded.files if loaded else ())],
         "proven": (
-            "; ".join(", ".join(entry.values()) for entry in job.proven)
+            "; ".join(
+                ", ".join(entry.values()) for entry in (*control.definition.proven, *job.proven)
+            )
             or "not yet: the first good verification on this machine proves it"
         ),
     }

@@ -43,11 +43,12 @@ def result_files(finished: Finished) -> Results:
     tests = [result for work in finished.works.values() for result in work.results]
     evaluation = evaluations(tests, [work.result for work in finished.wanted.circles])
     prediction = prediction_document(
-        finished.measured.job.format,
+        finished.measured.control.id,
         finished.predicted.axes,
         finished.written.cross.totals,
         finished.predicted.circles,
         finished.doubts,
+        judged=finished.measured.control.definition.judged,
     )
     files = {
         "evaluation.json": to_json(evaluation).encode(),

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -20,20 +19,34 @@ from compwright.formats.definition.options import (
     ENCODER_SYSTEM,
     TABLE_VALUES,
 )
-from compwright.formats.definition.reading import definitions_from
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
+from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile, ControlState, CrossCompensation
 from compwright.records.job import AxisJob, Job
+from compwright.records.plan import Plan, Texts
+from compwright.workflow.stages.definitions import (
+    carried_definition,
+    definition_named,
+    is_path,
+    own_definition,
+)
+from compwright.workflow.stages.read_once import ReadOnce
 
 #: Largest difference of the two readers, mm or deg: a control that keeps single precision rounds 1
 #: mm to 6e-8 mm.
 AGREEMENT = 2e-7
+#: What stands in every result for a definition of one's own, by the id of the control.
+READ_BACK = (
+    "Read back, not independently judged: only your own definition of {} says what its files do. A"
+    " sign or a unit that is wrong in it is wrong in all of this. Prove it on the machine, at one"
+    " position and from both sides, before the whole table acts"
+)
 #: Positions of tables of which only one reader knows, mm or deg: every 5 mm of the longest
 #: machines.
 EVERYWHERE = np.linspace(-5000.0, 5000.0, 2001)
@@ -58,11 +71,15 @@ def _shown(value: object) -> str:
 class Origin:
     """Where a control's name and options were given, for messages: file, place of the name, what
     stands before an option.
+
+    ``folder``: what the path of a definition is relative to; ``carried``: the one in the plan.
     """
 
     file: str = ""
     format_place: str = "--format"
     before_option: str = "--option "
+    folder: Path = Path()
+    carried: Texts = ()
 
     def named(self, error: UsageError) -> UsageError:
         """Return the error with every fault of an option placed where the option was given."""
@@ -79,17 +96,26 @@ COMMAND_LINE = Origin()
 
 def origin_of(job: Job) -> Origin:
     """Return where a job says which control it is for."""
-    return (
-        Origin(job.file, "controller.format", "controller.options.") if job.file else COMMAND_LINE
-    )
+    if not job.file:
+        return COMMAND_LINE
+    folder = Path(job.file).parent
+    return Origin(job.file, "controller.format", "controller.options.", folder)
+
+
+def plan_origin(plan: Plan, file: Path) -> Origin:
+    """Return where a plan says which control it is for."""
+    return Origin(str(file), "format", "options.", carried=plan.definition)
 
 
 @dataclass(frozen=True, slots=True)
 class Control:
-    """A control by its definition, with every option settled."""
+    """A control by its definition, with every option settled; ``notes``: what is to be said of the
+    definition.
+    """
 
     format: Family
     origin: Origin = COMMAND_LINE
+    notes: tuple[Finding, ...] = ()
 
     @property
     def definition(self) -> Definition:
@@ -110,6 +136,13 @@ class Control:
     def id(self) -> str:
         """The format's name."""
         return self.definition.id
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What has to be known of results for this control: whether they were judged."""
+        if self.definition.judged == "independent":
+            return self.notes
+        return (Finding("CW-S060", "warning", READ_BACK.format(self.id)), *self.notes)
 
     def in_state(self, state: ControlState) -> Control:
         """Return the control with the options that its own files answer (such as the machine's
@@ -154,56 +187,65 @@ class DecodedState:
 
     files: tuple[ControlFile, ...]
     state: ControlState
-    judge: VirtualControl | None
+    judge: VirtualControl | ReadOnce | None
 
 
 def open_control(
     format_id: str, given: Mapping[str, object], origin: Origin = COMMAND_LINE
 ) -> Control:
-    """Return a control by name. Raises UsageError for an unknown name or option (saying which
-    exist).
+    """Return a control by its id, or by the path of a definition of one's own. Raises UsageError
+    for an unknown name or option (saying which exist), and with every fault of such a definition.
     """
     try:
-        definition = _definition(format_id)
+        definition, notes = _definition(format_id, origin)
     except UsageError as error:
-        faults = (replace(fault, place=origin.format_place) for fault in error.faults)
+        faults = (
+            fault if fault.file else replace(fault, place=origin.format_place)
+            for fault in error.faults
+        )
         raise UsageError(*(fault.in_file(origin.file) for fault in faults)) from error
     try:
         format_ = control_format(definition, dict(given))
     except UsageError as error:
         raise origin.named(error) from error
-    return Control(format=format_, origin=origin)
+    return Control(format=format_, origin=origin, notes=notes)
 
 
-@cache  # by content: a job is checked before it is done, and reading a definition takes a while
-def _definitions(*files: tuple[str, bytes]) -> Mapping[str, Definition]:
-    return definitions_from(files)
-
-
-def _definition(format_id: str) -> Definition:
-    """Return a definition by its id, reading only the file of that name where there is one (reading
-    all takes a while).
+def _definition(name: str, origin: Origin) -> tuple[Definition, tuple[Finding, ...]]:
+    """Return the definition of a control, and what has to be said of it. What a plan carries counts
+    before the file that it came from. Raises UsageError.
     """
-    files = dict(storage.definition_files())
-    own = f"{format_id}.yaml"
-    definitions = _definitions((own, files[own])) if own in files else {}
-    if format_id not in definitions:
-        definitions = _definitions(*files.items())
-    if format_id not in definitions:
-        raise UsageError(
-            Fault(
-                message="no such control format",
-                place="format",
-                expected=" or ".join(definitions),
-                found=format_id,
-            )
-        )
-    return definitions[format_id]
+    if not origin.carried:
+        return definition_named(name, origin.folder), ()
+    carried = carried_definition(origin.carried)
+    if name == carried.id:
+        return carried, ()
+    if not is_path(name):
+        return definition_named(name, origin.folder), ()
+    try:
+        found = own_definition(origin.folder / name)
+    except InputError as error:
+        if Path(name).name != Path(carried.file).name:
+            raise UsageError(*error.faults) from error
+        return carried, (_not_as_planned(carried, f"{name} can no longer be read"),)
+    if found.id != carried.id:
+        return definition_named(name, origin.folder), ()
+    same = [text for _, text in found.own] == [text for _, text in carried.own]
+    return carried, () if same else (_not_as_planned(carried, f"{name} has changed since the run"),)
+
+
+def _not_as_planned(carried: Definition, what: str) -> Finding:
+    return Finding(
+        "CW-S061",
+        "warning",
+        f"{what}: {carried.id} is taken as the plan carries it; run the job again to plan with"
+        " another definition",
+    )
 
 
 def named_axes(job: Job, control: Control) -> tuple[Job, tuple[Assumption, ...]]:
-    """Return the job with every axis named as the control names it, and what had to be assumed for
-    that.
+    """Return the job with control and axes named as the control names them, and what had to be
+    assumed for that.
 
     Raises UsageError for an address that the control cannot have, and for two axes at one address.
     """
@@ -236,7 +278,7 @@ def named_axes(job: Job, control: Control) -> tuple[Job, tuple[Assumption, ...]]
         assumed.extend([assumption] if assumption else [])
         axes[name] = replace(entry, axis=replace(entry.axis, address=address, gantry=gantry))
     raise_all(UsageError, faults)
-    return replace(job, axes=axes), tuple(assumed)
+    return replace(job, format=control.id, axes=axes), tuple(assumed)
 
 
 def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
@@ -280,7 +322,8 @@ def decode(
     active: bool | None = None,
     asking: bool = False,
 ) -> DecodedState:
-    """Read control files with both readers and hold them against each other.
+    """Read control files with both readers and hold them against each other; of a definition of
+    one's own with the one that there is.
 
     ``axes``: those of a job; ``address``: the one axis that is asked for. Either names the axis of
     a table that does not. ``written``: compwright wrote these files just now. ``active``: what the
@@ -309,6 +352,8 @@ def decode(
     named = [
         (each, axis) for axis in axes for each in (axis.address, axis.gantry) if each is not None
     ]
+    if control.definition.judged == "read_back":
+        return DecodedState(tuple(files), state, ReadOnce(state))
     alone = address or (axes[0].address if len(axes) == 1 else None)
     judge = virtual_control(
         control.id,
@@ -405,7 +450,7 @@ def _with_option(job: Job, states: Mapping[str, DecodedState], name: str) -> Job
     return replace(job, axes={key: settled(entry) for key, entry in job.axes.items()})
 
 
-def _judges(judge: VirtualControl, address: str) -> bool:
+def _judges(judge: VirtualControl | ReadOnce, address: str) -> bool:
     """Return whether the judge finds an axis in the files, which may spell it in another case."""
     return address.casefold() in {known.casefold() for known in judge.addresses()}
 

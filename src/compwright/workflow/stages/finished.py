@@ -88,6 +88,7 @@ class Finished:
         return Plan(
             version=__version__,
             format=job.format,
+            definition=self.measured.control.definition.carried,
             options=self.fitted.control.options,
             standard=job.standard,
             decision_rule=job.decision_rule,

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any
 
+from compwright.documents.plan import carried_definition
 from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, axis_options
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, UsageError, raise_all
@@ -14,21 +16,27 @@ from compwright.jobs.consistency import Contradiction
 from compwright.jobs.reading import read_job
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import Job
+from compwright.records.plan import Texts
 from compwright.workflow.stages.control import Control, Origin, open_control
 
 _YAML = {".yaml", ".yml"}
 
 
-def read_job_file(path: Path) -> Job:
-    """Read a job file. Raises InputError when it cannot be read, UsageError with every fault of the
-    job.
+def read_job_file(path: Path, plan: Path | None = None) -> Job:
+    """Read a job file. ``plan``: that of an earlier run, whose definition of one's own counts.
+
+    Raises InputError when it cannot be read, UsageError with every fault of the job.
     """
-    return read_job(storage.read_bytes(path), str(path), wrong_control)
+    carried = () if plan is None else carried_definition(storage.earlier_bytes(plan))
+    further = partial(wrong_control, folder=path.parent, carried=carried)
+    return read_job(storage.read_bytes(path), str(path), further)
 
 
-def wrong_control(data: Mapping[str, Any]) -> Iterator[Contradiction]:
+def wrong_control(
+    data: Mapping[str, Any], *, folder: Path = Path(), carried: Texts = ()
+) -> Iterator[Contradiction]:
     """Yield what is wrong with the control's name and options in a job's data, so that it stands
-    beside the other faults.
+    beside the other faults. ``folder``: what the path of a definition is relative to.
     """
     controller = data.get("controller")
     format_id = controller.get("format") if isinstance(controller, dict) else None
@@ -36,9 +44,12 @@ def wrong_control(data: Mapping[str, Any]) -> Iterator[Contradiction]:
     if not isinstance(format_id, str) or not isinstance(options, dict):
         return  # the schema says so
     try:
-        control = open_control(format_id, options, Origin(format_place="", before_option=""))
+        control = open_control(format_id, options, Origin("", "", "", folder, carried))
     except UsageError as error:
         for fault in error.faults:
+            if fault.file:  # a definition of one's own: its faults have places of their own
+                yield Contradiction(("controller", "format"), str(fault))
+                continue
             path = ("options", fault.place) if fault.place else ("format",)
             yield Contradiction(("controller", *path), fault.message, fault.expected, fault.found)
         return

@@ -35,7 +35,7 @@ class Measured:
     """What a job starts from: its files, with the axes as the control names them.
 
     ``acting``: what acts in each state, by its name. ``named``: what had to be assumed of names;
-    ``findings``: keys of the job on which nothing acts.
+    ``findings``: who read the control's files, keys of the job on which nothing acts.
     """
 
     job: Job
@@ -85,7 +85,7 @@ def measured(job: Job, folder: Path, out: Path) -> Measured:
         circles=circles,
         acting={name: acting(decoded, axes) for name, decoded in inputs.states.items()},
         named=named,
-        findings=tuple(idle),
+        findings=(*control.findings, *idle),
     )
 
 

@@ -1,0 +1,159 @@
+"""A definition that says only how it differs from another one: merged before anything is checked.
+
+The rules, as docs/formats.md tells them: mappings are merged key by key, everything else (lists
+too) is replaced whole; ``without`` takes keys of the extended text out before the merge.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import cache, reduce
+from typing import Any
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.foundations.yaml_reader import KeyPath, key_path_text, read_yaml
+from compwright.records.plan import Texts
+
+EXTENDS = "extends"
+WITHOUT = "without"
+#: What ships under such a name is extended by others and is no control by itself.
+BASE_ENDING = ".base.yaml"
+
+#: From the word after ``extends`` to the file that it means; None where there is none.
+Find = Callable[[str], tuple[str, bytes] | None]
+
+
+@dataclass(frozen=True, slots=True)
+class DefinitionText:
+    """A definition's plain data, merged; ``places``: file and line (from 1) of each key path."""
+
+    file: str
+    data: Any
+    places: Mapping[KeyPath, tuple[str, int]]
+
+    def fault(
+        self, path: KeyPath, message: str, *, expected: str = "", found: str = "", place: str = ""
+    ) -> Fault:
+        """Return a fault at a key path, in the file and on the line where it stands, or its nearest
+        ancestor. ``place``: what is said instead of the path.
+        """
+        probe = path
+        while probe and probe not in self.places:
+            probe = probe[:-1]
+        file, line = self.places.get(probe, (self.file, 0))
+        name = place or key_path_text(path)
+        where = ", ".join(part for part in (f"line {line}" if line else "", name) if part)
+        return Fault(message=message, file=file, place=where, expected=expected, found=found)
+
+
+def found_in(files: Mapping[str, bytes]) -> Find:
+    """Return what finds a definition among ``files`` by its file name, or by its id."""
+    return lambda name: next(
+        ((each, files[each]) for each in (name, f"{name}.yaml") if each in files), None
+    )
+
+
+#: A definition that stands for itself.
+NOTHING_ELSE: Find = found_in({})
+
+
+def texts_of(content: bytes, file: str, find: Find) -> Texts:
+    """Return a definition's text with all that it extends. Raises InputError for what is no YAML,
+    for a name that ``find`` does not know, and for a text that extends itself.
+    """
+    texts = [(file, content)]
+    while True:
+        text = _text(*texts[-1])
+        if not isinstance(text.data, dict) or EXTENDS not in text.data:
+            return tuple(texts)
+        name = text.data[EXTENDS]
+        found = find(name) if isinstance(name, str) else None
+        if found is None:
+            message = "extends a definition that is not there"
+            expected = "a file beside it, or the id or file name of one that ships"
+            raise InputError(
+                text.fault((EXTENDS,), message, expected=expected, found=str(name)[:60])
+            )
+        if found in texts:
+            raise InputError(text.fault((EXTENDS,), "extends itself", found=name))
+        texts.append(found)
+
+
+def merged(texts: Texts) -> DefinitionText:
+    """Return the whole definition. Raises InputError with every fault of ``without``."""
+    return reduce(_over, [_text(*each) for each in reversed(texts)])
+
+
+@cache  # by content: a base is read once for all that extend it
+def _text(file: str, content: bytes) -> DefinitionText:
+    document = read_yaml(content, file)
+    return DefinitionText(
+        file, document.data, {path: (file, line) for path, line in document.lines.items()}
+    )
+
+
+def _over(under: DefinitionText, over: DefinitionText) -> DefinitionText:
+    """Return what ``over`` says on top of ``under``."""
+    gone = _left_out(under, over)
+    own = {key: value for key, value in over.data.items() if key not in (EXTENDS, WITHOUT)}
+    replaced = set(gone)
+    data = _merge(_less(under.data, gone, ()), own, (), replaced)
+    kept = {
+        path: place
+        for path, place in under.places.items()
+        if not any(path[:size] in replaced for size in range(1, len(path) + 1))
+    }
+    said = {path: place for path, place in over.places.items() if path[0] in own}
+    return DefinitionText(over.file, data, {**kept, **said})
+
+
+def _left_out(under: DefinitionText, over: DefinitionText) -> set[KeyPath]:
+    """Return the key paths that ``over`` takes out. Raises InputError."""
+    listed = over.data.get(WITHOUT, [])
+    if not isinstance(listed, list):
+        raise InputError(
+            over.fault((WITHOUT,), "has the wrong form", expected="a list of key paths")
+        )
+    names = {
+        key_path_text(path): path
+        for path in under.places
+        if not any(isinstance(part, int) for part in path)
+    }
+    faults = [
+        over.fault(
+            (WITHOUT, index),
+            f"{under.file} has no such key",
+            expected=next(iter(get_close_matches(str(name), names, 1)), "a key path such as a.b"),
+            found=str(name)[:60],
+        )
+        for index, name in enumerate(listed)
+        if str(name) not in names
+    ]
+    if faults:
+        raise InputError(*faults)
+    return {names[name] for name in listed}
+
+
+def _less(data: Any, gone: set[KeyPath], path: KeyPath) -> Any:
+    if not gone or not isinstance(data, dict):
+        return data
+    return {
+        key: _less(value, gone, (*path, key))
+        for key, value in data.items()
+        if (*path, key) not in gone
+    }
+
+
+def _merge(under: Any, over: Any, path: KeyPath, replaced: set[KeyPath]) -> Any:
+    if not isinstance(under, dict) or not isinstance(over, dict):
+        replaced.add(path)
+        return over
+    return {
+        **under,
+        **{
+            key: _merge(under[key], value, (*path, key), replaced) if key in under else value
+            for key, value in over.items()
+        },
+    }

@@ -1,0 +1,144 @@
+"""Where the definition of a control comes from: what ships, by its id; a file of the user's own, by
+its path; a plan that carries one.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+from compwright.formats.definition.extends import BASE_ENDING, Find, found_in
+from compwright.formats.definition.reading import (
+    definition_of,
+    definitions_from,
+    load_definition,
+)
+from compwright.formats.definition.schema import Definition
+from compwright.formats.gate.gate import check_definition
+from compwright.foundations import storage
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.plan import Texts
+
+_YAML = (".yaml", ".yml")
+#: The largest definition that ships has a tenth of it; YAML of 256 MiB would be read for hours.
+_MOST_BYTES = 1024 * 1024
+
+
+def is_path(name: str) -> bool:
+    """Return whether the name of a control is that of a file, not an id."""
+    return name.lower().endswith(_YAML) or "/" in name or "\\" in name
+
+
+def definition_named(name: str, folder: Path) -> Definition:
+    """Return the definition of an id that ships, or of a file of the user's own that passes the
+    gate. ``folder``: what its path is relative to.
+
+    Raises UsageError for an unknown id (saying which exist) and with every fault of a file.
+    """
+    if not is_path(name):
+        return _shipped(name)
+    try:
+        definition = own_definition(folder / name)
+        raise_all(InputError, _gate(definition.own))
+    except InputError as error:
+        raise UsageError(*error.faults) from error
+    return definition
+
+
+def own_definition(path: Path) -> Definition:
+    """Return the definition in a file of the user's own, its keys checked.
+
+    What it extends lies beside it, or ships. Raises InputError with every fault, and for an id
+    that ships: results and folders are named by it.
+    """
+    definition = load_definition(_content(path), str(path), _beside(path.parent), own=True)
+    shipped = {Path(name).stem.casefold() for name, _ in storage.definition_files()}
+    if definition.id.casefold() in shipped:
+        raise InputError(
+            definition.text.fault(
+                ("id",),
+                "is the id of a control that ships, which no file can take",
+                expected=f"an id of its own, such as my-{definition.id}; or {definition.id} itself"
+                " in the place of the file's name",
+                found=definition.id,
+            )
+        )
+    return definition
+
+
+def carried_definition(texts: Texts) -> Definition:
+    """Return the definition that a plan carries. Raises InputError with every fault."""
+    raise_all(InputError, _gate(texts))
+    return definition_of(texts, own=True)
+
+
+def definitions_at(path: Path) -> list[tuple[str, bytes, Find]]:
+    """Return the definitions in a file or folder: name, bytes, and where what they extend lies.
+    Raises InputError for what cannot be read, and for a base that was named alone.
+    """
+    if is_base(path):
+        message = "is only extended by others, and no control by itself"
+        raise InputError(Fault(message=message, file=str(path), expected="what extends it"))
+    return [
+        (str(entry), _content(entry), _beside(entry.parent))
+        for entry in storage.list_files(path)
+        if entry == path or (entry.name.lower().endswith(_YAML) and not is_base(entry))
+    ]
+
+
+def is_base(path: Path) -> bool:
+    """Return whether a file is only extended by others, and no control by itself."""
+    return path.name.endswith(BASE_ENDING)
+
+
+@cache  # by content: a job is checked before it is done
+def _gate(texts: Texts) -> tuple[Fault, ...]:
+    return check_definition(definition_of(texts, own=True))
+
+
+def _content(path: Path) -> bytes:
+    content = storage.read_bytes(path)
+    if len(content) > _MOST_BYTES:
+        expected = f"a definition of a control, at most {_MOST_BYTES} bytes"
+        found = f"{len(content)} bytes"
+        raise InputError(
+            Fault(message="is too large", file=str(path), expected=expected, found=found)
+        )
+    return content
+
+
+def _beside(folder: Path) -> Find:
+    """Return what finds a definition that is extended: a YAML file seen from ``folder``, else what
+    ships.
+    """
+
+    def find(name: str) -> tuple[str, bytes] | None:
+        path = folder / name
+        if is_path(name) and storage.is_there(path):
+            return str(path), _content(path)
+        return found_in(dict(storage.definition_files()))(name)
+
+    return find
+
+
+def _shipped(format_id: str) -> Definition:
+    """Return a definition that ships, reading only the file of that name where there is one
+    (reading all takes a while).
+    """
+    files = dict(storage.definition_files())
+    own = f"{format_id}.yaml"
+    if own in files and not own.endswith(BASE_ENDING):
+        named = load_definition(files[own], own, found_in(files))
+        if named.id == format_id:
+            return named
+    definitions = definitions_from(files.items())
+    if format_id not in definitions:
+        raise UsageError(
+            Fault(
+                message="no such control format",
+                place="format",
+                expected=" or ".join([*definitions, "the path of a file *.yaml"]),
+                found=format_id,
+            )
+        )
+    return definitions[format_id]
