@@ -87,8 +87,8 @@ def test_a_late_machine_is_seen_where_it_is() -> None:
 @pytest.mark.parametrize("sense", [1.0, -1.0])
 def test_a_spike_is_that_of_the_exact_machine(axis: str, sense: float) -> None:
     of = samples(sense)
-    decay = {f"decay_{axis}": 6.0}
-    machine = Machine(**{f"reversal_spike_{axis}": 5.0}, **decay)
+    causes: dict[str, Any] = {f"reversal_spike_{axis}": 5.0, f"decay_{axis}": 6.0}
+    machine = Machine(**causes)
     spike, change = spike_columns(of, axis, 6.0, 5.0)
     exact = distance(machine, Setup(), of.theta, sense) - R
     assert 5.0 * radial(of, spike.x, spike.y) == pytest.approx(exact, abs=1e-6)

@@ -118,6 +118,14 @@ def test_long_linear_axes_have_two_tests() -> None:
     assert [(finding.code, finding.severity) for finding in repeated] == [("CW-T005", "warning")]
     part = codes(planned(500.0 + dithered(2000, 11), 5), travel=(0.0, 3000.0))
     assert part == ["CW-T005"]
+    # just 2 000 mm with n = 5 is what the standard asks for: no warning
+    span = planned(500.0 + np.r_[0.0, dithered(1800, 9) + 100.0, 2000.0], 5)
+    (said,) = [
+        finding
+        for finding in plan_findings(span, "iso230-2:2014", (0.0, 3000.0), ())
+        if finding.code == "CW-T005"
+    ]
+    assert said.severity == "info"
     assert codes(planned(dithered(2000, 11), 5)) == []
 
 

@@ -5,6 +5,7 @@ of fresh tests.
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -195,7 +196,8 @@ UNITS = {
 def test_a_cause_is_spread_over_the_circle_as_on_the_exact_machine(name: str, sense: str) -> None:
     """What the doubt about a cause adds to a fresh test is that cause's own radial deviation."""
     value = UNITS[name]
-    test = measured(Machine(**{name: value}), Setup(samples=90, senses=(sense,)))
+    cause: dict[str, Any] = {name: value}
+    test = measured(Machine(**cause), Setup(samples=90, senses=(sense,)))
     (run,) = test.runs
     assert value * _columns(test, run)[name] == pytest.approx(run.deviations, abs=3e-8)
 
@@ -219,7 +221,7 @@ def test_the_noise_of_a_fresh_test_is_what_a_parabola_leaves() -> None:
     """A parabola is no noise; of independent noise the smoothing over 11 samples leaves in the
     residual 1 - 0.2075 of the variance in the middle (quadratic Savitzky-Golay weights: 89/429).
     """
-    angles = (np.arange(720) + 0.5) / 2.0
+    angles = np.asarray((np.arange(720) + 0.5) / 2.0, dtype=np.float64)
     along = np.mod(angles, 90.0) / 90.0
     smooth = 0.01 * (along - 0.3) ** 2
     assert _smoothed(CircularRun(sense="ccw", angles=angles, deviations=smooth)) == pytest.approx(
