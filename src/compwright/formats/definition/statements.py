@@ -36,6 +36,7 @@ _PIECE = re.compile(
 )
 #: A form that ends in a group which stands once or several times: ``N#03620Q1(A{axis}P{value})*``.
 _GROUPED = re.compile(r"(?P<before>.*)\((?P<group>[^()]*)\)\*")
+_NAME = re.compile(r"[A-Za-z]*#0*([0-9]+)|[$\w.]+")
 _LINE_NUMBER = re.compile(
     r"[ \t\r]*[A-Za-z][ \t]*0*([0-9]+)"
 )  # a stray carriage return does not hide a line
@@ -115,6 +116,14 @@ def line_number(text: str) -> str | None:
     """
     match = _LINE_NUMBER.match(text)
     return match[1] if match else None
+
+
+def name_in_form(form: str) -> str:
+    """Return the control's name of what a form holds: its first word (``$MA_BACKLASH``), or the
+    number of a parameter (``N#01851Q1(A{axis}P{value})*`` -> ``1851``).
+    """
+    match = _NAME.match(form)
+    return "" if match is None else match[1] or match[0]
 
 
 def field_names(form: str) -> tuple[str, ...]:

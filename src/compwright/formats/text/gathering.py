@@ -12,8 +12,6 @@ from compwright.formats.definition.statements import Occurrence
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.axis_names import AxisNames, axis_names
 from compwright.formats.text.texts import ReadText
-from compwright.foundations.errors import Fault
-from compwright.foundations.findings import Finding
 
 #: Address and measuring system (as counted in the text); None: the text has none of it.
 Key = tuple[str | None, str | None]
@@ -144,47 +142,6 @@ def _text(definition: Definition, binding: Binding, occurrence: Occurrence) -> s
     if definition.statements[occurrence.statement].fields.get(binding.field) == "truth":
         return _TRUTH.get(text.upper(), text)
     return text
-
-
-def the_one(
-    binding: Binding,
-    places: Sequence[Found],
-    label: str,
-    faults: list[Fault],
-    findings: list[Finding],
-) -> Found | None:
-    """Return the value that counts among several, by the rule of its binding; several files have to
-    agree.
-    """
-    if not places:
-        return None
-    by_file: dict[int, list[Found]] = {}
-    for place in places:
-        by_file.setdefault(place.number, []).append(place)
-    chosen = [group[0] if binding.repeated == "first" else group[-1] for group in by_file.values()]
-    rivals = places if binding.repeated == "same" else chosen
-    for rival in rivals:
-        if not same_value(rival.text, chosen[0].text):
-            faults.append(
-                Fault(
-                    message=f"{label} contradicts {chosen[0].where}",
-                    file=rival.occurrence.file,
-                    place=rival.occurrence.place,
-                    expected=chosen[0].text,
-                    found=rival.text,
-                )
-            )
-            return None
-    if any(not same_value(place.text, chosen[0].text) for place in places):
-        findings.append(
-            Finding(
-                "CW-S003",
-                "info",
-                f"{label} is given several times; the {binding.repeated} value counts:"
-                f" {chosen[0].text} ({chosen[0].where})",
-            )
-        )
-    return chosen[0]
 
 
 def first_set(places: Sequence[Found]) -> list[Found]:

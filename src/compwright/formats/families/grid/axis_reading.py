@@ -13,16 +13,16 @@ import numpy as np
 
 from compwright.formats.definition.consistency import curves, grid
 from compwright.formats.definition.options import ENCODER_SYSTEM, REFERENCE, REFERENCE_RETURN
-from compwright.formats.definition.schema import Binding, Choice, Definition
+from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.grid.systems import SystemChoice
 from compwright.formats.families.grid.tables import Table, TableSource, read_table
 from compwright.formats.families.limits import SAME_TURN
-from compwright.formats.text.gathering import Found, Gathered, first_set, same_value, the_one
+from compwright.formats.text.gathering import Found, Gathered, first_set
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import Scale, in_range
+from compwright.formats.text.values import Values
 from compwright.foundations.errors import Fault
-from compwright.foundations.findings import Finding
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, Fact
@@ -66,6 +66,7 @@ class AxisReader:
         self.system = self._measuring_system(options)
         if self.system is not None:
             self.label += f", measuring system {int(self.system) + 1}"
+        self.values = Values(self.definition, self.label, notes)
         self.rows = gathered.rows.get((address, self.system), []) if rows is None else rows
         self.options = self._settled(options)
 
@@ -150,73 +151,22 @@ class AxisReader:
         """Return the value that counts. Unless ``quiet``, contradictions and repetitions are noted
         (once, where it is used).
         """
-        binding = self.definition.bindings.get(quantity)
-        if binding is None:
-            return None
         places = self.gathered.found(quantity, self.address, self.system)
-        faults: list[Fault] = []
-        findings: list[Finding] = []
-        found = the_one(
-            binding, places, f"{self.label}: {self._name_in_file(binding)}", faults, findings
-        )
-        known = self.notes.faults
-        self.notes.faults.extend(fault for fault in faults if fault not in known)
-        if not quiet:
-            self.notes.findings.extend(findings)
-        return found
-
-    def _name_in_file(self, binding: Binding) -> str:
-        form = self.definition.statements[binding.statement].form
-        return form.split("{", 1)[0].rstrip(" =[")
+        return self.values.one(quantity, places, quiet=quiet)
 
     def _word(self, quantity: str) -> str | None:
         """Return the neutral word of a choice that is in the files, else None."""
-        binding = self.definition.bindings.get(quantity)
-        found = self._single(quantity)
-        if found is None or not isinstance(binding, Choice):
-            return None
-        ignores_case = self.definition.dialect.case == "ignored"
-        for text, word in binding.values.items():
-            if same_value(text, found.text) or (
-                ignores_case and text.upper() == found.text.upper()
-            ):
-                return word
-        fault = Fault(
-            message=f"{self.label}: {self._name_in_file(binding)} has a value that is not known",
-            file=found.occurrence.file,
-            place=found.occurrence.place,
-            expected=f"one of {', '.join(binding.values)}",
-            found=found.text[:40],
-        )
-        if fault not in self.notes.faults:
-            self.notes.faults.append(fault)
-        return None
+        return self.values.word(quantity, self._single(quantity))
 
     def _choice(self, quantity: str) -> str | None:
         """Return the neutral word of a choice, with what counts when it is absent; None where the
         control has no such thing.
         """
-        binding = self.definition.bindings.get(quantity)
-        if binding is None:
+        if quantity not in self.definition.bindings:
             return None
         if self._single(quantity, quiet=False) is not None:
             return self._word(quantity)
-        return self._absent(binding)
-
-    def _absent(self, binding: Binding) -> str | None:
-        absent = binding.when_absent
-        if absent is None:
-            return None
-        name = self._name_in_file(binding)
-        if absent.say != "nothing":
-            self.notes.assume(
-                f"{self.label}: {name} ({binding.quantity.replace('_', ' ')})",
-                absent.value,
-                str(absent.evidence),
-            )
-        if absent.say == "warning":
-            self.notes.counted_as(self.label, name, absent.value)
-        return absent.value
+        return self.values.absent(quantity, quantity.replace("_", " "))
 
     def _measuring_system(self, options: Mapping[str, object]) -> str | None:
         systems = self.gathered.systems(self.address)
@@ -281,10 +231,9 @@ class AxisReader:
                 for row in self.rows
                 for name in self._value_fields()
             ):
-                binding = self.definition.bindings["enabled"]
                 said = self._word("enabled") if found is not None else None
                 acts = self.activity.settle(
-                    self.label, self._name_in_file(binding), said, found, self.notes
+                    self.label, self.values.name("enabled"), said, found, self.notes
                 )
                 if acts is not None:
                     if not acts:
@@ -447,11 +396,12 @@ class AxisReader:
         """Return the backlash value beside the table, and the constant correction that takes its
         place where there is no table.
         """
-        binding = self.definition.bindings.get("backlash")
-        if binding is None:
+        if "backlash" not in self.definition.bindings:
             return 0.0, 0.0
         found = self._single("backlash", quiet=False)
-        text = found.text if found is not None else self._absent(binding) or "0"
+        text = (
+            found.text if found is not None else self.values.absent("backlash", "backlash") or "0"
+        )
         value = scale.read("backlash", text)
         if found is not None and not in_range(self.definition.measure("backlash"), scale, value):
             low, high = scale.range("backlash")
@@ -468,7 +418,7 @@ class AxisReader:
             return float(value * self._backlash_factor()) + 0.0, 0.0
         if has_table and value != 0:
             self.notes.ignored(
-                self.label, f"{self._name_in_file(binding)} = {text}", "it has a table"
+                self.label, f"{self.values.name('backlash')} = {text}", "it has a table"
             )
         return 0.0, 0.0 if has_table else float(value) / 2.0
 
@@ -476,12 +426,8 @@ class AxisReader:
         """Return the factor on the backlash of the first parameter set; 1 where the files hold
         none.
         """
-        binding = self.definition.bindings.get("backlash_factor")
         places = first_set(self.gathered.found("backlash_factor", self.address, self.system))
-        if binding is None or not places:
-            return Decimal(1)
-        label = f"{self.label}: {self._name_in_file(binding)}"
-        found = the_one(binding, places, label, self.notes.faults, self.notes.findings)
+        found = self.values.one("backlash_factor", places)
         return Decimal(1) if found is None else Decimal(found.text)
 
     def _constant(self, half: float) -> Table:

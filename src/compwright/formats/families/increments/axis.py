@@ -22,9 +22,10 @@ from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.parameters import Parameters
 from compwright.formats.families.increments.points import POINTS_FROM, fault_at, number_list
 from compwright.formats.families.travel_limits import check_travel
-from compwright.formats.text.gathering import Found, Gathered, the_one
+from compwright.formats.text.gathering import Found, Gathered
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import Scale
+from compwright.formats.text.values import Values
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, Fact, Interpolation
@@ -84,6 +85,7 @@ class IncrementReader:
         self.axis = axis
         self.notes = notes
         self.label = f"axis {address}"
+        self.values = Values(definition, self.label, notes)
         self.said: dict[str, Found] = {}
         self.options = (
             self._settled(options) if asked else {**options, DETECTION_UNIT: 1.0}
@@ -95,21 +97,11 @@ class IncrementReader:
         """Return where a quantity stands, for this axis or for the whole machine."""
         if quantity not in self.definition.bindings:
             return None
-        binding = self.definition.bindings[quantity]
-        faults: list[Fault] = []
         places = self.gathered.found(quantity, self.address, None)
-        found = the_one(
-            binding, places, f"{self.label}: {self.name(quantity)}", faults, self.notes.findings
-        )
-        self.notes.faults.extend(fault for fault in faults if fault not in self.notes.faults)
+        found = self.values.one(quantity, places)
         if found is not None:
             self.said[quantity] = found
         return found
-
-    def name(self, quantity: str) -> str:
-        """Return the parameter's number."""
-        form = self.definition.statements[self.definition.bindings[quantity].statement].form
-        return form.split("#", 1)[-1][:5].lstrip("0").split("Q")[0]
 
     def integer(self, quantity: str) -> int | None:
         """Return a whole number; None where the files do not hold it."""
@@ -143,8 +135,8 @@ class IncrementReader:
                 self.notes.faults.append(
                     fault_at(
                         found,
-                        f"{self.label}: parameter {self.name(quantity)} is a length and needs a"
-                        " decimal point",
+                        f"{self.label}: parameter {self.values.name(quantity)} is a length and"
+                        " needs a decimal point",
                         "a number such as 50.0",
                         found.text,
                     )
@@ -595,13 +587,7 @@ class IncrementReader:
     def _backlash(self, kind: AxisKind) -> float:
         found = self.found("backlash")
         if found is None:
-            binding = self.definition.bindings["backlash"]
-            if binding.when_absent is not None:
-                name = self.name("backlash")
-                self.notes.assume(
-                    f"{self.label}: {name} (backlash)", "0", str(binding.when_absent.evidence)
-                )
-                self.notes.counted_as(self.label, name, "0")
+            self.values.absent("backlash", "backlash")
             return 0.0
         low, high = self.definition.measure("backlash").range
         value = int(Decimal(found.text))
@@ -648,7 +634,7 @@ class IncrementReader:
         if magnification == 0:
             self.notes.switched_off(self.label, "3623 is 0, the table is off")
             return None
-        missing = [self.name(name) for name, found in present.items() if found is None]
+        missing = [self.values.name(name) for name, found in present.items() if found is None]
         if missing:
             first = next(name for name, found in present.items() if found is not None)
             self._wrong(
@@ -725,7 +711,7 @@ class IncrementReader:
         return numbers
 
     def _wrong(self, quantity: str, message: str, expected: str, found: str = "") -> None:
-        name = self.name(quantity)
+        name = self.values.name(quantity)
         named = message if name in f"{message} {expected}" else f"{message} (parameter {name})"
         self.notes.faults.append(
             fault_at(self.said[quantity], f"{self.label}: {named}", expected, found)

@@ -17,9 +17,10 @@ from compwright.formats.definition.consistency import curves, has_cross
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.families.activity import Activity, Leadscrew
 from compwright.formats.families.grid.tables import Table, TableSource, read_table
-from compwright.formats.text.gathering import Found, Gathered, same_value, the_one
+from compwright.formats.text.gathering import Found, Gathered, same_value
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import Scale
+from compwright.formats.text.values import Values
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 
@@ -274,20 +275,10 @@ class _CecReader:
 
     def one(self, quantity: str, places: Mapping[str, Sequence[Found]], label: str) -> Found | None:
         """Return the value that counts."""
-        binding = self.definition.bindings[quantity]
-        name = self._name(quantity)
-        return the_one(
-            binding,
-            places.get(quantity, ()),
-            f"{label}: {name}",
-            self.notes.faults,
-            self.notes.findings,
-        )
+        return self._values(label).one(quantity, places.get(quantity, ()))
 
-    def _name(self, quantity: str) -> str:
-        return self.definition.statements[self.definition.bindings[quantity].statement].form.split(
-            "[", 1
-        )[0]
+    def _values(self, label: str) -> Values:
+        return Values(self.definition, label, self.notes)
 
     def table(self, index: int, places: Mapping[str, Sequence[Found]]) -> CecTable | None:
         """Return one table; None without one, when something is wrong with it, and when it is left
@@ -419,7 +410,7 @@ class _CecReader:
             if not self.gathered.names.known(self.gathered.axis(said[name].text)):
                 self._fault(
                     label,
-                    f"{self._name(name)} is no machine axis",
+                    f"{self._values(label).name(name)} is no machine axis",
                     said[name],
                     expected="a name of MD10000, or AX1 and so on",
                 )
@@ -447,7 +438,11 @@ class _CecReader:
             known = -1
         for name in _NEEDED:
             if name not in places:
-                self._fault(label, f"{self._name(name)} is missing", next(iter(places.values()))[0])
+                self._fault(
+                    label,
+                    f"{self._values(label).name(name)} is missing",
+                    next(iter(places.values()))[0],
+                )
         said = {name: found for name, found in singles.items() if found is not None}
         if known < 0:
             return None
@@ -531,10 +526,8 @@ class _CecReader:
                 ("cross_table_enabled", "cross_axis_enabled"), words, strict=True
             ):
                 if said == "no":
-                    message = (
-                        f"{label} is switched off in the files ({self._name(quantity)}); it"
-                        " corrects nothing"
-                    )
+                    name = self._values(label).name(quantity)
+                    message = f"{label} is switched off in the files ({name}); it corrects nothing"
                     self.notes.find("CW-S034", "info", message)
                     return False
             for quantity, said, owner in zip(
@@ -623,24 +616,17 @@ class _CecReader:
         """Return the neutral word of a choice, or what counts when it is absent, which is
         listed.
         """
-        binding = self.definition.bindings[quantity]
+        values = self._values(label)
         if found is None:
-            absent = binding.when_absent
-            if absent is None:
-                return None
-            if tell and absent.say != "nothing":
-                self.notes.assume(
-                    f"{label}: {self._name(quantity)}", absent.value, str(absent.evidence)
-                )
-            return absent.value
-        values: Mapping[str, str] = binding.values if isinstance(binding, Choice) else {}
-        word = next((word for text, word in values.items() if same_value(text, found.text)), None)
+            return values.absent(quantity, tell=tell)
+        binding = self.definition.choice(quantity)
+        word = values.known_word(binding, found.text)
         if word is None and notes is None:
             self._fault(
                 label,
-                f"{self._name(quantity)} has a value that is not known",
+                f"{values.name(quantity)} has a value that is not known",
                 found,
-                expected=" or ".join(values),
+                expected=" or ".join(binding.values),
             )
         return word
 

@@ -1,0 +1,98 @@
+"""The value that counts: which of several places in the files holds it, and what holds where none
+does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from compwright.formats.definition.schema import Choice, Definition
+from compwright.formats.definition.statements import name_in_form
+from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.notes import Notes
+from compwright.foundations.findings import Finding
+
+
+@dataclass(frozen=True, slots=True)
+class Values:
+    """The values of one axis or one table, which ``label`` names in messages."""
+
+    definition: Definition
+    label: str
+    notes: Notes
+
+    def name(self, quantity: str) -> str:
+        """Return the control's name of a quantity."""
+        statement = self.definition.bindings[quantity].statement
+        return name_in_form(self.definition.statements[statement].form)
+
+    def one(self, quantity: str, places: Sequence[Found], *, quiet: bool = False) -> Found | None:
+        """Return the place that counts: within a file the first, the last, or any where all have to
+        be the same, as the binding says; several files have to agree.
+
+        None where there is none, and where they contradict, which is a fault at the file and line
+        of the second. Unless ``quiet``, repetitions are told.
+        """
+        if not places:
+            return None
+        rule = self.definition.bindings[quantity].repeated
+        by_file: dict[int, list[Found]] = {}
+        for place in places:
+            by_file.setdefault(place.number, []).append(place)
+        chosen = [group[0] if rule == "first" else group[-1] for group in by_file.values()]
+        first = chosen[0]
+        for rival in places if rule == "same" else chosen:
+            if not same_value(rival.text, first.text):
+                message = f"{self.name(quantity)} contradicts {first.where}"
+                self.notes.refuse(self.label, message, rival, expected=first.text)
+                return None
+        if not quiet and any(not same_value(place.text, first.text) for place in places):
+            message = (
+                f"{self.label}: {self.name(quantity)} is given several times; the {rule} value"
+                f" counts: {first.text} ({first.where})"
+            )
+            self.notes.findings.append(Finding("CW-S003", "info", message))
+        return first
+
+    def word(self, quantity: str, found: Found | None) -> str | None:
+        """Return the neutral word of a choice; None where it stands nowhere.
+
+        A text that the definition does not know is a fault at its line.
+        """
+        binding = self.definition.bindings.get(quantity)
+        if found is None or not isinstance(binding, Choice):
+            return None
+        word = self.known_word(binding, found.text)
+        if word is None:
+            message = f"{self.name(quantity)} has a value that is not known"
+            expected = f"one of {', '.join(binding.values)}"
+            self.notes.refuse(self.label, message, found, expected=expected, found=found.text[:40])
+        return word
+
+    def known_word(self, binding: Choice, text: str) -> str | None:
+        """Return what a text of a choice means; None where the definition does not say it."""
+        ignores_case = self.definition.dialect.case == "ignored"
+        for known, word in binding.values.items():
+            if same_value(known, text) or (ignores_case and known.upper() == text.upper()):
+                return word
+        return None
+
+    def absent(self, quantity: str, meaning: str = "", *, tell: bool = True) -> str | None:
+        """Return what counts where a quantity stands in no file, and tell it as its rule says:
+        nothing, in the list of what was assumed, or with a warning too.
+
+        None without a rule. ``meaning``: what the name means, in words; not ``tell``: silently.
+        """
+        absent = self.definition.bindings[quantity].when_absent
+        if absent is None:
+            return None
+        name = self.name(quantity)
+        if not tell:
+            return absent.value
+        if absent.say != "nothing":
+            shown = f"{name} ({meaning})" if meaning else name
+            self.notes.assume(f"{self.label}: {shown}", absent.value, str(absent.evidence))
+        if absent.say == "warning":
+            self.notes.counted_as(self.label, name, absent.value)
+        return absent.value
