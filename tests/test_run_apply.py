@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import csv
 import json
+import re
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -158,6 +159,84 @@ def test_the_column_of_another_axis_has_the_sign_of_the_table_in_which_it_stands
     sign = 1 if expected == "correction" else -1
     assert typed(folder) == (expected, [0.0, pytest.approx(sign * 0.032, abs=8e-4)])
     assert f"values are {expected}s" in card(folder)
+
+
+SHEET = """# axis: {0}
+# address: {0}
+# format: heidenhain-nck
+# value: {1}
+# points: 2
+point,position,value,unit
+0,0.0000,0.0000,mm
+1,800.0000,0.0000,mm
+backLash,,0.0000,mm
+"""
+
+
+@pytest.mark.parametrize(
+    ("whole", "moving", "bent", "sheets", "expected", "tested"),
+    [
+        ("{table_values: correction}", "{}", "{}", (), "correction", False),
+        ("{}", "{table_values: correction}", "{}", (), "correction", True),
+        ("{}", "{table_values: correction}", "{}", (), "correction", False),
+        ("{}", "{}", "{table_values: correction}", (), "error", True),  # Y.COM is another table
+        ("{table_values: correction}", "{table_values: error}", "{}", (), "error", False),
+        ("{}", "{}", "{}", ("correction", "error"), "correction", True),
+        ("{}", "{}", "{}", ("correction", "error"), "correction", False),
+        ("{}", "{}", "{}", ("error", "correction"), "error", False),
+    ],
+)
+def test_run_and_export_type_in_a_column_with_one_sign(
+    *,
+    folder: Path,
+    capsys: pytest.CaptureFixture[str],
+    whole: str,
+    moving: str,
+    bent: str,
+    sheets: tuple[str, ...],
+    expected: str,
+    tested: bool,
+) -> None:
+    """Whoever says what the values of X.COM are: the table of X, its column of Y, and the plan that
+    is written again, with and without a test of X.
+    """
+    control, states = "heidenhain-nck", "none"
+    for axis, values in zip("XY", sheets, strict=False):
+        (folder / f"typed_{axis}.csv").write_text(SHEET.format(axis, values))
+        states = "[typed_X.csv, typed_Y.csv]"
+    x, y = (f"before: {test}, options: {own}" for test, own in (("[x.csv]", moving), ("[]", bent)))
+    x = x if tested else x.replace("x.csv", "")
+    assert run(folder, control, options=whole, x=x, y=y, states=states) == 0
+    capsys.readouterr()
+    sign = 1 if expected == "correction" else -1
+    assert typed(folder) == (expected, [0.0, pytest.approx(sign * 0.032, abs=8e-4)])
+    plan, out = folder / "job" / "plan.json", folder / "again"
+    assert compwright(["export", str(plan), "--format", control, "--out", str(out)]) == 0
+    said = re.search(r"([+-][\d.]+) mm at 800 \(values are (\w+)s\)", capsys.readouterr().err)
+    assert said is not None
+    assert said[2] == expected
+    assert float(said[1]) == pytest.approx(sign * 0.032, abs=8e-4)
+    for written in (*(folder / "job" / "tables").rglob("entry_X.csv"), *out.glob("entry_X.csv")):
+        assert f"# value: {expected}\n" in written.read_text(encoding="utf-8")
+    assert (out / "entry_X.csv").exists() is tested
+
+
+def test_a_plan_of_another_control_takes_the_meaning_of_values_from_the_sheet_in_this_one(
+    folder: Path,
+) -> None:
+    assert run(folder, "linuxcnc", x="before: [x.csv]", apply="{}") == 0
+    (folder / "typed.csv").write_text(SHEET.format("X", "correction"))
+    command = ["export", str(folder / "job" / "plan.json"), "--format", "heidenhain-nck"]
+    out = folder / "out"
+    assert compwright([*command, "--state", str(folder / "typed.csv"), "--out", str(out)]) == 0
+    lines = (out / "entry_X.csv").read_text(encoding="utf-8").splitlines()
+    assert "# value: correction" in lines
+    comp = (folder / "job" / "tables" / "linuxcnc" / "joint_0.comp").read_text().splitlines()
+    position, actual = (float(word) for word in comp[-1].split()[:2])
+    values = {float(row[1]): float(row[2]) for row in csv.reader(lines) if row[0].isdigit()}
+    # a joint's table holds positions less the correction; half of 0.0001 mm, and backlash by half
+    assert position - actual == pytest.approx(values[position], abs=0.003)
+    assert abs(values[position]) > 0.01
 
 
 def test_an_option_of_the_whole_control_is_none_of_one_axis(

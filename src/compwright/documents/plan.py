@@ -43,6 +43,7 @@ _T = TypeVar("_T")
 
 def plan_document(plan: Plan) -> dict[str, Any]:
     """Return a plan as plain data. It carries no dates: same input, same bytes."""
+    untested = {name: _record_out(axis) for name, axis in plan.untested.items()}
     return {
         "schema": SCHEMA,
         "version": plan.version,
@@ -66,6 +67,7 @@ def plan_document(plan: Plan) -> dict[str, Any]:
         "cross": [_cross_out(entry) for entry in plan.cross],
         "circles": {name: _circle_out(circle) for name, circle in plan.circles.items()},
         "results": dict(plan.results),
+        **({"untested": untested} if untested else {}),
     }
 
 
@@ -166,6 +168,7 @@ def _plan_in(data: Mapping[str, Any]) -> Plan:
         cross=tuple(_cross_in(entry) for entry in data.get("cross", ())),
         circles={str(name): _circle_in(circle) for name, circle in data.get("circles", {}).items()},
         results={str(name): str(digest) for name, digest in data.get("results", {}).items()},
+        untested={str(name): _record_in(axis) for name, axis in data.get("untested", {}).items()},
     )
 
 
@@ -256,7 +259,7 @@ def _circle_in(data: Mapping[str, Any]) -> PlannedCircle:
 
 def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
     return {
-        "axis": {**asdict(axis.axis), "options": dict(axis.axis.options)},
+        "axis": _record_out(axis.axis),
         "unit": axis.axis.kind.unit,
         "tests": [
             {"measured_in": entry.measured_in, **_test_out(entry.test)} for entry in axis.tests
@@ -270,15 +273,23 @@ def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
     }
 
 
-def _axis_in(data: Mapping[str, Any]) -> PlannedAxis:
-    raw = dict(data["axis"])
+def _record_out(axis: Axis) -> dict[str, Any]:
+    return {**asdict(axis), "options": dict(axis.options)}
+
+
+def _record_in(data: Mapping[str, Any]) -> Axis:
+    raw = dict(data)
     raw["kind"] = AxisKind(raw["kind"])
     raw["reference_return"] = Direction(raw["reference_return"])
     raw["encoder"] = Encoder(**raw["encoder"])
     raw["travel"] = (float(raw["travel"][0]), float(raw["travel"][1]))
     raw["screw_pitch"] = tuple(raw["screw_pitch"])
+    return Axis(**raw)
+
+
+def _axis_in(data: Mapping[str, Any]) -> PlannedAxis:
     return PlannedAxis(
-        axis=Axis(**raw),
+        axis=_record_in(data["axis"]),
         tests=tuple(
             PlannedTest(test=_test_in(entry), measured_in=str(entry["measured_in"]))
             for entry in data["tests"]

@@ -103,7 +103,8 @@ class Plan:
     other files of the run by their relative names, with the SHA-256 of each: by it the next run
     tells them from what the user has put or changed there. ``decision_rule``: how the limits were
     decided; empty where the plan of an older version does not say. ``definition``: of one's own,
-    its text and what it extends; empty for a control that ships.
+    its text and what it extends; empty for a control that ships. ``untested``: axes without a test
+    of their own that ``cross`` names.
     """
 
     version: str
@@ -121,3 +122,4 @@ class Plan:
     results: Mapping[str, str] = field(default_factory=dict)
     decision_rule: str = ""
     definition: Texts = ()
+    untested: Mapping[str, Axis] = field(default_factory=dict)

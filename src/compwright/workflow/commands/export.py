@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.documents.plan import read_plan
-from compwright.formats.text.addresses import normal_address
 from compwright.foundations import storage
 from compwright.foundations.errors import (
     CapacityError,
@@ -31,6 +30,7 @@ from compwright.workflow.stages.control import (
     decode,
     open_control,
     read_files,
+    settled_axis,
 )
 from compwright.workflow.stages.cross_tables import write_planned
 from compwright.workflow.stages.own_output import refuse_added_again
@@ -83,6 +83,7 @@ def export_plan(
     moved, taken = _axes_here(plan, control, addresses)
     state = _state(plan, control, list(moved.values()), states, str(path), active=active)
     refuse_added_again(plan, path, state)
+    moved = {name: settled_axis(axis, [state.state], control.given) for name, axis in moved.items()}
     control = control.in_state(state.state)
     fitted = []
     errors: list[CompwrightError] = []
@@ -110,10 +111,9 @@ def export_plan(
             )
         )
     files, _ = write_fitted(control, fitted, state)
-    axes = {axis.name: axis for axis, _ in fitted}
     tabled = [axis.name for axis, table in fitted if table.compensation.positions.size]
     cross = write_planned(
-        control, [_addressed(entry, moved) for entry in plan.cross], files, state, axes, tabled
+        control, [_addressed(entry, moved) for entry in plan.cross], files, state, moved, tabled
     )
     written = storage.write_files(
         out,
@@ -141,19 +141,23 @@ def _axes_here(
     stated, say nothing of another.
     """
     same = plan.format == control.id
-    crossing = {name for entry in plan.cross for name in (entry.input, entry.output)}
+    fitted = {name for name, entry in plan.axes.items() if entry.fitted is not None}
+    crossing = {name for entry in plan.cross for name in entry.pair} & set(plan.axes)
     axes: dict[str, Axis] = {}
     assumed = []
-    for name, entry in plan.axes.items():
-        if not (same or entry.fitted is not None or name in addresses or name in crossing):
+    for name, axis in _every(plan).items():
+        if not (same or name in fitted or name in addresses or name in crossing):
             continue
-        asked = addresses.get(name, entry.axis.address if same else name)
-        address, assumption = normal_address(control.definition, replace(entry.axis, address=asked))
-        axes[name] = replace(
-            entry.axis, address=address, options=entry.axis.options if same else {}
-        )
-        assumed += [assumption] if assumption is not None and entry.fitted is not None else []
+        asked = addresses.get(name, axis.address if same else name)
+        address, assumption = control.format.address(replace(axis, address=asked))
+        axes[name] = replace(axis, address=address, options=axis.options if same else {})
+        assumed += [assumption] if assumption is not None and name in fitted else []
     return axes, assumed
+
+
+def _every(plan: Plan) -> dict[str, Axis]:
+    """Return the axes of a plan by name, those without a test last."""
+    return {name: entry.axis for name, entry in plan.axes.items()} | dict(plan.untested)
 
 
 def _addressed(entry: PlannedCross, axes: Mapping[str, Axis]) -> PlannedCross:
@@ -187,10 +191,10 @@ def _unknown(addresses: Mapping[str, str], plan: Plan, file: str) -> list[Fault]
             message="the plan has no such axis",
             file=file,
             place=f"--option {ADDRESS}{name}",
-            expected=", ".join(plan.axes),
+            expected=", ".join(_every(plan)),
         )
         for name in addresses
-        if name not in plan.axes
+        if name not in _every(plan)
     ]
 
 

@@ -427,27 +427,26 @@ def settled_by_files(job: Job, states: Mapping[str, DecodedState], as_found: str
 
     ``states``: all that were read; ``as_found``: the name of the one that is in the control now.
     """
-    for name in (DETECTION_UNIT, TABLE_VALUES):
-        job = _with_option(job, states, name)
+    read = [decoded.state for decoded in states.values()]
+    axes = {
+        name: replace(entry, axis=settled_axis(entry.axis, read, job.options))
+        for name, entry in job.axes.items()
+    }
+    job = replace(job, axes=axes)
     return _with_systems_in_use(job, states[as_found].state) if as_found in states else job
 
 
-def _with_option(job: Job, states: Mapping[str, DecodedState], name: str) -> Job:
-    """Return the job with an option of every axis for which nobody gave it and the control's own
-    files say it.
+def settled_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str, object]) -> Axis:
+    """Return an axis with the options that nobody gave (``given``: the controller's) and that the
+    control's own files say of it.
     """
-
-    def settled(entry: AxisJob) -> AxisJob:
-        if name in entry.axis.options or job.options.get(name) is not None:
-            return entry
-        said = [
-            decoded.state.facts.get(entry.axis.address, {}).get(name) for decoded in states.values()
-        ]
+    options = dict(axis.options)
+    for name in (DETECTION_UNIT, TABLE_VALUES):
+        said = [state.facts.get(axis.address, {}).get(name) for state in states]
         found = next((one for one in said if one is not None), None)
-        options = entry.axis.options if found is None else {**entry.axis.options, name: found}
-        return replace(entry, axis=replace(entry.axis, options=options))
-
-    return replace(job, axes={key: settled(entry) for key, entry in job.axes.items()})
+        if found is not None and given.get(name) is None:
+            options.setdefault(name, found)
+    return replace(axis, options=options)
 
 
 def _judges(judge: VirtualControl | ReadOnce, address: str) -> bool:

@@ -85,6 +85,8 @@ class Finished:
             *(entry.test.sources for tests in inputs.tests.values() for entry in tests),
             *(work.planned.test.sources for work in circles),
         ]
+        axes = {name: work.planned for name, work in self.works.items()} | self.fitted.scales
+        crossing = {name for entry in self.written.cross.planned for name in entry.pair}
         return Plan(
             version=__version__,
             format=job.format,
@@ -92,10 +94,8 @@ class Finished:
             options=self.fitted.control.options,
             standard=job.standard,
             decision_rule=job.decision_rule,
-            axes={
-                **{name: work.planned for name, work in self.works.items()},
-                **self.fitted.scales,
-            },
+            axes=axes,
+            untested={name: job.axes[name].axis for name in job.axes if name in crossing - {*axes}},
             states={name: decoded.files for name, decoded in inputs.states.items()},
             active={name: job.active[name] for name in inputs.states if name in job.active},
             machine=job.machine,
