@@ -135,12 +135,16 @@ def print_form(form: str, values: Mapping[str, str]) -> str:
     """Return a form with its fields filled in; a repeating group stands once. Raises KeyError for a
     field without a value.
     """
-    grouped = _GROUPED.fullmatch(form)
-    text = f"{grouped['before']}{grouped['group']}" if grouped else form
     return "".join(
         values[piece["field"]] if piece["field"] else piece["padded"] or piece[0]
-        for piece in _PIECE.finditer(text)
+        for piece in _PIECE.finditer(_once(form))
     )
+
+
+def _once(form: str) -> str:
+    """Return a form in which what may stand several times stands once."""
+    grouped = _GROUPED.fullmatch(form)
+    return f"{grouped['before']}{grouped['group']}" if grouped else form
 
 
 def field_matches(kind: FieldType, text: str) -> bool:
@@ -162,7 +166,7 @@ def compile_statement(statement: Statement, definition: Definition) -> Matcher:
             field_names(statement.within), definition.addresses.type
         )
         section = re.compile(_form_pattern(statement.within, kinds, dialect), flags | re.ASCII)
-    pieces = list(_PIECE.finditer(statement.form))
+    pieces = list(_PIECE.finditer(_once(statement.form)))
     literal = "" if not pieces or pieces[0]["field"] else pieces[0][0]
     padded = pieces[1]["padded"] if len(pieces) > 1 else None
     return Matcher(
@@ -186,8 +190,10 @@ def _compiled(form: str, statement: Statement, dialect: Dialect, flags: re.Regex
     before = _form_pattern(grouped["before"], statement.fields, dialect)
     group = _form_pattern(grouped["group"], statement.fields, dialect)
     gap = r"[ \t]*"
+    # Bare numbers (``({value})*``) need something between them, or one could be read as two.
+    between = r"[ \t]+" if re.fullmatch(r"\{[^{}]*\}", grouped["group"]) else gap
     unnamed = re.sub(r"\?P<[a-z_0-9]+>", "?:", group)
-    line = f"{before}{gap}(?P<groups_>{unnamed}(?:{gap}{unnamed})*)"
+    line = f"{before}{gap}(?P<groups_>{unnamed}(?:{between}{unnamed})*)"
     return Form(
         re.compile(_line_pattern(line, statement, dialect), flags), re.compile(group, flags)
     )

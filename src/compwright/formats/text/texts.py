@@ -236,6 +236,7 @@ class _KindReader:
             return
         probe = code.upper() if self.ignores_case else code
         number = line_number(code) if self.numbered else None
+        elsewhere = False
         for matcher in self.matchers:
             if matcher.head not in probe or (
                 matcher.number is not None and matcher.number != number
@@ -243,9 +244,13 @@ class _KindReader:
                 continue
             for place, form in enumerate(matcher.forms):
                 match = form.fullmatch(code)
-                if match is not None:
-                    yield from self._occurrences(line, matcher, place, match)
-                    return
+                if match is None:
+                    continue
+                if matcher.section is not None and not matcher.section.fullmatch(self.section):
+                    elsewhere = True
+                    break
+                yield from self._occurrences(line, matcher, place, match)
+                return
             if matcher.number is not None and matcher.number in self.kind.claims_at_start:
                 self._fault(
                     line,
@@ -254,6 +259,8 @@ class _KindReader:
                     found=_shown(code),
                 )
                 return
+        if elsewhere:  # it is a statement of another section
+            return
         claimed = self._claimed(probe) if self._concerns_us(probe) else None
         if claimed is not None:
             self._fault(
@@ -292,9 +299,7 @@ class _KindReader:
         tokens = {name: token(name) for name in matcher.statement.fields}
         if matcher.section is not None:
             within = matcher.section.fullmatch(self.section)
-            if within is None:
-                return
-            for name, text in within.groupdict().items():
+            for name, text in (within.groupdict() if within is not None else {}).items():
                 tokens[name] = Token(
                     text,
                     self.section_start + within.start(name),
