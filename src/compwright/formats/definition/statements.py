@@ -109,6 +109,11 @@ class Matcher:
     head: str
     number: str | None = None
 
+    def match(self, text: str) -> tuple[int, re.Match[str]] | None:
+        """Return which form a whole line has, and its match; None where it has none."""
+        found = ((place, form.fullmatch(text)) for place, form in enumerate(self.forms))
+        return next(((place, match) for place, match in found if match is not None), None)
+
 
 def line_number(text: str) -> str | None:
     """Return the number after the first letter of a line, without leading zeros (``N03620Q1..`` ->

@@ -227,12 +227,7 @@ class _KindReader:
             and "\r" in code
             and any(self._ours(piece) for piece in code.split("\r")[1:])
         ):
-            self._fault(
-                line,
-                "cannot be read" + _hint(code),
-                expected="a line end of the control",
-                found=_shown(code),
-            )
+            self._unread(line, code, "a line end of the control")
             return
         probe = code.upper() if self.ignores_case else code
         number = line_number(code) if self.numbered else None
@@ -242,35 +237,28 @@ class _KindReader:
                 matcher.number is not None and matcher.number != number
             ):
                 continue
-            for place, form in enumerate(matcher.forms):
-                match = form.fullmatch(code)
-                if match is None:
-                    continue
-                if matcher.section is not None and not matcher.section.fullmatch(self.section):
-                    elsewhere = True
-                    break
-                yield from self._occurrences(line, matcher, place, match)
+            found = matcher.match(code)
+            if found is not None and self._here(matcher):
+                yield from self._occurrences(line, matcher, *found)
                 return
-            if matcher.number is not None and matcher.number in self.kind.claims_at_start:
-                self._fault(
-                    line,
-                    "cannot be read" + _hint(code),
-                    expected=_readable(matcher.statement),
-                    found=_shown(code),
-                )
+            elsewhere = elsewhere or found is not None
+            if found is None and matcher.number in self.kind.claims_at_start:
+                self._unread(line, code, _readable(matcher.statement))
                 return
-        if elsewhere:  # it is a statement of another section
+        if elsewhere:  # a statement of another section
             return
         claimed = self._claimed(probe) if self._concerns_us(probe) else None
         if claimed is not None:
-            self._fault(
-                line,
-                "cannot be read" + _hint(code),
-                expected=_nearest(self.matchers, probe) or claimed,
-                found=_shown(code),
-            )
+            self._unread(line, code, _nearest(self.matchers, probe) or claimed)
         elif self.kind.other_lines_refused:
             self._refuse(line, "cannot be read as a row" + _hint(code))
+
+    def _unread(self, line: Line, code: str, expected: str) -> None:
+        self._fault(line, "cannot be read" + _hint(code), expected=expected, found=_shown(code))
+
+    def _here(self, matcher: Matcher) -> bool:
+        """Whether a statement counts in the section in which the reading is."""
+        return matcher.section is None or matcher.section.fullmatch(self.section) is not None
 
     def _ours(self, piece: str) -> bool:
         """Whether a piece of a line would be a statement if it stood alone."""
@@ -297,14 +285,11 @@ class _KindReader:
             return Token(match[name], line.start + match.start(name), line.start + match.end(name))
 
         tokens = {name: token(name) for name in matcher.statement.fields}
-        if matcher.section is not None:
-            within = matcher.section.fullmatch(self.section)
-            for name, text in (within.groupdict() if within is not None else {}).items():
-                tokens[name] = Token(
-                    text,
-                    self.section_start + within.start(name),
-                    self.section_start + within.end(name),
-                )
+        within = matcher.section.fullmatch(self.section) if matcher.section is not None else None
+        if within is not None:
+            for name in within.re.groupindex:
+                start = self.section_start + within.start(name)
+                tokens[name] = Token(within[name], start, start + len(within[name]))
         checksum = token("checksum_") if matches[0].groupdict().get("checksum_") else None
         yield Occurrence(matcher.statement.name, self.file, line.number, tokens, place, checksum)
 
@@ -313,10 +298,7 @@ class _KindReader:
         not ours.
         """
         similar = [matcher for matcher in self.matchers if matcher.head and matcher.head in probe]
-        return not similar or any(
-            matcher.section is None or matcher.section.fullmatch(self.section)
-            for matcher in similar
-        )
+        return not similar or any(self._here(matcher) for matcher in similar)
 
     def _claimed(self, probe: str) -> str | None:
         for claim in self.kind.claims_anywhere:
