@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from circle_machine import Machine, Setup, distance, measured
 from compwright.estimation.basis import hidden_share, log_density
 from compwright.estimation.circle_centre import second_order
-from compwright.estimation.circle_cyclic import longest_pitch, shortest_pitch
+from compwright.estimation.circle_cyclic import longest_pitch, search, shortest_pitch
+from compwright.estimation.circle_fit import default_shapes, first_fit, problem_of
 from compwright.estimation.circle_lag import Lag, corrected
 from compwright.estimation.circle_model import (
     Samples,
@@ -157,6 +158,27 @@ def test_pitches_that_the_samples_can_show() -> None:
     step = 2.0 * np.pi * R / 360.0
     assert shortest_pitch(of) == pytest.approx(2.0 * step / 0.7)
     assert longest_pitch(of) == pytest.approx(75.0)  # four periods over the diameter
+
+
+@pytest.mark.parametrize(("amplitude", "found"), [(0.175, False), (0.195, True)])
+@pytest.mark.parametrize("axis", ["first", "second"])
+def test_a_cyclic_error_is_found_from_the_false_alarm_threshold_on(
+    axis: str,
+    amplitude: float,
+    found: bool,
+) -> None:
+    """An amplitude a in noise of 1 µm lowers the weighted squares of n samples by a² n / 4 (cos² of
+    the angle and of the phase: a half each). Noise exceeds 2 ln(4 m / 0.001) at one of m independent
+    frequencies once in a thousand searches (m = R times their range; 4: phases between them). With n
+    = 2 * 1504: 25.4 = a² 752, a = 0.184 µm.
+    """
+    cause: dict[str, Any] = {f"cyclic_{axis}": amplitude, f"pitch_{axis}": 10.0}
+    of = samples_of(measured(Machine(**cause), Setup(samples=1504)))
+    problem = problem_of(of, grid_of(of))
+    searched = search(problem, first_fit(problem, default_shapes(of)), [axis])
+    assert (axis in searched.found) is found
+    if found:
+        assert 1.0 / searched.found[axis] == pytest.approx(10.0, abs=0.05)
 
 
 def test_the_condition_of_two_correlated_causes() -> None:

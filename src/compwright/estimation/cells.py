@@ -174,7 +174,7 @@ def _neighbour_spread(rows: list[FloatArray], counts: list[FloatArray]) -> float
 
 def visible_periods(targets: FloatArray, periods: Sequence[float]) -> tuple[float, ...]:
     """Return the known periods that these targets can show: neither hidden by the spacing
-    (`hidden_share`) nor folded to a longer wave (`folded`); all in mm or deg.
+    (`hidden_share`) nor folded to a longer wave (`folded`); ``targets`` (m,), all in mm or deg.
     """
     return tuple(
         float(period)
@@ -184,7 +184,9 @@ def visible_periods(targets: FloatArray, periods: Sequence[float]) -> tuple[floa
 
 
 def visible_harmonics(targets: FloatArray, period: float) -> tuple[int, ...]:
-    """Return the harmonics of a visible period that these targets show as what they are."""
+    """Return the harmonics of a visible period that these ``targets`` (m,), mm or deg, show as what
+    they are.
+    """
     return tuple(harmonic for harmonic in HARMONICS if folded(targets, period / harmonic) is None)
 
 
@@ -248,8 +250,8 @@ def findings_of(
 
 
 def folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) -> list[Finding]:
-    """Return the periods that these targets show as longer waves (CW-E010); those that they do not
-    show at all are CW-E003's.
+    """Return the periods that these ``targets`` (m,) show as longer waves (CW-E010); those that
+    they do not show at all are CW-E003's. mm or deg, as ``unit`` says.
     """
     found = []
     for period in map(float, periods):

@@ -141,7 +141,7 @@ class Evidence:
         return self._log_posterior(h, self._solve(h))
 
     def with_gradient(self, h: FloatArray) -> tuple[float, FloatArray]:
-        """Return the log posterior and its gradient; the gradient of a fixed hyperparameter is 0.
+        """Return the log posterior and its gradient (h,); that of a fixed hyperparameter is 0.
 
         By Fisher's identity: the gradient of the marginal likelihood is the expected gradient of
         the complete one (Louis, J. R. Stat. Soc. B 44, 1982).

@@ -96,8 +96,8 @@ def _spread(evidence: Evidence, peak: FloatArray) -> FloatArray:
 def draw_hyperparameters(
     evidence: Evidence, start: FloatArray, *, proposals: int, draws: int, rng: np.random.Generator
 ) -> HyperparameterDraws:
-    """Return ``draws`` equally likely hyperparameters, and the evidence by importance sampling with
-    ``proposals`` points (Geweke, Econometrica 57, 1989).
+    """Return ``draws`` equally likely hyperparameters (draws, h) from ``start`` (h,), and the
+    evidence by importance sampling with ``proposals`` points (Geweke, Econometrica 57, 1989).
 
     Equally likely: taken where the cumulative weights cross evenly spaced steps (Kitagawa, J.
     Comput. Graph. Stat. 5, 1996). Proposals come in mirrored pairs (antithetic variates: Hammersley

@@ -74,7 +74,8 @@ def range_gap(
     all x within ``box``.
 
     Weak duality (Boyd and Vandenberghe 2004, section 5.2.2): for multipliers y >= 0, c'x >= -h'y +
-    (c + G'y)'x; the last term is at least -box |c + G'y|_1.
+    (c + G'y)'x; the last term is at least -box |c + G'y|_1. ``cost`` (n,), ``G`` (r, n), ``h`` and
+    ``multipliers`` (r,).
     """
     y = np.maximum(multipliers, 0.0)
     left = float(np.sum(np.abs(cost + G.T @ y)))

@@ -75,7 +75,7 @@ class Chain:
         return solution
 
     def excess(self, e: FloatArray) -> float:
-        """Return e'He/2."""
+        """Return e'He/2 of deviations e (m,) from the minimum, in their square."""
         return float(0.5 * self.diagonal @ e**2 + self.off @ (e[1:] * e[:-1]))
 
     def value(self, v: FloatArray, constant: float) -> float:

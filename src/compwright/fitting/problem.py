@@ -93,8 +93,8 @@ def hat_matrix(
 
 
 def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
-    """Return where the control's curve bends or jumps: the nodes, or the middles between them and
-    the ends.
+    """Return where the control's curve with ``nodes`` (k,) bends or jumps: the nodes (k,), or the
+    middles between them and the ends (k + 1,).
     """
     if interpolation == "linear":
         return nodes

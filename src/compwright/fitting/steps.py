@@ -21,7 +21,7 @@ def whole(ratio: float) -> bool:
 
 
 def nodes_at(start: int, step: int, count: int, quantum: float, origin: float = 0.0) -> FloatArray:
-    """Return ``count`` nodes in mm or deg: ``origin`` plus whole ``quantum``. ``start`` and
+    """Return the nodes (count,) in mm or deg: ``origin`` plus whole ``quantum``. ``start`` and
     ``step`` count quanta.
     """
     # Rounded to 10 decimals: the number that a file says, not the product's last bits.
@@ -74,7 +74,7 @@ class Candidate:
     origin: float = 0.0
 
     def nodes(self, quantum: float) -> FloatArray:
-        """Return the nodes in mm or deg."""
+        """Return the nodes (count,) in mm or deg."""
         nodes = nodes_at(self.start, self.step, self.count, quantum, self.origin)
         if self.last is not None:
             nodes[-1] = np.round(self.last * quantum, 10)

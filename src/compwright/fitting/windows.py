@@ -19,7 +19,9 @@ from compwright.records.axis import FloatArray
 def reachable(
     chain: Chain, limits: Limits, low: FloatArray, high: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Return the windows without totals that no increments reach from the neighbours' windows."""
+    """Return the windows ``low`` to ``high`` (n, m), in steps, without totals that no increments
+    reach from the neighbours' windows.
+    """
     along = np.append(0.0, np.cumsum(chain.span.astype(np.float64)))
     down, up = limits.increments[0] * along, limits.increments[1] * along
     low = np.maximum.accumulate(low - down, axis=1) + down
@@ -32,7 +34,9 @@ def reachable(
 def closed_lanes(
     lanes: IntArray, low: FloatArray, high: FloatArray
 ) -> tuple[IntArray, FloatArray, FloatArray]:
-    """Return a lane for every value at which a curve may begin and end."""
+    """Return a lane for every value at which a curve may begin and end: its owner among ``lanes``
+    and its windows (lanes, m), in steps.
+    """
     owners: list[int] = []
     starts: list[float] = []
     for lane in lanes:
