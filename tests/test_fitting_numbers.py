@@ -114,3 +114,27 @@ def test_a_chain_of_one_node_is_a_mean() -> None:
 def test_halves_go_up_on_both_sides_of_zero() -> None:
     values = np.array([-1.5, -0.5, -0.4999, 0.4999, 0.5, 1.5]) * UM
     assert to_quanta(values, UM).tolist() == [-1.0, 0.0, 0.0, 0.0, 1.0, 2.0]
+
+
+@pytest.mark.parametrize("low", [-800.0, -400.0, 100.0])
+def test_a_table_that_ends_with_the_travel_leaves_nothing_to_say(low: float) -> None:
+    """Whatever the sign of the coordinates: neither uncovered travel nor nodes beyond it."""
+    where = np.linspace(low, low + 800.0, 81)
+    curve = 20 * UM * np.sin(where / 100.0)
+    wanted = WantedCorrection(
+        kind=AxisKind.LINEAR,
+        positions=where,
+        positive=curve,
+        negative=curve,
+        reference=low,
+        reference_return=Direction.POSITIVE,
+        noise=UM,
+    )
+    for end, codes in (
+        (low + 800.0, set()),
+        (low + 750.0, {"CW-F001"}),
+        (low + 850.0, {"CW-F006"}),
+    ):
+        request = TableRequest(start=low, end=end, spacing=50.0)
+        found = fit_table(wanted, PLAIN, request, address="1").findings
+        assert {one.code for one in found} & {"CW-F001", "CW-F006"} == codes

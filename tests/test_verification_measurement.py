@@ -5,11 +5,12 @@ turned readings. Readings are made by hand.
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
-from compwright.records.axis import Direction, FloatArray
+from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import PositioningTest
 from compwright.records.verification import LoadingVerdict
 from compwright.verification.loading import judge_loading
@@ -212,3 +213,17 @@ def test_a_factor_with_a_known_cause_is_named(factor: float, words: str, backlas
         # the largest value of the table is 7 µm, at 350 mm
         assert answer.worst == pytest.approx(abs(factor - 1.0) * 7 * UM)
         assert answer.position == 350.0
+
+
+def rotary(targets: Any, seed: int) -> PositioningTest:
+    rng = np.random.default_rng(seed)
+    blocks = [rng.standard_normal((targets.size, 5)) / 3600.0 for _ in range(2)]
+    return axis_test(targets, blocks[0], blocks[1], kind=AxisKind.ROTARY)
+
+
+def test_a_full_turn_may_begin_anywhere_and_a_part_of_one_may_not() -> None:
+    turn = np.linspace(0.0, 330.0, 12)
+    assert proof_lacking(rotary(turn + 75.0, 2), rotary(turn, 1)) == []
+    part = np.linspace(0.0, 160.0, 9)
+    (finding,) = proof_lacking(rotary(part + 75.0, 2), rotary(part, 1))
+    assert "it covers 75 deg to 235 deg" in finding.message
