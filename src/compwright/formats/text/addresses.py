@@ -37,7 +37,7 @@ def normal_address(definition: Definition, axis: Axis) -> tuple[str, Assumption 
     """Return the control's address of an axis, and what had to be assumed to find it.
 
     Where the control counts its axes and the job gives only an axis letter, the number is the
-    letter's place in the row of the definition (XYZABCUVW for LinuxCNC). Raises UsageError when the
+    letter's place in the row of the definition (such as XYZABCUVW). Raises UsageError when the
     control cannot name the axis.
     """
     letters = definition.addresses.letters

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from compwright.formats.definition.schema import Definition, Statement
 from compwright.formats.definition.statements import Occurrence, print_form
 from compwright.formats.text.addresses import normal_text
-from compwright.formats.text.axis_names import axis_names
 from compwright.formats.text.entry_sheet import is_entry_sheet, read_sheet
 from compwright.formats.text.gathering import same_value
 from compwright.formats.text.texts import text_reader
@@ -74,22 +73,6 @@ def compare_files(
     return FileDiff(tuple(changes), _untouched(old, new))
 
 
-def all_names(
-    definition: Definition, files: Sequence[ControlFile], addresses: Sequence[str]
-) -> set[str]:
-    """Return every name that ``files`` give to the axes at ``addresses``, those themselves among
-    them.
-    """
-    reader, faults = text_reader(definition), list[Fault]()
-    texts = [
-        text
-        for file in files
-        if not is_entry_sheet(file) and (text := reader.read(file, faults)) is not None
-    ]
-    names = axis_names(definition, texts, addresses)
-    return {name for address in addresses for name in names.forms(address)}
-
-
 def _untouched(old: Sequence[ControlFile], new: Sequence[ControlFile]) -> int:
     by_name = {file.name: file for file in new}
     count = 0
@@ -142,7 +125,7 @@ def _values(
 
 
 def _label(statement: Statement, occurrence: Occurrence, field: str) -> str:
-    """Return the line up to its value; of a bit its number (``N03605Q1A1 bit 0``)."""
+    """Return the line up to its value; of a bit its number too."""
     values = {name: token.text for name, token in occurrence.tokens.items()}
     marked = {**values, **{name: "\0" for name in statement.fields if name not in _IDENTITY}}
     text = print_form(

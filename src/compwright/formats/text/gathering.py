@@ -10,7 +10,7 @@ from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.schema import Binding, Definition
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.text.addresses import normal_text
-from compwright.formats.text.axis_names import AxisNames, axis_names
+from compwright.formats.text.axis_names import AxisNames
 from compwright.formats.text.texts import ReadText
 
 #: Address and measuring system (as counted in the text); None: the text has none of it.
@@ -92,14 +92,13 @@ class Gathered:
 
 
 def gather(
-    definition: Definition, texts: Iterable[ReadText], asked: Sequence[str] = ()
+    definition: Definition, texts: Iterable[ReadText], names: AxisNames | None = None
 ) -> Gathered:
     """Sort the statements of all files by axis and measuring system.
 
-    ``asked``: the addresses under which axes are asked for; see `axis_names` for what it raises.
+    ``names``: which of the names that stand there are one axis; None: each is one of its own.
     """
-    texts = tuple(texts)
-    result = Gathered(definition, names=axis_names(definition, texts, asked))
+    result = Gathered(definition, names=names or AxisNames())
     table_statement = definition.bindings[curves(definition)[0]].statement
     by_statement: dict[str, list[Binding]] = {}
     for binding in definition.bindings.values():

@@ -14,10 +14,8 @@ from decimal import Decimal, InvalidOperation
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence, print_form
-from compwright.formats.text.gathering import Found, Gathered, gather, same_value
+from compwright.formats.text.gathering import Found, Gathered, same_value
 from compwright.formats.text.patching import Patches, set_field
-from compwright.formats.text.texts import text_reader
-from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.records.correction import ControlFile
 
 
@@ -41,22 +39,14 @@ class TablePlaces:
 
 
 class OwnFiles(Patches):
-    """The changes by what they mean. ``asked``: the addresses of the axes under work. Raises
-    InputError when the files cannot be read.
-    """
+    """The changes by what they mean. ``gathered``: what the files say."""
 
     def __init__(
-        self, definition: Definition, files: Sequence[ControlFile], asked: Sequence[str] = ()
+        self, definition: Definition, files: Sequence[ControlFile], gathered: Gathered
     ) -> None:
         super().__init__(definition.dialect, files)
         self.definition = definition
-        reader = text_reader(definition)
-        faults: list[Fault] = []
-        texts = [reader.read(file, faults, number) for number, file in enumerate(self.files)]
-        raise_all(InputError, faults)
-        self.gathered: Gathered = gather(
-            definition, [text for text in texts if text is not None], asked
-        )
+        self.gathered = gathered
 
     def put(self, quantity: str, places: Sequence[Found], text: str) -> bool:
         """Set a single value where it counts (everywhere, or the first or last of each file); False

@@ -20,6 +20,7 @@ from compwright.formats.definition.options import (
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.definition.statements import field_matches
 from compwright.formats.families.activity import Activity
+from compwright.formats.families.axis_names import axis_names
 from compwright.formats.families.gantry import find_partners, partner_of
 from compwright.formats.families.grid.axis_reading import AxisReader
 from compwright.formats.families.grid.beside import beside, check_unit
@@ -83,7 +84,8 @@ class _StateReader:
 
     def read(self, files: Sequence[ControlFile]) -> ControlState:
         texts, reader = self._texts(files)
-        gathered = gather(self.definition, texts, list(self.wanted))
+        names = axis_names(self.definition, texts, list(self.wanted))
+        gathered = gather(self.definition, texts, names)
         check_unit(gathered, self.wanted, self.notes)
         for text in texts:
             self.notes.findings.extend(text.findings)

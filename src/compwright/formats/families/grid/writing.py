@@ -16,6 +16,7 @@ from compwright.formats.definition.consistency import curves, grid, has_cross
 from compwright.formats.definition.options import axis_options
 from compwright.formats.definition.schema import Choice, Definition, When, WrittenFile
 from compwright.formats.definition.statements import Occurrence, print_form
+from compwright.formats.families.axis_names import gathered_files
 from compwright.formats.families.grid.beside import MODULO_START, RANGE_START
 from compwright.formats.families.grid.capacity import scale_for_writing, written_text
 from compwright.formats.families.grid.tables import WrittenTable, write_table
@@ -63,7 +64,7 @@ def write_table_files(
         )
     )
     own = (
-        OwnFiles(definition, files, asked)
+        OwnFiles(definition, files, gathered_files(definition, files, asked))
         if files and definition.limit("no_patching") is None
         else None
     )

@@ -21,8 +21,9 @@ from compwright.formats.families.increments.acting import pointed_numbers, refus
 from compwright.formats.families.increments.axis import GRID, IncrementReader
 from compwright.formats.families.increments.parameters import Parameters
 from compwright.formats.families.increments.points import points_by_number
+from compwright.formats.families.increments.typed_sheet import parameter_lines
 from compwright.formats.text.addresses import normal_address, normal_text
-from compwright.formats.text.entry_sheet import is_entry_sheet, parameter_lines
+from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.formats.text.gathering import Found, Gathered, gather
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import ReadText, text_reader

@@ -15,6 +15,7 @@ import numpy as np
 from compwright.formats.definition.options import resolve_options
 from compwright.formats.definition.schema import Choice, Definition, When
 from compwright.formats.definition.statements import print_form
+from compwright.formats.families.axis_names import gathered_files
 from compwright.formats.families.grid.tables import write_table
 from compwright.formats.families.pairs.capacity import cec_available, too_few
 from compwright.formats.families.pairs.reading import (
@@ -584,16 +585,9 @@ def write_cross(
             )
         )
     raise_all(UsageError, [fault for entry in cross for fault in _wrong(entry)])
-    asked = [address for entry in cross for address in (entry.input, entry.output)]
-    own = (
-        OwnFiles(
-            definition,
-            files,
-            list(dict.fromkeys((*(state.axes if state is not None else ()), *asked))),
-        )
-        if files
-        else None
-    )
+    crossed = [address for entry in cross for address in (entry.input, entry.output)]
+    asked = list(dict.fromkeys((*(state.axes if state is not None else ()), *crossed)))
+    own = OwnFiles(definition, files, gathered_files(definition, files, asked)) if files else None
     writer = CecWriter(definition, resolved, own, state)
     faults: list[Fault] = []
     left: dict[str, list[Entry]] = {}

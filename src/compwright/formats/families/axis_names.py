@@ -1,0 +1,138 @@
+"""The names of one machine axis in the control's files: its place (AX1), the machine's name for it
+(X1), the channel's (X).
+
+Where the files list the names (SINUMERIK: MD10000, MD20080 with MD20070), all of them are one axis:
+the one that the job asks for under any of them. Without the list each name is an axis of its own.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import Occurrence
+from compwright.formats.text.addresses import normal_text
+from compwright.formats.text.axis_names import AxisNames
+from compwright.formats.text.entry_sheet import is_entry_sheet
+from compwright.formats.text.gathering import Gathered, gather
+from compwright.formats.text.texts import ReadText, text_reader
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.correction import ControlFile
+
+_PLACE = re.compile(r"AX([0-9]{1,2})")
+
+
+def axis_names(
+    definition: Definition, texts: Iterable[ReadText], asked: Sequence[str] = ()
+) -> AxisNames:
+    """Return the names that the files list; ``asked``: the addresses that a job or the command line
+    names.
+
+    Raises InputError where the files give one name to two axes, UsageError where two addresses are
+    one axis.
+    """
+    if "machine_axis" not in definition.bindings:
+        return AxisNames()
+    found: dict[str, dict[str, list[Occurrence]]] = {}
+    for text in texts:
+        for occurrence in text.occurrences:
+            for quantity in ("machine_axis", "channel_axis", "channel_machine_axis"):
+                binding = definition.bindings.get(quantity)
+                if binding is not None and occurrence.statement == binding.statement:
+                    index = str(int(occurrence.tokens["table"].text))
+                    found.setdefault(quantity, {}).setdefault(index, []).append(occurrence)
+    faults: list[Fault] = []
+    places = _machine(definition, found.get("machine_axis", {}), faults)
+    raise_all(InputError, faults)
+    places |= {
+        name: place for name, place in _channel(definition, found).items() if name not in places
+    }
+    mine: dict[str, str] = {}
+    for address in dict.fromkeys(asked):
+        place = places.get(address, address)
+        if place in mine:
+            faults.append(
+                Fault(
+                    message=f"{mine[place]} and {address} are one axis of the control, {place}",
+                    place="address",
+                    expected="each axis once",
+                    found=f"{mine[place]} and {address}",
+                )
+            )
+        mine.setdefault(place, address)
+    raise_all(UsageError, faults)
+    return AxisNames(places, mine, _PLACE)
+
+
+def gathered_files(
+    definition: Definition, files: Sequence[ControlFile], asked: Sequence[str] = ()
+) -> Gathered:
+    """Return what files say, by axis and measuring system; ``asked`` and errors as `axis_names`,
+    InputError too for files that cannot be read.
+    """
+    reader, faults = text_reader(definition), list[Fault]()
+    read = [reader.read(file, faults, number) for number, file in enumerate(files)]
+    raise_all(InputError, faults)
+    texts = [text for text in read if text is not None]
+    return gather(definition, texts, axis_names(definition, texts, asked))
+
+
+def all_names(
+    definition: Definition, files: Sequence[ControlFile], addresses: Sequence[str]
+) -> set[str]:
+    """Return every name that ``files``, which were read before, give to the axes at ``addresses``,
+    those themselves among them.
+    """
+    reader, faults = text_reader(definition), list[Fault]()
+    texts = [
+        text
+        for file in files
+        if not is_entry_sheet(file) and (text := reader.read(file, faults)) is not None
+    ]
+    names = axis_names(definition, texts, addresses)
+    return {name for address in addresses for name in names.forms(address)}
+
+
+def _machine(
+    definition: Definition, entries: Mapping[str, Sequence[Occurrence]], faults: list[Fault]
+) -> dict[str, str]:
+    places: dict[str, str] = {}
+    for index, occurrences in entries.items():
+        place = f"AX{int(index) + 1}"
+        for occurrence in occurrences:
+            name = normal_text(definition, occurrence.tokens["value"].text)
+            number = _PLACE.fullmatch(name)
+            if places.setdefault(name, place) != place or (number is not None and name != place):
+                other = places[name] if number is None else name
+                faults.append(
+                    Fault(
+                        message=(
+                            f"the name {name} stands for two machine axes (MD10000), {place} and"
+                            f" {other}"
+                        ),
+                        file=occurrence.file,
+                        place=occurrence.place,
+                        expected="a name for each axis",
+                        found=name,
+                    )
+                )
+    return places
+
+
+def _channel(
+    definition: Definition, found: Mapping[str, Mapping[str, Sequence[Occurrence]]]
+) -> dict[str, str]:
+    """Return the channel's names, as far as they mean the same machine axis wherever they stand."""
+    meant: dict[str, set[str]] = {}
+    for index, occurrences in found.get("channel_axis", {}).items():
+        used = {
+            occurrence.tokens["value"].text
+            for occurrence in found.get("channel_machine_axis", {}).get(index, ())
+        }
+        for occurrence in occurrences:
+            name = normal_text(definition, occurrence.tokens["value"].text)
+            meant.setdefault(name, set()).update(
+                f"AX{int(number)}" for number in used if int(number) > 0
+            )
+    return {name: next(iter(places)) for name, places in meant.items() if len(places) == 1}

@@ -1,0 +1,68 @@
+"""What was typed in at a control with numbered parameters (FANUC): its sheet as the lines that say
+the same.
+"""
+
+from __future__ import annotations
+
+import re
+
+from compwright.formats.text.entry_sheet import SheetRow, read_sheet
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+
+def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> bytes:
+    """Return the sheet of a control with numbered parameters as the lines that say the same;
+    faults go to ``faults``.
+
+    Line k of the result is line k of the sheet, so that messages name the right place.
+    """
+    sheet = read_sheet(file, faults)
+    if sheet is None:
+        return b""
+    if sheet.comments.get("value") != "correction":
+        faults.append(
+            Fault(
+                message=f"the increments of {format_id} are corrections",
+                file=file.name,
+                place=f"line {sheet.lines.get('value', 1)}",
+                expected="# value: correction",
+                found=f"# value: {sheet.comments.get('value')}",
+            )
+        )
+    if not re.fullmatch(r"[0-9]{1,3}", sheet.axis):
+        faults.append(
+            Fault(
+                message="the sheet must name the axis by its number",
+                file=file.name,
+                expected="# address: 1",
+                found=repr(sheet.axis)[:40],
+            )
+        )
+    lines = [""] * (max(row.line for row in sheet.rows) + 1)
+    for row in sheet.rows:
+        lines[row.line - 1] = _parameter_line(row, sheet.axis, file.name, faults)
+    return "\n".join([*lines[:-1], "%", ""]).encode()
+
+
+def _parameter_line(row: SheetRow, axis: str, file: str, faults: list[Fault]) -> str:
+    if re.fullmatch(r"[0-9]{1,5}", row.point):
+        number = int(row.point)
+        if number >= 10000 or row.position:
+            return (
+                f"N{number if number >= 10000 else 10000 + number}Q0P{row.value.removeprefix('+')}"
+            )
+        key = "M" if row.unit == "mm" else "P"
+        return f"N{number:05d}Q1A{axis}{key}{row.value.removeprefix('+')}"
+    if row.point == "3605#0" and row.value in ("0", "1"):
+        return f"N03605Q1A{axis}P0000000{row.value}"
+    faults.append(
+        Fault(
+            message="no parameter is called so",
+            file=file,
+            place=f"line {row.line}",
+            expected="a number, or 3605#0",
+            found=row.point[:40],
+        )
+    )
+    return ""
