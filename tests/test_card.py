@@ -16,9 +16,9 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.formats.card import card_steps, card_steps_of_all
 from compwright.formats.control_format import control_format
+from compwright.planning.quick_check import check_positions
 from compwright.records.axis import Axis, AxisKind
 from compwright.reporting.card import card_html
-from compwright.workflow.showing.card import check_positions
 from format_samples import DEFINITIONS, SIEMENS, axis_of, files, table
 from places import PROJECT
 from reporting_samples import sample_card

@@ -23,8 +23,8 @@ from compwright.formats.text.diff import compare_files
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.foundations.utf8 import encoded
 from compwright.planning.axes import AxisWork
-from compwright.prediction.acting import Correction, difference
-from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.planning.quick_check import check_positions, moved_by, quick_check
+from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, AxisCompensation
 from compwright.records.job import AS_FOUND, Job
 from compwright.workflow.stages.acting import correction_of
@@ -32,9 +32,6 @@ from compwright.workflow.stages.control import Control, DecodedState
 from compwright.workflow.stages.inputs import JobInputs
 
 SCHEMA = "compwright/card/1"
-#: A reading further off than this many times the scatter of one reading is no accident (with a
-#: normal scatter, one in 10^6).
-STOP_SCATTER = 5.0
 
 
 def card_document(
@@ -86,19 +83,29 @@ def _axis(
     axis = work.planned.axis
     factor = outside_factor(axis.kind.unit)
     table = loaded.state.axes[axis.address] if loaded else None
+    new = correction_of(loaded, axis)
     return {
         "name": axis.name,
         "address": axis.address,
         "unit": outside_unit(axis.kind.unit),
         "position_unit": axis.kind.unit,
         "rows": _rows(work.planned.active, table, factor, axis.kind.unit),
-        "quick_check": _quick_check(work, loaded, factor),
+        "quick_check": [
+            {
+                "position": entry.position,
+                "direction": entry.direction.value,
+                "adds": entry.adds * factor,
+                "expected": entry.expected * factor,
+                "stop": entry.stop * factor,
+            }
+            for entry in quick_check(work, new)
+        ],
         "points_needed": control.format.points_needed(table) if table is not None else None,
         "fixed_positions": [
             {
                 "name": name,
                 "position": places[axis.name],
-                "moves": _moves(work, loaded, places[axis.name]) * factor,
+                "moves": moved_by(work, new, places[axis.name]) * factor,
             }
             for name, places in job.fixed_positions.items()
             if axis.name in places
@@ -135,66 +142,6 @@ def _rows(
     return [
         {"quantity": title, "old": before[key], "new": after[key]} for key, title in titles.items()
     ]
-
-
-def check_positions(work: AxisWork, new: Correction) -> FloatArray:
-    """Return the positions at which everything on the card is checked: three targets of the first
-    test, inside the travel.
-
-    The two ends and, between them, where the new correction leaves the straight line through the
-    ends most: there its sign shows.
-    """
-    low, high = work.planned.axis.travel
-    targets = work.results[0].test.targets
-    inside = targets[(targets >= low) & (targets <= high)]
-    if inside.size < 3:
-        return np.array([low, (low + high) / 2, high])
-    ends, middle = inside[[0, -1]], inside[1:-1]
-    line = np.interp(middle, ends, new(ends, Direction.POSITIVE))
-    off = np.round(np.abs(new(middle, Direction.POSITIVE) - line), 9)
-    central = np.argsort(
-        np.abs(middle - ends.mean()), kind="stable"
-    )  # of equal ones the one in the middle
-    return np.array([ends[0], middle[central[np.argmax(off[central])]], ends[1]])
-
-
-def _quick_check(
-    work: AxisWork, loaded: DecodedState | None, factor: float
-) -> list[dict[str, Any]]:
-    """The check positions up and down, the instrument zeroed at the first one going up; stop where
-    a reading is further off.
-    """
-    axis = work.planned.axis
-    new = correction_of(loaded, axis)
-    change = difference(new, work.active)
-    chosen = check_positions(work, new)
-    estimate = work.posterior.summary(chosen)
-    zero = float(estimate.mean_positive[0] + change(chosen[:1], Direction.POSITIVE)[0])
-    rows = []
-    for direction, order in ((Direction.POSITIVE, (0, 1, 2)), (Direction.NEGATIVE, (2, 1, 0))):
-        shift = change(chosen, direction)
-        adds = new(chosen, direction)
-        for index in order:
-            expected = float(estimate.mean(direction)[index] + shift[index]) - zero
-            spread = STOP_SCATTER * np.hypot(
-                estimate.noise * np.sqrt(2), estimate.std_positive[index]
-            )
-            rows.append(
-                {
-                    "position": float(chosen[index]),
-                    "direction": direction.value,
-                    "adds": float(adds[index]) * factor,
-                    "expected": expected * factor,
-                    "stop": float(spread) * factor,
-                }
-            )
-    return rows
-
-
-def _moves(work: AxisWork, loaded: DecodedState | None, position: float) -> float:
-    axis = work.planned.axis
-    change = difference(correction_of(loaded, axis), work.as_found)
-    return float(change(np.array([position]), axis.reference_return)[0])
 
 
 def changes_document(

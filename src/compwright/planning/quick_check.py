@@ -1,0 +1,80 @@
+"""Where a table is checked at the machine, what must be seen there, and what else moves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.planning.axes import AxisWork
+from compwright.prediction.acting import Correction, difference
+from compwright.records.axis import Direction, FloatArray
+
+#: A reading further off than this many times the scatter of one reading is no accident (with a
+#: normal scatter, one in 10^6).
+STOP_SCATTER = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class CheckReading:
+    """One reading of the quick check, mm or deg: what the control ``adds`` there, the reading that
+    is ``expected``, and to ``stop`` where it is further off than this.
+    """
+
+    position: float
+    direction: Direction
+    adds: float
+    expected: float
+    stop: float
+
+
+def check_positions(work: AxisWork, new: Correction) -> FloatArray:
+    """Return the positions at which everything on the card is checked: three targets of the first
+    test, inside the travel.
+
+    The two ends and, between them, where the new correction leaves the straight line through the
+    ends most: there its sign shows.
+    """
+    low, high = work.planned.axis.travel
+    targets = work.results[0].test.targets
+    inside = targets[(targets >= low) & (targets <= high)]
+    if inside.size < 3:
+        return np.array([low, (low + high) / 2, high])
+    ends, middle = inside[[0, -1]], inside[1:-1]
+    line = np.interp(middle, ends, new(ends, Direction.POSITIVE))
+    off = np.round(np.abs(new(middle, Direction.POSITIVE) - line), 9)
+    central = np.argsort(
+        np.abs(middle - ends.mean()), kind="stable"
+    )  # of equal ones the one in the middle
+    return np.array([ends[0], middle[central[np.argmax(off[central])]], ends[1]])
+
+
+def quick_check(work: AxisWork, new: Correction) -> Iterator[CheckReading]:
+    """Yield the readings at the check positions up and down, the instrument zeroed at the first one
+    going up.
+    """
+    change = difference(new, work.active)
+    chosen = check_positions(work, new)
+    estimate = work.posterior.summary(chosen)
+    zero = float(estimate.mean_positive[0] + change(chosen[:1], Direction.POSITIVE)[0])
+    stop = STOP_SCATTER * np.hypot(estimate.noise * np.sqrt(2), estimate.std_positive)
+    for direction, order in ((Direction.POSITIVE, (0, 1, 2)), (Direction.NEGATIVE, (2, 1, 0))):
+        expected = estimate.mean(direction) + change(chosen, direction)
+        adds = new(chosen, direction)
+        for index in order:
+            yield CheckReading(
+                position=float(chosen[index]),
+                direction=direction,
+                adds=float(adds[index]),
+                expected=float(expected[index]) - zero,
+                stop=float(stop[index]),
+            )
+
+
+def moved_by(work: AxisWork, new: Correction, position: float) -> float:
+    """Return how far a fixed position of an axis, mm or deg, moves when ``new`` acts in place of
+    what acts now.
+    """
+    change = difference(new, work.as_found)
+    return float(change(np.array([position]), work.planned.axis.reference_return)[0])

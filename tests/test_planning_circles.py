@@ -1,0 +1,169 @@
+"""Circles of a job: where they lie, what acts on them, and whether they get worse."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from compwright.foundations.errors import InputError
+from compwright.planning import circles as planning_circles
+from compwright.planning.circles import (
+    checked_axes,
+    in_job_names,
+    predicted_circle,
+    start_circle,
+    worse_circles,
+)
+from compwright.prediction.acting import IDLE, Acting, added, by_motion, difference, nothing
+from compwright.prediction.circular import CirclePath
+from compwright.records.axis import AxisKind
+from compwright.records.circular import CircularResult, CircularRun, CircularTest
+from compwright.records.job import CircleRequest
+from compwright.records.prediction import CirclePrediction, Quantiles
+from planning_samples import MINUS, PLUS, UM, axis_of, by_slope, circle_of
+
+AXES = {"X": axis_of(), "Y": axis_of("Y", travel=(-600.0, 0.0))}
+REQUEST = CircleRequest(files=("xy.b5r",), name="xy")
+
+
+def measured() -> CircularTest:
+    """A true circle with a little noise."""
+    angles = (np.arange(360) + 0.5).astype(np.float64)
+    noise = np.random.default_rng(5).normal(0.0, 0.1 * UM, (2, 360))
+    runs = (
+        CircularRun(sense="ccw", angles=angles, deviations=noise[0]),
+        CircularRun(sense="cw", angles=angles[::-1].copy(), deviations=noise[1]),
+    )
+    return replace(circle_of({}).result.test, name="xy", runs=runs)
+
+
+def test_sums_and_differences_of_what_acts() -> None:
+    where = np.array([0.0, 100.0])
+    one, two = by_slope(3e-6), by_slope(1e-6, lost=5.0 * UM)
+    np.testing.assert_allclose(difference(one, two)(where, MINUS), [-5.0 * UM, -4.8 * UM])
+    np.testing.assert_allclose(added(one, two)(where, PLUS), [0.0, 0.4 * UM])
+    np.testing.assert_array_equal(nothing(where, PLUS), [0.0, 0.0])
+    assert IDLE.on("X") is nothing
+    assert IDLE.between("X", "Y") is nothing
+
+
+def test_an_axis_that_moves_back_gets_its_correction_of_that_direction() -> None:
+    moves = np.array([1.0, -1.0])
+    got = by_motion(by_slope(0.0, lost=5.0 * UM), np.zeros(2), moves)
+    np.testing.assert_array_equal(got, [0.0, 5.0 * UM])
+
+
+def test_the_tool_is_moved_by_its_own_axes_and_by_each_other() -> None:
+    """At X 200, Y -300 with X on its way to + and Y to -."""
+    acting = Acting(
+        {"X": by_slope(10e-6, lost=1.0 * UM), "Y": by_slope(20e-6, lost=2.0 * UM)},
+        {("X", "Y"): by_slope(30e-6), ("Y", "X"): by_slope(0.0, lost=4.0 * UM)},
+    )
+    path = CirclePath(*(np.array([value]) for value in (200.0, -300.0, 1.0, -1.0)))
+    moved = acting.displacement(("X", "Y"))(path)
+    np.testing.assert_allclose(moved, [[(2.0 + 4.0) * UM, (-6.0 + 2.0 + 6.0) * UM]])
+    turned = CirclePath(*(np.array([value]) for value in (-300.0, 200.0, -1.0, 1.0)))
+    np.testing.assert_allclose(acting.displacement(("Y", "X"))(turned), moved[:, ::-1])
+
+
+def test_a_table_that_lengthens_an_axis_lengthens_the_circle_along_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """100 µm/m on X alone over a radius of 100 mm: 10 µm at 0° and 180°, nothing at 90°."""
+    monkeypatch.setattr(
+        planning_circles, "predict_circle", lambda _result, expected, _rng: expected
+    )
+    test = measured()
+    planned = replace(circle_of({}).planned, test=test, centre=(500.0, -300.0))
+    longer = Acting({"X": by_slope(100e-6)}, {})
+    for before, after, sign in ((IDLE, longer, 1.0), (longer, IDLE, -1.0)):
+        found: Any = predicted_circle(circle_of({}).result, planned, before, after)
+        moved = found.test.runs[0].deviations - test.runs[0].deviations
+        np.testing.assert_allclose(moved[[0, 179]], sign * 10.0 * UM, atol=0.01 * UM)
+        np.testing.assert_allclose(moved[[89, 90]], 0.0, atol=0.01 * UM)
+
+
+def test_the_centre_is_what_the_job_says_then_the_file_then_the_middle() -> None:
+    test = measured()
+    assert start_circle(replace(REQUEST, centre=(1.0, 2.0)), test, AXES).planned.centre == (
+        1.0,
+        2.0,
+    )
+    told = replace(test, centre=(11.0, 12.0, 13.0))
+    assert start_circle(REQUEST, told, AXES).planned.centre == (11.0, 12.0)
+    turned = replace(told, axes=("Y", "X"), plane="YX")
+    assert start_circle(REQUEST, turned, AXES).planned.centre == (12.0, 11.0)
+    assumed = start_circle(REQUEST, test, AXES)
+    assert assumed.planned.centre == (500.0, -300.0)
+    assert [finding.code for finding in assumed.findings] == ["CW-P101"]
+    assert start_circle(replace(REQUEST, centre=(1.0, 2.0)), test, AXES).findings == ()
+    with pytest.raises(InputError, match="expected two numbers"):
+        start_circle(replace(REQUEST, centre=(1.0, 2.0, 3.0)), replace(test, axes=("U", "V")), AXES)
+
+
+def test_axes_are_called_as_in_the_job() -> None:
+    test = replace(measured(), axes=("x", "W"))
+    assert in_job_names(test, AXES).axes == ("X", "W")
+
+
+@pytest.mark.parametrize(
+    ("centre", "axis", "codes"),
+    [
+        ((100.0, -100.0), AXES["X"], []),
+        ((99.0, -100.0), AXES["X"], ["CW-P102"]),
+        ((900.0, -100.0), AXES["X"], []),
+        ((901.0, -100.0), AXES["X"], ["CW-P102"]),
+        ((500.0, -99.0), AXES["X"], ["CW-P102"]),
+        ((500.0, -501.0), AXES["X"], ["CW-P102"]),
+        ((500.0, -300.0), axis_of(kind=AxisKind.ROTARY), ["CW-P102"]),
+    ],
+)
+def test_a_whole_circle_has_to_lie_within_the_travels(
+    centre: tuple[float, float], axis: object, codes: list[str]
+) -> None:
+    work = circle_of({}, centre=centre)
+    axes = {"X": axis, "Y": AXES["Y"]}
+    assert [finding.code for finding in checked_axes(work, axes)] == codes  # type: ignore[arg-type]
+
+
+def prediction(was: dict[str, float], becomes: dict[str, tuple[float, float]]) -> CirclePrediction:
+    """``becomes``: 5 % quantile and median, mm."""
+    before: CircularResult = replace(circle_of({}).result, parameters=was)
+    predicted = {name: Quantiles(mid, low, 2.0 * mid) for name, (low, mid) in becomes.items()}
+    return CirclePrediction(before=before, expected=before, predicted=predicted, causes={})
+
+
+@pytest.mark.parametrize(
+    ("low", "median", "worse"),
+    [
+        (10.1, 12.0, True),
+        (10.1, 11.1, True),
+        (10.1, 10.9, False),  # not by more than a tenth
+        (9.9, 12.0, False),  # no more than the noise of a test
+    ],
+)
+def test_a_circle_gets_worse_beyond_noise_and_a_tenth(
+    low: float, median: float, *, worse: bool
+) -> None:
+    found = worse_circles(
+        {
+            "xy": prediction(
+                {"G_bidirectional": 10.0 * UM}, {"G_bidirectional": (low * UM, median * UM)}
+            )
+        }
+    )
+    assert [finding.code for finding in found] == (["CW-P131"] if worse else [])
+    if worse:
+        assert f"grow from 10.0 to {median:.1f} µm ({low:.1f} to" in found[0].message
+
+
+def test_both_runs_together_count_where_there_are_both() -> None:
+    """One run alone may look worse when lag and squareness no longer cancel in it."""
+    was = {"G_bidirectional": 10.0 * UM, "G_ccw": 2.0 * UM}
+    becomes = {"G_bidirectional": (4.0 * UM, 5.0 * UM), "G_ccw": (4.0 * UM, 5.0 * UM)}
+    assert worse_circles({"xy": prediction(was, becomes)}) == ()
+    alone = prediction({"G_ccw": 2.0 * UM}, {"G_ccw": (4.0 * UM, 5.0 * UM)})
+    assert len(worse_circles({"xy": alone})) == 1

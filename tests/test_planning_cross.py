@@ -1,0 +1,240 @@
+"""Corrections between axes, by hand: which way a bent axis is moved, and by how much."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import pytest
+
+from compwright.planning.circles import CircleWork
+from compwright.planning.cross import CrossPlan, angle_of, plan_cross
+from compwright.prediction.acting import IDLE, Acting
+from compwright.records.axis import Axis
+from compwright.records.job import ApplyRequest, CrossRequest
+from compwright.records.plan import PlannedCross
+from planning_samples import MINUS, PLUS, PPM, UM, axis_of, by_slope, circle_of, job_of
+
+AXES = (axis_of(), axis_of("Y"))
+BEND_Y = ApplyRequest(squareness={"XY": "Y"})
+BEND_X = ApplyRequest(squareness={"XY": "X"})
+
+
+def plan(
+    *circles: CircleWork,
+    states: Mapping[str, Acting] | None = None,
+    axes: tuple[Axis, ...] = AXES,
+    **words: Any,
+) -> CrossPlan:
+    acting = states or {"as_found": IDLE}
+    return plan_cross(job_of(*axes, **words), circles, acting, acting["as_found"])
+
+
+def only(found: CrossPlan) -> PlannedCross:
+    (planned,) = found.planned
+    return planned
+
+
+def codes(found: CrossPlan) -> list[str]:
+    return [finding.code for finding in found.findings]
+
+
+def added(found: CrossPlan, *where: float) -> list[float]:
+    """What is added to the bent axis at positions of the other one, µm."""
+    return [round(value / UM, 6) for value in only(found).added.at(np.array(where), PLUS)]
+
+
+def square(value: float, error: float = 2.0, **words: Any) -> CircleWork:
+    return circle_of({"squareness": (value, error)}, **words)
+
+
+def straight(deviations: tuple[float, ...], **words: Any) -> CrossRequest:
+    positions = words.pop("positions", (0.0, 500.0, 1000.0))
+    return CrossRequest(input="X", output="Y", positions=positions, deviations=deviations, **words)
+
+
+def test_more_than_a_right_angle_lifts_the_bent_axis_along_the_other() -> None:
+    """30 µm/m more than 90°: at X 1000 the machine is 30 µm too far to -Y, so Y goes 30 µm to +."""
+    found = plan(square(30.0), apply=BEND_Y)
+    planned = only(found)
+    assert (planned.input, planned.output, planned.source) == ("X", "Y", "circle")
+    assert added(found, 0.0, 500.0, 1000.0) == [0.0, 15.0, 30.0]
+    assert planned.squareness == pytest.approx(30.0 * PPM)
+    assert planned.std_error == pytest.approx(2.0 * PPM)
+    assert codes(found) == ["CW-P111", "CW-P109"]
+
+
+def test_bending_the_other_axis_has_the_same_sign() -> None:
+    found = plan(square(30.0), apply=BEND_X)
+    assert (only(found).input, only(found).output) == ("Y", "X")
+    assert added(found, 0.0, 1000.0) == [0.0, 30.0]
+
+
+def test_the_ramp_is_zero_at_the_reference_of_the_axis_that_moves() -> None:
+    axes = (axis_of(reference=400.0), axis_of("Y", reference=123.0))
+    assert added(plan(square(30.0), axes=axes, apply=BEND_Y), 0.0, 400.0, 1000.0) == [
+        *(-12.0, 0.0, 18.0)
+    ]
+
+
+@pytest.mark.parametrize(
+    "pair", [("X", "Y"), ("Y", "X")]
+)  # moving Y with X, or X with Y: the angle closes
+def test_what_acts_between_the_axes_takes_its_own_slope_off_the_angle(
+    pair: tuple[str, str],
+) -> None:
+    acting = Acting({"X": by_slope(5e-4), "Y": by_slope(-3e-4)}, {pair: by_slope(30e-6)})
+    assert angle_of(square(0.0), acting) == pytest.approx(30.0 * PPM, rel=1e-3)
+    assert angle_of(square(0.0), IDLE) == 0.0
+
+
+def test_a_step_at_the_reversal_is_no_angle() -> None:
+    """A correction that only depends on the direction moves both halves of each run alike."""
+    acting = Acting({}, {("X", "Y"): by_slope(0.0, lost=10.0 * UM)})
+    assert angle_of(square(0.0), acting) == pytest.approx(0.0, abs=0.1 * PPM)
+
+
+def test_a_circle_of_another_state_is_brought_to_what_acts_now() -> None:
+    """While Y was bent by 30 µm/m it still showed 10: the machine itself has 40."""
+    before = Acting({}, {("X", "Y"): by_slope(30e-6)})
+    circle = square(10.0, measured_in="before")
+    now_bare = plan(circle, apply=BEND_Y, states={"as_found": IDLE, "before": before})
+    assert only(now_bare).squareness == pytest.approx(40.0 * PPM, rel=1e-3)
+    now_bent = plan(circle, apply=BEND_Y, states={"as_found": before, "before": IDLE})
+    assert only(now_bent).squareness == pytest.approx(-20.0 * PPM, rel=1e-3)
+
+
+def test_circles_of_a_plane_are_weighted() -> None:
+    """30 ± 2 and 45 ± 4 µm/m: 33, ± 1.79; the chi-square of 11.25 at one degree of freedom says that
+    they disagree, so ± 6.
+    """
+    found = plan(square(30.0, 2.0, name="a"), square(45.0, 4.0, name="b"), apply=BEND_Y)
+    planned = only(found)
+    assert planned.squareness == pytest.approx(33.0 * PPM)
+    assert planned.std_error == pytest.approx(6.0 * PPM)
+    assert planned.tests == ("a", "b")
+    assert "CW-P110" in codes(found)
+
+
+def test_circles_that_agree_are_better_than_each() -> None:
+    found = plan(square(30.0, 2.0, name="a"), square(32.0, 2.0, name="b"), apply=BEND_Y)
+    assert only(found).std_error == pytest.approx(np.sqrt(2.0) * PPM)
+    assert "CW-P110" not in codes(found)
+
+
+@pytest.mark.parametrize(("error", "bent"), [(14.9, True), (15.1, False)])
+def test_an_angle_within_two_standard_errors_is_left(error: float, *, bent: bool) -> None:
+    found = plan(square(-30.0, error), apply=BEND_Y)
+    assert bool(found.planned) is bent
+    assert ("CW-P107" in codes(found)) is not bent
+
+
+def test_an_angle_that_nobody_asks_to_correct_is_said() -> None:
+    assert codes(plan(square(30.0))) == ["CW-P108"]
+    assert codes(plan(square(3.0))) == []
+    assert codes(plan(apply=BEND_Y)) == ["CW-P106"]
+    other = plan(
+        square(30.0), axes=(*AXES, axis_of("Z")), apply=ApplyRequest(squareness={"YZ": "Z"})
+    )
+    assert codes(other) == ["CW-P106", "CW-P108"]
+
+
+@pytest.mark.parametrize(("travel", "far"), [(400.0, False), (401.0, True)])
+def test_beyond_two_diameters_it_is_an_extrapolation(travel: float, *, far: bool) -> None:
+    axes = (axis_of(travel=(0.0, travel)), axis_of("Y"))
+    found = plan(square(30.0), axes=axes, apply=BEND_Y)
+    assert ("CW-P111" in codes(found)) is far
+
+
+def test_a_gantry_is_named() -> None:
+    axes = (axis_of(), axis_of("Y", gantry="Y2"))
+    assert "CW-P112" in codes(plan(square(30.0), axes=axes, apply=BEND_Y))
+    assert "CW-P112" not in codes(plan(square(30.0), axes=axes, apply=BEND_X))
+
+
+def test_a_measured_deviation_is_taken_back_from_the_reference_on() -> None:
+    """Straightness 0, 6, 4 µm at X 0, 500, 1000: Y is moved by minus that."""
+    found = plan(cross=(straight((0.0, 6.0 * UM, 4.0 * UM)),))
+    assert added(found, 0.0, 500.0, 1000.0) == [0.0, -6.0, -4.0]
+    assert added(found, 250.0) == [-3.0]
+    assert only(found).source == "cross"
+    middle = (axis_of(reference=500.0), axis_of("Y"))
+    again = plan(axes=middle, cross=(straight((0.0, 6.0 * UM, 4.0 * UM)),))
+    assert added(again, 0.0, 500.0, 1000.0) == [6.0, 0.0, 2.0]
+
+
+def test_a_measured_slope_is_an_angle_with_the_sign_of_the_circle() -> None:
+    """30 µm to -Y over a metre of X is 30 µm/m more than 90°; the circle that says so confirms."""
+    down = straight((0.0, -15.0 * UM, -30.0 * UM))
+    found = plan(square(31.0), cross=(down,))
+    assert only(found).squareness == pytest.approx(30.0 * PPM)
+    assert codes(found) == ["CW-P105"]
+    assert codes(plan(square(-31.0), cross=(down,))) == ["CW-P104"]
+
+
+@pytest.mark.parametrize(
+    ("circle", "error", "agrees"),
+    [(34.9, 0.1, True), (35.1, 0.1, False), (39.9, 5.0, True), (40.1, 5.0, False)],
+)
+def test_square_and_circle_agree_within_a_good_square_or_the_circle(
+    circle: float, error: float, *, agrees: bool
+) -> None:
+    found = plan(square(circle, error), cross=(straight((0.0, -15.0 * UM, -30.0 * UM)),))
+    assert codes(found) == (["CW-P105"] if agrees else ["CW-P104"])
+
+
+def test_the_direct_measurement_wins_over_the_circle() -> None:
+    found = plan(square(80.0), cross=(straight((0.0, -15.0 * UM, -30.0 * UM)),), apply=BEND_Y)
+    assert only(found).source == "cross"
+
+
+def test_what_acted_then_and_acts_now_counts_for_a_direct_measurement() -> None:
+    """Then Y was moved by 10 µm/m and stood straight: without it, as now, 10 µm/m are missing. And
+    the other way round.
+    """
+    bent, request = (
+        Acting({}, {("X", "Y"): by_slope(10e-6)}),
+        straight((0.0,) * 3, measured_in="then"),
+    )
+    bare_now = plan(cross=(request,), states={"as_found": IDLE, "then": bent})
+    assert added(bare_now, 0.0, 1000.0) == [0.0, 10.0]
+    bent_now = plan(cross=(request,), states={"as_found": bent, "then": IDLE})
+    assert added(bent_now, 0.0, 1000.0) == [0.0, -10.0]
+
+
+def test_directions_of_the_moving_axis_are_kept_apart() -> None:
+    lag = Acting({}, {("X", "Y"): lambda x, way: (4e-6 if way is MINUS else 0.0) * x})
+    request = straight((0.0,) * 3, measured_in="then")
+    found = plan(cross=(request,), states={"as_found": IDLE, "then": lag})
+    added_by = only(found).added
+    assert added_by.at(np.array([1000.0]), PLUS)[0] == pytest.approx(0.0, abs=1e-9)
+    assert added_by.at(np.array([1000.0]), MINUS)[0] == pytest.approx(4.0 * UM)
+
+
+def test_beyond_the_measured_range_the_mean_slope_goes_on() -> None:
+    """Measured from 400 to 600 with 20 µm/m: at the ends of the travel -8 and 12 µm from 400."""
+    axes = (axis_of(reference=400.0), axis_of("Y"))
+    request = straight((0.0, -2.0 * UM, -4.0 * UM), positions=(400.0, 500.0, 600.0))
+    found = plan(axes=axes, cross=(request,))
+    assert added(found, 0.0, 400.0, 600.0, 1000.0) == [-8.0, 0.0, 4.0, 12.0]
+    assert "CW-P111" in codes(found)
+
+
+def test_nodes_at_equal_steps_that_miss_a_measured_point_are_told() -> None:
+    uneven = straight((0.0, 9.0 * UM, 0.0, 0.0), positions=(0.0, 130.0, 430.0, 1000.0))
+    assert "CW-P103" in codes(plan(cross=(uneven,)))
+    even = straight((0.0, 9.0 * UM, 0.0), positions=(0.0, 500.0, 1000.0))
+    assert "CW-P103" not in codes(plan(cross=(even,)))
+
+
+def test_two_points_are_a_table_of_two_points_over_the_travel() -> None:
+    request = straight((0.0, -3.0 * UM), positions=(100.0, 400.0))
+    found = plan(cross=(request,))
+    assert only(found).added.positions.tolist() == [0.0, 1000.0]
+    assert added(found, 0.0, 1000.0) == [0.0, 10.0]
+
+
+def test_axes_that_the_job_does_not_have_are_left_to_the_reading_of_the_job() -> None:
+    found = plan(axes=(axis_of(),), cross=(straight((0.0,) * 3),), apply=BEND_Y)
+    assert (found.planned, found.findings) == ((), ())

@@ -1,0 +1,153 @@
+"""What a fresh test will show, of axes whose error is known; and whether a table is worth it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from compwright.planning import outlook
+from compwright.planning.axes import AxisWork, no_gain
+from compwright.planning.outlook import predict, predict_new_targets, why_not_better
+from compwright.prediction.acting import difference, nothing
+from compwright.records.axis import AxisKind
+from compwright.records.correction import AxisCompensation
+from compwright.records.prediction import Quantiles
+from compwright.records.result import PositioningResult
+from planning_samples import UM, KnownAxis, axis_of, by_slope, work_of
+
+SLOPED = KnownAxis(lambda x: 30e-6 * x, lambda x: 30e-6 * x)
+ROTARY_FACTOR = 3600.0
+
+
+def shown(work: AxisWork, new: object, name: str = "E") -> float:
+    change = difference(new, work.active)  # type: ignore[arg-type]
+    prediction = predict(work.results[0], work.posterior, change, work.planned.axis)
+    return prediction.predicted[name].median / UM
+
+
+def test_a_table_of_minus_the_error_leaves_nothing() -> None:
+    """30 µm/m over a metre: 30 µm now, nothing with the table, 60 with its sign turned."""
+    work = work_of(SLOPED)
+    assert shown(work, nothing) == pytest.approx(30.0)
+    assert shown(work, by_slope(-30e-6)) == pytest.approx(0.0, abs=1e-9)
+    assert shown(work, by_slope(30e-6)) == pytest.approx(60.0)
+
+
+def test_what_acted_during_the_test_is_no_change_where_it_stays() -> None:
+    table = AxisCompensation(
+        address="X",
+        kind=AxisKind.LINEAR,
+        positions=np.array([0.0, 1000.0]),
+        positive=np.array([0.0, 10.0 * UM]),
+        negative=np.array([0.0, 10.0 * UM]),
+    )
+    work = work_of(SLOPED, active=table)
+    assert shown(work, table.at) == pytest.approx(30.0)
+    assert shown(work, nothing) == pytest.approx(20.0)
+
+
+def test_lost_motion_changes_the_reversal_value() -> None:
+    """The axis stands 5 µm too high in -: B is -5 µm; the control draws it back by 5 in -."""
+    lags = KnownAxis(np.zeros_like, lambda x: 0.0 * x + 5.0 * UM)
+    work = work_of(lags)
+    assert shown(work, nothing, "B_mean") == pytest.approx(-5.0)
+    assert shown(work, by_slope(0.0, lost=-5.0 * UM), "B_mean") == pytest.approx(0.0, abs=1e-9)
+
+
+def test_new_targets_stay_away_from_the_ends_and_see_what_lies_between(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    seen: list[np.ndarray] = []
+
+    class Watching(KnownAxis):
+        def draw(self, positions, count, rng):  # type: ignore[no-untyped-def]
+            seen.append(positions)
+            return super().draw(positions, count, rng)
+
+    work = work_of(Watching(np.zeros_like, np.zeros_like))
+    monkeypatch.setattr(outlook, "DRAWS", 5)
+    found = predict_new_targets(work.results[0], work.posterior, nothing, work.planned.axis)
+    assert set(found) >= {"A", "E", "R"}
+    assert seen[0].size == work.results[0].test.targets.size
+    assert (seen[0] >= 4.0).all()
+    assert (seen[0] <= 996.0).all()
+    assert np.abs(seen[0] - work.results[0].test.targets).max() > 1.0
+
+
+def test_the_same_job_predicts_the_same_and_another_axis_something_else() -> None:
+    noisy = KnownAxis(np.zeros_like, np.zeros_like, noise=1.0 * UM)
+    one, again, other = (
+        predict(work.results[0], work.posterior, nothing, work.planned.axis).predicted["A"]
+        for work in (work_of(noisy), work_of(noisy), work_of(noisy, axis_of("Y")))
+    )
+    assert one == again
+    assert one != other
+
+
+def test_a_direction_that_was_not_measured_is_not_predicted() -> None:
+    work = work_of(SLOPED, one_way=True)
+    found = predict(work.results[0], work.posterior, nothing, work.planned.axis).predicted
+    assert "E_positive" in found
+    assert not {"B_mean", "E_negative", "M"} & set(found)
+
+
+def result_of(**parameters: float | None) -> PositioningResult:
+    values = {key: None if value is None else value * UM for key, value in parameters.items()}
+    return replace(work_of(SLOPED).results[0], parameters=values)
+
+
+def of(name: str, median: float) -> dict[str, Quantiles]:
+    return {name: Quantiles(median * UM, 0.0, 0.0)}
+
+
+@pytest.mark.parametrize(
+    ("was", "becomes", "fresh_was", "fresh", "words"),
+    [
+        (10.0, 5.0, 10.0, 5.0, ""),
+        (10.0, 10.0, 10.0, 5.0, "with the table gives A 10.00 µm, without it 10.00 µm"),
+        (10.0, 12.0, 10.0, 5.0, "with the table gives A 12.00 µm, without it 10.00 µm"),
+        (10.0, 5.0, 10.0, 10.0, "A is expected to be 10.00 µm with the table, 10.00 µm without it"),
+        (10.0, 5.0, 10.0, 11.0, "at new targets A is expected to be 11.00 µm"),
+    ],
+)
+def test_a_table_has_to_improve_the_test_and_what_lies_between_its_targets(
+    was: float, becomes: float, fresh_was: float, fresh: float, words: str
+) -> None:
+    why = why_not_better(result_of(A=was), result_of(A=becomes), of("A", fresh_was), of("A", fresh))
+    assert (words in why) if words else why == ""
+
+
+def test_the_size_counts_where_a_value_has_a_sign() -> None:
+    better = why_not_better(
+        result_of(B_mean=-5.0), result_of(B_mean=1.0), of("B_mean", -5.0), of("B_mean", 1.0)
+    )
+    assert better == ""
+    worse = why_not_better(
+        result_of(B_mean=1.0), result_of(B_mean=-5.0), of("B_mean", 1.0), of("B_mean", -5.0)
+    )
+    assert "gives B_mean -5.00 µm" in worse
+
+
+def test_the_first_parameter_that_the_test_has_judges() -> None:
+    """A is not defined here, E gets worse, R gets better."""
+    before, after = result_of(A=None, E=5.0, R=9.0), result_of(A=None, E=6.0, R=1.0)
+    assert "gives E 6.00" in why_not_better(before, after, {}, {})
+    assert why_not_better(result_of(A=None), result_of(A=None), {}, {}) == ""
+
+
+def test_a_table_that_does_not_help_is_refused() -> None:
+    work = work_of(SLOPED)
+    assert no_gain(work, by_slope(-28e-6)) == ""
+    assert "without it 30.00 µm" in no_gain(work, by_slope(30e-6))
+    assert "without it 30.00 µm" in no_gain(work, nothing)
+
+
+def test_what_acts_now_is_what_a_table_has_to_beat() -> None:
+    """Nothing acted during the test, but the control draws back 25 µm/m now: 5 µm remain; a table
+    of 20 µm/m leaves 10.
+    """
+    work = work_of(SLOPED, as_found=by_slope(-25e-6))
+    assert "gives A 10.00 µm, without it 5.00 µm" in no_gain(work, by_slope(-20e-6))
+    assert no_gain(work, by_slope(-29e-6)) == ""

@@ -1,0 +1,85 @@
+"""Points of a store that all axes share, counted by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from compwright.planning.sharing import shared_fairly
+from compwright.records.capacity import Capacity
+from compwright.records.fitted import TableRequest
+from compwright.records.plan import PlannedAxis
+from planning_samples import KnownAxis, axis_of, capacity_of, work_of
+
+STORE = replace(capacity_of(axis_of()), shared_points=True, max_points=128)
+
+
+def planned(
+    name: str = "X", travel: tuple[float, float] = (0.0, 1000.0), **words: Any
+) -> PlannedAxis:
+    axis = axis_of(name, travel=travel, reference=words.pop("reference", 0.0))
+    work = work_of(KnownAxis(np.zeros_like, np.zeros_like), axis)
+    return replace(work.planned, request=TableRequest(**words))
+
+
+def most(
+    entries: dict[str, PlannedAxis], capacities: dict[str, Capacity] | None = None
+) -> dict[str, int | None]:
+    shared = capacities or dict.fromkeys(entries, STORE)
+    return {name: one.max_points for name, one in shared_fairly(shared, entries).items()}
+
+
+def test_two_axes_get_half_of_the_store_each_less_the_two_points_that_a_table_may_need_more() -> (
+    None
+):
+    assert most({"X": planned(), "Y": planned("Y")}) == {"X": 62, "Y": 62}  # 128 / 2 - 2
+
+
+def test_one_axis_alone_has_the_whole_store() -> None:
+    assert most({"X": planned()}) == {"X": 128}
+
+
+def test_two_tables_of_one_axis_need_twice_the_points() -> None:
+    assert most({"X": planned(mode="bidirectional")}) == {"X": 62}
+    both = most({"X": planned(mode="bidirectional"), "Y": planned("Y")})
+    assert both == {"X": 30, "Y": 62}  # 64 for each; two tables of 32 less 2
+
+
+def test_an_axis_whose_spacing_is_named_gets_what_it_needs_first() -> None:
+    """1000 mm every 50 mm: 20 intervals and 3 points more; the rest, 105, is the other one's."""
+    assert most({"X": planned(spacing=50.0), "Y": planned("Y")}) == {"X": 128, "Y": 103}
+
+
+def test_a_named_grid_counts_from_the_reference_even_where_that_lies_outside() -> None:
+    """From -500 to 1000: 30 intervals; from 0 to 1500: as many."""
+    assert most({"X": planned(spacing=50.0, reference=-500.0), "Y": planned("Y")})["Y"] == 93
+    assert most({"X": planned(spacing=50.0, reference=1500.0), "Y": planned("Y")})["Y"] == 93
+
+
+def test_a_named_start_and_end_count_in_place_of_the_travel() -> None:
+    shorter = planned(spacing=50.0, start=100.0, end=600.0, reference=100.0)
+    assert most({"X": shorter, "Y": planned("Y")})["Y"] == 128 - 13 - 2  # 10 intervals and 3
+
+
+def test_two_named_tables_take_twice_as_much() -> None:
+    named = planned(spacing=50.0, mode="bidirectional")
+    assert most({"X": named, "Y": planned("Y")})["Y"] == 128 - 46 - 2
+
+
+def test_a_store_of_ones_own_is_shared_with_nobody() -> None:
+    own = replace(STORE, shared_points=False)
+    entries = {"X": planned(), "Y": planned("Y")}
+    assert most(entries, {"X": own, "Y": STORE}) == {"X": 128, "Y": 128}
+    assert most({"X": planned()}, {"X": STORE, "Z": STORE}) == {"X": 128, "Z": 128}  # Z: no table
+
+
+def test_a_store_that_is_full_leaves_two_points_which_writing_then_refuses() -> None:
+    assert most({"X": planned(spacing=5.0), "Y": planned("Y")})["Y"] == 2
+
+
+def test_an_axis_never_gets_more_than_it_may_hold_itself() -> None:
+    entries = {"X": planned(), "Y": planned("Y")}
+    small = replace(STORE, max_points=40)
+    assert most(entries, {"X": small, "Y": STORE}) == {"X": 18, "Y": 18}  # the store is the smaller

@@ -1,0 +1,207 @@
+"""What has to be there before a verification is good: tests, circles, limits as they were."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, Literal, cast
+
+import numpy as np
+import pytest
+
+from compwright.foundations.findings import Finding
+from compwright.foundations.provenance import Source
+from compwright.records.axis import AxisKind
+from compwright.records.correction import CrossCompensation
+from compwright.records.fitted import FittedTable
+from compwright.records.job import Acceptance, Job
+from compwright.records.plan import Plan, PlannedAxis, PlannedCross
+from compwright.records.positioning import PositioningTest
+from compwright.verification.proof import (
+    AfterTest,
+    changed_limits,
+    copies,
+    doubted,
+    not_measured,
+    old_circles,
+)
+from planning_samples import (
+    TARGETS,
+    UM,
+    KnownAxis,
+    axis_of,
+    circle_of,
+    job_of,
+    readings_of,
+    work_of,
+)
+
+WORK = work_of(KnownAxis(np.zeros_like, np.zeros_like))
+TABLE = cast("FittedTable", object())
+LIMITS = Acceptance(limits={"A": 8.0})
+
+
+def axis(
+    *, fitted: bool = True, tested: bool = True, accept: Acceptance | None = None
+) -> PlannedAxis:
+    planned = replace(WORK.planned, accept=accept, fitted=TABLE if fitted else None)
+    return planned if tested else replace(planned, tests=())
+
+
+def plan(axes: Mapping[str, PlannedAxis], **words: Any) -> Plan:
+    given = {"version": "1", "format": "any", "options": {}, "standard": "iso230-2:2014", **words}
+    return Plan(axes=axes, **given)
+
+
+def between(source: Literal["circle", "cross"] = "circle", *, written: bool = True) -> PlannedCross:
+    table = CrossCompensation(
+        input="X",
+        output="Y",
+        input_kind=AxisKind.LINEAR,
+        output_kind=AxisKind.LINEAR,
+        positions=TARGETS,
+        positive=TARGETS,
+        negative=TARGETS,
+    )
+    return PlannedCross(input="X", output="Y", added=table, source=source, written=written)
+
+
+def missing(job: Job, of: Plan, measured: dict[str, str], *circles: str) -> list[str]:
+    tests = {name: of.circles[name].test for name in circles}
+    return [finding.message for finding in not_measured(job, of, measured, tests)]
+
+
+def test_an_axis_with_a_table_has_to_be_measured_again() -> None:
+    job, planned = job_of(axis_of()), plan({"X": axis()})
+    assert missing(job, planned, {"X": "x"}) == []
+    (message,) = missing(job, planned, {})
+    assert message.endswith("axis X was not measured after loading. Measure it as for the test x.")
+
+
+@pytest.mark.parametrize(("fitted", "accept", "told"), [(False, None, 0), (False, LIMITS, 1)])
+def test_an_axis_without_a_table_only_where_it_has_limits(
+    fitted: bool,
+    accept: Acceptance | None,
+    told: int,
+) -> None:
+    job = job_of(axis_of(), accept=accept)
+    assert len(missing(job, plan({"X": axis(fitted=fitted, accept=accept)}), {})) == told
+
+
+def test_limits_speak_of_one_test_and_that_has_to_be_repeated() -> None:
+    accept = Acceptance(limits={"A": 8.0}, test="long")
+    job, planned = job_of(axis_of(), accept=accept), plan({"X": axis(accept=accept)})
+    assert missing(job, planned, {"X": "long"}) == []
+    (message,) = missing(job, planned, {"X": "x"})
+    assert "the limits of axis X are for the test long, and x was measured" in message
+    (none,) = missing(job, planned, {})
+    assert none.endswith("Measure it as for the test long.")
+    assert missing(job_of(axis_of(), accept=LIMITS), planned, {"X": "x"}) == []  # the first test
+
+
+def test_a_scale_from_circles_asks_for_a_circle() -> None:
+    circles = {
+        name: circle_of({}, axes).planned for name, axes in (("xy", ("X", "Y")), ("yz", ("Y", "Z")))
+    }
+    planned = plan({"X": axis(tested=False)}, circles=circles)
+    assert missing(job_of(axis_of()), planned, {}, "xy") == []
+    (message,) = missing(job_of(axis_of()), planned, {}, "yz")
+    assert message.endswith("Measure the circle xy again.")
+    kept = plan({"X": axis(tested=False, fitted=False)}, circles=circles)
+    assert missing(job_of(axis_of()), kept, {}) == []
+
+
+def test_a_squareness_that_was_corrected_asks_for_a_circle_of_its_plane() -> None:
+    circles = {
+        "xy": circle_of({}, ("Y", "X")).planned,
+        "yz": circle_of({}, ("Y", "Z")).planned,
+    }
+    planned = plan({}, cross=(between(),), circles=circles)
+    assert missing(job_of(), planned, {}, "xy") == []
+    (message,) = missing(job_of(), planned, {}, "yz")
+    assert "the squareness of XY was corrected and not measured" in message
+    assert message.endswith("Measure the circle xy again.")
+    for entry in (between("cross"), between(written=False)):
+        assert missing(job_of(), plan({}, cross=(entry,), circles=circles), {}) == []
+
+
+@pytest.mark.parametrize(
+    ("code", "severity", "first_had_it", "guarded", "told"),
+    [
+        ("CW-T016", "warning", False, False, True),
+        ("CW-T016", "warning", True, False, True),  # about the readings: again is no excuse
+        ("CW-T007", "warning", False, False, True),
+        ("CW-T007", "warning", True, False, False),  # planned like the first test
+        ("CW-T012", "warning", False, False, False),  # only makes the values larger
+        ("CW-T030", "warning", False, False, False),  # judged beside the first test
+        ("CW-T023", "warning", False, False, False),
+        ("CW-T023", "warning", False, True, True),  # the uncertainty, where it decides
+        ("CW-T016", "info", False, False, False),
+        ("CW-T016", "error", False, False, True),
+    ],
+)
+def test_which_findings_leave_it_undecided(
+    code: str, severity: Any, *, first_had_it: bool, guarded: bool, told: bool
+) -> None:
+    finding = Finding(code, severity, "Something.")
+    first = replace(WORK.results[0], findings=(finding,) if first_had_it else ())
+    after = replace(WORK.results[0], findings=(finding,))
+    found = list(doubted(after, first, guarded=guarded))
+    assert [entry.code for entry in found] == (["CW-V024"] if told else [])
+    if told:
+        assert found[0].message.startswith(f"The test after loading, {code}: Something.")
+
+
+def measured(seed: int, *sources: Source) -> PositioningTest:
+    noise = np.random.default_rng(seed).normal(0.0, 1.0 * UM, (2, TARGETS.size, 5))
+    return readings_of(*noise, sources=sources)
+
+
+def test_two_axes_with_one_measurement_are_both_named() -> None:
+    one, other = Source("x.csv", "aa"), Source("y.csv", "bb")
+    own = [AfterTest("X", measured(1, one), "x"), AfterTest("Y", measured(2, other), "y")]
+    assert copies(own) == {}
+    same_file = [own[0], AfterTest("Y", measured(2, one), "y")]
+    assert set(copies(same_file)) == {"X", "Y"}
+    shifted = measured(1, other)
+    shifted = replace(
+        shifted, positive=shifted.positive + 3.0 * UM, negative=shifted.negative + 3.0 * UM
+    )
+    found = copies([own[0], AfterTest("Y", shifted, "y")])
+    assert {name: fault.of for name, fault in found.items()} == {"X": "copied", "Y": "copied"}
+    assert "Axis X and axis Y were given the same measurement" in found["X"].message
+
+
+def test_one_file_twice_within_a_test_is_a_copy_too() -> None:
+    twice = AfterTest("X", measured(1, Source("x.csv", "aa"), Source("x2.csv", "aa")), "x")
+    assert "The test of axis X holds one file twice" in copies([twice])["X"].message
+
+
+def test_the_circle_from_before_is_no_circle_after() -> None:
+    old = circle_of({}).planned
+    was = replace(old, test=replace(old.test, sources=(Source("xy.b5r", "aa"),)))
+    planned = plan({}, circles={"xy": was})
+    same = replace(old.test, sources=(Source("again.b5r", "aa"),))
+    (finding,) = old_circles(planned, {"xy": same})
+    assert finding.code == "CW-V025"
+    assert list(old_circles(planned, {"xy": replace(same, sources=(Source("n", "bb"),))})) == []
+
+
+def test_what_was_edited_after_the_run_is_said() -> None:
+    def told(job: Job, of: Plan) -> list[str]:
+        return [finding.message.split(": ", 1)[1] for finding in changed_limits(job, of)]
+
+    job, planned = job_of(axis_of(), accept=LIMITS), plan({"X": axis(accept=LIMITS)})
+    assert told(job, planned) == []
+    (standard,) = told(replace(job, standard="iso230-2:1988"), planned)
+    assert standard.startswith("the standard was iso230-2:2014, now it is iso230-2:1988.")
+    (rule,) = told(job, replace(planned, decision_rule="guarded"))
+    assert rule.startswith("the decision rule was guarded, now it is simple.")
+    assert told(job, replace(planned, decision_rule="simple")) == []
+    (limits,) = told(job_of(axis_of()), planned)
+    assert limits.startswith("the limits of axis X were A 8, now they are none.")
+    (axis_gone,) = told(job_of(), planned)
+    assert axis_gone.startswith("the limits of axis X were A 8, now they are none.")
+    named = Acceptance(limits={"A": 8.0, "E": 5.0}, test="long")
+    (more,) = told(job_of(axis_of(), accept=named), planned)
+    assert "now they are A 8, E 5 (test long)." in more
