@@ -34,7 +34,7 @@ _PIECE = re.compile(
     r"\{(?P<field>[a-z_][a-z0-9_]*)\}|(?P<blank>"
     r" +)|#(?P<padded>[0-9]+)|(?P<word>[\w$%.]+)|(?P<mark>.)"
 )
-#: A form that ends in a group which stands once or several times: ``N#03620Q1(A{axis}P{value})*``.
+#: A form that ends in a group which stands once or several times: ``N#00007Q1(A{axis}P{value})*``.
 _GROUPED = re.compile(r"(?P<before>.*)\((?P<group>[^()]*)\)\*")
 _NAME = re.compile(r"[A-Za-z]*#0*([0-9]+)|[$\w.]+")
 _LINE_NUMBER = re.compile(
@@ -99,7 +99,7 @@ class Matcher:
     """A compiled statement: its own form first, then the forms that are only read; ``section``
     matches the section's name.
 
-    ``number``: the number with which such a line begins (``N03620``), without leading zeros; None
+    ``number``: the number with which such a line begins (``N00007``), without leading zeros; None
     where the form has none.
     """
 
@@ -116,16 +116,16 @@ class Matcher:
 
 
 def line_number(text: str) -> str | None:
-    """Return the number after the first letter of a line, without leading zeros (``N03620Q1..`` ->
-    ``3620``); None without one.
+    """Return the number after the first letter of a line, without leading zeros (``N00007Q1..`` ->
+    ``7``); None without one.
     """
     match = _LINE_NUMBER.match(text)
     return match[1] if match else None
 
 
 def name_in_form(form: str) -> str:
-    """Return the control's name of what a form holds: its first word (``$MA_BACKLASH``), or the
-    number of a parameter (``N#01851Q1(A{axis}P{value})*`` -> ``1851``).
+    """Return the control's name of what a form holds: its first word (``$BACKLASH``), or the number
+    of a parameter (``N#00007Q1(A{axis}P{value})*`` -> ``7``).
     """
     match = _NAME.match(form)
     return "" if match is None else match[1] or match[0]

@@ -40,6 +40,9 @@ class Family(ABC):
     Raises UsageError for a wrong option, or one that contradicts the control's files.
     """
 
+    #: What would let tables be counted with that are `untold`.
+    untold_help = ""
+
     def __init__(
         self,
         definition: Definition,
@@ -165,6 +168,13 @@ class Family(ABC):
             self.definition.limit(limit) is not None for limit in ("points_reserved", "max_points")
         )
         return int(table.positions.size) if reserves else None
+
+    def untold(self, state: ControlState, address: str) -> str:
+        """Return the tables from other axes that act on an axis in a state and of which nobody
+        knows what they do; empty where there are none.
+        """
+        del state, address
+        return ""
 
     @property
     def says_activity(self) -> bool:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 from compwright.evaluation.expansion import remove_differential_expansion
 from compwright.formats.definition.options import ENCODER_SYSTEM
+from compwright.formats.families.family import Family
 from compwright.formats.families.grid.beside import BESIDE
-from compwright.formats.families.pairs.reading import CEC_UNTOLD
 from compwright.foundations import storage
 from compwright.foundations.errors import (
     CompwrightError,
@@ -82,7 +82,7 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
         [
             *_missing_axes(job, states),
             *_other_neighbours(job, states),
-            *_other_tables_between(job, states),
+            *_other_tables_between(job, control.format, states),
             *_other_joints(job, states),
         ],
     )
@@ -183,7 +183,9 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
     return faults
 
 
-def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
+def _other_tables_between(
+    job: Job, family: Family, states: Mapping[str, DecodedState]
+) -> Iterator[Fault]:
     """Yield where tables between axes that cannot be counted with differ between a circle's state
     and what is in the control.
     """
@@ -196,7 +198,7 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
             if now is None:
                 continue
             said = [
-                str(one.state.facts.get(entry.axis.address, {}).get(CEC_UNTOLD, "none"))
+                family.untold(one.state, entry.axis.address) or "none"
                 for one in (now, states[state])
             ]
             if said[0] != said[1]:
@@ -208,10 +210,7 @@ def _other_tables_between(job: Job, states: Mapping[str, DecodedState]) -> Itera
                     ),
                     file=job.file,
                     place=f"states.{state}",
-                    expected=(
-                        "cec_sign in controller.options (tables that are curves), or a measurement"
-                        " in as_found"
-                    ),
+                    expected=f"{family.untold_help}, or a measurement in as_found",
                     found=f"{AS_FOUND}: {said[0]}; {state}: {said[1]}",
                 )
 

@@ -21,7 +21,7 @@ from compwright.formats.families.grid.reading import read_grid
 from compwright.formats.families.grid.writing import holds_two_curves, write_table_files
 from compwright.formats.families.pairs.between import pairs_between
 from compwright.formats.families.pairs.capacity import cec_available, with_cec
-from compwright.formats.families.pairs.reading import CEC_PAIR
+from compwright.formats.families.pairs.reading import CEC_PAIR, CEC_UNTOLD
 from compwright.formats.families.pairs.view import with_sign_unknown
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, FloatArray
@@ -32,6 +32,7 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 class GridFamily(Family):
     """Values by index, or rows by position."""
 
+    untold_help = "cec_sign in controller.options (tables that are curves)"
     sign_assumed = False
 
     def read(
@@ -55,6 +56,10 @@ class GridFamily(Family):
         shown = self.with_options(cec_sign="correction")
         shown.sign_assumed = True
         return shown
+
+    def untold(self, state: ControlState, address: str) -> str:
+        """See `Family.untold`: tables without a sign, or that are no curve."""
+        return str(state.facts.get(address, {}).get(CEC_UNTOLD, ""))
 
     def loading_order(self, files: Sequence[ControlFile]) -> list[str]:
         """See `Family.loading_order`."""
