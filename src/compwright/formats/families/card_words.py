@@ -38,14 +38,17 @@ def typed(value: float) -> str:
 def table_values(
     definition: Definition, scale: Scale, compensation: AxisCompensation
 ) -> dict[str, str]:
-    """Return points, unit, backlash, start, end and spacing of a table, in the control's unit."""
+    """Return points, unit, backlash, start, end and spacing of a table, in the control's units:
+    lengths in that of the positions, the backlash in its own.
+    """
     node = "table_start" if "table_start" in definition.bindings else "node_position"
+    lost = "backlash" if "backlash" in definition.bindings else node
     factor = float(scale.factor(node))
     positions = compensation.positions
     values = {
         "points": str(positions.size),
         "unit": scale.unit(node),
-        "backlash": typed(compensation.backlash / factor),
+        "backlash": typed(compensation.backlash / float(scale.factor(lost))),
     }
     if positions.size:
         values["start"] = f"{positions[0] / factor:.10g}"

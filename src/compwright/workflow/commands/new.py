@@ -15,6 +15,7 @@ from compwright.jobs.writing import AxisDraft, Prefilled, job_text
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.workflow.stages.control import Control, decode, open_control, read_files
+from compwright.workflow.stages.definitions import is_path
 
 Facts = Mapping[str, float | int | str | bool]
 
@@ -66,11 +67,12 @@ def new_job(
         given[DETECTION_UNIT] = Prefilled(
             None, "mm or deg per pulse, such as 0.001; nothing in the files says it"
         )
-    text = job_text(
-        format_id, given, [storage.relative(path, out.parent) for path in files], drafts
-    )
+    named = storage.relative(Path(format_id), out.parent) if is_path(format_id) else format_id
+    text = job_text(named, given, [storage.relative(path, out.parent) for path in files], drafts)
     storage.write_file(out, encoded(text), force=force)
-    return NewOutcome(out, tuple(_open(given, drafts)), (*left_out, *_idle(control, state, drafts)))
+    said = (finding.message for finding in control.findings)
+    told = (*left_out, *_idle(control, state, drafts), *said)
+    return NewOutcome(out, tuple(_open(given, drafts)), told)
 
 
 def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState, tuple[str, ...]]:

@@ -176,9 +176,8 @@ def _load(machine: VirtualMachine, tables: Path, file: str) -> tuple[Control, De
                 expected="a format, to load tables into",
             )
         )
-    control = open_control(
-        machine.format, machine.options, Origin(file, "controller.format", "controller.options.")
-    )
+    origin = Origin(file, "controller.format", "controller.options.", Path(file).parent)
+    control = open_control(machine.format, machine.options, origin)
     axes = [_addressed(control, virtual.axis) for virtual in machine.axes.values()]
     decoded = decode(control, read_files([tables]), axes)
     unknown = sorted(set(decoded.state.axes) - {axis.address for axis in axes})
