@@ -18,6 +18,7 @@ from compwright.formats.card import card_steps, card_steps_of_all
 from compwright.formats.control_format import control_format
 from compwright.planning.quick_check import check_positions
 from compwright.records.axis import Axis, AxisKind
+from compwright.records.facts import AxisFacts
 from compwright.reporting.card import card_html
 from format_samples import DEFINITIONS, SIEMENS, axis_of, files, table
 from places import PROJECT
@@ -116,7 +117,7 @@ def test_the_sign_is_checked_at_two_of_these_positions() -> None:
     axis = Axis(name="X", kind=AxisKind.LINEAR, travel=(-100.0, 0.0), address="1")
     new = table("1", [-150.0, -100.0, -50.0, 0.0, 50.0], [0.020, 0.004, -0.002, 0.0, -0.030])
     values = control_format(definition, {"detection_unit": 0.001}).card_values(
-        axis, new, {}, np.array([-95.0, -50.0, -5.0])
+        axis, new, AxisFacts(), np.array([-95.0, -50.0, -5.0])
     )
     assert (values["check_from"], values["check_to"]) == ("-95", "-50")
     assert values["check_change"] == "-5.4 µm"  # from 3.4 to -2.0
@@ -133,7 +134,7 @@ def test_what_differs_by_axis_stands_in_a_table_and_the_rest_once() -> None:
         for axis, count in zip(axes, (3, 2), strict=True)
     ]
     values = [
-        control_format(definition, {}).card_values(axis, new, {}, new.positions)
+        control_format(definition, {}).card_values(axis, new, AxisFacts(), new.positions)
         for axis, new in zip(axes, tables, strict=True)
     ]
     steps = {
@@ -199,7 +200,7 @@ def test_no_number_on_the_card_has_an_exponent() -> None:
     axis = axis_of("AX1")
     new = table("AX1", [0.0, 50.0], [0.0, 0.001], backlash=0.000076)
     assert (
-        control_format(SIEMENS, {}).card_values(axis, new, {}, new.positions)["backlash"]
+        control_format(SIEMENS, {}).card_values(axis, new, AxisFacts(), new.positions)["backlash"]
         == "0.000076"
     )
 

@@ -21,6 +21,7 @@ from compwright.formats.text.patching import Change, apply_changes, set_field
 from compwright.formats.text.texts import TextReader
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.correction import ControlFile
+from compwright.records.facts import AxisFacts
 from compwright.workflow.commands.formats import check_formats, list_formats, show_format
 from format_samples import CONTENT, CONTROLS, DEFINITIONS, LINUXCNC, SIEMENS, axis_of, table
 
@@ -385,7 +386,9 @@ def test_the_card_is_filled_in_with_its_evidence() -> None:
     steps = card_steps(
         SIEMENS,
         axis,
-        control_format(SIEMENS, {}).card_values(axis, compensation, {}, compensation.positions),
+        control_format(SIEMENS, {}).card_values(
+            axis, compensation, AxisFacts(), compensation.positions
+        ),
     )
     text = "\n".join(step.text for step in steps)
     assert UNKNOWN not in text

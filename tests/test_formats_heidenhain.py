@@ -25,6 +25,7 @@ from compwright.formats.gate.gate import check_definition
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.facts import AxisFacts
 from compwright.workflow.stages.control import decode, open_control
 from format_samples import DEFINITIONS, axis_of, codes, correction, table
 from loop import Machine, accuracy, allowed, csv_of
@@ -559,7 +560,9 @@ def test_a_line_is_two_numbers_and_a_bit() -> None:
     where = np.array([0.0, 50.0, 400.0])
     for direction in Direction:
         assert again.at(where, direction) == pytest.approx(line.at(where, direction), abs=1e-9)
-    values = control_format(ITNC, {"method": "line"}).card_values(axis, line, {}, line.positions)
+    values = control_format(ITNC, {"method": "line"}).card_values(
+        axis, line, AxisFacts(), line.positions
+    )
     assert values["nonlinear"] == "0"
     assert not [step for step in card_steps(ITNC, axis, values) if UNKNOWN in step.text]
     for wrong, says in (
@@ -576,7 +579,9 @@ def test_a_line_is_two_numbers_and_a_bit() -> None:
 
 def test_the_card_names_the_own_bit_and_column() -> None:
     wanted = table("Y", [0, 50, 100, 150, 200], [0, 0.001, 0.002, 0.003, 0.004], backlash=0.0025)
-    values = control_format(ITNC, {}).card_values(axis_of("Y"), wanted, {}, wanted.positions)
+    values = control_format(ITNC, {}).card_values(
+        axis_of("Y"), wanted, AxisFacts(), wanted.positions
+    )
     assert (values["number"], values["bit"], values["nonlinear"], values["linear"]) == (
         "2",
         "1",
@@ -593,14 +598,17 @@ def test_the_card_names_the_own_bit_and_column() -> None:
     other = control_format(ITNC, {}).card_values(
         replace(axis_of("W"), axis_number=7),
         replace(wanted, address="W"),
-        {},
+        AxisFacts(),
         replace(wanted, address="W").positions,
     )
     assert other["bit"] == "6"
     assert (
         "axis list"
         in control_format(ITNC, {}).card_values(
-            axis_of("W"), replace(wanted, address="W"), {}, replace(wanted, address="W").positions
+            axis_of("W"),
+            replace(wanted, address="W"),
+            AxisFacts(),
+            replace(wanted, address="W").positions,
         )["bit"]
     )
 

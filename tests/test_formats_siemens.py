@@ -181,7 +181,7 @@ def test_a_load_sequence_counts_by_its_last_value(sequence: list[str], active: b
     assert state.axes["AX1"].positions.size == (5 if active else 0)
     assert state.axes["AX1"].backlash == 0.002  # MD32700 switches the table, not the backlash
     assert ("CW-S007" in codes(state)) is not active
-    assert state.facts["AX1"]["enabled"] is active
+    assert state.facts["AX1"].enabled is active
 
 
 def test_switched_on_without_the_table_is_contradictory() -> None:

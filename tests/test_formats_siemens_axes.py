@@ -12,6 +12,7 @@ from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError, InputError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile
+from compwright.records.facts import AxisFacts
 from compwright.workflow.stages.control import decode, open_control
 from format_samples import LINUXCNC, SIEMENS, axis_of, codes, correction, files, siemens, table
 
@@ -275,7 +276,9 @@ def test_the_card_warns_of_a_gantry() -> None:
         (axis_of("AX1"), "leads no gantry as far as the job says"),
     ):
         steps = card_steps(
-            SIEMENS, axis, control_format(SIEMENS, {}).card_values(axis, NEW, {}, NEW.positions)
+            SIEMENS,
+            axis,
+            control_format(SIEMENS, {}).card_values(axis, NEW, AxisFacts(), NEW.positions),
         )
         (text,) = [step.text for step in steps if step.title == "Gantry"]
         assert words in text

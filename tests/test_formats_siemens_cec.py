@@ -14,10 +14,11 @@ from hypothesis import strategies as st
 
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
+from compwright.formats.definition.schema import Definition
 from compwright.formats.families.card_words import UNKNOWN
-from compwright.formats.families.pairs.reading import Cec
+from compwright.formats.families.pairs import cross_writing
 from compwright.formats.families.pairs.sums import cross_tables
-from compwright.formats.families.pairs.writing import write_cross
+from compwright.formats.families.pairs.tables import Cec
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import (
@@ -26,6 +27,7 @@ from compwright.records.correction import (
     ControlState,
     CrossCompensation,
 )
+from compwright.records.facts import AxisFacts
 from compwright.workflow.stages.control import decode, open_control
 from format_samples import LINUXCNC, SIEMENS, axis_of, codes, correction, files, siemens, table
 
@@ -67,6 +69,16 @@ CEC: dict[str, object] = {"cec": "available", "cec_tables": [4, 7], "cec_sign": 
 #: Two curves: what the pair of PAIR does.
 TWO = table("AX1", [0.0, 400.0, 800.0], [0.0, 0.002, -0.0015], [-0.004, -0.001, -0.0065])
 ONE = table("AX1", [0.0, 800.0], [0.0, 0.002], backlash=0.003)
+
+
+def write_cross(
+    definition: Definition,
+    entries: Sequence[CrossCompensation],
+    options: Mapping[str, object],
+    state: ControlState | None = None,
+    own: Sequence[ControlFile] = (),
+) -> tuple[ControlFile, ...]:
+    return cross_writing.write_cross(control_format(definition, options, state), entries, own)
 
 
 def texts(written: Sequence[ControlFile]) -> dict[str, str]:
@@ -237,7 +249,7 @@ def test_memory_that_nobody_wrote_is_no_table() -> None:
     blank = cec(9, [0.0, 0.0], (0, 0, 0), ("AX3", "AX3"))
     state = siemens(blank + PAIR + MD)
     assert list(state.axes) == ["AX1"]
-    assert "9 " not in str(state.facts["AX1"]["cec_tables"])
+    assert 9 not in state.tables.used
 
 
 def test_a_file_of_cross_tables_alone_is_read() -> None:
@@ -582,7 +594,9 @@ def test_the_card_names_the_tables_and_the_check_of_the_sign() -> None:
     single = "\n".join(
         step.text
         for step in card_steps(
-            SIEMENS, axis, control_format(SIEMENS, CEC).card_values(axis, ONE, {}, ONE.positions)
+            SIEMENS,
+            axis,
+            control_format(SIEMENS, CEC).card_values(axis, ONE, AxisFacts(), ONE.positions),
         )
     )
     assert "AX1_EEC.INI" in single
@@ -821,6 +835,6 @@ def test_a_difference_between_the_readers_is_found(monkeypatch: pytest.MonkeyPat
         (none, "do not agree"),
         (another, "different tables"),
     ):
-        monkeypatch.setattr("compwright.formats.families.grid.reading.cross_tables", wrong)
+        monkeypatch.setattr("compwright.formats.families.pairs.state.cross_tables", wrong)
         with pytest.raises(CompwrightError, match=says):
             agreed(given)

@@ -176,7 +176,7 @@ def test_an_inch_control_is_refused_for_lengths_alone(line: str) -> None:
 def test_the_system_that_is_switched_on_is_taken_where_the_job_names_none() -> None:
     text = eec(system=0, values=(0.0, 0.0, 0.0), on="0") + eec(system=1)
     state = both_readers(text, unsaid())
-    assert state.facts["AX1"]["encoder_system"] == 2
+    assert state.facts["AX1"].encoder_system == 2
     assert state.axes["AX1"].positive.tolist() == [0, -0.004, 0]
 
 
@@ -184,7 +184,7 @@ def test_two_systems_that_are_both_on_are_asked_about() -> None:
     with pytest.raises(UsageError, match="both measuring systems"):
         both_readers(eec(system=0) + eec(system=1), unsaid())
     one = both_readers(eec(system=0) + eec(system=1) + "$MA_NUM_ENCS[AX1]=1\n", unsaid())
-    assert one.facts["AX1"]["encoder_system"] == 1
+    assert one.facts["AX1"].encoder_system == 1
 
 
 def test_a_measuring_system_that_the_axis_has_not_is_refused() -> None:

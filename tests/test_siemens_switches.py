@@ -16,6 +16,7 @@ from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError
 from compwright.records.correction import ControlFile
+from compwright.records.facts import AxisFacts
 from compwright.workflow.stages.control import decode, open_control
 from format_samples import SIEMENS, axis_of, table
 from test_siemens_honoured import NAMES, OPTIONS, TWO, cec, eec, pair_into
@@ -114,7 +115,7 @@ def test_the_card_checks_the_sign_first_and_switches_on_last() -> None:
         control_format(SIEMENS, OPTIONS).card_values(
             AXIS,
             table("AX1", [0.0, 1.0], [0.0, 0.1]),
-            {},
+            AxisFacts(),
             table("AX1", [0.0, 1.0], [0.0, 0.1]).positions,
         ),
     )

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from compwright.formats.definition.consistency import has_cross
 from compwright.formats.definition.schema import Definition, Shape
 from compwright.formats.families.columns.family import ColumnsFamily
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.increments.family import IncrementsFamily
+from compwright.formats.families.pairs.family import PairsFamily
 from compwright.records.correction import ControlState
 
 _FAMILIES: Mapping[Shape, type[Family]] = {
@@ -45,4 +47,5 @@ def control_format(
     Raises UsageError with every fault: unknown option, a value of the wrong kind, one that
     contradicts the control's files.
     """
-    return _FAMILIES[definition.layout.shape](definition, given, state, strict=strict)
+    family = PairsFamily if has_cross(definition) else _FAMILIES[definition.layout.shape]
+    return family(definition, given, state, strict=strict)

@@ -16,10 +16,9 @@ import numpy as np
 
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.facts import AxisFacts, PairTables
 
 Beyond = Literal["hold", "zero"]
-#: One fact that a control's files say: a number, a word, a yes or no.
-Fact = float | int | str | bool
 #: Between nodes: straight lines, or the value of the nearest node (the step lies in the middle of
 #: the section).
 Interpolation = Literal["linear", "step"]
@@ -172,15 +171,19 @@ class ControlState:
     """What a set of control files says: compensation by address, what one axis does to another, and
     what else they fix.
 
-    ``facts[address]`` holds further quantities by neutral name: ``max_points`` (int), ``enabled``
-    (bool), ... ``reserved``: numbers of an array that all axes share which hold data, or to which
-    another function points.
+    ``facts``: by address. ``tables``: those between axes, whatever they do. ``reserved``: numbers
+    of an array that all axes share which hold data, or to which another function points.
     """
 
     format: str
     axes: Mapping[str, AxisCompensation]
     cross: tuple[CrossCompensation, ...] = ()
-    facts: Mapping[str, Mapping[str, Fact]] = field(default_factory=dict)
+    facts: Mapping[str, AxisFacts] = field(default_factory=dict)
+    tables: PairTables = field(default_factory=PairTables)
     reserved: frozenset[int] = frozenset()
     assumed: tuple[Assumption, ...] = ()
     findings: tuple[Finding, ...] = ()
+
+    def facts_of(self, address: str) -> AxisFacts:
+        """Return what the files say of an axis; nothing where they do not name it."""
+        return self.facts.get(address, AxisFacts())

@@ -183,7 +183,9 @@ def _settle_shared(
         if rule.settled_by is None or rule.option_wins:
             continue
         said = {
-            facts[rule.settled_by] for facts in state.facts.values() if rule.settled_by in facts
+            facts.said[rule.settled_by]
+            for facts in state.facts.values()
+            if rule.settled_by in facts.said
         }
         if len(said) != 1:
             continue

@@ -275,6 +275,15 @@ class Choice(Binding):
     values: Mapping[str, str]
     writes: str | OptionValue
 
+    def written(self, options: Mapping[str, object]) -> str:
+        """Return the text that is written with these options."""
+        writes = self.writes
+        return str(options[writes.option]) if isinstance(writes, OptionValue) else writes
+
+    def text(self, word: str) -> str:
+        """Return how the control writes a neutral word."""
+        return next(text for text, meant in self.values.items() if meant == word)
+
 
 @dataclass(frozen=True, slots=True)
 class Plain(Binding):

@@ -16,23 +16,6 @@ from compwright.foundations.errors import Fault
 
 
 @dataclass(frozen=True, slots=True)
-class Leadscrew:
-    """What the files say of an axis' leadscrew tables.
-
-    ``on``: they end with one switched on. ``word``: how they end of those that are not zero
-    (``yes``, ``no``, ``unsaid``; empty: there is none).
-    """
-
-    on: bool
-    word: str
-
-    @property
-    def words(self) -> str:
-        """How they end, as a message says it."""
-        return "on" if self.on else "off" if self.word == "no" else "not said to be on"
-
-
-@dataclass(frozen=True, slots=True)
 class Activity:
     """``said``: what the job answers (None: nothing). ``asking``: the answer is needed, because
     readings hang on it.
@@ -100,52 +83,4 @@ class Activity:
                     found="no answer",
                 )
             )
-        return None
-
-    def beside_leadscrew(
-        self,
-        label: str,
-        switches: str,
-        screw: Leadscrew,
-        word: str | None,
-        place: Found | None,
-        notes: Notes,
-        *,
-        dumped: bool,
-    ) -> bool | None:
-        """Return False for a table of an axis over itself that slept; None where `settle` decides.
-
-        ``dumped``: it is switched off in another file than that with its values, so by no program
-        that loads it.
-        """
-        slept = word == "no" and (screw.word == "yes" or (screw.on and not screw.word and dumped))
-        certain = slept and dumped and screw.word == "yes"
-        unclear = screw.word in ("no", "unsaid") and "no" in (word, screw.word) and word != "yes"
-        if self.said is True and (unclear or (slept and not certain)):
-            notes.ask(
-                Fault(
-                    message=(
-                        f"{label}: active: yes does not say which of two tables acted: this one is"
-                        f" {'switched off' if word == 'no' else 'not said to be on'} ({switches}),"
-                        " the leadscrew table is"
-                        f" {screw.words}"
-                        " (MD32700 $MA_ENC_COMP_ENABLE)"
-                    ),
-                    file=place.occurrence.file if place is not None else "",
-                    place=place.occurrence.place if place is not None else "",
-                    expected=(
-                        "active left out or no, and the switch of the one that acted as 1 among the"
-                        " files"
-                    ),
-                    found="active: yes",
-                )
-            )
-            return False
-        if slept:
-            notes.assume(
-                f"{label}: during the test",
-                "off",
-                f"{switches} end as 0, while the leadscrew table of the axis is on",
-            )
-            return False
         return None

@@ -13,12 +13,13 @@ from dataclasses import replace
 from typing import Self
 
 from compwright.formats.definition.options import axis_options, resolve_options
-from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.addresses import normal_address, normal_text
+from compwright.formats.text.scale import Scale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
@@ -27,8 +28,8 @@ from compwright.records.correction import (
     AxisCompensation,
     ControlFile,
     ControlState,
-    Fact,
 )
+from compwright.records.facts import AxisFacts
 
 #: Address, axis and table: what is written for one axis.
 AxisTable = tuple[str, Axis, AxisCompensation]
@@ -40,7 +41,7 @@ class Family(ABC):
     Raises UsageError for a wrong option, or one that contradicts the control's files.
     """
 
-    #: What would let tables be counted with that are `untold`.
+    #: What would let tables be counted with of which nobody knows what they do.
     untold_help = ""
 
     def __init__(
@@ -80,6 +81,20 @@ class Family(ABC):
         axis that no job knows. Raises UsageError.
         """
         return axis_options(self.definition, self.options, axis)
+
+    def facts_of(self, address: str) -> AxisFacts:
+        """Return what the control's own files say of an axis; nothing before they are read."""
+        return AxisFacts() if self.state is None else self.state.facts_of(address)
+
+    def scale_of(self, axis: Axis) -> Scale:
+        """Return how numbers of an axis are written; choices are those that its options ask for."""
+        options = self.options_of(axis)
+        choices = {
+            name: binding.values[binding.written(options)]
+            for name, binding in self.definition.bindings.items()
+            if isinstance(binding, Choice)
+        }
+        return Scale(self.definition, axis.kind, options, choices)
 
     @abstractmethod
     def read(
@@ -125,7 +140,7 @@ class Family(ABC):
         self,
         axis: Axis,
         compensation: AxisCompensation,
-        facts: Mapping[str, Fact],
+        facts: AxisFacts,
         check_at: FloatArray,
     ) -> dict[str, str]:
         """Return what the card says about a table, by field of its texts: points, start, end,
@@ -168,13 +183,6 @@ class Family(ABC):
             self.definition.limit(limit) is not None for limit in ("points_reserved", "max_points")
         )
         return int(table.positions.size) if reserves else None
-
-    def untold(self, state: ControlState, address: str) -> str:
-        """Return the tables from other axes that act on an axis in a state and of which nobody
-        knows what they do; empty where there are none.
-        """
-        del state, address
-        return ""
 
     @property
     def says_activity(self) -> bool:

@@ -4,12 +4,12 @@ coordinates, or the table lies wrong.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 
 from compwright.formats.text.gathering import Gathered
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import Axis
-from compwright.records.correction import Fact
+from compwright.records.facts import AxisFacts
 
 #: Part of the travel that may lie outside the control's limits without a word, and that is not
 #: enough inside: travels are rounded.
@@ -50,38 +50,20 @@ def check_travel(
 
 
 def check_limits(
-    gathered: Gathered,
-    address: str,
-    axis: Axis | None,
-    facts: Mapping[str, Fact],
-    partners: Mapping[str, str],
-    notes: Notes,
+    gathered: Gathered, address: str, axis: Axis, facts: AxisFacts, notes: Notes
 ) -> None:
-    """Hold the limits among the ``facts`` of an axis against its travel; an endless axis has none.
-
-    A gantry goes as far as its leading axis may: the limits of its partner (``partners``: by
-    leading axis) are not asked.
+    """Hold the limits among the ``facts`` of an axis against its travel; an endless axis has
+    none.
     """
-    if address in partners.values():
-        return
-    low, high = (facts.get(name) for name in ("limit_low", "limit_high"))
-    if (
-        axis is None
-        or axis.modulo is not None
-        or "modulo_range" in facts
-        or low is None
-        or high is None
-    ):
+    if axis.modulo is not None or facts.turn is not None or facts.limits is None:
         return
     places = gathered.found("limit_high", address, None)
     bindings = [gathered.definition.bindings[name] for name in ("limit_low", "limit_high")]
     forms = [gathered.definition.statements[binding.statement].form for binding in bindings]
-    label, names = (
-        f"axis {address}",
-        ", ".join(form.split("{", 1)[0].rstrip(" =[") for form in forms),
-    )
+    names = ", ".join(form.split("{", 1)[0].rstrip(" =[") for form in forms)
+    label = f"axis {address}"
 
     def refuse(message: str, expected: str, found: str) -> None:
         notes.refuse(label, message, places[-1] if places else None, expected=expected, found=found)
 
-    check_travel(axis, (float(low), float(high)), label, names, notes, refuse)
+    check_travel(axis, facts.limits, label, names, notes, refuse)

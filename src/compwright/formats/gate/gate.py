@@ -10,7 +10,6 @@ import numpy as np
 
 from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
-from compwright.formats.definition.options import ENCODER_SYSTEM
 from compwright.formats.definition.schema import Definition, Expectation
 from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.gate.limits import unenforced_limits
@@ -128,7 +127,7 @@ def _unproven(definition: Definition, shown: Sequence[AxisCompensation]) -> Iter
 def _system(definition: Definition, expectation: Expectation) -> int:
     control = control_format(definition, expectation.options)
     state = control.read(_files(expectation.files), address=expectation.axis)
-    return int(next(iter(state.facts.values())).get(ENCODER_SYSTEM, 1))
+    return next(iter(state.facts.values())).encoder_system or 1
 
 
 def _round_trip(definition: Definition) -> Iterator[Fault]:
@@ -165,7 +164,7 @@ def _axis_of(state: ControlState, compensation: AxisCompensation) -> Axis:
         address=compensation.address,
         modulo=compensation.period,
         reference_return=compensation.reference_return,
-        encoder=Encoder(system=int(state.facts[compensation.address].get(ENCODER_SYSTEM, 1))),
+        encoder=Encoder(system=state.facts[compensation.address].encoder_system or 1),
     )
 
 

@@ -14,10 +14,9 @@ from compwright.foundations.utf8 import encoded
 from compwright.jobs.writing import AxisDraft, Prefilled, job_text
 from compwright.records.axis import AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.facts import AxisFacts
 from compwright.workflow.stages.control import Control, decode, open_control, read_files
 from compwright.workflow.stages.definitions import is_path
-
-Facts = Mapping[str, float | int | str | bool]
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +86,7 @@ def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState,
         left_out: list[str] = []
         state: ControlState | None = None
         for address in control.format.one_by_one:
-            said = {} if state is None else state.facts.get(address, {})
+            said = {} if state is None else state.facts_of(address).said
             if state is not None and not (said.get("enabled") or said.get("backlash_count")):
                 continue
             try:
@@ -119,7 +118,7 @@ def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[A
     ]
     names: set[str] = set()
     for address in acting or list(state.axes):
-        facts = state.facts.get(address, {})
+        facts = state.facts_of(address)
         name = _name(control.definition, address, facts)
         partners = _partners(address, name, facts)
         if name in names and partners:
@@ -128,10 +127,10 @@ def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[A
             raise UsageError(Fault(message=f"two axes would be called {name}", found=address))
         names.add(name)
         values = dict(_values(address, state.axes[address], facts))
-        if units and DETECTION_UNIT in facts:
+        if units and DETECTION_UNIT in facts.said:
             values["options"] = Prefilled(
-                {DETECTION_UNIT: facts[DETECTION_UNIT]},
-                f"read from the control's files: {facts.get('detection_unit_evidence', '')}",
+                {DETECTION_UNIT: facts.said[DETECTION_UNIT]},
+                f"read from the control's files: {facts.said.get('detection_unit_evidence', '')}",
             )
         if partners:
             values["gantry"] = Prefilled(
@@ -140,12 +139,11 @@ def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[A
         yield AxisDraft(name=name, values=values)
 
 
-def _partners(address: str, name: str, facts: Facts) -> list[str]:
+def _partners(address: str, name: str, facts: AxisFacts) -> list[str]:
     """Return the other joints that the control's files give to the axis of a joint."""
-    letters = str(facts.get("axis_letters", ""))
     return [
         str(index)
-        for index, letter in enumerate(letters)
+        for index, letter in enumerate(facts.letters)
         if letter == name and str(index) != address
     ]
 
@@ -159,14 +157,12 @@ def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) ->
         if key in ("address", "gantry")
     }
     names = {
-        address: _name(control.definition, address, state.facts.get(address, {}))
+        address: _name(control.definition, address, state.facts_of(address))
         for address in state.axes
     }
     # Where the control's files name its axes, those without a name are places for axes that the
     # machine does not have.
-    named = [
-        address for address, facts in state.facts.items() if isinstance(facts.get("axis_name"), str)
-    ]
+    named = [address for address, facts in state.facts.items() if facts.name is not None]
     left = [
         address for address in state.axes if address not in held and (not named or address in named)
     ]
@@ -181,19 +177,18 @@ def _idle(control: Control, state: ControlState, drafts: Sequence[AxisDraft]) ->
         )
 
 
-def _name(definition: Definition, address: str, facts: Facts) -> str:
+def _name(definition: Definition, address: str, facts: AxisFacts) -> str:
     """Return the axis' name: what the control's files call it, else its address."""
-    name = facts.get("axis_name")
-    if isinstance(name, str):
-        return name
+    if facts.name is not None:
+        return facts.name
     letters = definition.addresses.letters
     if letters is not None and address.isdigit() and int(address) < len(letters):
         return letters[int(address)]
     return f"axis {address}" if address.isdigit() else address
 
 
-def _returning(facts: Facts, said: str) -> Prefilled:
-    home = facts.get("reference_return")
+def _returning(facts: AxisFacts, said: str) -> Prefilled:
+    home = facts.said.get("reference_return")
     return (
         Prefilled("+", "CHECK: direction in which the reference is approached")
         if home is None
@@ -201,9 +196,11 @@ def _returning(facts: Facts, said: str) -> Prefilled:
     )
 
 
-def _values(address: str, axis: AxisCompensation, facts: Facts) -> Iterator[tuple[str, Prefilled]]:
+def _values(
+    address: str, axis: AxisCompensation, facts: AxisFacts
+) -> Iterator[tuple[str, Prefilled]]:
     said = "the control's files"
-    known = "rotary" in facts
+    known = facts.kind is not None
     yield (
         "kind",
         Prefilled(
@@ -211,24 +208,18 @@ def _values(address: str, axis: AxisCompensation, facts: Facts) -> Iterator[tupl
             f"from {said}" if known else "CHECK: linear or rotary; the files do not say it",
         ),
     )
-    low, high = facts.get("limit_low"), facts.get("limit_high")
+    low, high = facts.limits or (0.0, 0.0)
     turn = (
         axis.period
         if axis.period is not None
-        else facts.get("turn")
-        if facts.get("endless") == "yes"
+        else facts.said.get("turn")
+        if facts.said.get("endless") == "yes"
         else None
     )
     if isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
         yield "travel", Prefilled([0.0, float(turn)], f"one turn of an endless axis, by {said}")
-    elif (
-        isinstance(low, (int, float))
-        and isinstance(high, (int, float))
-        and low < high
-        and abs(low) < 99999
-        and abs(high) < 99999
-    ):
-        yield "travel", Prefilled([float(low), float(high)], f"software limits in {said}")
+    elif low < high and abs(low) < 99999 and abs(high) < 99999:
+        yield "travel", Prefilled([low, high], f"software limits in {said}")
     else:
         unit = "deg" if axis.kind is AxisKind.ROTARY else "mm"
         yield "travel", Prefilled(None, f"[low, high] in machine coordinates, {unit}")
@@ -237,22 +228,22 @@ def _values(address: str, axis: AxisCompensation, facts: Facts) -> Iterator[tupl
         yield "modulo", Prefilled(axis.period, f"the table in {said} repeats")
     elif isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
         yield "modulo", Prefilled(float(turn), f"from {said}: the axis has no ends")
-    reference = facts.get("reference_coordinate")
+    reference = facts.said.get("reference_coordinate")
     if isinstance(reference, (int, float)):
         yield "reference", Prefilled(float(reference), f"from {said}")
     else:
         yield "reference", Prefilled(0.0, "CHECK: machine coordinate of the reference position")
     yield "reference_return", _returning(facts, said)
     encoder: dict[str, object] = {}
-    if facts.get("absolute_encoder") in ("yes", "no"):
-        encoder["type"] = "absolute" if facts["absolute_encoder"] == "yes" else "incremental"
-    if isinstance(facts.get("encoder_system"), int):
-        encoder["system"] = facts["encoder_system"]
+    if facts.said.get("absolute_encoder") in ("yes", "no"):
+        encoder["type"] = "absolute" if facts.said["absolute_encoder"] == "yes" else "incremental"
+    if facts.encoder_system is not None:
+        encoder["system"] = facts.encoder_system
     if encoder:
         yield "encoder", Prefilled(encoder, f"from {said}")
-    if axis.kind is AxisKind.LINEAR and facts.get("diameter") in ("yes", "no"):
+    if axis.kind is AxisKind.LINEAR and facts.said.get("diameter") in ("yes", "no"):
         yield (
             "programmed",
-            Prefilled("diameter" if facts["diameter"] == "yes" else "radius", f"from {said}"),
+            Prefilled("diameter" if facts.said["diameter"] == "yes" else "radius", f"from {said}"),
         )
     yield "before", Prefilled(None, "[path of the measurement]")

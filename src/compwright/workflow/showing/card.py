@@ -26,6 +26,7 @@ from compwright.planning.axes import AxisWork
 from compwright.planning.quick_check import check_positions, moved_by, quick_check
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, AxisCompensation
+from compwright.records.facts import AxisFacts
 from compwright.records.job import AS_FOUND, Job
 from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.control import Control, DecodedState
@@ -179,7 +180,7 @@ def _steps(
     tells = any("{gantry}" in rule.text for rule in control.definition.card)
     for work in written.values():
         axis, fitted = work.planned.axis, work.planned.fitted
-        facts = loaded.state.facts.get(axis.address, {}) if loaded else {}
+        facts = loaded.state.facts_of(axis.address) if loaded else AxisFacts()
         where = check_positions(work, correction_of(loaded, axis))
         values = (
             control.format.card_values(axis, fitted.compensation, facts, where) if fitted else {}
@@ -189,7 +190,7 @@ def _steps(
             partner = partner_of(
                 axis, axis.gantry
             )  # the same table, on numbers and in files of its own
-            facts = loaded.state.facts.get(axis.gantry, {})
+            facts = loaded.state.facts_of(axis.gantry)
             values = control.format.card_values(partner, fitted.compensation, facts, where)
             own = {"sheet": control.format.partner_sheet(axis.name, axis.gantry)}
             axes.append((partner, {**values, **_named_files(control, partner, loaded), **own}))

@@ -16,7 +16,6 @@ from compwright.controllers.virtual import VirtualControl, virtual_control
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.options import (
     DETECTION_UNIT,
-    ENCODER_SYSTEM,
     TABLE_VALUES,
 )
 from compwright.formats.definition.schema import Definition
@@ -159,7 +158,9 @@ class Control:
         """Return every option that was left at its default and that no file of ``states``
         answers.
         """
-        answered = {name for state in states for facts in state.facts.values() for name in facts}
+        answered = {
+            name for state in states for facts in state.facts.values() for name in facts.said
+        }
         settled = {
             name
             for name, option in self.definition.options.items()
@@ -382,7 +383,10 @@ def _check_meaning(control: Control, state: ControlState, axes: Sequence[Axis]) 
     own = {axis.address: axis.options.get(TABLE_VALUES) for axis in axes}
     faults = []
     for address, facts in state.facts.items():
-        said, given = facts.get(TABLE_VALUES), own.get(address) or control.given.get(TABLE_VALUES)
+        said, given = (
+            facts.said.get(TABLE_VALUES),
+            own.get(address) or control.given.get(TABLE_VALUES),
+        )
         if None in (said, given) or said == given:
             continue
         faults.append(
@@ -406,8 +410,11 @@ def _systems(state: ControlState) -> dict[str, int]:
     """Return the measuring system whose table was read, by address: the option or the files say it
     where no job does.
     """
-    found = {address: facts.get(ENCODER_SYSTEM) for address, facts in state.facts.items()}
-    return {address: system for address, system in found.items() if isinstance(system, int)}
+    return {
+        address: facts.encoder_system
+        for address, facts in state.facts.items()
+        if facts.encoder_system is not None
+    }
 
 
 def judged(
@@ -442,7 +449,7 @@ def settled_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str,
     """
     options = dict(axis.options)
     for name in (DETECTION_UNIT, TABLE_VALUES):
-        said = [state.facts.get(axis.address, {}).get(name) for state in states]
+        said = [state.facts_of(axis.address).said.get(name) for state in states]
         found = next((one for one in said if one is not None), None)
         if found is not None and given.get(name) is None:
             options.setdefault(name, found)
@@ -554,8 +561,8 @@ def _with_systems_in_use(job: Job, state: ControlState) -> Job:
     """
     axes = {}
     for name, entry in job.axes.items():
-        found = state.facts.get(entry.axis.address, {}).get(ENCODER_SYSTEM)
-        if entry.axis.encoder.stated or not isinstance(found, int):
+        found = state.facts_of(entry.axis.address).encoder_system
+        if entry.axis.encoder.stated or found is None:
             axes[name] = entry
         else:
             axes[name] = replace(

@@ -7,9 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.evaluation.expansion import remove_differential_expansion
-from compwright.formats.definition.options import ENCODER_SYSTEM
 from compwright.formats.families.family import Family
-from compwright.formats.families.grid.beside import BESIDE
 from compwright.foundations import storage
 from compwright.foundations.errors import (
     CompwrightError,
@@ -161,15 +159,17 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
     faults = []
     for name, entry in job.axes.items():
         said = {
-            state: decoded.state.facts.get(entry.axis.address, {})
+            state: decoded.state.facts_of(entry.axis.address)
             for state, decoded in states.items()
             if decoded.files
         }
         for quantity, what in (
-            (BESIDE, "what acts beside its table"),
-            (ENCODER_SYSTEM, "its measuring system"),
+            ("beside", "what acts beside its table"),
+            ("encoder_system", "its measuring system"),
         ):
-            found = {state: str(facts.get(quantity, "nothing")) for state, facts in said.items()}
+            found = {
+                state: str(getattr(facts, quantity) or "nothing") for state, facts in said.items()
+            }
             if len(set(found.values())) > 1:
                 faults.append(
                     Fault(
@@ -198,7 +198,7 @@ def _other_tables_between(
             if now is None:
                 continue
             said = [
-                family.untold(one.state, entry.axis.address) or "none"
+                one.state.facts_of(entry.axis.address).pairs.untold or "none"
                 for one in (now, states[state])
             ]
             if said[0] != said[1]:
@@ -221,8 +221,8 @@ def _other_joints(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Faul
     """
     for name, decoded in states.items():
         for entry in job.axes.values():
-            axis, facts = entry.axis, decoded.state.facts.get(entry.axis.address, {})
-            letters, letter = str(facts.get("axis_letters", "")), facts.get("axis_name")
+            axis, facts = entry.axis, decoded.state.facts_of(entry.axis.address)
+            letters, letter = facts.letters, facts.name
             if not letters:
                 continue
             place, said = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
@@ -269,12 +269,12 @@ def _unsaid_units(
     for name, decoded in states.items():
         for entry in job.axes.values():
             axis, found = entry.axis, decoded.state.axes.get(entry.axis.address)
-            facts = decoded.state.facts.get(axis.address, {})
+            facts = decoded.state.facts_of(axis.address)
             if (
                 found is None
                 or found.positions.size < 2
                 or axis.kind is not AxisKind.LINEAR
-                or rule.settled_by in facts
+                or rule.settled_by in facts.said
             ):
                 continue
             ratio = (axis.travel[1] - axis.travel[0]) / float(

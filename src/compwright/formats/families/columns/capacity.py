@@ -50,7 +50,7 @@ def user_tables_capacity(
     address, _ = normal_address(definition, axis)
     raise_all(CapacityError, list(_impossible(definition, axis, own)))
     scale = user_scale(definition, axis, own)
-    facts = state.facts.get(address, {}) if state is not None else {}
+    facts = state.facts_of(address).said if state is not None else {}
     line, endless = by_line(own), axis.modulo is not None
     shared = [one for one in (state.cross if state is not None else ()) if one.input == address]
     fixed = shared[0].positions if shared and facts.get("own_column") and not line else None

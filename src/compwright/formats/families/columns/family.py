@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from copy import copy
 from typing import Self
 
@@ -19,11 +19,11 @@ from compwright.formats.families.columns.reading import read_user_tables
 from compwright.formats.families.columns.text import VALUES
 from compwright.formats.families.columns.writing import write_user_tables
 from compwright.formats.families.family import AxisTable, Family
-from compwright.formats.families.grid.capacity import scale_for_writing
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState, Fact
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.facts import AxisFacts
 
 
 class ColumnsFamily(Family):
@@ -74,13 +74,12 @@ class ColumnsFamily(Family):
         self,
         axis: Axis,
         compensation: AxisCompensation,
-        facts: Mapping[str, Fact],
+        facts: AxisFacts,
         check_at: FloatArray,
     ) -> dict[str, str]:
         """See `Family.card_values`."""
         del facts, check_at
-        scale = scale_for_writing(self.definition, axis, self.options)
-        values = table_values(self.definition, scale, compensation)
+        values = table_values(self.definition, self.scale_of(axis), compensation)
         return values | user_card_values(self.definition, axis, compensation, self.options)
 
     def between(self, asked: Asked) -> Between:

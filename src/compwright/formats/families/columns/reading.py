@@ -40,8 +40,8 @@ from compwright.records.correction import (
     ControlFile,
     ControlState,
     CrossCompensation,
-    Fact,
 )
+from compwright.records.facts import AxisFacts, Fact
 
 
 def read_user_tables(
@@ -91,7 +91,7 @@ class _StateReader:
         sources = self.sources
         mentioned = sources.mentioned()
         compensations: dict[str, AxisCompensation] = {}
-        facts: dict[str, Mapping[str, Fact]] = {}
+        facts: dict[str, AxisFacts] = {}
         for address in self.asked or mentioned:
             if address not in mentioned and not sources.idle:
                 self.notes.faults.append(_unnamed(address, mentioned, self.files))
@@ -99,7 +99,7 @@ class _StateReader:
             if reader.spoken_of:
                 compensations[address] = reader.read()
             if reader.spoken_of or address in self.asked:
-                facts[address] = reader.facts
+                facts[address] = AxisFacts(enabled=bool(reader.facts["enabled"]), said=reader.facts)
         cross = self._cross()
         if not compensations and not cross and not sources.idle and not self.notes.faults:
             names = ", ".join(file.name for file in self.files)

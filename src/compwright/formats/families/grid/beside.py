@@ -8,18 +8,18 @@ would make a table wrong is refused with the parameter.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from decimal import Decimal
 
 from compwright.formats.text.gathering import Found, Gathered
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import Axis, AxisKind
-from compwright.records.correction import Fact
+from compwright.records.facts import AxisFacts, Turn
 
 #: Where the range of a modulo axis begins when no file says it, deg.
 MODULO_START = 0.0
-#: Facts of a state: where the range of an endless axis begins, deg; whether a file says that; what
-#: else acts, in words.
-RANGE_START, RANGE_START_SAID, BESIDE = "modulo_start", "modulo_start_said", "beside"
+#: Its length when no file says it, deg.
+_WHOLE_TURN = 360.0
 #: Software limits further away than this are none, mm or deg.
 _NO_LIMIT = 99999.0
 
@@ -71,42 +71,41 @@ def check_unit(gathered: Gathered, wanted: Mapping[str, Axis | None], notes: Not
     )
 
 
-def beside(
-    gathered: Gathered, address: str, axis: Axis | None, partners: Mapping[str, str], notes: Notes
-) -> dict[str, Fact]:
-    """Return further facts about an axis; what else acts on it goes to ``notes``."""
-    facts: dict[str, Fact] = {}
-    reader = _Beside(gathered, address, notes)
-    name = gathered.names.machine_name(address)
-    if name is not None:
-        facts["axis_name"] = name
-    modulo = reader.number("modulo") == 1
-    start = reader.number("modulo_start")
-    if modulo:
-        begin = MODULO_START if start is None else start
-        turn = reader.number("modulo_range") or 360.0
-        facts |= {RANGE_START: begin, RANGE_START_SAID: start is not None, "modulo_range": turn}
-        facts |= {"limit_low": begin, "limit_high": begin + turn}
-    else:
-        limits = {
-            name: value
-            for name in ("limit_low", "limit_high")
-            if (value := reader.number(name)) is not None
-        }
-        facts |= limits if all(abs(value) < _NO_LIMIT for value in limits.values()) else {}
-    if axis is not None:
-        reader.gantry(partners)
-        acting = reader.acting()
-        if acting:
-            facts[BESIDE] = acting
-    return facts
+class Beside:
+    """Reads what concerns one axis as a whole."""
 
-
-class _Beside:
     def __init__(self, gathered: Gathered, address: str, notes: Notes) -> None:
         self.gathered = gathered
         self.address = address
         self.notes = notes
+
+    def facts(self, own: AxisFacts, axis: Axis | None, partners: Mapping[str, str]) -> AxisFacts:
+        """Return the facts of an axis, its ``own`` and further ones; what else acts on it goes to
+        the notes. ``partners``: synchronised axis by leading axis.
+        """
+        turn = self._turn()
+        limits = own.limits or (
+            self._limits() if turn is None else (turn.start, turn.start + turn.length)
+        )
+        name = own.name or self.gathered.names.machine_name(self.address)
+        beside = ""
+        if axis is not None:
+            self.gantry(partners)
+            beside = self.acting()
+        return replace(own, name=name, limits=limits, turn=turn, beside=beside)
+
+    def _turn(self) -> Turn | None:
+        if self.number("modulo") != 1:
+            return None
+        start, length = self.number("modulo_start"), self.number("modulo_range")
+        begin = MODULO_START if start is None else start
+        return Turn(begin, length or _WHOLE_TURN, start is not None)
+
+    def _limits(self) -> tuple[float, float] | None:
+        low, high = self.number("limit_low"), self.number("limit_high")
+        if low is None or high is None or not all(abs(one) < _NO_LIMIT for one in (low, high)):
+            return None
+        return low, high
 
     def last(self, quantity: str, address: str | None = None) -> Found | None:
         """Return the last place where something is said of an axis as a whole."""
@@ -114,6 +113,7 @@ class _Beside:
         return places[-1] if places else None
 
     def number(self, quantity: str) -> float | None:
+        """Return a number that is said of the axis as a whole."""
         found = self.last(quantity)
         return None if found is None else float(found.text)
 

@@ -1,165 +1,122 @@
 """Tables on one axis -> files: the control's own ones where they have a place for them, else those
 of the definition.
-
-A fresh file is a patch of the definition's skeleton (header and footer); see `own_files` for the
-control's own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from compwright.formats.definition.consistency import curves, grid, has_cross
-from compwright.formats.definition.options import axis_options
-from compwright.formats.definition.schema import Choice, Definition, When, WrittenFile
-from compwright.formats.definition.statements import Occurrence, print_form
+from compwright.formats.definition.consistency import curves, grid
+from compwright.formats.definition.schema import Choice, When, WrittenFile
+from compwright.formats.definition.statements import print_form
 from compwright.formats.families.axis_names import gathered_files
-from compwright.formats.families.grid.beside import MODULO_START, RANGE_START
-from compwright.formats.families.grid.capacity import scale_for_writing, written_text
-from compwright.formats.families.grid.tables import WrittenTable, write_table
+from compwright.formats.families.family import AxisTable, Family
+from compwright.formats.families.grid.beside import MODULO_START
+from compwright.formats.families.grid.new_files import AxisText, NewFile
+from compwright.formats.families.grid.shapes import shape_of
+from compwright.formats.families.grid.tables import TableText, WrittenTable
 from compwright.formats.families.grid.turns import RANGE_QUANTITY, in_range_of
 from compwright.formats.families.limits import SAME_TURN
-from compwright.formats.families.pairs.capacity import cec_available
-from compwright.formats.families.pairs.writing import CecWriter, word_text
 from compwright.formats.text.gathering import Found, first_set
 from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
-from compwright.formats.text.patching import fresh_file, set_field
 from compwright.formats.text.scale import NotHeld, Scale
-from compwright.formats.text.texts import text_reader
-from compwright.foundations.errors import Fault, InputError, raise_all
+from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState
-
-AxisTable = tuple[str, Axis, AxisCompensation]
-
-
-def holds_two_curves(
-    definition: Definition, options: Mapping[str, object], compensation: AxisCompensation
-) -> bool:
-    """Return whether a compensation goes into a pair of tables between axes, one for each
-    direction.
-    """
-    return cec_available(definition, options) and not np.array_equal(
-        compensation.positive, compensation.negative
-    )
-
-
-def write_table_files(
-    definition: Definition,
-    tables: Sequence[AxisTable],
-    options: Mapping[str, object],
-    state: ControlState | None,
-    files: Sequence[ControlFile],
-    faults: list[Fault],
-) -> tuple[ControlFile, ...]:
-    """Return the files of tables (address, axis, table) within the limits; what the text cannot say
-    exactly goes to ``faults``.
-    """
-    asked = list(
-        dict.fromkeys(
-            (*(state.axes if state is not None else ()), *(address for address, _, _ in tables))
-        )
-    )
-    own = (
-        OwnFiles(definition, files, gathered_files(definition, files, asked))
-        if files and definition.limit("no_patching") is None
-        else None
-    )
-    writer = _Writer(definition, options, own, CecWriter(definition, options, own, state))
-    fresh: list[ControlFile] = []
-    for address, axis, compensation in tables:
-        inexact: list[Fault] = []
-        fresh.extend(writer.write(address, axis, compensation, inexact))
-        faults.extend(_first_few(inexact, address))
-    return (*writer.own_files([address for address, _, _ in tables]), *fresh)
-
-
-def _first_few(faults: list[Fault], address: str) -> list[Fault]:
-    """One wrong rounding spoils every row: three of them say it."""
-    rest = len(faults) - 3
-    return (
-        faults
-        if rest <= 0
-        else [*faults[:3], Fault(message=f"axis {address}: {rest} more values like these")]
-    )
+from compwright.records.correction import AxisCompensation, ControlFile
 
 
 @dataclass(frozen=True, slots=True)
-class _Text:
-    """What goes into the control for one axis, as text: rows by field, single values by quantity;
-    ``when``: for which tables.
+class AxisWork:
+    """One axis to be written. ``options``: its own over the controller's; ``faults``: what its text
+    cannot say.
     """
 
     address: str
-    named: Mapping[str, str]
-    rows: tuple[Mapping[str, str], ...]
-    singles: Mapping[str, str]
-    when: When
+    axis: Axis
+    compensation: AxisCompensation
+    options: Mapping[str, object]
+    faults: list[Fault] = field(default_factory=list)
 
 
-class _Writer:
+class GridWriter:
+    """Writes the tables of one control. ``files``: its own ones."""
+
     def __init__(
-        self,
-        definition: Definition,
-        options: Mapping[str, object],
-        own: OwnFiles | None,
-        cec: CecWriter,
+        self, control: Family, files: Sequence[ControlFile], addresses: Iterable[str]
     ) -> None:
-        self.facts = cec.facts
-        self.definition = definition
-        self.shared = options
-        self.options = options
-        self.own = own
-        self.cec = cec
+        self.control = control
+        self.definition = control.definition
+        known = control.state.axes if control.state is not None else ()
+        asked = list(dict.fromkeys((*known, *addresses)))
+        patched = bool(files) and self.definition.limit("no_patching") is None
+        self.own = (
+            OwnFiles(self.definition, files, gathered_files(self.definition, files, asked))
+            if patched
+            else None
+        )
 
-    def write(
-        self, address: str, axis: Axis, compensation: AxisCompensation, faults: list[Fault]
-    ) -> list[ControlFile]:
+    def written(self, tables: Sequence[AxisTable], faults: list[Fault]) -> tuple[ControlFile, ...]:
+        """Return the files of tables within the limits; what the text cannot say exactly goes to
+        ``faults``.
+        """
+        fresh: list[ControlFile] = []
+        for address, axis, compensation in tables:
+            work = AxisWork(address, axis, compensation, self.control.options_of(axis))
+            fresh.extend(self.axis(replace(work, compensation=self._turned(work))))
+            faults.extend(_first_few(work.faults, address))
+        return (*self._own_files([address for address, _, _ in tables]), *fresh)
+
+    def axis(self, work: AxisWork) -> list[ControlFile]:
         """Put one axis into the control's own files and return new files with what has no place
         there.
         """
-        fresh: list[ControlFile] = []
-        switches: list[str] = []
-        self.options = axis_options(self.definition, self.shared, axis)
-        compensation = self._turned(address, axis, compensation, faults)
-        self.cec.allow(self.options)
-        text = self._text(address, axis, compensation, faults)
-        if text.when == "two_curves":
-            left = self.cec.own_pair(address, axis, compensation, faults)
-            fresh = [self.cec.new_file("two_curves", address, left)] if left else []
-            switches = self.cec.switches(left)
-        if has_cross(self.definition):
-            self.cec.empty_own(address, axis.name, faults)
-        placed = self._put(address, text)
-        files = [
-            file
-            for file in self.definition.writing
-            if file.when in ("always", text.when) and not self._pair_file(file)
-        ]
-        made = [
-            _file(self.definition, file, text, placed, switches, faults)
-            for file in files
-            if not file.optional
-        ]
-        return [
-            *fresh,
-            *(file for file in made if file is not None),
-        ]  # what switches tables on is loaded last
+        text = self._text(work)
+        self.make_room(work)
+        return self.new_files(self.files_for("one_curve"), text, self._put(text, work), (), work)
 
-    def _turned(
-        self, address: str, axis: Axis, compensation: AxisCompensation, faults: list[Fault]
-    ) -> AxisCompensation:
+    def make_room(self, work: AxisWork) -> None:
+        """Take away what would act beside a new table."""
+
+    def speaking(self, addresses: Collection[str]) -> set[int]:
+        """Return which of the control's own files say something of the axes."""
+        if self.own is None:
+            return set()
+        singles, rows = self.own.gathered.singles, self.own.gathered.rows
+        said = [
+            *(
+                group
+                for (one, _), by in singles.items()
+                if one in addresses
+                for group in by.values()
+            ),
+            *(group for (one, _), group in rows.items() if one in addresses),
+        ]
+        return {place.number for group in said for place in group}
+
+    def _own_files(self, addresses: Sequence[str]) -> tuple[ControlFile, ...]:
+        """Return the control's own files that say something of the axes, with all changes made."""
+        if self.own is None:
+            return ()
+        gathered, speaking = self.own.gathered, self.speaking(addresses)
+        forms = {form for each in addresses for form in gathered.spellings.get(each, ())}
+        if forms - set(addresses):
+            # more than one name for an axis: the file that lists them belongs to the set
+            speaking |= gathered.naming
+        return self.own.patched(speaking)
+
+    def _turned(self, work: AxisWork) -> AxisCompensation:
         """Return the table of an endless axis over the control's own range: from its beginning,
         once around.
         """
+        compensation, axis = work.compensation, work.axis
         if compensation.period is None or RANGE_QUANTITY not in self.definition.bindings:
             return compensation
-        said = self.facts.get(address, {}).get(RANGE_START)
+        turn = self.control.facts_of(work.address).turn
         ahead = float(np.mod(axis.reference - MODULO_START, compensation.period))
-        if said is None and min(ahead, compensation.period - ahead) > SAME_TURN:
+        if turn is None and min(ahead, compensation.period - ahead) > SAME_TURN:
             message = (
                 f"axis {axis.name}: no file says that the control wraps this axis (MD30310) and"
                 f" where its turn begins (MD30340), and its reference is at {axis.reference:g} deg:"
@@ -168,83 +125,107 @@ class _Writer:
             expected = (
                 "the machine data of the axis with MD30310 and MD30340 among the files of the state"
             )
-            faults.append(Fault(message=message, expected=expected, found="in no file"))
+            work.faults.append(Fault(message=message, expected=expected, found="in no file"))
             return compensation
-        return in_range_of(
-            compensation,
-            float(said) if isinstance(said, (int, float)) else MODULO_START,
-            axis.name,
-            faults,
-        )
+        start = MODULO_START if turn is None else turn.start
+        return in_range_of(compensation, start, axis.name, work.faults)
 
-    def _pair_file(self, file: WrittenFile) -> bool:
-        return file.when == "two_curves" and file.rows is not None
+    def _text(self, work: AxisWork) -> AxisText:
+        scale = self.control.scale_of(work.axis)
+        table = shape_of(self.definition).write(TableText(work.compensation, scale, work.faults))
+        text = self.text(work, scale, table)
+        if work.compensation.period is None or "repeats" not in text.singles:
+            return text
+        repeats = self.definition.choice("repeats").text("yes")
+        return replace(text, singles={**text.singles, "repeats": repeats})
 
-    def _text(
-        self, address: str, axis: Axis, compensation: AxisCompensation, faults: list[Fault]
-    ) -> _Text:
-        scale = scale_for_writing(self.definition, axis, self.options)
-        spelled = address if self.own is None else self.own.gathered.spelled(address)
-        named = {"axis": spelled, "system": str(axis.encoder.system - 1)}
-        two = holds_two_curves(self.definition, self.options, compensation)
-        table = (
-            WrittenTable((), {})
-            if two
-            else write_table(self.definition, compensation, scale, faults)
-        )
-        singles = _singles(self.definition, compensation, table, scale, named, faults)
-        if two:  # so that nothing acts twice
-            singles["enabled"] = word_text(self.definition, "enabled", "no")
-        elif compensation.period is not None and "repeats" in singles:
-            singles["repeats"] = word_text(self.definition, "repeats", "yes")
-        when: When = "two_curves" if two else "one_curve"
-        return _Text(address, named, table.rows, singles, when)
+    def text(self, work: AxisWork, scale: Scale, table: WrittenTable) -> AxisText:
+        """Return a table with the single values beside it."""
+        spelled = work.address if self.own is None else self.own.gathered.spelled(work.address)
+        named = {"axis": spelled, "system": str(work.axis.encoder.system - 1)}
+        definition, singles = self.definition, dict(table.singles)
+        for quantity, binding in definition.bindings.items():
+            if isinstance(binding, Choice) and quantity in definition.layout.singles:
+                singles[quantity] = binding.written(scale.options)
+        if "table_file" in definition.bindings:
+            singles["table_file"] = next(
+                print_form(file.name, named) for file in definition.writing if file.rows is not None
+            )
+        if (
+            "backlash" in definition.bindings
+            and definition.limit("no_backlash_beside_table") is None
+        ):
+            try:
+                singles["backlash"] = scale.write("backlash", work.compensation.backlash)
+            except NotHeld as error:
+                message = f"axis {work.compensation.address}, backlash: {error}"
+                work.faults.append(Fault(message=message))
+        return AxisText(work.address, named, table.rows, singles)
 
-    def _put(self, address: str, text: _Text) -> set[str]:
+    def files_for(self, when: When) -> list[WrittenFile]:
+        """Return the files of the definition that a set of this kind has."""
+        return [
+            file
+            for file in self.definition.writing
+            if file.when in ("always", when) and not file.optional
+        ]
+
+    def new_files(
+        self,
+        files: Iterable[WrittenFile],
+        text: AxisText,
+        placed: Collection[str],
+        switches: Sequence[str],
+        work: AxisWork,
+    ) -> list[ControlFile]:
+        """Return new files with what is not ``placed`` yet; ``switches``: see `NewFile.made`."""
+        made = [
+            NewFile(self.definition, file, text).made(placed, switches, work.faults)
+            for file in files
+        ]
+        return [file for file in made if file is not None]
+
+    def put_backlash(self, text: AxisText) -> set[str]:
+        """Put the backlash, for whose factor 1 is taken, where it has a place in the control's own
+        files; return the quantities that have.
+        """
+        if self.own is None or "backlash" not in text.singles:
+            return set()
+        said, whole = self.said(text), self.said(text, whole=True)
+        placed = self.own.put("backlash", said.get("backlash", ()), text.singles["backlash"])
+        factors = said.get("backlash_factor", whole.get("backlash_factor", ()))
+        if factors:
+            self.own.put("backlash_factor", first_set(factors), "1")
+        return {"backlash"} if placed else set()
+
+    def said(self, text: AxisText, *, whole: bool = False) -> Mapping[str, Sequence[Found]]:
+        """Return what the control's own files say of the measuring system, or ``whole`` axis."""
+        if self.own is None:
+            return {}
+        key = (text.address, None if whole else text.named["system"])
+        return self.own.gathered.singles.get(key, {})
+
+    def _put(self, text: AxisText, work: AxisWork) -> set[str]:
         """Put what has a place in the control's own files there; return these quantities."""
         if self.own is None:
             return set()
-        said = self.own.gathered.singles.get((address, text.named["system"]), {})
-        whole = self.own.gathered.singles.get((address, None), {})
-        placed = (
-            {"backlash"}
-            if self.own.put("backlash", said.get("backlash", ()), text.singles["backlash"])
-            else set()
-        )
-        self.own.put(
-            "backlash_factor",
-            first_set(said.get("backlash_factor", whole.get("backlash_factor", ()))),
-            "1",
-        )
-        if text.when == "two_curves":
-            if whole.get("cross_axis_enabled"):
-                placed = placed | {"cross_axis_enabled"}
-            return placed | (
-                {"enabled"}
-                if self.own.put("enabled", said.get("enabled", ()), text.singles["enabled"])
-                else set()
-            )
-        if placed or said.get(
-            "enabled"
-        ):  # beside a backlash that stays in its place no file is made for the switch alone
-            placed = placed | {"enabled"}
+        said, placed = self.said(text), self.put_backlash(text)
+        if placed or said.get("enabled"):
+            # beside a backlash that stays in its place no file is made for the switch alone
+            placed.add("enabled")
         value = curves(self.definition)[0]
-        names = [
-            *grid(self.definition),
-            *(["repeats"] if "repeats" in self.definition.bindings else []),
-        ]
-        rows = rows_by_index(self.own.gathered.rows.get((address, text.named["system"]), ()))
+        names = [name for name in (*grid(self.definition), "repeats") if name in text.singles]
+        rows = rows_by_index(self.own.gathered.rows.get((text.address, text.named["system"]), ()))
         singles = {name: said[name] for name in names if name in said}
-        places = TablePlaces(
-            rows, singles, value, {**text.named, "axis": _spelled(rows, singles, address)}
-        )
+        spelled = _spelled(rows, singles, text.address)
+        places = TablePlaces(rows, singles, value, {**text.named, "axis": spelled})
         self._switch_on(said.get("enabled", ()), places)
-        self._reserve(said.get("max_points", ()), len(text.rows))
+        self._reserve(said.get("max_points", ()), len(text.rows), work.options)
         if not places.anywhere:
             return placed
-        field = self.definition.bindings[value].field
+        column = self.definition.bindings[value].field
         self.own.put_table(
-            places, [row[field] for row in text.rows], {name: text.singles[name] for name in names}
+            places, [row[column] for row in text.rows], {name: text.singles[name] for name in names}
         )
         return placed | {value, *names}
 
@@ -258,66 +239,38 @@ class _Writer:
         """
         if self.own is None or not switches:
             return
+        on, off = (self.definition.choice("enabled").text(word) for word in ("yes", "no"))
         first: dict[int, int] = {}
         for found in (found for group in table.rows.values() for found in group):
-            first[found.number] = min(
-                first.get(found.number, found.occurrence.line), found.occurrence.line
-            )
+            line = found.occurrence.line
+            first[found.number] = min(first.get(found.number, line), line)
         before = [
             switch for switch in switches if switch.occurrence.line < first.get(switch.number, 0)
         ]
         behind = [switch for switch in switches if switch not in before]
-        self.own.put("enabled", behind, word_text(self.definition, "enabled", "yes"))
+        self.own.put("enabled", behind, on)
         for number in dict.fromkeys(switch.number for switch in before):
             last = [switch for switch in before if switch.number == number][-1:]
-            self.own.put("enabled", last, word_text(self.definition, "enabled", "no"))
+            self.own.put("enabled", last, off)
             if number not in {switch.number for switch in behind}:
-                self.own.put_behind(
-                    table, number, "enabled", word_text(self.definition, "enabled", "yes")
-                )
+                self.own.put_behind(table, number, "enabled", on)
 
-    def _reserve(self, places: Sequence[Found], count: int) -> None:
+    def _reserve(self, places: Sequence[Found], count: int, options: Mapping[str, object]) -> None:
         """Reserve the points where the files say fewer than the table has: what the option
         promises, or where none were reserved as many as it has; files that say less would take the
         room away again when they are loaded.
         """
-        promised = self.options.get("points")
+        promised = options.get("points")
         needed = promised if isinstance(promised, int) else count
         if self.own is not None and any(int(place.text) < count for place in places):
             self.own.put("max_points", places, str(needed))
 
-    def own_files(self, addresses: Sequence[str]) -> tuple[ControlFile, ...]:
-        """Return the control's own files that say something of the axes, with all changes made."""
-        if self.own is None:
-            return ()
-        gathered = self.own.gathered
-        speaking = {
-            place.number
-            for (address, _), singles in gathered.singles.items()
-            if address in addresses
-            for places in singles.values()
-            for place in places
-        }
-        speaking |= {
-            row.number
-            for (address, _), rows in gathered.rows.items()
-            if address in addresses
-            for row in rows
-        }
-        forms = set(addresses) | {
-            form for each in addresses for form in gathered.spellings.get(each, ())
-        }
-        if len(forms) > len(
-            set(addresses)
-        ):  # more than one name for an axis: the file that lists them belongs to the set
-            speaking |= gathered.naming
-        for index, places in self.cec.places.items():
-            pair = self.cec.in_use.get(index)
-            if index in self.cec.kept or (
-                pair is not None and pair[0] == pair[1] and pair[1] in addresses
-            ):
-                speaking |= {place.number for found in places.values() for place in found}
-        return self.own.patched(speaking)
+
+def _first_few(faults: list[Fault], address: str) -> list[Fault]:
+    """One wrong rounding spoils every row: three of them say it."""
+    rest = len(faults) - 3
+    more = Fault(message=f"axis {address}: {rest} more values like these")
+    return faults if rest <= 0 else [*faults[:3], more]
 
 
 def _spelled(
@@ -325,100 +278,6 @@ def _spelled(
 ) -> str:
     """Return how the files write the axis."""
     found = [place for places in (*rows.values(), *singles.values()) for place in places]
-    return (
-        found[0].occurrence.tokens["axis"].text
-        if found and "axis" in found[0].occurrence.tokens
-        else address
-    )
-
-
-def _file(
-    definition: Definition,
-    file: WrittenFile,
-    text: _Text,
-    placed: set[str],
-    switches: Sequence[str],
-    faults: list[Fault],
-) -> ControlFile | None:
-    """Return one file: the skeleton of the definition with its single values set and the rows put
-    in.
-
-    ``placed``: quantities that stand in the control's own files and are left out; None when nothing
-    is left. ``switches``: lines before the end of a file without rows.
-    """
-    name = print_form(file.name, {**text.named, "axis": text.address})
-    rows: list[str] = []
-    left = 0
-    if file.rows is not None and curves(definition)[0] not in placed:
-        form = definition.statements[file.rows].form
-        rows = [print_form(form, {**text.named, **row}) for row in text.rows]
-        _check_lines(definition, name, rows, faults)
-        left += 1
-    made = fresh_file(definition, file, name, text.named, rows)
-    if switches and file.rows is None:
-        end = len(made.files[0].content) - len(definition.dialect.newline)
-        made.add_lines(0, end, switches, before=True)
-        left += 1
-    for place in _statements(definition, made.files[0]):
-        here = [
-            quantity
-            for quantity, binding in definition.bindings.items()
-            if binding.statement == place.statement
-        ]
-        if placed.intersection(here):
-            made.cut_line(0, next(iter(place.tokens.values())).start)
-            continue
-        left += 1
-        for quantity in here:
-            if quantity in text.singles:
-                field = definition.bindings[quantity].field
-                made.replace(0, *set_field(place, field, text.singles[quantity]))
-    return made.patched([0])[0] if left or not placed else None
-
-
-def _singles(
-    definition: Definition,
-    compensation: AxisCompensation,
-    table: WrittenTable,
-    scale: Scale,
-    named: Mapping[str, str],
-    faults: list[Fault],
-) -> dict[str, str]:
-    texts = dict(table.singles)
-    for quantity, binding in definition.bindings.items():
-        if isinstance(binding, Choice) and quantity in definition.layout.singles:
-            texts[quantity] = written_text(binding, scale.options)
-    if "table_file" in definition.bindings:
-        texts["table_file"] = next(
-            print_form(file.name, named) for file in definition.writing if file.rows is not None
-        )
-    if "backlash" in definition.bindings and definition.limit("no_backlash_beside_table") is None:
-        try:
-            texts["backlash"] = scale.write("backlash", compensation.backlash)
-        except NotHeld as error:
-            faults.append(Fault(message=f"axis {compensation.address}, backlash: {error}"))
-    return texts
-
-
-def _statements(definition: Definition, skeleton: ControlFile) -> tuple[Occurrence, ...]:
-    """Return the places of the single values in a skeleton."""
-    faults: list[Fault] = []
-    read = text_reader(definition).read(skeleton, faults)
-    raise_all(InputError, faults)
-    return () if read is None else read.occurrences
-
-
-def _check_lines(
-    definition: Definition, name: str, rows: Sequence[str], faults: list[Fault]
-) -> None:
-    longest = definition.limit_number("line_length")
-    worst = max((len(row) for row in rows), default=0)
-    if longest is not None and worst > longest:
-        faults.append(
-            Fault(
-                message="a line is too long",
-                file=name,
-                expected=f"at most {longest} characters",
-                found=str(worst),
-            )
-        )
+    if found and "axis" in found[0].occurrence.tokens:
+        return found[0].occurrence.tokens["axis"].text
+    return address

@@ -28,7 +28,8 @@ from compwright.formats.text.scale import Scale
 from compwright.formats.text.values import Values
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
-from compwright.records.correction import AxisCompensation, Fact, Interpolation
+from compwright.records.correction import AxisCompensation, Interpolation
+from compwright.records.facts import Fact
 
 #: Quantities that say where an axis' table lies.
 GRID = ("reference_number", "first_number", "last_number", "magnification", "table_spacing")

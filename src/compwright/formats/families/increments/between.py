@@ -58,7 +58,7 @@ def _rows(
         or not isinstance(unit, float)
     ):
         return None
-    facts = state.facts.get(added.input, {})
+    facts = state.facts_of(added.input).said
     first, last = (facts.get(name) for name in ("first_number", "last_number"))
     low, high = added.at(table.positions[[1, -1]], Direction.POSITIVE) / unit
     return [

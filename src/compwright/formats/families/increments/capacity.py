@@ -15,7 +15,8 @@ from compwright.formats.text.scale import Scale
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity, Lattice
-from compwright.records.correction import Assumption, ControlState, Fact
+from compwright.records.correction import Assumption, ControlState
+from compwright.records.facts import Fact
 
 #: A table has two sections or more.
 MIN_SECTIONS = 2
@@ -35,9 +36,8 @@ def increments_capacity(
     scale = Scale(definition, axis.kind, own, {})
     unit = scale.quantum("value")
     limit = increment_limit(own)
-    facts = state.facts if state is not None else {}
     highest = definition.limit_number("max_number") or 0
-    said = facts.get(address, {})
+    said = state.facts_of(address).said if state is not None else {}
     gap = longest_gap(highest, used_numbers(state, [address]), first_point(own))
     assumed = [assumption] if assumption is not None else []
     unread = said.get("unread_numbers")

@@ -8,7 +8,8 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.families.card_words import REFERENCING, UNKNOWN
 from compwright.formats.text.scale import Scale
 from compwright.records.axis import Axis
-from compwright.records.correction import AxisCompensation, Fact
+from compwright.records.correction import AxisCompensation
+from compwright.records.facts import Fact
 
 
 def increment_values(

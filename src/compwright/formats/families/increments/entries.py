@@ -18,7 +18,8 @@ from compwright.formats.families.increments.reading import claimed_numbers, used
 from compwright.formats.text.scale import NotHeld, Scale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
-from compwright.records.correction import AxisCompensation, ControlState, Fact
+from compwright.records.correction import AxisCompensation, ControlState
+from compwright.records.facts import Fact
 
 #: How far a node may be from its place on the grid, in spacings: arithmetic dust, not a wrong grid.
 _ON_GRID = 1e-6
@@ -62,7 +63,7 @@ def all_entries(
     Raises UsageError where nobody says which numbers are free, CapacityError with everything that
     the control cannot hold.
     """
-    facts = state.facts if state is not None else {}
+    facts = {} if state is None else {one: said.said for one, said in state.facts.items()}
     others = used_numbers(state, [address for address, _, _ in pairs])
     given: list[range] = []
     stated = [

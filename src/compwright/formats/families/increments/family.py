@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
@@ -17,7 +17,8 @@ from compwright.formats.families.increments.writing import write_increments
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState, Fact
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.facts import AxisFacts
 
 #: No control numbers more axes than this.
 _MOST_AXES = 40
@@ -54,12 +55,12 @@ class IncrementsFamily(Family):
         self,
         axis: Axis,
         compensation: AxisCompensation,
-        facts: Mapping[str, Fact],
+        facts: AxisFacts,
         check_at: FloatArray,
     ) -> dict[str, str]:
         """See `Family.card_values`."""
         own = self.options_of(axis)
-        values = increment_values(axis, compensation, self.definition, own, facts)
+        values = increment_values(axis, compensation, self.definition, own, facts.said)
         return values | sign_check(compensation, check_at)
 
     def between(self, asked: Asked) -> Between:

@@ -29,8 +29,9 @@ from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import ReadText, text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
-from compwright.records.axis import Axis
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState, Fact
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.facts import AxisFacts, Fact
 
 #: What makes an axis one that the files say something of: its limits, name and kind alone do not.
 _COMPENSATION = (*GRID, "turn", "negative_first", "negative_offset", "bidirectional", "backlash")
@@ -97,10 +98,23 @@ def read_increments(
     return ControlState(
         format=definition.id,
         axes=compensations,
-        facts=facts,
+        facts={one: _typed(said) for one, said in facts.items()},
         assumed=tuple(notes.assumed),
         findings=tuple(dict.fromkeys(notes.findings)),
         reserved=_reserved(points, parameters) | unknown,
+    )
+
+
+def _typed(said: Mapping[str, Fact]) -> AxisFacts:
+    name, rotary, limits = said.get("axis_name"), said.get("rotary"), ("limit_low", "limit_high")
+    return AxisFacts(
+        name=None if name is None else str(name),
+        kind=None if rotary is None else AxisKind(str(rotary)),
+        limits=(float(said[limits[0]]), float(said[limits[1]]))
+        if said.keys() >= {*limits}
+        else None,
+        enabled=bool(said["enabled"]),
+        said=said,
     )
 
 
@@ -315,12 +329,12 @@ def used_numbers(state: ControlState | None, without: Iterable[str]) -> list[ran
     left_out = set(without)
     used = [
         numbers
-        for address, said in state.facts.items()
+        for address, facts in state.facts.items()
         if address not in left_out
-        for numbers in claimed_numbers(said)
+        for numbers in claimed_numbers(facts.said)
     ]
     own = [
-        numbers for address in left_out for numbers in claimed_numbers(state.facts.get(address, {}))
+        numbers for address in left_out for numbers in claimed_numbers(state.facts_of(address).said)
     ]
     others = sorted(
         number for number in state.reserved if not any(number in numbers for numbers in own)

@@ -50,7 +50,7 @@ def increment_sheets(
     if options.get("program") != "g10":
         return tuple(sheets)
     if state is not None and any(
-        said.get("length_unit") == "inch" for said in state.facts.values()
+        facts.said.get("length_unit") == "inch" for facts in state.facts.values()
     ):
         raise UsageError(
             Fault(

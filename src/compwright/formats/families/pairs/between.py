@@ -7,8 +7,7 @@ from dataclasses import replace
 
 from compwright.formats.families.between import Asked, Between, in_turn, label, not_held, together
 from compwright.formats.families.family import Family
-from compwright.formats.families.pairs.reading import tables_in
-from compwright.formats.families.pairs.writing import write_cross
+from compwright.formats.families.pairs.cross_writing import write_cross
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.correction import ControlFile, ControlState
@@ -44,7 +43,7 @@ def _written(family: Family, asked: Asked, before: ControlState) -> tuple[Contro
     taken = {file.name for file in asked.base}
     files = []
     added = [entry.added for entry in asked.planned]
-    for file in write_cross(family.definition, added, family.options, before, marked):
+    for file in write_cross(family.in_state(before), added, marked):
         name = file.name.removeprefix(_OWN)
         stem, dot, ending = name.rpartition(".")
         number = 2
@@ -64,10 +63,10 @@ def _steps(
     Tables of the same axes that were there before are none of ours, and stay as they are.
     """
     added = entry.added
-    pair, others = (added.input, added.output), tables_in(before.facts)
+    pair, others = (added.input, added.output), before.tables.used
     mine = [
         str(index)
-        for index, axes in sorted(tables_in(after.facts).items())
+        for index, axes in sorted(after.tables.used.items())
         if axes == pair and index not in others
     ]
     tables = " and ".join(mine)

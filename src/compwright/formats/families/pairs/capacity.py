@@ -1,155 +1,113 @@
-"""What an axis can hold in a pair of tables over itself (CEC), one for each direction."""
+"""What an axis can hold in a pair of tables over itself, one for each direction."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.definition.consistency import has_cross
 from compwright.formats.definition.options import settled_number
-from compwright.formats.definition.schema import Definition
-from compwright.formats.families.pairs.reading import (
-    CEC_MAX_SUM,
-    CEC_ODD_SUM,
+from compwright.formats.families.grid.capacity import AxisLimits
+from compwright.formats.families.pairs.options import (
     allowed_tables,
-    as_table,
     free_tables,
-    reserved_in,
-    tables_in,
-    with_some_sign,
+    scale_of_pairs,
+    too_few,
 )
-from compwright.formats.text.addresses import normal_address, normal_text
-from compwright.formats.text.scale import Scale
-from compwright.foundations.errors import CapacityError, Fault
-from compwright.records.axis import Axis
+from compwright.formats.text.addresses import normal_text
+from compwright.foundations.errors import CapacityError
 from compwright.records.capacity import Capacity
-from compwright.records.correction import Assumption, ControlState
+from compwright.records.correction import Assumption
+from compwright.records.facts import PairTables
 
 
-def cec_available(definition: Definition, options: Mapping[str, object]) -> bool:
-    """Return whether the control has tables between axes, by its option ``cec``."""
-    return has_cross(definition) and options.get("cec") == "available"
-
-
-def with_cec(
-    definition: Definition,
-    axis: Axis,
-    options: Mapping[str, object],
-    state: ControlState | None,
-    capacity: Capacity,
-) -> Capacity:
-    """Return ``capacity`` (that of one table and backlash) as it is with a pair of tables for the
-    axis.
-
-    A gantry needs a pair for each of its axes. Raises CapacityError when too few indices may be
-    written.
+class PairLimits(AxisLimits):
+    """The limits of one axis' pair of tables, which stand in the place of one table and backlash. A
+    gantry needs a pair for each of its axes.
     """
-    address, _ = normal_address(definition, axis)
-    addresses = (
-        [address] if axis.gantry is None else [address, normal_text(definition, axis.gantry)]
-    )
-    facts = state.facts if state is not None else {}
-    tables = _tables(definition, axis, addresses, options, facts)
-    scale = Scale(as_table(definition), axis.kind, with_some_sign(options), {})
-    low, high = scale.range("value")
-    for each in addresses:
-        room = _room(each, state)
-        low, high = max(low, -room), min(high, room)
-    reserved = [
-        points for index, points in reserved_in(facts).items() if index in tables and points > 0
-    ]
-    fact = min(reserved) if len(reserved) == len(tables) else None
-    points = settled_number(definition, _points_option(definition), options, fact)
-    assumed = [note for note in capacity.assumed if "number of points" not in note.fact]
-    if points is None:
-        assumed.append(
-            Assumption(
-                fact=f"axis {axis.name}: number of points of its CEC tables (MD18342)",
-                value="as many as are needed; the card says how many to set",
-                evidence="unconfirmed: the control's files do not say it",
-            )
+
+    def capacity(self) -> Capacity:
+        """Return the limits in mm or deg. Raises CapacityError when too few indices may be
+        written.
+        """
+        alone = super().capacity()
+        addresses = [self.address]
+        if self.axis.gantry is not None:
+            addresses.append(normal_text(self.definition, self.axis.gantry))
+        points = self._points(addresses)
+        scale = scale_of_pairs(self.control, self.axis.kind)
+        low, high = scale.range("value")
+        room = min(self._room(each) for each in addresses)
+        return replace(
+            alone,
+            curves=2,
+            quantum=scale.quantum("value"),
+            position_quantum=scale.quantum("table_start"),
+            value_range=(max(low, -room), min(high, room)),
+            backlash_quantum=None,
+            backlash_range=(0.0, 0.0),
+            max_points=points,
+            below="hold",
+            above="hold",
+            assumed=(
+                *(note for note in alone.assumed if "number of points" not in note.fact),
+                *self._assumed(points),
+            ),
         )
-    if "cross_max_sum" in definition.bindings and CEC_MAX_SUM not in facts.get(address, {}):
-        assumed.append(
-            Assumption(
-                fact=f"axis {axis.name}: limit of the sum of its CEC tables (MD32720)",
-                value=f"not reached (default 1 {axis.kind.unit})",
-                evidence="unconfirmed: in no file, its default from memory",
+
+    def _assumed(self, points: int | None) -> list[Assumption]:
+        assumed = []
+        if points is None:
+            assumed.append(
+                Assumption(
+                    fact=f"axis {self.axis.name}: number of points of its CEC tables (MD18342)",
+                    value="as many as are needed; the card says how many to set",
+                    evidence="unconfirmed: the control's files do not say it",
+                )
             )
+        if self.facts.pairs.max_sum is None:
+            assumed.append(
+                Assumption(
+                    fact=f"axis {self.axis.name}: limit of the sum of its CEC tables (MD32720)",
+                    value=f"not reached (default 1 {self.axis.kind.unit})",
+                    evidence="unconfirmed: in no file, its default from memory",
+                )
+            )
+        return assumed
+
+    def _points(self, addresses: Sequence[str]) -> int | None:
+        """Return how many points each of the tables may have; None: as many as are needed."""
+        state = self.control.state
+        tables = state.tables if state is not None else PairTables()
+        taken = self._tables(addresses, tables)
+        reserved = [tables.reserved.get(index, 0) for index in taken]
+        fact = min(reserved) if all(points > 0 for points in reserved) else None
+        return settled_number(self.definition, self.points_option(), self.options, fact)
+
+    def _tables(self, addresses: Sequence[str], tables: PairTables) -> list[int]:
+        """Return the indices that the tables of these axes will take."""
+        allowed = allowed_tables(self.options)
+        taken: list[int] = []
+        for address in addresses:
+            free = free_tables(allowed, tables.used, address)
+            taken += [index for index in free if index not in taken][:2]
+        needed = 2 * len(addresses)
+        if len(taken) < needed:
+            name = self.axis.name
+            raise CapacityError(too_few(name, self.definition.id, needed, len(taken), allowed))
+        return taken
+
+    def _room(self, address: str) -> float:
+        """Return what CEC_MAX_SUM leaves beside the tables by which other axes correct this one, mm
+        or deg.
+        """
+        state, facts = self.control.state, self.control.facts_of(address).pairs
+        if state is None or facts.max_sum is None:
+            return float("inf")
+        others = sum(
+            float(np.max(np.abs([entry.positive, entry.negative])))
+            for entry in state.cross
+            if entry.output == address
         )
-    return replace(
-        capacity,
-        curves=2,
-        quantum=scale.quantum("value"),
-        position_quantum=scale.quantum("table_start"),
-        value_range=(low, high),
-        backlash_quantum=None,
-        backlash_range=(0.0, 0.0),
-        max_points=points,
-        below="hold",
-        above="hold",
-        assumed=tuple(assumed),
-    )
-
-
-def _points_option(definition: Definition) -> str:
-    return next(
-        name for name, option in definition.options.items() if option.settled_by == "max_points"
-    )
-
-
-def _tables(
-    definition: Definition,
-    axis: Axis,
-    addresses: list[str],
-    options: Mapping[str, object],
-    facts: Mapping[str, Mapping[str, object]],
-) -> list[int]:
-    """Return the indices that the tables of these axes will take."""
-    allowed, in_use = allowed_tables(options), tables_in(facts)
-    taken: list[int] = []
-    for address in addresses:
-        taken += [index for index in free_tables(allowed, in_use, address) if index not in taken][
-            :2
-        ]
-    needed = 2 * len(addresses)
-    if len(taken) < needed:
-        raise CapacityError(too_few(axis.name, definition.id, needed, len(taken), allowed))
-    return taken
-
-
-def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[int, ...]) -> Fault:
-    """Return the fault of an axis that finds too few tables."""
-    return Fault(
-        message=(
-            f"axis {name}: {format_id} needs {needed} CEC tables that are free or already the axis'"
-            " own pair"
-        ),
-        place="option cec_tables",
-        expected=f"{needed} such indices",
-        found=(
-            f"{found} among {', '.join(map(str, allowed))}"
-            if allowed
-            else "none: the option is not given"
-        ),
-    )
-
-
-def _room(address: str, state: ControlState | None) -> float:
-    """Return what CEC_MAX_SUM leaves beside the tables by which other axes correct this one, mm or
-    deg.
-    """
-    if state is None:
-        return float("inf")
-    limit = state.facts.get(address, {}).get(CEC_MAX_SUM)
-    if not isinstance(limit, (int, float)):
-        return float("inf")
-    others = sum(
-        max(float(np.max(np.abs(entry.positive))), float(np.max(np.abs(entry.negative))))
-        for entry in state.cross
-        if entry.output == address
-    )
-    odd = state.facts[address].get(CEC_ODD_SUM, 0.0)
-    return max(0.0, float(limit) - others - (float(odd) if isinstance(odd, (int, float)) else 0.0))
+        return max(0.0, facts.max_sum - others - facts.odd_sum)

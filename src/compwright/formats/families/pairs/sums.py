@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from compwright.formats.families.pairs.reading import Cec, CecTable
+from compwright.formats.families.pairs.tables import Cec, CecTable
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind, Direction, FloatArray

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from compwright.formats.families.pairs.reading import tables_in
 from compwright.foundations.findings import Finding
 from compwright.records.correction import Assumption, ControlState
 
@@ -13,7 +12,7 @@ def with_sign_unknown(state: ControlState) -> ControlState:
     """Return a state that was read as corrections, saying of its tables between axes that nobody
     knows their sign.
     """
-    if not tables_in(state.facts):
+    if not state.tables.used:
         return state
     message = (
         "CEC tables are shown as corrections, although no manual says in which direction a positive"

@@ -1,0 +1,172 @@
+"""Values by index over an even grid: start, end and spacing stand once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal
+
+import numpy as np
+
+from compwright.formats.families.grid.tables import (
+    Table,
+    TableShape,
+    TableSource,
+    TableText,
+    WrittenTable,
+    table_of,
+)
+from compwright.formats.text.gathering import Found, same_value
+from compwright.foundations.errors import Fault
+
+#: How far (MAX - MIN) / STEP may be from a whole number when a file is read.
+WHOLE_STEPS = Decimal("1e-6")
+_GRID = ("table_start", "table_end", "table_spacing")
+
+
+class ByIndex(TableShape):
+    """Values by index, from 0."""
+
+    spacing = "equidistant"
+    repeats = True
+
+    def read(self, source: TableSource) -> Table | None:
+        """See `TableShape.read`. Memory that nobody has written, all zero, is no table."""
+        if not source.rows and not source.singles:
+            return None
+        if is_blank(source):
+            message = f"{source.label}: values and grid are all zero, which means no table"
+            source.notes.find("CW-S032", "info", message)
+            return None
+        if not _whole(source):
+            return None
+        values, grid = indexed(source), _steps(source)
+        if values is None or grid is None or not _complete(source, values, grid[2]):
+            return None
+        start, step, steps = grid
+        positions = [start + index * step for index in range(steps + 1)]
+        pairs = [source.values(values[index], place) for index, place in enumerate(positions)]
+        sound = [pair for pair in pairs if pair is not None]
+        return table_of(positions, sound) if len(sound) == len(pairs) else None
+
+    def write(self, text: TableText) -> WrittenTable:
+        """See `TableShape.write`. Nodes that are not equally spaced are a fault."""
+        positions, scale = text.compensation.positions, text.scale
+        spacing = float(positions[-1] - positions[0]) / (positions.size - 1)
+        numbers = (float(positions[0]), float(positions[-1]), spacing)
+        singles = {
+            name: text.number(name, number) for name, number in zip(_GRID, numbers, strict=True)
+        }
+        even = positions[0] + spacing * np.arange(positions.size)
+        worst = float(np.max(np.abs(positions - even)))
+        if worst > scale.quantum("table_spacing") / 2:
+            text.faults.append(
+                Fault(
+                    message=f"axis {text.compensation.address}: the nodes are not equally spaced",
+                    expected=f"every {spacing:.9g} {scale.kind.unit}",
+                    found=f"a node {worst:.6g} {scale.kind.unit} away from its place",
+                )
+            )
+        rows = ({"index": str(index), **text.values(index)} for index in range(positions.size))
+        return WrittenTable(tuple(rows), singles)
+
+
+def is_blank(source: TableSource) -> bool:
+    """Return whether everything that was found is zero, the grid too: memory that nobody has
+    written.
+    """
+    values = [
+        row.occurrence.tokens[name].text for row in source.rows for name in source.value_fields
+    ]
+    grid = [found.text for found in source.singles.values()]
+    return bool(grid) and all(Decimal(text) == 0 for text in (*values, *grid))
+
+
+def _whole(source: TableSource) -> bool:
+    """Return whether the files hold both grid and values."""
+    definition = source.scale.definition
+    forms = {
+        name: definition.statements[definition.bindings[name].statement].form for name in _GRID
+    }
+    missing = [form for name, form in forms.items() if name not in source.singles]
+    if missing:
+        expected = ", ".join(missing).replace("{", "<").replace("}", ">")
+        source.fault("the table has no grid", expected=expected, what="no such line")
+    elif not source.rows:
+        source.fault(
+            "the files name a grid but hold no values: this is contradictory, not an empty table"
+        )
+    return bool(source.rows) and not missing
+
+
+def indexed(source: TableSource) -> dict[int, Found] | None:
+    """Return the rows by index; None (with faults) where two of one index differ."""
+    values: dict[int, Found] = {}
+    clean = True
+    for row in source.rows:
+        index = int(row.occurrence.tokens["index"].text)
+        first = values.setdefault(index, row)
+        for name in source.value_fields:
+            text, said = row.occurrence.tokens[name].text, first.occurrence.tokens[name].text
+            if not same_value(text, said):
+                message = f"value {index} contradicts {first.where}"
+                source.fault(message, row, expected=said, what=text)
+                clean = False
+    return values if clean else None
+
+
+def _steps(source: TableSource) -> tuple[Decimal, Decimal, int] | None:
+    """Return start, spacing and the number of spacings."""
+    start, end, step = (source.position(name, source.singles[name]) for name in _GRID)
+    if start is None or end is None or step is None:
+        return None
+    if step <= 0:
+        what, message = source.singles["table_spacing"], "the spacing is not positive"
+        source.fault(message, what, expected="more than 0", what=str(step))
+        return None
+    if end <= start:
+        what, message = source.singles["table_end"], "the end is not above the start"
+        source.fault(message, what, expected=f"more than {start}", what=str(end))
+        return None
+    ratio = (end - start) / step
+    steps = int(ratio.to_integral_value())
+    if steps < 1 or abs(ratio - steps) > WHOLE_STEPS:
+        source.fault(
+            "the spacing does not divide the length of the table",
+            source.singles["table_spacing"],
+            expected="(end - start) / spacing a whole number",
+            what=f"({end} - {start}) / {step} = {float(ratio):.6f}",
+        )
+        return None
+    return start, step, steps
+
+
+def _complete(source: TableSource, values: Mapping[int, Found], steps: int) -> bool:
+    """Return whether there is a value for each node, and none behind the end.
+
+    Values behind the end are memory that the control does not use; they must be zero to be
+    believed.
+    """
+    # one of the first len(values) + 1 indices is free; a few more make the message useful, however
+    # wild the grid is
+    absent = [str(index) for index in range(min(steps + 1, len(values) + 8)) if index not in values]
+    if absent:
+        source.fault(
+            "values are missing; a file that was cut short?",
+            expected=f"{steps + 1} values, 0 to {steps}",
+            what=f"{len(values)} values, without {', '.join(absent[:8])}",
+        )
+        return False
+    extra = sorted(index for index in values if index > steps)
+    for index in extra:
+        tokens = values[index].occurrence.tokens
+        if any(Decimal(tokens[name].text) != 0 for name in source.value_fields):
+            message, expected = (
+                f"value {index} lies behind the end of the table",
+                f"values 0 to {steps}",
+            )
+            source.fault(message, values[index], expected=expected, what=f"{len(values)} values")
+            return False
+    if extra:
+        message = f"{len(extra)} values behind the end of the table are zero and not used"
+        source.notes.find("CW-S004", "info", f"{source.label}: {message}")
+    return True

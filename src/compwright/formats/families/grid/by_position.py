@@ -1,0 +1,51 @@
+"""Rows that name their position."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from compwright.formats.families.grid.tables import (
+    Table,
+    TableShape,
+    TableSource,
+    TableText,
+    WrittenTable,
+    table_of,
+)
+
+
+class ByPosition(TableShape):
+    """Rows of position and values, ascending."""
+
+    spacing = "free"
+    repeats = False
+
+    def read(self, source: TableSource) -> Table | None:
+        """See `TableShape.read`."""
+        positions: list[Decimal] = []
+        pairs: list[tuple[Decimal, Decimal]] = []
+        for row in source.rows:
+            position = source.position("node_position", row)
+            if position is None:
+                return None
+            if positions and position <= positions[-1]:
+                expected = f"more than {positions[-1]}"
+                source.fault(
+                    "the positions do not ascend", row, expected=expected, what=str(position)
+                )
+                return None
+            pair = source.values(row, position)
+            if pair is None:
+                return None
+            positions.append(position)
+            pairs.append(pair)
+        return table_of(positions, pairs) if positions else None
+
+    def write(self, text: TableText) -> WrittenTable:
+        """See `TableShape.write`."""
+        field = text.scale.definition.bindings["node_position"].field
+        rows = [
+            {field: text.number("node_position", float(position)), **text.values(index)}
+            for index, position in enumerate(text.compensation.positions)
+        ]
+        return WrittenTable(tuple(rows), {})

@@ -1,0 +1,112 @@
+"""Files whose rows do not say to which axis they belong: another file names them, or their own name
+does.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Sequence
+
+from compwright.formats.definition.consistency import curves
+from compwright.formats.definition.statements import field_matches
+from compwright.formats.text.addresses import normal_text
+from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.notes import Notes
+from compwright.formats.text.texts import ReadText
+from compwright.foundations.errors import Fault
+
+
+class TableFiles:
+    """The files of a set that hold nothing but a table; none where every row names its axis."""
+
+    def __init__(self, gathered: Gathered, texts: Sequence[ReadText], notes: Notes) -> None:
+        self.gathered = gathered
+        self.definition = gathered.definition
+        self.texts = texts
+        self.notes = notes
+        binding = self.definition.bindings[curves(self.definition)[0]]
+        row = self.definition.statements[binding.statement]
+        self.tables = [text for text in texts if "axis" not in row.fields and text.kind == row.text]
+        self.template = next(file.name for file in self.definition.writing if file.rows is not None)
+        self.used: set[int] = set()
+
+    def named(self) -> list[str]:
+        """Return the addresses in the names of the files."""
+        found = (self._address_in_name(text.file) for text in self.tables)
+        return [address for address in found if address is not None]
+
+    def _address_in_name(self, file: str) -> str | None:
+        before, after = self.template.split("{axis}")
+        match = re.fullmatch(re.escape(before) + "(.+)" + re.escape(after), file)
+        if match is None or not field_matches(self.definition.addresses.type, match[1]):
+            return None
+        return normal_text(self.definition, match[1])
+
+    def alone(self) -> bool:
+        """Whether one table file was given and nothing else: then the axis that was asked for is
+        meant.
+        """
+        return len(self.texts) == len(self.tables) == 1
+
+    def rows(self, address: str, *, spoken_of: bool) -> list[Found] | None:
+        """Return the rows of an axis; None where rows name their axis themselves. ``spoken_of``:
+        other lines name the axis, and would name its file.
+        """
+        if "table_file" not in self.definition.bindings:
+            return None
+        if spoken_of:
+            matching = self._named_by(address)
+        else:
+            own = [text for text in self.tables if self._address_in_name(text.file) == address]
+            matching = own or self.tables
+        if not matching:
+            return []
+        self.used.update(text.number for text in matching)
+        if len(matching) > 1:
+            message = f"axis {address}: its table file was given {len(matching)} times"
+            self.notes.faults.append(Fault(message=message, file=matching[0].file))
+        rows = self.gathered.file_rows.get(matching[0].number, [])
+        if not rows:
+            message = (
+                f"axis {address}: the table file holds no rows: this is contradictory, not an empty"
+                " table"
+            )
+            self.notes.faults.append(Fault(message=message, file=matching[0].file))
+        return rows
+
+    def _named_by(self, address: str) -> list[ReadText]:
+        """Return the file that other lines name for an axis; one that is missing is a fault."""
+        named = self.gathered.found("table_file", address, None)
+        if not named:
+            return []
+        base = _base_name(named[0].text)
+        matching = [text for text in self.tables if text.file == base]
+        if not matching:
+            self.notes.faults.append(
+                Fault(
+                    message=f"axis {address}: the table file that it names was not given",
+                    file=named[0].occurrence.file,
+                    place=named[0].occurrence.place,
+                    expected=base,
+                    found=", ".join(text.file for text in self.tables) or "no table file",
+                )
+            )
+        return matching
+
+    def tell_idle(self, wanted: Collection[str]) -> None:
+        """Note the table files that no axis names, among those of the axes asked for."""
+        binding = self.definition.bindings.get("table_file")
+        named = {
+            _base_name(occurrence.tokens[binding.field].text.strip())
+            for text in self.texts
+            for occurrence in text.occurrences
+            if binding is not None and occurrence.statement == binding.statement
+        }
+        for text in self.tables:
+            if text.number not in self.used and (not wanted or text.file not in named):
+                what = "is not named by any axis: the control does not load it"
+                self.notes.idle_file(f"{text.file} {what}")
+
+
+def _base_name(path: str) -> str:
+    return re.split(r"[/\\]", path)[-1]

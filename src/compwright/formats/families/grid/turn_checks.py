@@ -1,0 +1,135 @@
+"""Whether the job and the control's files mean the same turn of an endless axis."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from compwright.formats.families.grid.axis_values import AxisValues
+from compwright.formats.families.grid.tables import Table
+from compwright.formats.families.limits import SAME_TURN
+from compwright.formats.text.gathering import Found
+from compwright.formats.text.notes import Notes
+from compwright.foundations.errors import Fault
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.correction import AxisCompensation
+
+
+def check_modulo(values: AxisValues, axis: Axis | None) -> None:
+    """Job and control must mean the same: an axis with ends, or one that turns endlessly by the
+    same range.
+    """
+    found = values.single("modulo", quiet=False)
+    if found is None:
+        return
+    word = values.said("modulo")
+    if axis is None:
+        return
+    if word == "yes" and axis.kind is AxisKind.ROTARY:
+        _check_range(values, axis, found)
+    if word == "no" and axis.modulo is not None:
+        values.notes.faults.append(
+            Fault(
+                message=(
+                    f"{values.label}: the job says that the axis is endless, the control's files"
+                    " that it is not"
+                ),
+                file=found.occurrence.file,
+                place=found.occurrence.place,
+                expected=f"modulo {axis.modulo:g}",
+                found=found.text,
+            )
+        )
+
+
+def _check_range(values: AxisValues, axis: Axis, found: Found) -> None:
+    """The turn of an endless axis is that of the control; a job that gives it ends would leave the
+    rest of the turn behind.
+    """
+    length = values.single("modulo_range")
+    turn = float(length.text) if length is not None else None
+    if axis.modulo is None:
+        values.notes.refuse(
+            values.label,
+            "the control's files say that the axis is endless (MD30310), the job that it has ends",
+            found,
+            expected=f"modulo: {turn or 360.0:g} in the job",
+            found="no modulo",
+        )
+    elif turn is not None and abs(turn - axis.modulo) > SAME_TURN:
+        message = "the modulo of the job is not the modulo range of the control (MD30330)"
+        expected, said = f"modulo: {turn:g}", f"{axis.modulo:g}"
+        values.notes.refuse(values.label, message, length, expected=expected, found=said)
+
+
+def period_of(values: AxisValues, axis: Axis | None, rows: Sequence[Found], table: Table) -> float:
+    """Return the period of a table that repeats: it follows itself without a step only if both ends
+    are equal.
+    """
+    if table.positive[0] != table.positive[-1] or table.negative[0] != table.negative[-1]:
+        first, last = rows[0].occurrence, rows[-1].occurrence
+        values.notes.faults.append(
+            Fault(
+                message=(
+                    f"{values.label}: the table repeats, but its two ends differ: the axis would"
+                    " jump once a turn"
+                ),
+                file=first.file,
+                place=f"{first.place} to {last.line}",
+                expected="the same value at both ends",
+                found=f"{table.positive[0]:g} and {table.positive[-1]:g} (corrections)",
+            )
+        )
+    if axis is not None and "modulo_start" in values.definition.bindings:
+        _check_beginning(values, table)
+    return float(table.positions[-1] - table.positions[0])
+
+
+def _check_beginning(values: AxisValues, table: Table) -> None:
+    """A repeating table that does not begin where the control's range begins: whether it is found
+    there is not known.
+    """
+    found = values.single("modulo_start")
+    start = float(found.text) if found is not None else 0.0
+    if abs(float(table.positions[0]) - start) > SAME_TURN:
+        values.notes.refuse(
+            values.label,
+            "its table repeats and does not begin where the modulo range of the control begins"
+            " (MD30340): whether the control reads the part before it is not known",
+            values.single("table_start"),
+            expected=(
+                f"MIN = {start:g}"
+                if found is not None
+                else "MIN = 0, or the file that holds MD30340"
+            ),
+        )
+
+
+def check_turn(axis: Axis, compensation: AxisCompensation, notes: Notes) -> None:
+    """The job and the control's files must mean the same turn; a table that does not fit the job's
+    axis is told.
+    """
+    for table in (compensation, *compensation.others):
+        if table.positions.size == 0:
+            continue
+        label = f"axis {table.address}"
+        if axis.modulo is None and table.period is not None:
+            message = (
+                f"{label}: its table repeats every {table.period:g}, but the job gives no modulo; a"
+                " new table will have ends"
+            )
+            notes.find("CW-S033", "warning", message)
+        elif axis.modulo is not None and table.period is None:
+            message = f"{label} is endless, but its table does not repeat: it ends at both sides"
+            notes.find("CW-S033", "warning", message)
+        elif (
+            axis.modulo is not None
+            and table.period is not None
+            and abs(table.period - axis.modulo) > SAME_TURN
+        ):
+            notes.faults.append(
+                Fault(
+                    message=f"{label}: the period of its table is not the modulo of the job",
+                    expected=f"{axis.modulo:g}",
+                    found=f"{table.period:g}",
+                )
+            )

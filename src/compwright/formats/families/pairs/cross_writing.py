@@ -1,0 +1,161 @@
+"""What one axis does to another (squareness, straightness) -> tables beside whatever acts
+already.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from compwright.formats.families.axis_names import gathered_files
+from compwright.formats.families.family import Family
+from compwright.formats.families.pairs.options import available, too_few
+from compwright.formats.families.pairs.writing import CecWriter, Entry
+from compwright.formats.text.own_files import OwnFiles
+from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
+from compwright.records.axis import Direction
+from compwright.records.correction import AxisCompensation, ControlFile, CrossCompensation
+
+
+def write_cross(
+    control: Family, cross: Sequence[CrossCompensation], files: Sequence[ControlFile] = ()
+) -> tuple[ControlFile, ...]:
+    """Return the files that add ``cross`` to what the control does: those of ``files`` that change,
+    and new ones.
+
+    Each entry goes into free tables of its own (one for both directions, or one for each) beside
+    whatever acts already; values are what is added to the output axis, mm or deg. Two points are a
+    ramp. With tables of the same run, the state of ``control`` and ``files`` are what writing them
+    returned, so that no index is taken twice. Raises UsageError for an axis over itself,
+    CapacityError with everything that the control cannot hold, too few free indices in
+    ``cec_tables`` among it.
+    """
+    definition, state = control.definition, control.state
+    if not available(control.options):
+        raise CapacityError(
+            Fault(
+                message=f"{definition.id} holds tables between axes only as an option",
+                place="option cec",
+                expected="available",
+            )
+        )
+    raise_all(UsageError, [fault for entry in cross for fault in _wrong(entry)])
+    known = state.axes if state is not None else ()
+    asked = [address for entry in cross for address in (entry.input, entry.output)]
+    asked = list(dict.fromkeys((*known, *asked)))
+    own = OwnFiles(definition, files, gathered_files(definition, files, asked)) if files else None
+    writer = CecWriter(control, own)
+    faults: list[Fault] = []
+    left: dict[str, list[Entry]] = {}
+    for entry in cross:
+        unsound = [*_unsound(entry), *_beyond_sum(writer, entry)]
+        faults.extend(unsound)
+        if not unsound:
+            output = entry.output if own is None else own.gathered.axis(entry.output)
+            left.setdefault(output, []).extend(_put(writer, entry, faults))
+    raise_all(CapacityError, list(dict.fromkeys(faults)))
+    fresh = [
+        writer.new_file("cross", output, entries) for output, entries in left.items() if entries
+    ]
+    return (*(own.patched(own.changed()) if own is not None else ()), *fresh)
+
+
+def _put(writer: CecWriter, entry: CrossCompensation, faults: list[Fault]) -> list[Entry]:
+    """Put the table, or the two tables, by which one axis corrects another; return those without a
+    place in the files.
+    """
+    tables = writer.tables
+    pair = tables.axis(entry.input), tables.axis(entry.output)
+    both = np.array_equal(entry.positive, entry.negative)
+    directions: tuple[Direction | None, ...] = (None,) if both else tuple(Direction)
+    free = [one for one in tables.allowed if one not in tables.in_use and one not in tables.kept]
+    if len(free) < len(directions):
+        label, needed = f"{pair[0]} on {pair[1]}", len(directions)
+        faults.append(too_few(label, writer.definition.id, needed, len(free), tables.allowed))
+        return []
+    curves = []
+    for direction in directions:
+        curve = entry.negative if direction is Direction.NEGATIVE else entry.positive
+        one = AxisCompensation(
+            address=pair[1],
+            kind=entry.input_kind,
+            positions=entry.positions,
+            positive=curve,
+            negative=curve,
+            period=entry.period,
+        )
+        curves.append((direction, one))
+    return writer.put(free, pair, curves, f"{entry.output} over {entry.input}", faults)
+
+
+def _beyond_sum(writer: CecWriter, entry: CrossCompensation) -> list[Fault]:
+    """Return the fault of a table with which the sum on its output axis would reach beyond
+    CEC_MAX_SUM.
+    """
+    output = writer.tables.axis(entry.output)
+    facts, state = writer.control.facts_of(output).pairs, writer.control.state
+    if facts.max_sum is None or state is None:
+        return []
+    acting = [other for other in state.cross if other.output == output]
+    reach = facts.odd_sum + sum(
+        float(np.max(np.abs([one.positive, one.negative]))) for one in (entry, *acting)
+    )
+    if reach <= facts.max_sum:
+        return []
+    return [
+        Fault(
+            message=(
+                f"{entry.input} on {entry.output}: all tables together would reach beyond"
+                " CEC_MAX_SUM (MD32720)"
+            ),
+            expected=f"at most {facts.max_sum:g}",
+            found=f"up to {reach:g}",
+        )
+    ]
+
+
+def _wrong(entry: CrossCompensation) -> list[Fault]:
+    if entry.input.casefold() != entry.output.casefold():
+        return []
+    return [
+        Fault(
+            message=(
+                f"{entry.input}: the correction of an axis over itself is no table between axes"
+            ),
+            found=entry.output,
+        )
+    ]
+
+
+def _unsound(entry: CrossCompensation) -> list[Fault]:
+    label = f"{entry.input} on {entry.output}"
+    sizes = {entry.positions.shape, entry.positive.shape, entry.negative.shape}
+    if len(sizes) != 1 or entry.positions.ndim != 1 or entry.positions.size < 2:
+        return [Fault(message=f"{label}: a table needs two points or more, with a value each")]
+    numbers = np.concatenate([entry.positions, entry.positive, entry.negative])
+    if not np.all(np.isfinite(numbers)) or np.any(np.diff(entry.positions) <= 0):
+        return [Fault(message=f"{label}: the positions do not ascend, or a number is not finite")]
+    curves = (entry.positive, entry.negative)
+    faults = []
+    if entry.period is not None:
+        closed = abs(float(entry.positions[-1] - entry.positions[0]) - entry.period) <= 1e-6
+        if not closed or any(curve[0] != curve[-1] for curve in curves):
+            faults.append(
+                Fault(
+                    message=(
+                        f"{label}: a table that repeats spans one period, with the same value at"
+                        " both ends"
+                    )
+                )
+            )
+    for side, beyond, node in (("below", entry.below, 0), ("above", entry.above, -1)):
+        if beyond != "hold" and any(curve[node] != 0 for curve in curves):
+            faults.append(
+                Fault(
+                    message=f"{label}: {side} the table the control holds the end value",
+                    expected="hold",
+                    found=beyond,
+                )
+            )
+    return faults

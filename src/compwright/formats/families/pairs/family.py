@@ -1,0 +1,91 @@
+"""Tables between axes beside those of a grid: an axis over itself, one table for each direction, or
+over another one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Self
+
+import numpy as np
+
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.between import Asked, Between
+from compwright.formats.families.card_words import CURVES
+from compwright.formats.families.grid.family import GridFamily
+from compwright.formats.families.pairs.between import pairs_between
+from compwright.formats.families.pairs.capacity import PairLimits
+from compwright.formats.families.pairs.options import available, holds_two_curves
+from compwright.formats.families.pairs.state import PairsReader
+from compwright.formats.families.pairs.state_writing import PairsWriter
+from compwright.formats.families.pairs.view import with_sign_unknown
+from compwright.records.axis import Axis, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.facts import AxisFacts
+
+
+class PairsFamily(GridFamily):
+    """A grid with tables between axes. ``sign_assumed``: its files are only shown, and nobody says
+    the sign of these tables.
+    """
+
+    reader = PairsReader
+    writer = PairsWriter
+    untold_help = "cec_sign in controller.options (tables that are curves)"
+    sign_assumed = False
+
+    def read(
+        self,
+        files: Sequence[ControlFile],
+        axes: Sequence[Axis] = (),
+        *,
+        address: str | None = None,
+        activity: Activity = Activity(),  # noqa: B008 - frozen
+    ) -> ControlState:
+        """See `Family.read`."""
+        state = super().read(files, axes, address=address, activity=activity)
+        return with_sign_unknown(state) if self.sign_assumed else state
+
+    def for_a_view(self) -> Self:
+        """See `Family.for_a_view`: tables between axes are shown as corrections where nobody says
+        their sign.
+        """
+        if self.options.get("cec_sign", "") is not None:
+            return self
+        shown = self.with_options(cec_sign="correction")
+        shown.sign_assumed = True
+        return shown
+
+    def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
+        """See `Family.capacity`: a pair of tables between axes holds two curves."""
+        if one_curve or not available(self.options_of(axis)):
+            return super().capacity(axis)
+        return PairLimits(self, axis).capacity()
+
+    def capacity_of(self, axis: Axis, compensation: AxisCompensation) -> Capacity:
+        """Return the limits of the place where this table goes: one table and backlash are the
+        better home for one curve.
+        """
+        two = holds_two_curves(self.options_of(axis), compensation)
+        return self.capacity(axis, one_curve=not two)
+
+    def between(self, asked: Asked) -> Between:
+        """See `Family.between`: tables of their own, where the control has them."""
+        return pairs_between(self, asked) if available(self.options) else super().between(asked)
+
+    def card_values(
+        self,
+        axis: Axis,
+        compensation: AxisCompensation,
+        facts: AxisFacts,
+        check_at: FloatArray,
+    ) -> dict[str, str]:
+        """See `Family.card_values`."""
+        values = super().card_values(axis, compensation, facts, check_at)
+        if not np.array_equal(compensation.positive, compensation.negative):
+            values[CURVES] = "2"
+        if facts.pairs.own is not None:
+            names = ("table_positive", "table_negative")
+            values |= dict(zip(names, map(str, facts.pairs.own), strict=True))
+        return values

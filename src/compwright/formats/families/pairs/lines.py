@@ -1,0 +1,225 @@
+"""What the lines of tables between axes say, value by value, and whether a table acts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+
+from compwright.formats.definition.schema import Choice
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.grid.tables import value_fields
+from compwright.formats.families.pairs.places import Places, is_zero, last, of_axis
+from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.notes import Notes
+from compwright.formats.text.values import Values
+from compwright.foundations.errors import Fault
+
+_SWITCHES = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"
+
+
+class Lines:
+    """Reads single values of the files ``gathered``."""
+
+    def __init__(self, gathered: Gathered, notes: Notes) -> None:
+        self.gathered = gathered
+        self.definition = gathered.definition
+        self.notes = notes
+
+    def values(self, label: str) -> Values:
+        """Return the values of one table or axis, which ``label`` names."""
+        return Values(self.definition, label, self.notes)
+
+    def word(
+        self, label: str, quantity: str, found: Found | None, *, tell: bool = True
+    ) -> str | None:
+        """Return the neutral word of a choice, or what counts when it is absent, which is listed
+        (``tell``). A value that is not known is a fault.
+        """
+        if found is None:
+            return self.values(label).absent(quantity, tell=tell)
+        binding = self.definition.choice(quantity)
+        word = self.values(label).known_word(binding, found.text)
+        if word is None:
+            message = f"{self.values(label).name(quantity)} has a value that is not known"
+            self.notes.refuse(label, message, found, expected=" or ".join(binding.values))
+        return word
+
+
+@dataclass(frozen=True, slots=True)
+class _Switch:
+    """How the files end with one switch: ``word`` None where they do not say it."""
+
+    quantity: str
+    owner: str
+    found: Found | None
+    word: str | None
+
+
+@dataclass(frozen=True, slots=True)
+class _Leadscrew:
+    """What the files say of an axis' leadscrew tables.
+
+    ``on``: they end with one switched on. ``word``: how they end of those that are not zero
+    (``yes``, ``no``, ``unsaid``; empty: there is none).
+    """
+
+    on: bool
+    word: str
+
+
+class TableLines(Lines):
+    """The lines of one table. ``pair``: its input and output axis."""
+
+    def __init__(self, gathered: Gathered, index: int, places: Places, activity: Activity) -> None:
+        super().__init__(gathered, Notes())
+        self.index = index
+        self.places = places
+        self.activity = activity
+        self.label = f"CEC table {index}"
+        both = [last(name, places) for name in ("cross_input", "cross_output")]
+        base, corrected = (gathered.axis(found.text) if found is not None else "" for found in both)
+        self.pair = base, corrected
+
+    @property
+    def itself(self) -> bool:
+        """Whether the table corrects an axis over itself."""
+        return self.pair[0] == self.pair[1]
+
+    def on(self) -> bool:
+        """Return whether the files end with the table switched on, itself and the sum on its output
+        axis; nothing is noted.
+        """
+        output = self.pair[1]
+        ends = (
+            ("cross_table_enabled", self.places),
+            ("cross_axis_enabled", of_axis(self.gathered, output)),
+        )
+        return all(self._ends_on(quantity, last(quantity, places)) for quantity, places in ends)
+
+    def _ends_on(self, quantity: str, found: Found | None) -> bool:
+        values, binding = self.values(self.label), self.definition.choice(quantity)
+        if found is None:
+            return values.absent(quantity, tell=False) == "yes"
+        return values.known_word(binding, found.text) == "yes"
+
+    def acts(self, *, asked: bool) -> bool:
+        """Return whether no file switches the table off, itself or the sum on its output axis; inch
+        data are not read. ``asked``: its output axis is asked for.
+        """
+        owner = f"axis {self.pair[1]}"
+        on_axis = of_axis(self.gathered, self.pair[1])
+        ends = [
+            self._switch("cross_table_enabled", self.places, self.label),
+            self._switch("cross_axis_enabled", on_axis, owner),
+        ]
+        acts = None
+        if self.itself and asked and not is_zero(self.places):
+            acts = self._acted(ends)
+        if acts is None:
+            off = next((end for end in ends if end.word == "no"), None)
+            if off is not None:
+                self._tell_off(self.label, self.values(self.label).name(off.quantity), "info")
+                return False
+            for end in ends:
+                if end.word is None:
+                    self.word(end.owner, end.quantity, None)
+        metric = self.values(owner).one("cross_metric", on_axis.get("cross_metric", ()))
+        if (
+            acts is not False
+            and metric is not None
+            and self.word(owner, "cross_metric", metric) == "no"
+        ):
+            message = "corrections between axes in inch are not read (MD32711)"
+            self.notes.refuse(owner, message, metric, expected="1: metric")
+        return acts is not False
+
+    def _switch(self, quantity: str, places: Places, owner: str) -> _Switch:
+        found = self.values(owner).one(quantity, places.get(quantity, ()))
+        word = None if found is None else self.word(owner, quantity, found)
+        return _Switch(quantity, owner, found, word)
+
+    def _tell_off(self, label: str, switches: str, severity: str) -> None:
+        message = f"{label} is switched off in the files ({switches}); it corrects nothing"
+        self.notes.find("CW-S034", severity, message)
+
+    def _acted(self, ends: list[_Switch]) -> bool | None:
+        """Return whether a table of an axis over itself acted, by the leadscrew table beside it and
+        what the job says; None where neither files nor job say it.
+        """
+        words = [end.word for end in ends]
+        word = "no" if "no" in words else None if None in words else "yes"
+        found = (end.found for end in ends if end.word == word and end.found is not None)
+        place, owner = next(found, None), f"{self.label} of axis {self.pair[1]}"
+        if self._slept(owner, word, place):
+            self._tell_off(owner, _SWITCHES, "warning")
+            return False
+        return self.activity.settle(owner, _SWITCHES, word, place, self.notes)
+
+    def _slept(self, owner: str, word: str | None, place: Found | None) -> bool:
+        """Return whether the table slept beside the leadscrew table of its axis.
+
+        One that is switched off in another file than that with its values is switched off by no
+        program that loads it.
+        """
+        screw, said = self._leadscrew(), self.activity.said
+        dumped = place is not None and place.number not in {
+            row.number for row in self.places["cross_value"]
+        }
+        slept = word == "no" and (screw.word == "yes" or (screw.on and not screw.word and dumped))
+        certain = slept and dumped and screw.word == "yes"
+        unclear = screw.word in ("no", "unsaid") and "no" in (word, screw.word) and word != "yes"
+        if said is True and (unclear or (slept and not certain)):
+            self._ask_which(owner, word, place, screw)
+            return True
+        if slept:
+            why = f"{_SWITCHES} end as 0, while the leadscrew table of the axis is on"
+            self.notes.assume(f"{owner}: during the test", "off", why)
+        return slept
+
+    def _ask_which(
+        self, owner: str, word: str | None, place: Found | None, screw: _Leadscrew
+    ) -> None:
+        off, unsaid = "switched off", "not said to be on"
+        leadscrew = "on" if screw.on else "off" if screw.word == "no" else unsaid
+        self.notes.ask(
+            Fault(
+                message=(
+                    f"{owner}: active: yes does not say which of two tables acted: this one is"
+                    f" {off if word == 'no' else unsaid} ({_SWITCHES}), the leadscrew table is"
+                    f" {leadscrew} (MD32700 $MA_ENC_COMP_ENABLE)"
+                ),
+                file=place.occurrence.file if place is not None else "",
+                place=place.occurrence.place if place is not None else "",
+                expected=(
+                    "active left out or no, and the switch of the one that acted as 1 among the"
+                    " files"
+                ),
+                found="active: yes",
+            )
+        )
+
+    def _leadscrew(self) -> _Leadscrew:
+        """Return what the files say of the leadscrew tables of the output axis."""
+        address, fields = self.pair[1], value_fields(self.definition)
+        tables = {
+            system: rows
+            for (owner, system), rows in self.gathered.rows.items()
+            if owner == address and system
+        }
+        on = {system: self._switch_of(address, system) for system in tables}
+        written = {
+            on[system]
+            for system, rows in tables.items()
+            if any(
+                Decimal(row.occurrence.tokens[name].text) != 0 for row in rows for name in fields
+            )
+        }
+        word = next((word for word in ("yes", "unsaid", "no") if word in written), "")
+        return _Leadscrew("yes" in on.values(), word)
+
+    def _switch_of(self, address: str, system: str) -> str:
+        found = last("enabled", self.gathered.singles.get((address, system), {}))
+        binding = self.definition.bindings.get("enabled")
+        if found is None or not isinstance(binding, Choice):
+            return "unsaid"
+        return "no" if binding.values.get(found.text) == "no" else "yes"

@@ -1,0 +1,106 @@
+"""What the options say of tables between axes: whether there are any, which may be written, what
+their values mean.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from compwright.formats.families.family import Family
+from compwright.formats.families.pairs.places import Pair, as_table
+from compwright.formats.text.scale import Scale
+from compwright.foundations.errors import Fault, UsageError
+from compwright.records.axis import AxisKind
+from compwright.records.correction import AxisCompensation
+
+#: The check that answers the option cec_sign, in words.
+_SIGN_CHECK = (
+    "Ten minutes show it: with a dial gauge on the axis, MD32710 and SD41300 on, write +0.1 into"
+    " every point of one table that is known to be free: an axis that moves by 0.1 in + has"
+    " cec_sign: correction, one that moves in - has cec_sign: error; write 0 again"
+)
+
+
+def available(options: Mapping[str, object]) -> bool:
+    """Return whether the control has tables between axes, by its option ``cec``."""
+    return options.get("cec") == "available"
+
+
+def holds_two_curves(options: Mapping[str, object], compensation: AxisCompensation) -> bool:
+    """Return whether a compensation goes into a pair of tables, one for each direction."""
+    return available(options) and not np.array_equal(compensation.positive, compensation.negative)
+
+
+def sign_known(control: Family) -> bool:
+    """Return whether somebody said what a value means."""
+    return "cec_sign" not in control.definition.options or control.options["cec_sign"] is not None
+
+
+def sign_question(why: str, moved: str = "the axis") -> Fault:
+    """Return what is asked where nobody said what the values of tables mean; ``why`` that matters,
+    ``moved``: what a value moves.
+    """
+    return Fault(
+        message=(
+            f"{why}, and no manual says in which direction a positive value moves {moved}."
+            f" {_SIGN_CHECK}"
+        ),
+        place="option cec_sign",
+        expected="cec_sign: correction or cec_sign: error",
+        found="not given",
+    )
+
+
+def allowed_tables(options: Mapping[str, object]) -> tuple[int, ...]:
+    """Return the option ``cec_tables``. Raises UsageError when it holds something else than
+    indices.
+    """
+    given = options.get("cec_tables", ())
+    if not isinstance(given, (tuple, list)) or not all(isinstance(index, int) for index in given):
+        raise UsageError(
+            Fault(
+                message="the option has a wrong value",
+                place="cec_tables",
+                expected="indices",
+                found=repr(given),
+            )
+        )
+    return tuple(dict.fromkeys(int(index) for index in given))
+
+
+def free_tables(allowed: Sequence[int], in_use: Mapping[int, Pair], address: str) -> list[int]:
+    """Return the indices that may hold the tables of an axis over itself: its own ones first, then
+    free ones, as allowed.
+    """
+    own = [index for index in allowed if in_use.get(index) == (address, address)]
+    return [*own, *(index for index in dict.fromkeys(allowed) if index not in in_use)]
+
+
+def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[int, ...]) -> Fault:
+    """Return the fault of an axis that finds too few tables."""
+    return Fault(
+        message=(
+            f"axis {name}: {format_id} needs {needed} CEC tables that are free or already the axis'"
+            " own pair"
+        ),
+        place="option cec_tables",
+        expected=f"{needed} such indices",
+        found=(
+            f"{found} among {', '.join(map(str, allowed))}"
+            if allowed
+            else "none: the option is not given"
+        ),
+    )
+
+
+def scale_of_pairs(control: Family, kind: AxisKind) -> Scale:
+    """Return how numbers of such a table are read and written, as if it were one on one axis.
+
+    Where the sign is not known its structure can be read all the same.
+    """
+    options = control.options
+    if not sign_known(control):
+        options = {**options, "cec_sign": "correction"}
+    return Scale(as_table(control.definition), kind, options, {})

@@ -1,0 +1,125 @@
+"""Tables between axes in the control's own files, as far as writing beside them has to know."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from compwright.formats.families.family import Family
+from compwright.formats.families.pairs.options import allowed_tables
+from compwright.formats.families.pairs.places import (
+    DATA,
+    Pair,
+    Places,
+    is_unused,
+    is_zero,
+    of_axis,
+    places_of,
+)
+from compwright.formats.text.addresses import normal_text
+from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
+from compwright.foundations.errors import Fault
+from compwright.records.facts import PairTables
+
+
+class OwnTables:
+    """The tables of one control. ``own``: its files, None where none are patched.
+
+    ``allowed``: indices that may be written; ``in_use``: input and output axis of every table that
+    there is; ``kept``: the indices that are ours now.
+    """
+
+    def __init__(self, control: Family, own: OwnFiles | None) -> None:
+        self.definition = control.definition
+        self.own = own
+        self.allowed = allowed_tables(control.options)
+        tables = control.state.tables if control.state is not None else PairTables()
+        self.reserved = tables.reserved
+        self.places: Mapping[int, Places] = places_of(own.gathered) if own is not None else {}
+        self.in_use: Mapping[int, Pair] = self._used() if own is not None else tables.used
+        self.kept: set[int] = set()
+
+    def _used(self) -> dict[int, Pair]:
+        """Return input and output axis of every table that the files hold."""
+        return {
+            index: (self._axis_in(places, "cross_input"), self._axis_in(places, "cross_output"))
+            for index, places in self.places.items()
+            if any(name in places for name in DATA) and not is_unused(places)
+        }
+
+    def _axis_in(self, places: Places, quantity: str) -> str:
+        found = places.get(quantity, ())
+        return self.axis(found[-1].text) if found else ""
+
+    def axis(self, name: str) -> str:
+        """Return the one name of an axis."""
+        if self.own is None:
+            return normal_text(self.definition, name)
+        return self.own.gathered.axis(name)
+
+    def spelling(self, address: str) -> str:
+        """Return how the files write an axis."""
+        return address if self.own is None else self.own.gathered.spelled(address)
+
+    def said(self, index: int, quantity: str) -> Sequence[Found]:
+        """Return the places of a quantity of one table."""
+        return self.places.get(index, {}).get(quantity, ())
+
+    def said_of_axis(self, output: str, quantity: str) -> Sequence[Found]:
+        """Return the places of a quantity of all tables on one axis together."""
+        return () if self.own is None else of_axis(self.own.gathered, output).get(quantity, ())
+
+    def quiet(self, index: int) -> bool:
+        """Whether the files hold nothing but zeros in a table."""
+        return index in self.places and is_zero(self.places[index])
+
+    def off(self, index: int, output: str = "") -> bool:
+        """Whether the files end with a table switched off: by SD41300, or by MD32710 of its output
+        axis where that is given.
+        """
+        ends = [self.said(index, "cross_table_enabled")]
+        if output:
+            ends.append(self.said_of_axis(output, "cross_axis_enabled"))
+        return any(places and same_value(places[-1].text, "0") for places in ends)
+
+    def table_places(self, index: int) -> TablePlaces:
+        """Return where a table stands."""
+        places = self.places.get(index, {})
+        return TablePlaces(
+            rows_by_index(places.get("cross_value", ())),
+            {name: places[name] for name in DATA if name in places and name != "cross_value"},
+            "cross_value",
+            {"table": str(index)},
+        )
+
+    def check_protected(self, index: int, output: str, faults: list[Fault]) -> None:
+        """Refuse a file that has a table switched on before its values: the control would take none
+        of them when it is loaded.
+        """
+        first: dict[int, int] = {}
+        for row in self.said(index, "cross_value"):
+            first[row.number] = min(first.get(row.number, row.occurrence.line), row.occurrence.line)
+        for switches in (
+            self.said(index, "cross_table_enabled"),
+            self.said_of_axis(output, "cross_axis_enabled"),
+        ):
+            for number, line in first.items():
+                mine = [switch for switch in switches if switch.number == number]
+                before = [switch for switch in mine if switch.occurrence.line < line]
+                if not before or (before[-1] is not mine[-1] and same_value(before[-1].text, "0")):
+                    continue
+                fault = Fault(
+                    message=(
+                        f"CEC table {index}: its switch (SD41300, MD32710) stands in this file"
+                        " before its values; switched on there, they would be protected, and the"
+                        " control would take none of them"
+                    ),
+                    file=before[-1].occurrence.file,
+                    place=before[-1].occurrence.place,
+                    expected=(
+                        "the values before the switch, or in a file of their own, as the control"
+                        " exports them (NC_CEC.INI)"
+                    ),
+                    found=f"the first value in line {line}",
+                )
+                faults.append(fault)

@@ -1,0 +1,95 @@
+"""Where tables between axes stand in the control's files: by index and quantity."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from decimal import Decimal
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.text.gathering import Found, Gathered
+
+#: Quantities of one table, by the names that a table on one axis has.
+AS_TABLE = {
+    "cross_value": "value",
+    "cross_start": "table_start",
+    "cross_end": "table_end",
+    "cross_spacing": "table_spacing",
+}
+#: Quantities without which a table is none; those behind them count as a default where they are
+#: absent.
+NEEDED = ("cross_input", "cross_output", *AS_TABLE, "cross_direction")
+DATA = (*NEEDED, "cross_multiplier", "cross_repeats")
+
+#: Input and output axis.
+Pair = tuple[str, str]
+#: Every place of one table by quantity.
+Places = Mapping[str, Sequence[Found]]
+
+
+def as_table(definition: Definition) -> Definition:
+    """Return the definition as if its tables between axes were tables on one axis: the same file,
+    read by the same code.
+    """
+    bindings = {
+        name: replace(definition.bindings[cross], quantity=name) for cross, name in AS_TABLE.items()
+    }
+    return replace(definition, bindings={**definition.bindings, **bindings})
+
+
+def places_of(gathered: Gathered) -> dict[int, dict[str, list[Found]]]:
+    """Return every place by table index and quantity."""
+    found: dict[int, dict[str, list[Found]]] = {}
+    for quantity, places in gathered.singles.get((None, None), {}).items():
+        for place in places:
+            if quantity.startswith("cross_") and "table" in place.occurrence.tokens:
+                index = int(place.occurrence.tokens["table"].text)
+                found.setdefault(index, {}).setdefault(quantity, []).append(place)
+    return found
+
+
+def last(quantity: str, places: Places) -> Found | None:
+    """Return the last place of a quantity."""
+    found = places.get(quantity, ())
+    return found[-1] if found else None
+
+
+def of_axis(gathered: Gathered, address: str) -> Places:
+    """Return what is said of the tables that correct an axis, all of them together."""
+    return gathered.singles.get((address, None), {})
+
+
+def is_whole(places: Places) -> bool:
+    """Return whether a table was not cut short: it has all of its single values, and its points
+    without a gap.
+    """
+    points = {int(row.occurrence.tokens["index"].text) for row in places.get("cross_value", ())}
+    return all(name in places for name in NEEDED) and points == set(range(len(points)))
+
+
+def is_unused(places: Places) -> bool:
+    """Return whether a table holds nothing but zeros, values and grid: the control's own default,
+    which means no table.
+    """
+    numbers = [place.text for name in AS_TABLE for place in places.get(name, ())]
+    return bool(numbers) and all(Decimal(number) == 0 for number in numbers)
+
+
+def is_zero(places: Places) -> bool:
+    """Return whether every value of a table is zero: whatever its grid and its axes, it corrects
+    nothing.
+    """
+    return all(Decimal(row.text) == 0 for row in places.get("cross_value", ()))
+
+
+def print_of(places: Places) -> str:
+    """Return eight characters that change with a table's values, grid, axes, direction and
+    weight.
+    """
+    said = [
+        f"{name} {found.occurrence.tokens.get('index', found).text} {found.text}"
+        for name in (*DATA, "cross_weight")
+        for found in places.get(name, ())
+    ]
+    return hashlib.sha256("\n".join(said).encode("utf-8", "surrogatepass")).hexdigest()[:8]

@@ -1,0 +1,96 @@
+"""A control's own files with tables between axes -> what acts on the axes, and between them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from compwright.formats.definition.schema import Choice
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.family import Family
+from compwright.formats.families.grid.axis_reading import AxisReading
+from compwright.formats.families.grid.reading import GridReader
+from compwright.formats.families.pairs.options import (
+    scale_of_pairs,
+    sign_known,
+    sign_question,
+)
+from compwright.formats.families.pairs.reading import CecReader
+from compwright.formats.families.pairs.sums import check_sums, cross_tables, with_own_tables
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.correction import ControlFile, CrossCompensation
+from compwright.records.facts import PairTables
+
+
+class PairsReader(GridReader):
+    """Reads the tables between axes too."""
+
+    def __init__(
+        self,
+        control: Family,
+        files: Sequence[ControlFile],
+        axes: Sequence[Axis],
+        address: str | None,
+        activity: Activity,
+    ) -> None:
+        super().__init__(control, files, axes, address, activity)
+        scale = scale_of_pairs(control, AxisKind.LINEAR)
+        self.cec = CecReader(self.gathered, scale, self.notes, self.wanted, activity).read()
+        self.sign_known = sign_known(control)
+        check_sums(self.cec, self.notes, self.wanted)
+
+    def named(self) -> list[str]:
+        """See `GridReader.named`."""
+        return list(dict.fromkeys((*super().named(), *self.cec.own_axes())))
+
+    def between(self) -> Collection[str]:
+        """See `GridReader.between`."""
+        return {
+            name for table in self.cec.tables if table.input != table.output for name in table.pair
+        }
+
+    def elsewhere(self, address: str) -> bool:
+        """See `GridReader.elsewhere`. Without the sign of its tables nobody knows what acts."""
+        acting = self.cec.acting((address, address))
+        if acting and not self.sign_known:
+            named = " and ".join(str(table.index) for table in acting)
+            why = f"axis {address}: CEC table {named} corrects the axis over itself"
+            self.notes.ask(sign_question(why, "it"))
+        return bool(acting)
+
+    def axis(self, address: str, axis: Axis | None) -> AxisReading:
+        """See `GridReader.axis`: its own table, and those of the axis over itself."""
+        own = super().axis(address, axis)
+        pairs = self.cec.facts(address, sign_known=self.sign_known)
+        compensation = with_own_tables(self.cec, own.compensation)
+        return AxisReading(compensation, replace(own.facts, pairs=pairs))
+
+    def cross(self) -> tuple[CrossCompensation, ...]:
+        """See `GridReader.cross`. Without their sign such tables are left as they are."""
+        cross = cross_tables(self.cec, self._kind)
+        if self.sign_known or not cross:
+            return cross
+        pairs = ", ".join(dict.fromkeys(f"{entry.output} over {entry.input}" for entry in cross))
+        message = (
+            f"the tables between axes ({pairs}) are left as they are and not shown: the sign of CEC"
+            " values is not known; give the option cec_sign after the check on the card"
+        )
+        self.notes.find("CW-S051", "warning", message)
+        return ()
+
+    def pair_tables(self) -> PairTables:
+        """See `GridReader.pair_tables`."""
+        return PairTables(self.cec.occupied, self.cec.reserved)
+
+    def _kind(self, address: str) -> AxisKind:
+        """Return the kind of an axis of a table between axes: the job's, the files', else linear,
+        which changes units only.
+        """
+        axis = self.wanted.get(address)
+        if axis is not None:
+            return axis.kind
+        binding = self.definition.bindings.get("rotary")
+        places = self.gathered.singles.get((address, None), {}).get("rotary", [])
+        if not isinstance(binding, Choice) or not places:
+            return AxisKind.LINEAR
+        return AxisKind(binding.values.get(places[-1].text, "linear"))

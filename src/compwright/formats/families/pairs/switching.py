@@ -1,0 +1,129 @@
+"""Switching new tables between axes on in the control's own files, without waking others."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from compwright.formats.families.pairs.own_tables import OwnTables
+from compwright.formats.text.gathering import same_value
+from compwright.foundations.errors import Fault
+
+
+class Switches:
+    """The switches of ``tables``: one of each table, one of all on an axis."""
+
+    def __init__(self, tables: OwnTables) -> None:
+        self.tables = tables
+        self.own = tables.own
+
+    def table_on(self, index: int) -> None:
+        """Make a table act with its own values where the files say otherwise: it is ours."""
+        if self.own is not None:
+            for quantity in ("cross_table_enabled", "cross_weight"):
+                self.own.put(quantity, self.tables.said(index, quantity), "1")
+
+    def sum_on(self, output: str, faults: list[Fault]) -> None:
+        """Switch the sum on an axis on where the files switch it off, unless that would wake tables
+        that are not ours.
+
+        Where no file says whether it is on, somebody will switch it on by hand: the same tables
+        must not sleep there either.
+        """
+        if self.own is None:
+            return
+        self._check_shared(output, faults)
+        places = self.tables.said_of_axis(output, "cross_axis_enabled")
+        if places and not same_value(places[-1].text, "0"):
+            return
+        others = [index for index in self.tables.places if self._may_wake(index, output)]
+        if not places:
+            foreign = [index for index in others if self.tables.in_use[index] != (output, output)]
+            self._check_unsaid(output, foreign, faults)
+        elif others:
+            faults.append(
+                Fault(
+                    message=(
+                        f"axis {output}: its CEC tables are switched off together (MD32710"
+                        " $MA_CEC_ENABLE); switching them on would wake others too:"
+                        f" {', '.join(map(str, others))}"
+                    ),
+                    file=places[-1].occurrence.file,
+                    place=places[-1].occurrence.place,
+                    expected="1, or SD41300 = 0 for the other tables on this axis",
+                    found="0",
+                )
+            )
+        else:
+            self.own.put("cross_axis_enabled", places, "1")
+
+    def _check_unsaid(self, output: str, others: Sequence[int], faults: list[Fault]) -> None:
+        if not others:
+            return
+        place = self.tables.said(others[0], "cross_output")[0]
+        faults.append(
+            Fault(
+                message=(
+                    f"axis {output}: no file says whether its CEC tables are on (MD32710"
+                    " $MA_CEC_ENABLE); if they are off, switching ours on would wake others too:"
+                    f" {', '.join(map(str, others))}"
+                ),
+                file=place.occurrence.file,
+                place=place.occurrence.place,
+                expected=(
+                    f"MD32710 of {output} among the files, or SD41300 = 0 for the other tables on"
+                    " this axis"
+                ),
+                found="in no file",
+            )
+        )
+
+    def _may_wake(self, index: int, output: str) -> bool:
+        """Whether a table that is not ours begins to correct ``output`` when MD32710 is switched
+        on.
+        """
+        tables = self.tables
+        if (
+            index in tables.kept
+            or index not in tables.in_use
+            or tables.quiet(index)
+            or tables.off(index)
+        ):
+            return False
+        corrected = tables.in_use[index][1]
+        names = self.own.gathered.names if self.own is not None else None
+        unlisted = names is not None and bool(names.places) and not names.known(corrected)
+        return corrected == output or unlisted
+
+    def _check_shared(self, output: str, faults: list[Fault]) -> None:
+        """Other tables must not be multiplied by ours, and the axis must take values in mm."""
+        tables = self.tables
+        faults.extend(
+            Fault(
+                message=(
+                    f"CEC table {index} is multiplied by table {int(place.text) - 1}"
+                    " ($AN_CEC_MULT_BY_TABLE), to be written"
+                ),
+                file=place.occurrence.file,
+                place=place.occurrence.place,
+                expected="other indices in the option cec_tables",
+                found=place.text,
+            )
+            for index in tables.places
+            for place in tables.said(index, "cross_multiplier")[-1:]
+            if index not in tables.kept
+            and int(place.text) - 1 in tables.kept
+            and not tables.quiet(index)
+        )
+        faults.extend(
+            Fault(
+                message=(
+                    f"axis {output}: its CEC values are in inch (MD32711), which is not written"
+                ),
+                file=place.occurrence.file,
+                place=place.occurrence.place,
+                expected="1: metric",
+                found=place.text,
+            )
+            for place in tables.said_of_axis(output, "cross_metric")[-1:]
+            if same_value(place.text, "0")
+        )

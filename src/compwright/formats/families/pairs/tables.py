@@ -1,0 +1,101 @@
+"""Tables between axes as the files hold them: by index, each with its input and output axis and the
+direction in which it acts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from compwright.formats.families.pairs.places import Pair
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.facts import PairFacts
+
+
+@dataclass(frozen=True, slots=True)
+class CecTable:
+    """One table that a file holds. ``values`` (k,): what it adds to ``output``, weighted, at
+    ``positions`` (k,) of ``input``.
+
+    ``directions``: in which it acts. ``period``: the table repeats. ``active``: no file switches it
+    off.
+    """
+
+    index: int
+    input: str
+    output: str
+    directions: tuple[Direction, ...]
+    positions: FloatArray
+    values: FloatArray
+    period: float | None
+    active: bool
+
+    @property
+    def pair(self) -> Pair:
+        """Input and output axis."""
+        return self.input, self.output
+
+
+@dataclass(frozen=True, slots=True)
+class OddTable:
+    """A table that cannot be read as a curve, and why. ``largest``: its largest amount, weighted,
+    mm or deg, 0 where it is off.
+    """
+
+    index: int
+    input: str
+    output: str
+    why: str
+    largest: float
+
+
+@dataclass(frozen=True, slots=True)
+class Cec:
+    """Everything that the files say about such tables. ``reserved``: points by index; ``max_sum``:
+    by output axis, mm or deg.
+
+    ``occupied``: input and output axis by index, of tables that are left out of ``tables`` too.
+    ``odd``: those that act, or may act, and cannot be read. ``prints``: by index eight characters
+    that change with what the files say of a table.
+    """
+
+    tables: tuple[CecTable, ...] = ()
+    odd: tuple[OddTable, ...] = ()
+    occupied: Mapping[int, Pair] = field(default_factory=dict)
+    reserved: Mapping[int, int] = field(default_factory=dict)
+    max_sum: Mapping[str, float] = field(default_factory=dict)
+    prints: Mapping[int, str] = field(default_factory=dict)
+
+    def own_axes(self) -> list[str]:
+        """Return the axes with tables over themselves, switched on or not."""
+        return list(
+            dict.fromkeys(table.output for table in self.tables if table.input == table.output)
+        )
+
+    def acting(self, pair: Pair) -> list[CecTable]:
+        """Return the tables that act on a pair of axes."""
+        return [table for table in self.tables if table.pair == pair and table.active]
+
+    def facts(self, address: str, *, sign_known: bool) -> PairFacts:
+        """Return what the tables mean for one axis."""
+        own = {table.directions: table.index for table in self.acting((address, address))}
+        up, down = (own.get((direction,)) for direction in Direction)
+        return PairFacts(
+            own=(up, down) if len(own) == 2 and up is not None and down is not None else None,
+            max_sum=self.max_sum.get(address),
+            odd_sum=sum(table.largest for table in self.odd if table.output == address),
+            untold=self._untold(address, sign_known=sign_known),
+        )
+
+    def _untold(self, address: str, *, sign_known: bool) -> str:
+        """Return the tables from other axes that act on one and cannot be counted with, in words
+        that change with their values.
+        """
+        acting: list[CecTable | OddTable] = [table for table in self.odd if table.largest]
+        if not sign_known:
+            acting += [table for table in self.tables if table.active and table.values.any()]
+        mine = [table for table in acting if table.output == address != table.input]
+        return ", ".join(
+            f"CEC table {table.index} over {table.input} ({self.prints[table.index]})"
+            for table in sorted(mine, key=lambda table: table.index)
+        )
