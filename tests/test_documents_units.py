@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from circle_machine import Machine, Setup, measured
+from compwright.documents.circular import circular_document
 from compwright.documents.compare import ComparedAxis, compare_document
 from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.documents.plan_check import _broken_rules
@@ -140,6 +141,16 @@ def test_a_circle_is_in_micrometres() -> None:
     found = circle_values(evaluate_circle(longer))
     assert found["D"] == pytest.approx(25.0, abs=1e-6)
     assert found["G_ccw"] == pytest.approx(0.0, abs=1e-6)
+
+
+def test_no_document_of_a_circle_holds_a_minus_zero() -> None:
+    """-1e-12 mm is rounded away; the sign of nothing must not stay."""
+    test = measured(Machine(), Setup(samples=90))
+    runs = tuple(replace(run, deviations=np.full(90, -1e-12)) for run in test.runs)
+    found = circular_document(evaluate_circle(replace(test, runs=runs)))
+    values = [value for run in found["runs"] for value in run["deviations"]]
+    assert values == [0.0] * 180
+    assert not np.any(np.signbit(values))
 
 
 @pytest.mark.parametrize(
