@@ -1,0 +1,299 @@
+"""Corrections between axes, family by family: values, signs and units of what is typed in, what is
+said where nothing holds them, and that what is written comes back.
+
+Y follows X by 40 µm/m: the angle is larger than 90°, and Y is moved by + 40e-6 times the distance
+of X from its reference.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from compwright.formats.control_format import control_format
+from compwright.formats.families.between import Asked, Between
+from compwright.formats.families.family import Family
+from compwright.formats.families.grid.family import GridFamily
+from compwright.foundations.errors import CompwrightError
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.correction import (
+    AxisCompensation,
+    ControlFile,
+    ControlState,
+    CrossCompensation,
+)
+from compwright.records.plan import PlannedCross
+from compwright.workflow.stages.control import Control, decode
+from compwright.workflow.stages.cross_tables import CrossOutcome, write_planned
+from format_samples import DEFINITIONS
+
+SIEMENS = "siemens-840d-sl"
+NCK, ITNC = "heidenhain-nck", "heidenhain-itnc530"
+CEC: dict[str, Any] = {"cec": "available", "cec_sign": "correction", "cec_tables": "4,5"}
+
+
+def family(format_id: str, state: ControlState | None = None, **options: object) -> Family:
+    return control_format(DEFINITIONS[format_id], options, state)
+
+
+def axis(name: str, address: str, **options: object) -> Axis:
+    return Axis(
+        name=name, kind=AxisKind.LINEAR, travel=(0.0, 800.0), address=address, options=options
+    )
+
+
+def follows(
+    positions: Sequence[float] = (0.0, 800.0),
+    *,
+    reference: float = 0.0,
+    addresses: tuple[str, str] = ("X", "Y"),
+) -> PlannedCross:
+    """Y after X by 40 µm/m of the distance from the reference, as two circles found it."""
+    where = np.array(positions)
+    values = 40e-6 * (where - reference)
+    added = CrossCompensation(
+        input=addresses[0],
+        output=addresses[1],
+        input_kind=AxisKind.LINEAR,
+        output_kind=AxisKind.LINEAR,
+        positions=where,
+        positive=values,
+        negative=values,
+    )
+    return PlannedCross(input="X", output="Y", added=added, source="circle", squareness=40e-6)
+
+
+def ask(
+    control: Family,
+    *planned: PlannedCross,
+    axes: Sequence[Axis] = (),
+    tabled: Sequence[str] = (),
+    tables: ControlState | None = None,
+) -> Between:
+    """``tables``: what the tables of this run say; without it nothing may be read."""
+    base = () if tables is None else (ControlFile("table", b"of this run"),)
+
+    def read(files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
+        assert tables is not None
+        assert (files, written) == (base, False)
+        return tables
+
+    return control.between(
+        Asked(
+            planned=planned or (follows(),),
+            axes={each.name: each for each in axes},
+            tabled=tabled,
+            tables=base,
+            base=base,
+            read=read,
+        )
+    )
+
+
+def rows(sheet: ControlFile, start: int) -> list[list[str]]:
+    return [line.split(",") for line in sheet.content.decode().splitlines()[start:]]
+
+
+# --- columns to type in
+
+
+@pytest.mark.parametrize(
+    ("whole", "moving", "sign"),
+    [("error", "error", -1), ("error", "correction", 1), ("correction", "error", -1)],
+)
+def test_a_column_has_the_sign_of_the_moving_axis_table(whole: str, moving: str, sign: int) -> None:
+    bent = axis("Y", "Y", table_values="error" if moving == "correction" else "correction")
+    answer = ask(family(NCK, table_values=whole), axes=[axis("X", "X", table_values=moving), bent])
+    (sheet,) = answer.sheets
+    assert sheet.name == "cross_X_Y.csv"
+    assert rows(sheet, 1) == [
+        [f"# value: {moving}"],
+        ["position_X", "Y", "unit"],
+        ["0.0000", "0.0000", "mm"],
+        ["800.0000", f"{sign * 0.032:.4f}", "mm"],
+    ]
+    ((severity, message),) = answer.remarks
+    assert severity == "warning"
+    assert f"+0.0000 mm at 0, {sign * 0.032:+.4f} mm at 800 (values are {moving}s)" in message
+    assert message[:1].islower()
+    assert answer.files is None
+    assert [step["evidence"] for step in answer.steps] == ["unconfirmed"]
+
+
+def test_a_long_column_is_shown_by_its_ends() -> None:
+    long, short = follows(np.linspace(0.0, 800.0, 9).tolist()), follows([0.0, 400.0, 800.0])
+    shown, whole = (ask(family(NCK, table_values="correction"), entry) for entry in (long, short))
+    assert ": +0.0000 mm at 0, +0.0320 mm at 800 (" in shown.steps[0]["text"]
+    assert "+0.0000 mm at 0, +0.0160 mm at 400, +0.0320 mm at 800" in whole.steps[0]["text"]
+    assert len(rows(shown.sheets[0], 3)) == 9
+
+
+@pytest.mark.parametrize(
+    ("slope", "options", "tabled", "why"),
+    [
+        (-20e-6, {}, [], "MP720 acts on Y now (+0.020 mm/m)"),
+        (-20e-6, {}, ["Y"], ""),  # the table of this run takes its place
+        (0.0, {}, [], ""),
+        (0.0, {"method": "line"}, ["Y"], "the job corrects Y by MP720 (method: line)"),
+    ],
+)
+def test_no_column_beside_a_linear_error(
+    slope: float, options: Mapping[str, Any], tabled: Sequence[str], why: str
+) -> None:
+    none = np.empty(0)
+    now = AxisCompensation(
+        address="Y",
+        kind=AxisKind.LINEAR,
+        positions=none,
+        positive=none,
+        negative=none,
+        slope=slope,
+    )
+    state = ControlState(format=ITNC, axes={"Y": now})
+    axes = [axis("X", "X"), axis("Y", "Y", **options)]
+    answer = ask(family(ITNC, state), axes=axes, tabled=tabled)
+    ((severity, message),) = answer.remarks
+    assert (severity, bool(answer.sheets)) == (("error", False) if why else ("warning", True))
+    assert why in message
+
+
+# --- straightness compensation
+
+
+def line_of(address: str = "1") -> ControlState:
+    """A table of the moving axis: numbers 10 to 26, each of 50 mm."""
+    nodes = np.linspace(0.0, 800.0, 17)
+    zero = np.zeros(17)
+    table = AxisCompensation(
+        address=address, kind=AxisKind.LINEAR, positions=nodes, positive=zero, negative=zero
+    )
+    facts = {address: {"first_number": 10, "last_number": 26}}
+    return ControlState(format="fanuc-30i", axes={address: table}, facts=facts)
+
+
+FANUC: dict[str, Any] = {"straightness": "available", "first_point": 10}
+
+
+def test_a_straight_line_is_typed_in_pulses_of_the_axis_that_is_bent() -> None:
+    axes = [axis("X", "1", detection_unit=0.001), axis("Y", "2", detection_unit=0.0005)]
+    answer = ask(
+        family("fanuc-30i", **FANUC),
+        follows(addresses=("1", "2")),
+        axes=axes,
+        tables=line_of(),
+    )
+    (sheet,) = answer.sheets
+    # 40 µm/m · 50 mm = 2 µm at the end of the first section, 32 µm at the last; pulses of 0.5 µm
+    assert [(row[0], row[1]) for row in rows(sheet, 2)] == [
+        *(("5711", "1"), ("5721", "2")),
+        *(("5731", "10"), ("5732", "10"), ("5733", "26"), ("5734", "26")),
+        *(("5761", "4"), ("5762", "4"), ("5763", "64"), ("5764", "64")),
+    ]
+    assert sheet.name in answer.remarks[0][1]
+
+
+@pytest.mark.parametrize(
+    ("planned", "tables"),
+    [
+        ([follows([0.0, 400.0, 800.0], addresses=("1", "2"))], line_of()),  # a curve
+        ([follows(addresses=("1", "2"))] * 2, line_of()),  # a second pair
+        ([follows(addresses=("1", "2"))], line_of("3")),  # no table of the moving axis
+        ([follows(addresses=("1", "2"))], None),
+    ],
+)
+def test_more_than_one_straight_line_over_a_table_is_not_held(
+    planned: Sequence[PlannedCross], tables: ControlState | None
+) -> None:
+    axes = [axis("X", "1"), axis("Y", "2")]
+    control = family("fanuc-30i", detection_unit=0.001, **FANUC)
+    answer = ask(control, *planned, axes=axes, tables=tables)
+    assert [severity for severity, _ in answer.remarks] == ["error"] * len(planned)
+    assert all("one straight line over a table only" in said for _, said in answer.remarks)
+    assert answer.sheets == ()
+
+
+# --- what helps instead
+
+
+def test_a_kinematic_matrix_takes_the_angle_and_says_what_it_moves() -> None:
+    """The line of the matrix runs through machine zero: with the reference at 100 mm everything
+    moves by 40e-6 · 100 mm = 4 µm.
+    """
+    ((_, plain),) = ask(family("linuxcnc"), follows()).remarks
+    assert "add +0.000040000 to the value of matrixkins.C_yx that is in force; without" in plain
+    ((_, moved),) = ask(family("linuxcnc"), follows([-100.0, 700.0], reference=100.0)).remarks
+    assert "in force, which also moves Y as a whole by +4.00 µm; without it" in moved
+
+
+@pytest.mark.parametrize("format_id", DEFINITIONS)
+def test_every_control_answers(format_id: str) -> None:
+    """Without any option a control types a column in, or says what would help."""
+    ((severity, said),) = ask(family(format_id)).remarks
+    assert said.startswith("squareness of Y over X (+40.0 µm/m) is ")
+    assert severity == ("warning" if "is in no file" in said else "error")
+
+
+def test_every_correction_is_said() -> None:
+    bent = replace(follows(), input="Z", source="cross", squareness=-12.5e-6)
+    answer = ask(family(SIEMENS), follows(), bent)
+    assert [said.split(" is not")[0] for _, said in answer.remarks] == [
+        "squareness of Y over X (+40.0 µm/m)",
+        "the measured deviation of Y over Z (-12.5 µm/m)",
+    ]
+    assert [step["title"] for step in answer.steps] == [
+        "Not corrected: squareness of Y over X (+40.0 µm/m)",
+        "Not corrected: the measured deviation of Y over Z (-12.5 µm/m)",
+    ]
+
+
+# --- tables of their own
+
+
+def write(entry: PlannedCross, **options: Any) -> CrossOutcome:
+    control = Control(family(SIEMENS, **{**CEC, **options}))
+    axes = {"X": axis("X", "AX1"), "Y": axis("Y", "AX2")}
+    return write_planned(control, [entry], (), decode(control, ()), axes)
+
+
+@pytest.mark.parametrize("sign", ["correction", "error"])
+def test_what_is_written_comes_back_with_its_sign(sign: str) -> None:
+    outcome = write(follows(addresses=("AX1", "AX2")), cec_sign=sign)
+    assert outcome.written
+    (total,) = outcome.totals
+    assert (total.input, total.output) == ("X", "Y")
+    assert total.positive[[0, -1]] == pytest.approx([0.0, 0.032], abs=1e-6)
+    assert [step["title"] for step in outcome.steps] == [
+        f"Y over X: {step}"
+        for step in ("reserve and switch off", "check the sign", "load", "switch on")
+    ]
+    assert "+0.00 µm at X 0, +32.00 µm at X 800" in outcome.steps[2]["text"]
+
+
+@pytest.mark.parametrize("factor", [-1.0, 0.0, 1.001])
+def test_something_else_in_the_files_is_a_fault_of_our_own(
+    factor: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    honest = GridFamily.between
+
+    def wrong(control: GridFamily, asked: Asked) -> Between:
+        bent = [
+            replace(
+                entry,
+                added=replace(
+                    entry.added,
+                    positive=factor * entry.added.positive,
+                    negative=factor * entry.added.negative,
+                ),
+            )
+            for entry in asked.planned
+        ]
+        answer = honest(control, replace(asked, planned=tuple(bent)))
+        return answer if factor else replace(answer, files=())
+
+    monkeypatch.setattr(GridFamily, "between", wrong)
+    with pytest.raises(CompwrightError, match="does not come back as it was written"):
+        write(follows(addresses=("AX1", "AX2")))
