@@ -144,9 +144,9 @@ def test_a_circle_is_in_micrometres() -> None:
 
 
 def test_no_document_of_a_circle_holds_a_minus_zero() -> None:
-    """-1e-12 mm is rounded away; the sign of nothing must not stay."""
+    """-1e-15 mm is rounded away; the sign of nothing must not stay."""
     test = measured(Machine(), Setup(samples=90))
-    runs = tuple(replace(run, deviations=np.full(90, -1e-12)) for run in test.runs)
+    runs = tuple(replace(run, deviations=np.full(90, -1e-15)) for run in test.runs)
     found = circular_document(evaluate_circle(replace(test, runs=runs)))
     values = [value for run in found["runs"] for value in run["deviations"]]
     assert values == [0.0] * 180
