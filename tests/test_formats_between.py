@@ -17,7 +17,7 @@ import pytest
 from compwright.formats.control_format import control_format
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.family import Family
-from compwright.formats.families.grid.family import GridFamily
+from compwright.formats.families.pairs.family import PairsFamily
 from compwright.foundations.errors import CompwrightError
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import (
@@ -26,6 +26,7 @@ from compwright.records.correction import (
     ControlState,
     CrossCompensation,
 )
+from compwright.records.facts import AxisFacts
 from compwright.records.plan import PlannedCross
 from compwright.workflow.stages.control import Control, decode
 from compwright.workflow.stages.cross_tables import CrossOutcome, write_planned
@@ -171,7 +172,7 @@ def line_of(address: str = "1") -> ControlState:
     table = AxisCompensation(
         address=address, kind=AxisKind.LINEAR, positions=nodes, positive=zero, negative=zero
     )
-    facts = {address: {"first_number": 10, "last_number": 26}}
+    facts = {address: AxisFacts(said={"first_number": 10, "last_number": 26})}
     return ControlState(format="fanuc-30i", axes={address: table}, facts=facts)
 
 
@@ -271,15 +272,16 @@ def test_what_is_written_comes_back_with_its_sign(sign: str) -> None:
         for step in ("reserve and switch off", "check the sign", "load", "switch on")
     ]
     assert "+0.00 µm at X 0, +32.00 µm at X 800" in outcome.steps[2]["text"]
+    assert "must be at least 2 for table 4. Set" in outcome.steps[0]["text"]
 
 
 @pytest.mark.parametrize("factor", [-1.0, 0.0, 1.001])
 def test_something_else_in_the_files_is_a_fault_of_our_own(
     factor: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    honest = GridFamily.between
+    honest = PairsFamily.between
 
-    def wrong(control: GridFamily, asked: Asked) -> Between:
+    def wrong(control: PairsFamily, asked: Asked) -> Between:
         bent = [
             replace(
                 entry,
@@ -294,6 +296,6 @@ def test_something_else_in_the_files_is_a_fault_of_our_own(
         answer = honest(control, replace(asked, planned=tuple(bent)))
         return answer if factor else replace(answer, files=())
 
-    monkeypatch.setattr(GridFamily, "between", wrong)
+    monkeypatch.setattr(PairsFamily, "between", wrong)
     with pytest.raises(CompwrightError, match="does not come back as it was written"):
         write(follows(addresses=("AX1", "AX2")))
