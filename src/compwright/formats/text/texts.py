@@ -24,7 +24,8 @@ from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding
 from compwright.records.correction import ControlFile
 
-_BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]")
+#: Bytes that no text holds.
+BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]")
 _OPEN = "("
 _ENCLOSED = re.compile(r"\([^()]*\)")
 #: Stands behind a comment mark, before a statement that compwright leaves to somebody at the
@@ -92,7 +93,7 @@ class TextReader:
 
     def parse(self, file: ControlFile, faults: list[Fault]) -> ReadText | None:
         """Return the statements of a file that was not read before; as `read`."""
-        if _BINARY.search(file.content):
+        if BINARY.search(file.content):
             faults.append(
                 Fault(
                     message="is not a text file (a binary archive?)",

@@ -14,6 +14,11 @@ from compwright.formats.text.notes import Notes
 from compwright.foundations.findings import Finding
 
 
+def name_of(definition: Definition, quantity: str) -> str:
+    """Return the control's name of a quantity: the first word of its form, or its number."""
+    return name_in_form(definition.statements[definition.bindings[quantity].statement].form)
+
+
 @dataclass(frozen=True, slots=True)
 class Values:
     """The values of one axis or one table, which ``label`` names in messages."""
@@ -24,8 +29,7 @@ class Values:
 
     def name(self, quantity: str) -> str:
         """Return the control's name of a quantity."""
-        statement = self.definition.bindings[quantity].statement
-        return name_in_form(self.definition.statements[statement].form)
+        return name_of(self.definition, quantity)
 
     def one(self, quantity: str, places: Sequence[Found], *, quiet: bool = False) -> Found | None:
         """Return the place that counts: within a file the first, the last, or any where all have to

@@ -8,8 +8,8 @@ dead: an axis that the linear error corrects gets no column, and that is said.
 from __future__ import annotations
 
 from compwright.formats.families.between import Asked, Between, in_turn, label, not_held, typed_in
-from compwright.formats.families.columns.sources import parameter_name
 from compwright.formats.families.family import Family
+from compwright.formats.text.values import name_of
 from compwright.records.correction import ControlFile
 from compwright.records.plan import PlannedCross
 
@@ -72,7 +72,7 @@ def _by_line(family: Family, asked: Asked, entry: PlannedCross) -> str:
 def _parameter(family: Family, quantity: str) -> str:
     """Return the control's name of a parameter; empty where it has none."""
     known = quantity in family.definition.bindings
-    return parameter_name(family.definition, quantity) if known else ""
+    return name_of(family.definition, quantity) if known else ""
 
 
 def _rows(entry: PlannedCross, form: str) -> list[tuple[float, float]]:

@@ -8,17 +8,22 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from compwright.formats.definition.options import axis_options
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.columns.sources import AxisNumbers, parameter_name
-from compwright.formats.families.columns.text import VALUES
-from compwright.formats.families.columns.values import MOST_DOUBLINGS, SMALLEST_SPACING, TURN
-from compwright.formats.text.addresses import normal_address
-from compwright.formats.text.scale import EXACTNESS, Scale
+from compwright.formats.families.columns.sources import AxisNumbers
+from compwright.formats.families.columns.table import VALUES
+from compwright.formats.families.columns.values import (
+    MOST_DOUBLINGS,
+    SMALLEST_SPACING,
+    TURN,
+    column_scale,
+)
+from compwright.formats.families.family import Family
+from compwright.formats.text.scale import EXACTNESS
+from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.capacity import Capacity
-from compwright.records.correction import Assumption, AxisCompensation, ControlState
+from compwright.records.correction import Assumption, AxisCompensation
 
 
 def by_line(options: Mapping[str, object]) -> bool:
@@ -26,43 +31,29 @@ def by_line(options: Mapping[str, object]) -> bool:
     return options.get("method") == "line"
 
 
-def user_scale(definition: Definition, axis: Axis, options: Mapping[str, object]) -> Scale:
-    """Return how numbers of an axis are written: table values as the option ``table_values``
-    says.
-    """
-    return Scale(definition, axis.kind, options, {"table_form": str(options["table_values"])})
-
-
-def slope_scale(definition: Definition, options: Mapping[str, object]) -> Scale:
-    """Return how the linear parameter is written (mm/m)."""
-    return Scale(definition, AxisKind.LINEAR, options, {"table_form": str(options["table_values"])})
-
-
-def user_tables_capacity(
-    definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None
-) -> Capacity:
-    """Return the limits of one axis in mm or deg; ``options`` are the controller's, resolved.
+def columns_capacity(control: Family, axis: Axis) -> Capacity:
+    """Return the limits of one axis in mm or deg.
 
     Raises UsageError for a wrong option of the axis, CapacityError where the control has no such
     table or parameter at all.
     """
-    own = axis_options(definition, options, axis)
-    address, _ = normal_address(definition, axis)
+    definition, state, own = control.definition, control.state, control.options_of(axis)
+    address, _ = control.address(axis)
     raise_all(CapacityError, list(_impossible(definition, axis, own)))
-    scale = user_scale(definition, axis, own)
+    scale = column_scale(definition, axis.kind, own)
+    slope = column_scale(definition, AxisKind.LINEAR, own)
     facts = state.facts_of(address).said if state is not None else {}
     line, endless = by_line(own), axis.modulo is not None
     shared = [one for one in (state.cross if state is not None else ()) if one.input == address]
     fixed = shared[0].positions if shared and facts.get("own_column") and not line else None
     second = own.get("backlash_column") == "second_curve" and bool(facts.get("second_column"))
-    step = slope_scale(definition, own).quantum("slope")
     return Capacity(
         format=definition.id,
         curves=2 if second else 1,
         spacing="equidistant" if "datum" in definition.statements[VALUES].fields else "free",
         quantum=scale.quantum("value"),
         position_quantum=scale.quantum("node_position"),
-        value_range=slope_scale(definition, own).range("slope") if line else scale.range("value"),
+        value_range=slope.range("slope") if line else scale.range("value"),
         backlash_quantum=scale.quantum("backlash"),
         backlash_range=scale.range("backlash"),
         min_points=0 if line else definition.limit_number("min_points") or 2,
@@ -70,7 +61,7 @@ def user_tables_capacity(
         spacings=spacings(own),
         anchored=endless,
         period=TURN if endless else None,
-        line=step if line else None,
+        line=slope.quantum("slope") if line else None,
         nodes=None if fixed is None else tuple(float(node) for node in fixed),
         cover=(
             0 if endless or line or axis.kind is AxisKind.ROTARY else 1
@@ -100,7 +91,7 @@ def _impossible(
     rotary = axis.kind is AxisKind.ROTARY
     if by_line(options) and rotary:
         yield Fault(
-            message=f"{parameter_name(definition, 'slope')} has no effect on rotary axes",
+            message=f"{name_of(definition, 'slope')} has no effect on rotary axes",
             place="method",
             expected="table",
             found="line",
@@ -144,7 +135,7 @@ def _assumed(
 
 
 def broken_limits(
-    definition: Definition, axis: Axis, compensation: AxisCompensation, capacity: Capacity
+    control: Family, axis: Axis, compensation: AxisCompensation, capacity: Capacity
 ) -> Iterator[Fault]:
     """Yield what keeps the control from holding a compensation beside numbers of points, curves and
     ends.
@@ -179,7 +170,7 @@ def broken_limits(
         return
     steps = np.diff(nodes)
     yield from _grid_faults(label, unit, steps, capacity)
-    rule = definition.limit_number("spacing_per_step")
+    rule = control.definition.limit_number("spacing_per_step")
     if rule is not None:
         worst = int(np.argmax(np.abs(np.diff(values)) - steps / rule))
         step = float(abs(values[worst + 1] - values[worst]))
@@ -245,25 +236,22 @@ def _turn_faults(label: str, compensation: AxisCompensation, capacity: Capacity)
         )
 
 
-def user_card_values(
-    definition: Definition,
-    axis: Axis,
-    compensation: AxisCompensation,
-    options: Mapping[str, object],
-) -> dict[str, str]:
+def card_values(control: Family, axis: Axis, compensation: AxisCompensation) -> dict[str, str]:
     """Return what the card says beside the general values: the table in words, the axis' number,
     its bit, its parameters.
     """
-    own = axis_options(definition, options, axis)
-    address, _ = normal_address(definition, axis)
-    number = AxisNumbers(definition, [axis]).number(address)
+    own = control.options_of(axis)
+    address, _ = control.address(axis)
+    number = AxisNumbers(control.definition, [axis]).number(address)
     unit = axis.kind.unit
     nodes = compensation.positions
     values = {
         "number": "(see the axis list of the machine)" if number is None else str(number),
         "bit": "(see the axis list of the machine)" if number is None else str(number - 1),
         "nonlinear": "1" if nodes.size else "0",
-        "linear": slope_scale(definition, own).write("slope", compensation.slope),
+        "linear": column_scale(control.definition, AxisKind.LINEAR, own).write(
+            "slope", compensation.slope
+        ),
         "table_values": str(own["table_values"]),
         "table": (
             "no table"

@@ -12,12 +12,12 @@ from compwright.formats.families.card_words import table_values
 from compwright.formats.families.columns.between import columns_between
 from compwright.formats.families.columns.capacity import (
     broken_limits,
-    user_card_values,
-    user_tables_capacity,
+    card_values,
+    columns_capacity,
 )
-from compwright.formats.families.columns.reading import read_user_tables
-from compwright.formats.families.columns.text import VALUES
-from compwright.formats.families.columns.writing import write_user_tables
+from compwright.formats.families.columns.reading import read_columns
+from compwright.formats.families.columns.table import VALUES
+from compwright.formats.families.columns.writing import write_columns
 from compwright.formats.families.family import AxisTable, Family
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, FloatArray
@@ -38,9 +38,7 @@ class ColumnsFamily(Family):
         activity: Activity = Activity(),  # noqa: B008 - frozen
     ) -> ControlState:
         """See `Family.read`."""
-        return read_user_tables(
-            self.definition, files, self.options, axes, address=address, activity=activity
-        )
+        return read_columns(self, files, axes, address=address, activity=activity)
 
     def bound_to(self, files: Sequence[ControlFile], axes: Sequence[Axis]) -> Self:
         """Return the control whose limits are those of ``files``: what they hold is the limit,
@@ -55,20 +53,20 @@ class ColumnsFamily(Family):
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`."""
         del one_curve
-        return user_tables_capacity(self.definition, axis, self.options, self.state)
+        return columns_capacity(self, axis)
 
     def own_limits(
         self, axis: Axis, compensation: AxisCompensation, capacity: Capacity
     ) -> Sequence[Fault]:
         """Return what breaks the limits of a column and of the linear error."""
-        return tuple(broken_limits(self.definition, axis, compensation, capacity))
+        return tuple(broken_limits(self, axis, compensation, capacity))
 
     def files_of(
         self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
     ) -> tuple[ControlFile, ...]:
         """See `Family.files_of`."""
         raise_all(CapacityError, faults)
-        return write_user_tables(self.definition, tables, self.options, files)
+        return write_columns(self, tables, files)
 
     def card_values(
         self,
@@ -80,7 +78,7 @@ class ColumnsFamily(Family):
         """See `Family.card_values`."""
         del facts, check_at
         values = table_values(self.definition, self.scale_of(axis), compensation)
-        return values | user_card_values(self.definition, axis, compensation, self.options)
+        return values | card_values(self, axis, compensation)
 
     def between(self, asked: Asked) -> Between:
         """See `Family.between`: columns to type in."""

@@ -9,10 +9,12 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.definition.options import TABLE_VALUES, axis_options
+from compwright.formats.definition.options import TABLE_VALUES
 from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import Token
 from compwright.formats.families.columns.sources import Sources
-from compwright.formats.families.columns.text import POSITION, Cell, Row, UserTable, is_number
+from compwright.formats.families.columns.table import POSITION, Row, UserTable, is_number
+from compwright.formats.families.family import Family
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import Scale, in_range
 from compwright.foundations.errors import Fault
@@ -48,23 +50,25 @@ def kind_by_letter(address: str) -> AxisKind:
     return AxisKind.ROTARY if address.upper() in ("A", "B", "C") else AxisKind.LINEAR
 
 
+def column_scale(definition: Definition, kind: AxisKind, options: Mapping[str, object]) -> Scale:
+    """Return how numbers of an axis are written: table values as its option ``table_values``
+    says.
+    """
+    return Scale(definition, kind, options, {"table_form": str(options[TABLE_VALUES])})
+
+
 class TableValues:
     """Reads the numbers of tables by the axis that moves; what is wrong goes to the notes.
     ``axes``: what a job knows of them.
     """
 
     def __init__(
-        self,
-        definition: Definition,
-        sources: Sources,
-        axes: Mapping[str, Axis],
-        options: Mapping[str, object],
-        notes: Notes,
+        self, control: Family, sources: Sources, axes: Mapping[str, Axis], notes: Notes
     ) -> None:
-        self.definition = definition
+        self.control = control
+        self.definition = control.definition
         self.sources = sources
         self.axes = axes
-        self.options = options
         self.notes = notes
 
     def own_options(self, address: str) -> Mapping[str, object]:
@@ -72,11 +76,15 @@ class TableValues:
         of values goes over both.
         """
         axis = self.axes.get(address)
-        options = (
-            self.options if axis is None else axis_options(self.definition, self.options, axis)
-        )
+        options = self.control.options if axis is None else self.control.options_of(axis)
         sheet = self.sources.sheets.get(address)
         return options if sheet is None else {**options, TABLE_VALUES: sheet.comments["value"]}
+
+    def scale(self, address: str, kind: AxisKind | None = None) -> Scale:
+        """Return how the numbers of an axis are read; ``kind``: of what its table corrects, where
+        that is not the axis itself.
+        """
+        return column_scale(self.definition, kind or self.kind(address), self.own_options(address))
 
     def kind(self, address: str) -> AxisKind:
         """Return whether an axis is linear or rotary: by the job, by the units of its sheet, else
@@ -106,7 +114,7 @@ class TableValues:
         them.
         """
         kind = self.kind(address)
-        scale = Scale(self.definition, kind, self.own_options(address), {})
+        scale = self.scale(address, kind)
         factor = self._factor(table, kind)
         if not self.sources.numbered:
             found = [self._position_cell(table, row) for row in table.rows]
@@ -148,7 +156,7 @@ class TableValues:
             ]
         return self._checked(table, positions, scale)
 
-    def _position_cell(self, table: UserTable, row: Row) -> Cell | None:
+    def _position_cell(self, table: UserTable, row: Row) -> Token | None:
         cell = row.cells.get(POSITION)
         if cell is not None and is_number(cell.text):
             return cell
@@ -211,8 +219,7 @@ class TableValues:
             return None
         known = len(self.notes.faults)
         kind = self.kind(output)
-        options = self.own_options(moving)
-        scale = Scale(self.definition, kind, options, {"table_form": str(options["table_values"])})
+        scale = self.scale(moving, kind)
         numbers: list[float] = []
         for row, cell in zip(table.rows, cells, strict=True):
             if cell is None:

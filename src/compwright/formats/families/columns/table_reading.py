@@ -15,114 +15,27 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from decimal import Decimal
 from functools import lru_cache
-from typing import Literal
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.text.patching import Change
-from compwright.formats.text.scale import NotHeld
-from compwright.formats.text.texts import TextReader, text_reader
+from compwright.formats.definition.statements import Token
+from compwright.formats.families.columns.table import (
+    ASSIGNMENTS,
+    RESERVED,
+    ROW_NUMBER,
+    VALUES,
+    Column,
+    Kind,
+    Row,
+    UserTable,
+)
+from compwright.formats.text.texts import BINARY, Line, TextReader, text_reader
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
-#: The statements of a definition that open a table of values and a table of assignments.
-VALUES, ASSIGNMENTS = "values_begin", "assignments_begin"
-ROW_NUMBER, POSITION, SECOND, ACTIVE = "NR", "AXISPOS", "BACKLASH", ("ACTIVE", "STATUS")
-#: Columns that belong to no axis.
-RESERVED = (ROW_NUMBER, POSITION, SECOND, *ACTIVE)
-_NUMBER = re.compile(r"[+-]?(?:[0-9]{1,9}(?:\.[0-9]{0,9})?|\.[0-9]{1,9})")
-_BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x19\x1b-\x1f]")
-KEPT_TABLES = 128  #: Each table is parsed once in a run.
+#: Each table is parsed once in a run.
+KEPT_TABLES = 128
 _ENDS = ("END", "[END]")
-
-Kind = Literal["values", "assignments"]
-
-
-@dataclass(frozen=True, slots=True)
-class Cell:
-    """A word of a table: its text and its place in bytes, ``end`` behind it."""
-
-    text: str
-    start: int
-    end: int
-
-
-@dataclass(frozen=True, slots=True)
-class Row:
-    """One row. ``line`` counts from 1; ``start`` and ``end`` are the bytes of its text, ``next``
-    those of the following line.
-    """
-
-    line: int
-    start: int
-    end: int
-    next: int
-    cells: Mapping[str, Cell]
-
-    @property
-    def place(self) -> str:
-        """The line, for messages."""
-        return f"line {self.line}"
-
-
-@dataclass(frozen=True, slots=True)
-class Column:
-    """A column. Cells stand from ``low`` up to ``high`` (characters of the line; None: to its end),
-    flush with one of them.
-
-    ``edge``: the character at which cells begin (``flush`` left) or behind which they end (right);
-    ``flush`` "free": blanks alone separate the cells.
-    """
-
-    name: str
-    low: int
-    high: int | None
-    flush: Literal["left", "right", "free"]
-    edge: int
-
-
-@dataclass(frozen=True, slots=True)
-class UserTable:
-    """A table as it stands in a file. ``head``: the fields of its first line, with ``name`` and
-    ``unit``.
-    """
-
-    file: str
-    kind: Kind
-    head: Mapping[str, Cell]
-    columns: tuple[Column, ...]
-    rows: tuple[Row, ...]
-
-    @property
-    def name(self) -> str:
-        """The table's name in its first line, without the ending."""
-        return self.head["name"].text
-
-    def column(self, name: str) -> Column | None:
-        """Return a column by name, None where the table has none."""
-        return next((column for column in self.columns if column.name == name), None)
-
-    def others(self, *names: str) -> tuple[str, ...]:
-        """Return the names of the columns that hold something other than zero, apart from ``names``
-        and the row numbers.
-        """
-        return tuple(
-            column.name
-            for column in self.columns
-            if column.name not in (ROW_NUMBER, *names)
-            and any(self._filled(row, column.name) for row in self.rows)
-        )
-
-    def _filled(self, row: Row, name: str) -> bool:
-        cell = row.cells.get(name)
-        return cell is not None and not (is_number(cell.text) and Decimal(cell.text) == 0)
-
-
-def is_number(text: str) -> bool:
-    """Return whether a cell holds a decimal number."""
-    return _NUMBER.fullmatch(text) is not None
 
 
 def is_user_table(file: ControlFile) -> bool:
@@ -154,19 +67,10 @@ def parse_table(reader: TextReader, file: ControlFile, faults: list[Fault]) -> U
     return _TableReader(reader, file, faults).read()
 
 
-@dataclass(frozen=True, slots=True)
-class _Line:
-    number: int
-    text: str
-    start: int
-    next: int
-
-    @property
-    def words(self) -> list[Cell]:
-        return [
-            Cell(match[0], match.start(), match.end())
-            for match in re.finditer(r"[^ \t]+", self.text)
-        ]
+def _words(line: Line) -> list[Token]:
+    return [
+        Token(match[0], match.start(), match.end()) for match in re.finditer(r"[^ \t]+", line.text)
+    ]
 
 
 class _TableReader:
@@ -178,10 +82,11 @@ class _TableReader:
         self.known = len(faults)
 
     def read(self) -> UserTable | None:
-        if _BINARY.search(self.file.content):
+        if BINARY.search(self.file.content):
             self._fault("is not a text file", None, expected="a table as the control exports it")
             return None
-        lines = [line for line in self._lines() if line.text.strip()]
+        text = self.file.content.decode("latin-1")
+        lines = [line for line in self.reader.lines(text) if line.text.strip()]
         opened = self._opened(lines[0])
         if opened is None:
             return None
@@ -190,7 +95,7 @@ class _TableReader:
             (
                 place
                 for place, line in enumerate(lines)
-                if place and line.words[0].text.upper() in _ENDS
+                if place and _words(line)[0].text.upper() in _ENDS
             ),
             None,
         )
@@ -220,19 +125,7 @@ class _TableReader:
             return None
         return self._table(kind, head, lines[1], names, lines[2:end])
 
-    def _lines(self) -> list[_Line]:
-        text = self.file.content.decode("latin-1")
-        lines: list[_Line] = []
-        start = 0
-        for piece in text.split("\n"):
-            shown = piece.removesuffix("\r").removesuffix("\x1a")
-            lines.append(
-                _Line(len(lines) + 1, shown, start, min(start + len(piece) + 1, len(text)))
-            )
-            start += len(piece) + 1
-        return lines
-
-    def _opened(self, line: _Line) -> tuple[Kind, dict[str, Cell]] | None:
+    def _opened(self, line: Line) -> tuple[Kind, dict[str, Token]] | None:
         kinds: tuple[tuple[Kind, str], ...] = (("values", VALUES), ("assignments", ASSIGNMENTS))
         for kind, name in kinds:
             statement = self.definition.statements[name]
@@ -241,7 +134,7 @@ class _TableReader:
                 if match is not None and match["unit"].upper() in ("MM", "INCH"):
                     fields = {key: match.span(key) for key in statement.fields}
                     return kind, {
-                        key: Cell(line.text[a:b], line.start + a, line.start + b)
+                        key: Token(line.text[a:b], line.start + a, line.start + b)
                         for key, (a, b) in fields.items()
                     }
         forms = [
@@ -256,9 +149,9 @@ class _TableReader:
         )
         return None
 
-    def _closed(self, line: _Line, name: str, ending: str) -> None:
+    def _closed(self, line: Line, name: str, ending: str) -> None:
         """The last line may name its table; another name is the end of another table."""
-        said = "".join(word.text for word in line.words[1:])
+        said = "".join(word.text for word in _words(line)[1:])
         if said and said.upper() != f"{name}.{ending}".upper():
             self._fault(
                 "this is the end of another table",
@@ -267,8 +160,8 @@ class _TableReader:
                 found=line.text.strip(),
             )
 
-    def _names(self, line: _Line) -> list[str]:
-        names = [self._spelling(word.text) for word in line.words]
+    def _names(self, line: Line) -> list[str]:
+        names = [self._spelling(word.text) for word in _words(line)]
         if names[0].upper() != ROW_NUMBER or len(names) < 2:
             self._fault(
                 "the names of the columns are missing",
@@ -288,20 +181,20 @@ class _TableReader:
     def _table(
         self,
         kind: Kind,
-        head: Mapping[str, Cell],
-        header: _Line,
+        head: Mapping[str, Token],
+        header: Line,
         names: list[str],
-        lines: Sequence[_Line],
+        lines: Sequence[Line],
     ) -> UserTable | None:
-        titles = header.words
+        titles = _words(header)
         spans, which = self._assigned(titles, lines)
         if spans is None:
             return None
         rows = []
         for number, (line, places) in enumerate(zip(lines, spans, strict=True)):
             cells = {
-                names[place]: Cell(word.text, line.start + word.start, line.start + word.end)
-                for place, word in zip(places, line.words, strict=True)
+                names[place]: Token(word.text, line.start + word.start, line.start + word.end)
+                for place, word in zip(places, _words(line), strict=True)
             }
             found = cells.get(ROW_NUMBER)
             if (
@@ -316,19 +209,19 @@ class _TableReader:
                     expected=str(number),
                     found=shown,
                 )
-            rows.append(Row(line.number, line.start, line.start + len(line.text), line.next, cells))
+            rows.append(Row(line.number, line.start, line.start + len(line.text), cells))
         if len(self.faults) > self.known:
             return None
         columns = _columns(names, titles, rows, which)
         return UserTable(self.file.name, kind, head, columns, tuple(rows))
 
     def _assigned(
-        self, titles: Sequence[Cell], lines: Sequence[_Line]
+        self, titles: Sequence[Token], lines: Sequence[Line]
     ) -> tuple[list[list[int]] | None, str]:
         """Return, for every row, the column of each word; None where that is not sure. And how
         cells stand: left, right, free.
         """
-        words = [line.words for line in lines]
+        words = [_words(line) for line in lines]
         tabs = any("\t" in line.text for line in lines)
         left = None if tabs else [_places(row, _left_slots(titles)) for row in words]
         right = None if tabs else [_places(row, _right_slots(titles)) for row in words]
@@ -359,7 +252,7 @@ class _TableReader:
         )
         return None, ""
 
-    def _fault(self, message: str, line: _Line | None, expected: str = "", found: str = "") -> None:
+    def _fault(self, message: str, line: Line | None, expected: str = "", found: str = "") -> None:
         place = "" if line is None else f"line {line.number}"
         self.faults.append(
             Fault(
@@ -375,17 +268,17 @@ class _TableReader:
 _Slot = tuple[int, int | None]
 
 
-def _left_slots(titles: Sequence[Cell]) -> list[_Slot]:
+def _left_slots(titles: Sequence[Token]) -> list[_Slot]:
     starts = [0, *(title.start for title in titles[1:])]
     return list(zip(starts, [*starts[1:], None], strict=True))
 
 
-def _right_slots(titles: Sequence[Cell]) -> list[_Slot]:
+def _right_slots(titles: Sequence[Token]) -> list[_Slot]:
     ends: list[int] = [title.end for title in titles]
     return list(zip([0, *ends[:-1]], ends, strict=True))
 
 
-def _places(words: Sequence[Cell], slots: Sequence[_Slot]) -> list[int] | None:
+def _places(words: Sequence[Token], slots: Sequence[_Slot]) -> list[int] | None:
     """Return the slot of each word; None when a word crosses a boundary or two share a slot."""
     places: list[int] = []
     for word in words:
@@ -402,7 +295,7 @@ def _places(words: Sequence[Cell], slots: Sequence[_Slot]) -> list[int] | None:
 
 
 def _columns(
-    names: Sequence[str], titles: Sequence[Cell], rows: Sequence[Row], which: str
+    names: Sequence[str], titles: Sequence[Token], rows: Sequence[Row], which: str
 ) -> tuple[Column, ...]:
     if which == "free":
         return tuple(Column(name, 0, None, "free", 0) for name in names)
@@ -437,57 +330,3 @@ def _columns(
                 )
             )
     return tuple(columns)
-
-
-def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
-    """Return a line of the table with ``text`` in a column: every other column keeps its place and
-    its characters.
-
-    Raises NotHeld when the text does not fit the width of the column.
-    """
-    column = table.column(name)
-    if column is None:
-        raise NotHeld(f"{table.file} has no column {name}")
-    if column.flush == "free":
-        raise NotHeld(f"{table.file}: the cells of the column {name} do not stand in fixed widths")
-    start = column.edge if column.flush == "left" else column.edge - len(text)
-    end = start + len(text)
-    # One blank stays between neighbours: behind cells that begin flush, before cells that end flush
-    # with the column.
-    low = column.low + (
-        1 if column.flush == "right" and column.high == column.edge and column.low else 0
-    )
-    high = None if column.high is None else column.high - (1 if column.flush == "left" else 0)
-    if start < low or (high is not None and end > high):
-        width = column.edge - low if column.flush == "right" else (high or 0) - column.edge
-        raise NotHeld(
-            f"{text} does not fit the column {name} of {table.file}, which is {width} characters"
-            " wide"
-        )
-    stop = len(line) if column.high is None else min(len(line), column.high)
-    region = " " * (start - column.low) + text
-    return (
-        line[: column.low].ljust(column.low) + region.ljust(max(0, stop - column.low)) + line[stop:]
-    )
-
-
-def cell_changes(table: UserTable, row: Row, line: str, cells: Mapping[str, str]) -> list[Change]:
-    """Return the changes that put texts into cells of a row, by column name; ``line`` is the row's
-    text as it stands.
-
-    Raises NotHeld when a text does not fit its column.
-    """
-    free = [
-        name
-        for name in cells
-        if (column := table.column(name)) is not None and column.flush == "free"
-    ]
-    if free:
-        return [
-            Change(row.cells[name].start, row.cells[name].end, cells[name].encode("ascii"))
-            for name in cells
-        ]
-    changed = line
-    for name, text in cells.items():
-        changed = set_cell(table, changed, name, text)
-    return [Change(row.start, row.end, changed.encode("latin-1"))] if changed != line else []

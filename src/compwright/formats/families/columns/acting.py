@@ -1,0 +1,159 @@
+"""Which of the tables act, and for the motion of which axis."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from compwright.formats.definition.statements import field_matches
+from compwright.formats.families.columns.sources import Sources
+from compwright.formats.families.columns.table import ACTIVE, RESERVED, ROW_NUMBER, Row, UserTable
+from compwright.formats.text.addresses import normal_address, normal_text
+from compwright.foundations.errors import Fault
+from compwright.records.axis import Axis
+
+
+def activate(
+    sources: Sources, tables: Sequence[UserTable], axes: Sequence[Axis], faults: list[Fault]
+) -> None:
+    """Settle which table acts for the motion of which axis: by the active line of assignments, or
+    by the tables' names where no such table was given.
+    """
+    values = [table for table in tables if table.kind == "values"]
+    lines = [table for table in tables if table.kind == "assignments"]
+    if len(lines) > 1:
+        faults.append(
+            Fault(
+                message="several tables of assignments; only one can be the active one",
+                file=", ".join(table.file for table in lines),
+                expected="one .CMA",
+            )
+        )
+        return
+    if lines:
+        sources.assignments = lines[0]
+        sources.active = _active_row(sources, lines[0], faults)
+        _assigned(sources, values, faults)
+        return
+    for table in values:
+        address = _named_axis(sources, table, axes, faults)
+        if address is None:
+            continue
+        if address in sources.tables:
+            other = sources.tables[address].file
+            faults.append(
+                Fault(
+                    message=f"two tables for axis {address}",
+                    file=table.file,
+                    expected="one",
+                    found=other,
+                )
+            )
+        sources.tables[address] = table
+        sources.assumed[table.file] = address
+
+
+def _active_row(sources: Sources, table: UserTable, faults: list[Fault]) -> Row | None:
+    column = next((name for name in ACTIVE if table.column(name) is not None), None)
+    if column is None:
+        if len(table.rows) == 1 and sources.numbered:
+            return table.rows[0]
+        what = (
+            "a column ACTIVE"
+            if not sources.numbered
+            else "a single line, or a column ACTIVE or STATUS"
+        )
+        faults.append(
+            Fault(message="nothing says which line is active", file=table.file, expected=what)
+        )
+        return None
+    marks = ("*", "M") if sources.numbered else ("*",)
+    marked = [
+        row for row in table.rows if column in row.cells and row.cells[column].text.upper() in marks
+    ]
+    if len(marked) > 1:
+        faults.append(
+            Fault(
+                message="several lines are active",
+                file=table.file,
+                place=marked[1].place,
+                expected=f"one {marks[0]} in {column}",
+            )
+        )
+    if not marked and sources.numbered and len(table.rows) == 1:
+        return table.rows[0]
+    return marked[0] if marked else None
+
+
+def bare_name(text: str) -> str:
+    """Return the name of a table without folder and ending, in capitals."""
+    return re.sub(r"\.(COM|CMO)$", "", re.split(r"[/\\:]", text)[-1].upper())
+
+
+def _assigned(sources: Sources, values: Sequence[UserTable], faults: list[Fault]) -> None:
+    cells = sources.active.cells if sources.active is not None else {}
+    used: list[UserTable] = []
+    for column, cell in cells.items():
+        if column in (ROW_NUMBER, *ACTIVE):
+            continue
+        wanted = bare_name(cell.text)
+        address = sources.axis_of(column, assigned=True)
+        if address in sources.tables or address in sources.missing:
+            file = sources.assignments.file if sources.assignments is not None else ""
+            faults.append(
+                Fault(
+                    message=f"axis {address} stands in two columns",
+                    file=file,
+                    expected="one",
+                    found=column,
+                )
+            )
+        exact = [table for table in values if bare_name(table.file) == wanted]
+        fitting = exact or [table for table in values if bare_name(table.name) == wanted]
+        if len(fitting) > 1:
+            names = ", ".join(table.file for table in fitting)
+            faults.append(
+                Fault(
+                    message=f"axis {address}: several tables are called {cell.text}",
+                    file=names,
+                    expected="one",
+                )
+            )
+        if fitting:
+            sources.tables[address] = fitting[0]
+            used.append(fitting[0])
+        else:
+            sources.missing[address] = cell.text
+    sources.idle = [table for table in values if table not in used]
+
+
+def _named_axis(
+    sources: Sources, table: UserTable, axes: Sequence[Axis], faults: list[Fault]
+) -> str | None:
+    """Return the moving axis by the names of the table: that of its first line and that of its file
+    must not contradict.
+    """
+    definition = sources.definition
+    names = [
+        name for name in (table.name, table.file.rpartition(".")[0]) if field_matches("name", name)
+    ]
+    addresses = list(dict.fromkeys(normal_text(definition, name) for name in names))
+    axis_names = {
+        *sources.numbers.by_number.values(),
+        *(normal_address(definition, axis)[0] for axis in axes),
+    }
+    if not sources.numbered:
+        axis_names |= {column.name for column in table.columns if column.name not in RESERVED}
+    fitting = [address for address in addresses if address in axis_names]
+    if len(fitting) != 1:
+        faults.append(
+            Fault(
+                message="nothing says which axis moves when this table acts",
+                file=table.file,
+                place="line 1",
+                expected="the .CMA too, or a table that is called like its axis",
+                found=" and ".join(fitting or names) or table.name,
+            )
+        )
+        return None
+    return fitting[0]

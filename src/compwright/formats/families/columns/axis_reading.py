@@ -1,0 +1,311 @@
+"""What the files say of one axis: its sheet, its own column of its own table, its parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, TABLE_VALUES
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.columns.table import SECOND, is_number
+from compwright.formats.families.columns.values import TableValues
+from compwright.formats.text.gathering import Found
+from compwright.formats.text.scale import Scale, in_range
+from compwright.formats.text.values import Values
+from compwright.foundations.errors import Fault
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.correction import AxisCompensation
+from compwright.records.facts import Fact
+
+
+class AxisReader:
+    """Reads one axis: its sheet, its own column of its own table, its parameters."""
+
+    def __init__(
+        self, values: TableValues, address: str, asked: Sequence[str], activity: Activity
+    ) -> None:
+        self.values = values
+        self.asked = asked
+        self.activity = activity
+        self.zero = values.control.options
+        self.sources = values.sources
+        self.definition = values.definition
+        self.notes = values.notes
+        self.address = address
+        self.axis = values.axes.get(address)
+        self.label = f"axis {address}"
+        self.parameters = Values(values.definition, self.label, values.notes)
+        self.table = self.sources.tables.get(address)
+        self.column = self.sources.own_column(address)
+        self.points = self.sources.points.get(address, ())
+        self.facts: dict[str, Fact] = {"enabled": False, "own_column": self.column is not None}
+        self.facts["second_column"] = (
+            self.table is not None and self.table.column(SECOND) is not None
+        )
+        if address in self.sources.sheets:
+            self.facts[TABLE_VALUES] = self.sources.sheets[address].comments["value"]
+        self.curves = self._curves()
+
+    @property
+    def spoken_of(self) -> bool:
+        """Whether a file says what the control does to this axis by itself."""
+        given = any((self.address, name) in self.sources.given for name in ("backlash", "slope"))
+        return (
+            given
+            or self.address in self.sources.sheets
+            or self.curves is not None
+            or self._switched_on_alone()
+        )
+
+    def _switched_on_alone(self) -> bool:
+        bits = self.sources.given.get((self.address, "enabled"), [])
+        return self.address in self.asked and any(bit.text == "1" for bit in bits)
+
+    def read(self) -> AxisCompensation:
+        """Return what acts on the axis; what is wrong goes to the notes."""
+        kind = self.values.kind(self.address)
+        scale = self.values.scale(self.address)
+        enabled = self._enabled()
+        self.facts["enabled"] = enabled
+        returns = (
+            self.axis.reference_return if self.axis else Direction(str(self.zero[REFERENCE_RETURN]))
+        )
+        none = np.empty(0)
+        positions, positive, negative, period = (
+            self.curves if self.curves is not None and enabled else (none, none, none, None)
+        )
+        backlash = self._parameter("backlash", scale)
+        if backlash:
+            evidence = self.definition.bindings["backlash"].evidence
+            name = self.parameters.name("backlash")
+            self.notes.assume(
+                f"{self.label}: {name}", f"nothing is added arriving in {returns}", str(evidence)
+            )
+        return AxisCompensation(
+            address=self.address,
+            kind=kind,
+            positions=positions,
+            positive=positive,
+            negative=negative,
+            backlash=backlash,
+            reference_return=returns,
+            below=self.definition.layout.below,
+            above=self.definition.layout.above,
+            period=period,
+            slope=self._slope(scale, kind, enabled=enabled),
+            origin=self.axis.reference if self.axis else float(str(self.zero[REFERENCE])),
+        )
+
+    # --- the table
+
+    def _curves(self) -> tuple[FloatArray, FloatArray, FloatArray, float | None] | None:
+        """Return nodes, the curve of each direction and the period; None where the axis has no
+        table, or a faulty one.
+        """
+        missing = self.sources.missing.get(self.address)
+        if missing is not None and (self.address in self.asked or not self.asked):
+            file = self.sources.assignments.file if self.sources.assignments is not None else ""
+            self.notes.faults.append(
+                Fault(
+                    message=f"{self.label}: the table that acts was not given",
+                    file=file,
+                    expected=missing,
+                    found="no such file",
+                )
+            )
+        own = self._own_column() if self.table is not None and self.column is not None else None
+        if own is not None and self.points:
+            self.notes.faults.append(
+                Fault(
+                    message=(
+                        f"{self.label}: two tables, an entry sheet and a column of"
+                        f" {self.table.file if self.table else ''}"
+                    ),
+                    file=self.sources.sheets[self.address].name,
+                    expected="one of them",
+                )
+            )
+        return own if own is not None else self._sheet_curves()
+
+    def _sheet_curves(self) -> tuple[FloatArray, FloatArray, FloatArray, float | None] | None:
+        if not self.points:
+            return None
+        sheet = self.sources.sheets[self.address]
+        scale = self.values.scale(self.address)  # its values mean what the sheet says
+        known = len(self.notes.faults)
+        values = []
+        for point in self.points:
+            value = scale.read("value", str(point.value))
+            position = scale.read("node_position", str(point.position))
+            for quantity, number in (("value", value), ("node_position", position)):
+                if not in_range(self.definition.measure(quantity), scale, number):
+                    message = (
+                        f"{self.label}: a {'value' if quantity == 'value' else 'position'} this"
+                        " large is not plausible"
+                    )
+                    self.values.fault(
+                        sheet.name, f"line {point.line}", message, "see formats show", str(number)
+                    )
+            values.append(float(value) + 0.0)
+        most = self.definition.limit_number("max_points")
+        if most is not None and len(values) > most:
+            place = f"line {self.points[most].line}"
+            self.values.fault(
+                sheet.name,
+                place,
+                f"{self.label}: more points than the control takes",
+                f"at most {most}",
+                str(len(values)),
+            )
+        if len(self.notes.faults) > known:
+            return None
+        nodes, curve, period = self.values.turned(
+            self.address,
+            np.array([float(point.position) for point in self.points]),
+            np.array(values),
+            sheet.name,
+        )
+        return nodes, curve, curve, period
+
+    def _own_column(self) -> tuple[FloatArray, FloatArray, FloatArray, float | None] | None:
+        if self.table is None or self.column is None:
+            return None
+        positions = self.values.positions(self.table, self.address)
+        if positions is None:
+            return None
+        positive = self.values.values(
+            self.table, self.column, positions, self.address, self.address
+        )
+        second = None
+        if self.facts["second_column"]:
+            second = self.values.values(self.table, SECOND, positions, self.address, self.address)
+        if second is not None and (positive is None or self._second_refused(second, positive)):
+            self.values.fault(
+                self.table.file,
+                "",
+                f"{self.label}: what the column {SECOND} means is not confirmed",
+                f"a column that is blank or equal to {self.column}, or the option"
+                " backlash_column=second_curve",
+                "other values",
+            )
+            return None
+        if positive is None:
+            return None
+        where = np.array([float(position) for position in positions])
+        nodes, curve, period = self.values.turned(self.address, where, positive, self.table.file)
+        negative = (
+            curve
+            if second is None
+            else self.values.turned(self.address, where, second, self.table.file)[1]
+        )
+        return nodes, curve, negative, period
+
+    def _second_refused(self, second: FloatArray, positive: FloatArray) -> bool:
+        allowed = self.values.own_options(self.address).get("backlash_column") == "second_curve"
+        return not allowed and not np.array_equal(second, positive)
+
+    # --- parameters
+
+    def _found(self, quantity: str) -> Found | None:
+        """Return a parameter; several files have to agree."""
+        given = self.sources.given.get((self.address, quantity), [])
+        return self.parameters.one(quantity, given, quiet=True)
+
+    def _enabled(self) -> bool:
+        """Return whether the table acts: by the parameter or the active line, else by what the job
+        says of it.
+        """
+        found = self._found("enabled") if "enabled" in self.definition.bindings else None
+        if (
+            found is not None
+            and found.text == "1"
+            and self.curves is None
+            and not self.notes.faults
+        ):
+            message = f"{self._switch} says that a table acts, but no file holds it"
+            self.notes.refuse(self.label, message, found, expected="the table too", found="none")
+        if found is not None and found.text == "0" and self.activity.said is not True:
+            if self.curves is not None:
+                self.notes.switched_off(self.label, f"{self._switch} switches the table off")
+            return False
+        if self.curves is None:
+            if found is None and self._others_act():
+                self._answer(None, None)
+            return found is not None and found.text == "1"
+        if found is None and self.points:
+            return self.activity.said is not False  # a sheet is what was typed in
+        if not (np.any(self.curves[1]) or np.any(self.curves[2]) or self._others_act()):
+            return True  # zeros: nothing hangs on it
+        word = (
+            "yes"
+            if self.sources.starred
+            else None
+            if found is None
+            else "yes"
+            if found.text == "1"
+            else "no"
+        )
+        return self._answer(word, found)
+
+    @property
+    def _switch(self) -> str:
+        known = "enabled" in self.definition.bindings
+        return self.parameters.name("enabled") if known else "the active line of the .CMA"
+
+    def _answer(self, word: str | None, found: Found | None) -> bool:
+        """Return whether tables that are not zero act: what the files say (``word``), else the job;
+        listed where nobody does.
+        """
+        place = found if found is not None and found.occurrence.tokens else None
+        acts = self.activity.settle(self.label, self._switch, word, place, self.notes)
+        if acts is None:
+            evidence = f"{self._switch} is not in the files: a table that was given counts"
+            self.notes.assume(f"{self.label}: its table", "acts", evidence)
+        return acts is not False
+
+    def _others_act(self) -> bool:
+        """Whether the motion of another axis corrects this one: the same bit selects such a
+        column.
+        """
+        column = self.sources.column_of(self.address)
+        cells = [
+            row.cells[column].text
+            for moving, table in self.sources.tables.items()
+            if moving != self.address
+            for row in table.rows
+            if column in row.cells
+        ]
+        return self.address in self.asked and any(
+            not is_number(text) or float(text) != 0 for text in cells
+        )
+
+    def _parameter(self, quantity: str, scale: Scale) -> float:
+        found = self._found(quantity)
+        if found is None:
+            self.parameters.absent(quantity)
+            return 0.0
+        value = scale.read(quantity, found.text)
+        if not in_range(self.definition.measure(quantity), scale, value):
+            low, high = self.definition.measure(quantity).range
+            message = f"{self.parameters.name(quantity)} is outside what the control takes"
+            expected = f"{low:g} .. {high:g} {scale.unit(quantity)}"
+            self.notes.refuse(self.label, message, found, expected=expected, found=found.text[:60])
+        return float(value) + 0.0
+
+    def _slope(self, scale: Scale, kind: AxisKind, *, enabled: bool) -> float:
+        slope = self._parameter(
+            "slope", Scale(self.definition, AxisKind.LINEAR, scale.options, scale.choices)
+        )
+        why = (
+            "it has a table"
+            if enabled
+            else "it is a rotary axis"
+            if kind is AxisKind.ROTARY
+            else ""
+        )
+        if not why and self._found("slope") is None:
+            self.notes.counted_as(self.label, self.parameters.name("slope"), "0")
+        if slope and why:
+            self.notes.ignored(self.label, self.parameters.name("slope"), why)
+        return 0.0 if why else slope

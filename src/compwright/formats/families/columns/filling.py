@@ -1,0 +1,212 @@
+"""One axis' curve -> its column of the user's table: cells of that column, rows in the table's own
+style, datum and spacing of its first line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from decimal import Decimal
+
+import numpy as np
+
+from compwright.formats.families.columns.capacity import spacings
+from compwright.formats.families.columns.entry import Entry
+from compwright.formats.families.columns.table import (
+    POSITION,
+    ROW_NUMBER,
+    SECOND,
+    Row,
+    cell_changes,
+    is_number,
+    set_cell,
+    with_sign,
+)
+from compwright.formats.families.columns.values import (
+    MOST_DOUBLINGS,
+    SMALLEST_SPACING,
+    TURN,
+    TableValues,
+)
+from compwright.formats.text.patching import Change, Patches
+from compwright.formats.text.scale import EXACTNESS, NotHeld
+from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
+from compwright.records.axis import AxisKind, FloatArray
+
+
+class TableFiller:
+    """Puts one axis' curve into its column of the user's table."""
+
+    def __init__(self, patches: Patches, values: TableValues, address: str, entry: Entry) -> None:
+        self.patches = patches
+        self.values = values
+        self.sources = values.sources
+        self.table = values.sources.tables[address]
+        self.column = values.sources.column_of(address)
+        self.address = address
+        self.entry = entry
+        names = [file.name for file in patches.files]
+        self.number = names.index(self.table.file)
+
+    def fill(self) -> None:
+        """Note all changes. Raises NotHeld and CapacityError for what the table cannot take."""
+        self._suits()
+        positions = self._positions()
+        others = self.table.others(self.column, POSITION, SECOND)
+        if others:
+            self._rows(np.array(positions), self._on_the_grid(positions, others))
+            return
+        nodes = self.entry.nodes
+        extra = max(
+            0, len(self.table.rows) - nodes.size
+        )  # rows that stay: the end value goes on over them
+        step = float(nodes[-1] - nodes[-2]) if nodes.size > 1 else 1.0
+        grid = np.concatenate([nodes, nodes[-1] + step * np.arange(1, extra + 1)])
+        if (
+            extra
+            and self.entry.axis.kind is AxisKind.ROTARY
+            and self.entry.axis.modulo is None
+            and grid[-1] > TURN
+        ):
+            raise NotHeld(
+                f"{self.table.file} has {extra} rows too many, and there is no room behind 360"
+                " degrees; delete them"
+            )
+        held = np.concatenate([np.arange(nodes.size), np.full(extra, nodes.size - 1)])
+        self._head(grid)
+        self._rows(grid, held)
+
+    def _suits(self) -> None:
+        if self.table.head["unit"].text.upper() != "MM":
+            raise NotHeld(
+                f"{self.table.file} is in inch; export it with the control set to mm, or leave it"
+                " out for an entry sheet"
+            )
+        moving = [address for address, table in self.sources.tables.items() if table is self.table]
+        if len(moving) > 1:
+            raise NotHeld(
+                f"{self.table.file} acts for the motion of several axes ({', '.join(moving)}): a"
+                " change for one changes all"
+            )
+        second = self.table.column(SECOND)
+        if second is None and not np.array_equal(self.entry.positive, self.entry.negative):
+            raise NotHeld(f"{self.table.file} has no column {SECOND} for the second curve")
+
+    def _positions(self) -> list[float]:
+        positions = self.values.positions(self.table, self.address)
+        raise_all(InputError, self.values.notes.faults)
+        return [float(position) for position in positions or ()]
+
+    def _on_the_grid(self, positions: Sequence[float], others: Sequence[str]) -> np.ndarray:
+        """Return, for every row, the node whose value it gets; the table's grid serves other axes
+        and has to stay.
+        """
+        nodes = self.entry.nodes
+        slack = EXACTNESS * self.entry.scale.quantum("node_position")
+        first = int(np.argmin(np.abs(np.array(positions) - nodes[0])))
+        part = np.array(positions[first : first + nodes.size])
+        if part.size != nodes.size or np.max(np.abs(part - nodes)) > slack:
+            unit = self.entry.axis.kind.unit
+            steps = np.diff(positions)
+            even = steps.size and np.ptp(steps) <= slack
+            spacing = f", spacing: {steps[0]:.10g}" if even else ""
+            raise CapacityError(
+                Fault(
+                    message=(
+                        f"axis {self.entry.axis.name} ({self.address}): the points of"
+                        f" {self.table.file} have to stay, because its columns {', '.join(others)}"
+                        " depend on them"
+                    ),
+                    place="table",
+                    expected=(
+                        f"table: {{start: {positions[0]:.10g}, end: {positions[-1]:.10g}{spacing}}}"
+                        f" in the job ({unit})"
+                    ),
+                    found=f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g}",
+                )
+            )
+        return np.clip(np.arange(len(positions)) - first, 0, nodes.size - 1)
+
+    def _head(self, grid: FloatArray) -> None:
+        """Set datum and spacing in the first line, where the table has them there."""
+        if not self.sources.numbered:
+            return
+        spacing = float(grid[1] - grid[0])
+        known = spacings(self.entry.options)
+        text = f"{Decimal(self.entry.scale.write('node_position', spacing)).normalize():f}"
+        if known is not None:
+            text = str(
+                min(
+                    range(MOST_DOUBLINGS + 1),
+                    key=lambda power: abs(float(2**power * SMALLEST_SPACING) - spacing),
+                )
+            )
+        datum = f"{Decimal(self.entry.scale.write('node_position', float(grid[0]))).normalize():f}"
+        for name, new in (("datum", datum), ("spacing", text)):
+            cell = self.table.head[name]
+            if Decimal(cell.text) != Decimal(new):
+                text = with_sign(cell.text, new)
+                self.patches.replace(self.number, Change(cell.start, cell.end, text.encode()))
+
+    def _rows(self, grid: FloatArray, held: np.ndarray) -> None:
+        """Fill the rows that there are and add those that are missing; ``held`` (k,): the node
+        whose value a row gets.
+        """
+        rows = self.table.rows
+        content = self.patches.files[self.number].content
+        for row, position, node in zip(rows, grid, held, strict=False):
+            line = content[row.start : row.end].decode("latin-1")
+            cells = self._cells(float(position), int(node), row)
+            self.patches.replace(self.number, *cell_changes(self.table, row, line, cells))
+        last = content[rows[-1].start : rows[-1].end].decode("latin-1")
+        added = []
+        for number in range(len(rows), len(grid)):
+            line = set_cell(self.table, last, ROW_NUMBER, str(number))
+            for name, text in self._cells(float(grid[number]), int(held[number]), None).items():
+                line = set_cell(self.table, line, name, text)
+            added.append(line)
+        self.patches.add_lines(self.number, rows[-1].start, added)
+
+    def _cells(self, position: float, node: int, row: Row | None) -> dict[str, str]:
+        """Return the cells of a row; a cell that says the same number already keeps its
+        characters.
+        """
+        entry = self.entry
+        cells = {self.column: self._signed(entry.value(float(entry.positive[node])), self.column)}
+        if self._two_columns():
+            cells[SECOND] = self._signed(entry.value(float(entry.negative[node])), SECOND)
+        if not self.sources.numbered:
+            text = f"{Decimal(entry.scale.write('node_position', position)).normalize():f}"
+            cells[POSITION] = self._signed(text, POSITION)
+        known = {} if row is None else row.cells
+        return {
+            name: text
+            for name, text in cells.items()
+            if name not in known
+            or not is_number(known[name].text)
+            or Decimal(known[name].text) != Decimal(text)
+        }
+
+    def _two_columns(self) -> bool:
+        """Whether the second curve is written: asked for, or filled already (then equal to the
+        first: both readings agree).
+        """
+        if self.table.column(SECOND) is None:
+            return False
+        return self.entry.options.get("backlash_column") == "second_curve" or any(
+            SECOND in row.cells for row in self.table.rows
+        )
+
+    def _signed(self, text: str, column: str) -> str:
+        """Return a number with a plus sign where the table writes one."""
+        if text.startswith("-"):
+            return text
+        texts = [row.cells[column].text for row in self.table.rows if column in row.cells]
+        if not texts and column != POSITION:
+            skipped = (ROW_NUMBER, POSITION)
+            texts = [
+                cell.text
+                for row in self.table.rows
+                for name, cell in row.cells.items()
+                if name not in skipped
+            ]
+        return f"+{text}" if any(one.startswith("+") for one in texts) else text
