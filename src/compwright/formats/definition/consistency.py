@@ -43,6 +43,12 @@ _SIGNS = {
     "value_negative": {"error", "correction", "actual_position"},
     "cross_value": {"error", "correction"},
 }
+#: Shapes in which a quantity has one sign whatever the definition says: it may say no other. That
+#: of increments is turned by the options pitch_sign and offset_sign.
+_ONE_SIGN = {
+    "section_increments": {"value": {"correction"}, "backlash": {"lost_motion"}},
+    "user_tables": {"backlash": {"lost_motion"}},
+}
 _NUMBERED = (
     "min_points",
     "max_points",
@@ -243,7 +249,9 @@ def _measure(
         and binding.linear_unit.option not in definition.options
     ):
         yield (*path, "unit"), f"no option is called {binding.linear_unit.option}"
-    allowed = _SIGNS.get(binding.quantity, {"position"})
+    allowed = _ONE_SIGN.get(definition.layout.shape, {}).get(
+        binding.quantity, _SIGNS.get(binding.quantity, {"position"})
+    )
     signs: list[str] = [binding.sign] if binding.sign is not None else list(binding.signs.values())
     if binding.sign_option is not None:
         option = definition.options.get(binding.sign_option)
