@@ -166,8 +166,11 @@ def test_a_bar_of_unknown_length_beside_an_axis_without_a_laser_tells_nothing() 
 
 
 @pytest.mark.parametrize(("error", "taken"), [(24.0, True), (26.0, False)])
-def test_a_scale_within_two_standard_errors_is_left(error: float, *, taken: bool) -> None:
-    found = scaled(circle_of({"scale_error_second": (50.0, error)}, feed=150.0))
+@pytest.mark.parametrize("value", [50.0, -50.0])
+def test_a_scale_within_two_standard_errors_is_left(
+    value: float, error: float, *, taken: bool
+) -> None:
+    found = scaled(circle_of({"scale_error_second": (value, error)}, feed=150.0))
     assert (found.planned is not None) is taken
     assert found.finding.code == ("CW-P120" if taken else "CW-P119")
 

@@ -25,9 +25,9 @@ from compwright.workflow.stages.control import (
     decode,
     open_control,
     plan_origin,
-    probe_positions,
     read_files,
 )
+from compwright.workflow.stages.two_readers import probe_positions
 from compwright.workflow.stages.written import write_fitted
 
 

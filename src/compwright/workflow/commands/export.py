@@ -30,10 +30,10 @@ from compwright.workflow.stages.control import (
     decode,
     open_control,
     read_files,
-    settled_axis,
 )
 from compwright.workflow.stages.cross_tables import write_planned
 from compwright.workflow.stages.own_output import refuse_added_again
+from compwright.workflow.stages.settled import settled_axis
 from compwright.workflow.stages.written import write_fitted
 
 #: ``--option address.X=0``: how the control names axis X of the plan.

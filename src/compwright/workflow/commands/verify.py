@@ -30,13 +30,12 @@ from compwright.workflow.stages.control import (
     Control,
     DecodedState,
     decode,
-    named_axes,
     open_control,
     origin_of,
     plan_origin,
     read_files,
-    settled_by_files,
 )
+from compwright.workflow.stages.settled import named_axes, settled_by_files
 from compwright.workflow.stages.verified_axis import verified_axis
 from compwright.workflow.stages.verify_circles import (
     split_after,

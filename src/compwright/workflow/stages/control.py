@@ -15,19 +15,17 @@ import numpy as np
 from compwright.controllers.virtual import VirtualControl, virtual_control
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.options import (
-    DETECTION_UNIT,
     TABLE_VALUES,
 )
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
-from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
-from compwright.records.correction import Assumption, ControlFile, ControlState, CrossCompensation
-from compwright.records.job import AxisJob, Job
+from compwright.records.correction import Assumption, ControlFile, ControlState
+from compwright.records.job import Job
 from compwright.records.plan import Plan, Texts
 from compwright.workflow.stages.definitions import (
     carried_definition,
@@ -36,23 +34,13 @@ from compwright.workflow.stages.definitions import (
     own_definition,
 )
 from compwright.workflow.stages.read_once import ReadOnce
+from compwright.workflow.stages.two_readers import disagreements, judges
 
-#: Largest difference of the two readers, mm or deg: a control that keeps single precision rounds 1
-#: mm to 6e-8 mm.
-AGREEMENT = 2e-7
-#: What stands in every result for a definition of one's own, by the id of the control.
 READ_BACK = (
     "Read back, not independently judged: only your own definition of {} says what its files do. A"
     " sign or a unit that is wrong in it is wrong in all of this. Prove it on the machine, at one"
     " position and from both sides, before the whole table acts"
 )
-#: Positions of tables of which only one reader knows, mm or deg: every 5 mm of the longest
-#: machines.
-EVERYWHERE = np.linspace(-5000.0, 5000.0, 2001)
-#: The findings of tables that were left out: nobody asked for their axis, they cannot be read,
-#: their sign is not known.
-LEFT_OUT = frozenset({"CW-S011", "CW-S050", "CW-S051"})
-
 #: Options of decode that the axes of a job say themselves, and that the reading of files without a
 #: job lists itself.
 _SAID_ELSEWHERE = frozenset({"reference", "reference_return"})
@@ -244,44 +232,6 @@ def _not_as_planned(carried: Definition, what: str) -> Finding:
     )
 
 
-def named_axes(job: Job, control: Control) -> tuple[Job, tuple[Assumption, ...]]:
-    """Return the job with control and axes named as the control names them, and what had to be
-    assumed for that.
-
-    Raises UsageError for an address that the control cannot have, and for two axes at one address.
-    """
-    axes: dict[str, AxisJob] = {}
-    assumed: list[Assumption] = []
-    faults: list[Fault] = []
-    for name, entry in job.axes.items():
-        try:
-            address, assumption = normal_address(control.definition, entry.axis)
-            gantry = (
-                None
-                if entry.axis.gantry is None
-                else normal_text(control.definition, entry.axis.gantry)
-            )
-        except UsageError as error:
-            faults.extend(
-                fault.within(f"axes.{name}.address").in_file(job.file) for fault in error.faults
-            )
-            continue
-        taken = next((other for other, mine in axes.items() if mine.axis.address == address), None)
-        if taken is not None:
-            faults.append(
-                Fault(
-                    message=f"axes {taken} and {name} have one address",
-                    file=job.file,
-                    place=f"axes.{name}",
-                    found=address,
-                )
-            )
-        assumed.extend([assumption] if assumption else [])
-        axes[name] = replace(entry, axis=replace(entry.axis, address=address, gantry=gantry))
-    raise_all(UsageError, faults)
-    return replace(job, format=control.id, axes=axes), tuple(assumed)
-
-
 def read_files(paths: Sequence[Path]) -> tuple[ControlFile, ...]:
     """Read control files; a folder stands for all files in it. Raises InputError with every file
     that cannot be read.
@@ -372,7 +322,7 @@ def decode(
         options={**reading.options, **({"axis": alone} if alone is not None else {})},
         asked=tuple(state.axes),
     )
-    raise_all(CompwrightError if written else InputError, _disagreements(state, judge))
+    raise_all(CompwrightError if written else InputError, disagreements(state, judge))
     return DecodedState(files=tuple(files), state=state, judge=judge)
 
 
@@ -423,166 +373,6 @@ def judged(
     """Return the judge's correction at ``positions`` (mm or deg); zero for an axis that the files
     do not hold.
     """
-    if state.judge is None or not _judges(state.judge, address):
+    if state.judge is None or not judges(state.judge, address):
         return np.zeros(np.shape(positions))
     return state.judge.correction(address, positions, direction)
-
-
-def settled_by_files(job: Job, states: Mapping[str, DecodedState], as_found: str) -> Job:
-    """Return the job with what it leaves to the control's own files: detection units, what tables
-    mean, measuring systems.
-
-    ``states``: all that were read; ``as_found``: the name of the one that is in the control now.
-    """
-    read = [decoded.state for decoded in states.values()]
-    axes = {
-        name: replace(entry, axis=settled_axis(entry.axis, read, job.options))
-        for name, entry in job.axes.items()
-    }
-    job = replace(job, axes=axes)
-    return _with_systems_in_use(job, states[as_found].state) if as_found in states else job
-
-
-def settled_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str, object]) -> Axis:
-    """Return an axis with the options that nobody gave (``given``: the controller's) and that the
-    control's own files say of it.
-    """
-    options = dict(axis.options)
-    for name in (DETECTION_UNIT, TABLE_VALUES):
-        said = [state.facts_of(axis.address).said.get(name) for state in states]
-        found = next((one for one in said if one is not None), None)
-        if found is not None and given.get(name) is None:
-            options.setdefault(name, found)
-    return replace(axis, options=options)
-
-
-def _judges(judge: VirtualControl | ReadOnce, address: str) -> bool:
-    """Return whether the judge finds an axis in the files, which may spell it in another case."""
-    return address.casefold() in {known.casefold() for known in judge.addresses()}
-
-
-def _disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
-    faults = []
-    unseen = sorted(
-        address for address in state.axes if not _judges(judge, address)
-    )  # others: axes that nobody asked for
-    if unseen:
-        faults.append(
-            Fault(
-                message=(
-                    "the files can be read in two ways: the two readers of compwright find"
-                    " different axes in them"
-                ),
-                expected=", ".join(unseen),
-                found=", ".join(sorted(judge.addresses())) or "no axis",
-            )
-        )
-    for address in sorted(set(state.axes) - set(unseen)):
-        axis = state.axes[address]
-        where = probe_positions(axis.positions)
-        for direction in Direction:
-            difference = np.abs(
-                axis.at(where, direction) - judge.correction(address, where, direction)
-            )
-            if not np.all(difference <= AGREEMENT):
-                worst = int(np.argmax(difference))
-                faults.append(
-                    Fault(
-                        message=(
-                            "the files can be read in two ways: the two readers of compwright do"
-                            " not agree on them"
-                        ),
-                        place=(
-                            f"axis {address}, position {where[worst]:g}, direction"
-                            f" {direction.value}"
-                        ),
-                        found=f"a difference of {difference[worst]:.3g} {axis.kind.unit}",
-                    )
-                )
-    return [*faults, *_cross_disagreements(state, judge)]
-
-
-def _cross_disagreements(state: ControlState, judge: VirtualControl) -> list[Fault]:
-    """Hold the tables between axes against each other; several of one pair add up."""
-    mine: dict[tuple[str, str], list[CrossCompensation]] = {}
-    for entry in state.cross:
-        mine.setdefault((entry.input, entry.output), []).append(entry)
-    theirs = {
-        (base.casefold(), corrected.casefold()): (base, corrected)
-        for base, corrected in judge.cross()
-    }
-    seen = {(base.casefold(), corrected.casefold()) for base, corrected in mine}
-    faults = [
-        Fault(
-            message=(
-                "the files can be read in two ways: the readers of compwright find different tables"
-                " between axes"
-            ),
-            place=" on ".join(pair),
-        )
-        for pair in sorted(seen - set(theirs))
-    ]
-    if not any(
-        finding.code in LEFT_OUT for finding in state.findings
-    ):  # what the judge alone sees must be switched off
-        mine.update({pair: [] for key, pair in theirs.items() if key not in seen})
-    for (base, corrected), entries in mine.items():
-        if (base.casefold(), corrected.casefold()) not in theirs:
-            continue
-        where = np.concatenate(
-            [EVERYWHERE, *(probe_positions(entry.positions) for entry in entries)]
-        )
-        for direction in Direction:
-            total = np.sum([entry.at(where, direction) for entry in entries], axis=0) + np.zeros(
-                where.size
-            )
-            difference = np.abs(total - judge.cross_correction(base, corrected, where, direction))
-            if not np.all(difference <= AGREEMENT):
-                worst = int(np.argmax(difference))
-                faults.append(
-                    Fault(
-                        message=(
-                            "the files can be read in two ways: the readers of compwright do not"
-                            " agree on a table between axes"
-                        ),
-                        place=(
-                            f"{base} on {corrected}, position {where[worst]:g}, direction"
-                            f" {direction.value}"
-                        ),
-                        found=f"a difference of {difference[worst]:.3g} mm or deg",
-                    )
-                )
-    return faults
-
-
-def _with_systems_in_use(job: Job, state: ControlState) -> Job:
-    """Return the job with the measuring system that the control's files show to be in use, where
-    the job names none.
-    """
-    axes = {}
-    for name, entry in job.axes.items():
-        found = state.facts_of(entry.axis.address).encoder_system
-        if entry.axis.encoder.stated or found is None:
-            axes[name] = entry
-        else:
-            axes[name] = replace(
-                entry,
-                axis=replace(
-                    entry.axis, encoder=replace(entry.axis.encoder, system=found, stated=True)
-                ),
-            )
-    return replace(job, axes=axes)
-
-
-def probe_positions(nodes: FloatArray) -> FloatArray:
-    """Return positions that show a whole table: its nodes, between them, and outside on both
-    sides.
-    """
-    if nodes.size == 0:
-        return np.array([-1000.0, 0.0, 1000.0])
-    step = float(nodes[-1] - nodes[0]) / max(nodes.size - 1, 1) or 1.0
-    between = nodes[:-1] + 0.3 * np.diff(nodes)
-    outside = np.array(
-        [nodes[0] - 0.7 * step, nodes[0] - 3 * step, nodes[-1] + 0.7 * step, nodes[-1] + 3 * step]
-    )
-    return np.concatenate([nodes, between, outside])

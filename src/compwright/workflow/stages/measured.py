@@ -17,17 +17,11 @@ from compwright.records.correction import Assumption, ControlState
 from compwright.records.job import AS_FOUND, Job
 from compwright.workflow.stages.acting import acting
 from compwright.workflow.stages.circles import read_circles
-from compwright.workflow.stages.control import (
-    Control,
-    DecodedState,
-    named_axes,
-    open_control,
-    origin_of,
-    settled_by_files,
-)
+from compwright.workflow.stages.control import Control, DecodedState, open_control, origin_of
 from compwright.workflow.stages.inputs import JobInputs, read_job_inputs
 from compwright.workflow.stages.own_output import refuse_own_output
 from compwright.workflow.stages.plausible import given_twice, impossible_tests, named_tests
+from compwright.workflow.stages.settled import named_axes, settled_by_files
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -24,8 +24,9 @@ from compwright.records.job import Job
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.verification.read_back import SAME
-from compwright.workflow.stages.control import DecodedState, judged, probe_positions
+from compwright.workflow.stages.control import DecodedState, judged
 from compwright.workflow.stages.inputs import JobInputs
+from compwright.workflow.stages.two_readers import probe_positions
 
 PLAN = "plan.json"
 #: Folders of a result that a run replaces as a whole or fills: what lies there is what it makes,

@@ -27,7 +27,8 @@ from compwright.verification.loading import judge_loading
 from compwright.verification.measurement import NamedFault, measurement_fault, proof_lacking
 from compwright.verification.proof import AfterTest, doubted
 from compwright.workflow.stages.acting import correction_of
-from compwright.workflow.stages.control import DecodedState, probe_positions
+from compwright.workflow.stages.control import DecodedState
+from compwright.workflow.stages.two_readers import probe_positions
 
 
 def verified_axis(
