@@ -76,6 +76,19 @@ def prediction(folder: Path) -> Any:
     return json.loads((folder / "job" / "prediction.json").read_text(encoding="utf-8"))
 
 
+def test_a_test_of_an_axis_that_had_none_is_refused_in_words(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert run(folder, "heidenhain-nck", x="before: [x.csv]") in (0, 1)
+    capsys.readouterr()
+    (folder / "y_after.csv").write_text(
+        (folder / "x.csv").read_text(encoding="utf-8").replace("# axis: X", "# axis: Y")
+    )
+    code = compwright(["verify", str(folder / "job.yaml"), "--after", str(folder / "y_after.csv")])
+    assert code == 2
+    assert "the job has no test of axis Y to hold it against" in capsys.readouterr().err
+
+
 # --- squareness alone
 
 

@@ -106,7 +106,17 @@ def _assign(job: Job, spec: str) -> tuple[tuple[str, str], str]:
             )
         )
     axis = _axis_of_file(job, spec, list(names))
-    return (axis, job.axes[axis].before[0].name), spec
+    before = job.axes[axis].before
+    if not before:
+        raise UsageError(
+            Fault(
+                message=f"the job has no test of axis {axis} to hold it against",
+                place="--after",
+                expected=f"a test of {' or '.join(names.values()) or 'an axis with before'}",
+                found=spec,
+            )
+        )
+    return (axis, before[0].name), spec
 
 
 def _axis_of_file(job: Job, spec: str, names: Sequence[str]) -> str:
