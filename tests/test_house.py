@@ -226,6 +226,44 @@ def test_rooms_import_only_what_the_table_allows() -> None:
     assert wrong == []
 
 
+#: The one family that extends another.
+EXTENDS = {"pairs": "grid"}
+
+
+def floors_of_formats(module: str) -> set[str]:
+    """Return what a module of ``formats`` may import there: definition, then text, then what the
+    families share, then one family; None of these: all (the door, the card, the gate).
+    """
+    part, _, rest = module.removeprefix("formats.").partition(".")
+    floors = {"definition": {"definition"}, "text": {"definition", "text"}}
+    if part != "families":
+        return floors.get(part, set())
+    family = rest.partition(".")[0] if family_rooms() & {rest.partition(".")[0]} else ""
+    return {"definition", "text", "families", family, EXTENDS.get(family, "")} - {""}
+
+
+@cache
+def family_rooms() -> set[str]:
+    found = (name.removeprefix("formats.families.") for name in trees() if "families." in name)
+    return {name.partition(".")[0] for name in found if "." in name}
+
+
+def test_families_of_controls_stand_on_what_they_share_and_not_on_each_other() -> None:
+    assert family_rooms() >= {"grid", "pairs", "increments", "columns"}
+    wrong = []
+    for found in all_imports():
+        target, allowed = inside(found) or "", floors_of_formats(found.by)
+        if not (found.by.startswith("formats.") and target.startswith("formats.")) or not allowed:
+            continue
+        part, _, rest = target.removeprefix("formats.").partition(".")
+        family = rest.partition(".")[0]
+        if part == "families" and family in family_rooms():
+            part = family
+        if part not in allowed:
+            wrong.append(str(found))
+    assert wrong == []
+
+
 def test_packages_of_others_are_imported_only_where_they_belong() -> None:
     wrong = []
     for found in all_imports():
