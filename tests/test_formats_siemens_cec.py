@@ -124,6 +124,28 @@ def test_the_sign_is_an_option() -> None:
     assert state.cross[0].positive.tolist() == [0, 0.016]
 
 
+def test_a_lone_table_between_axes_says_that_its_sign_is_not_known() -> None:
+    """No manual says the sign of CEC: a view of such a table, even of no other, has to tell."""
+    state = decode(open_control("siemens-840d-sl", {}), files(cec__ini=RAMP)).state
+    assert state.axes == {}
+    assert [entry.output for entry in state.cross] == ["AX2"]
+    assert "CW-S055" in codes(state)
+    told = decode(
+        open_control("siemens-840d-sl", {"cec_sign": "error"}), files(cec__ini=RAMP)
+    ).state
+    assert "CW-S055" not in codes(told)
+
+
+def test_the_index_of_a_table_between_axes_is_not_free_for_a_pair() -> None:
+    state = siemens(RAMP)
+    assert state.tables.used == {0: ("AX1", "AX2")}
+    one_too_few = control_format(SIEMENS, {**CEC, "cec_tables": [0, 4]}, state)
+    with pytest.raises(CapacityError, match="2 CEC tables that are free"):
+        one_too_few.capacity(axis_of("AX1"))
+    enough = control_format(SIEMENS, {**CEC, "cec_tables": [0, 4, 5]}, state)
+    assert enough.capacity(axis_of("AX1")).curves == 2
+
+
 def test_leadscrew_table_pair_and_backlash_add_up() -> None:
     state = siemens(PAIR + EEC + "$MA_BACKLASH[0,AX1]=0.010\n", axis_of("AX1"))
     assert len(state.axes["AX1"].others) == 1
