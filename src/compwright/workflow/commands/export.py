@@ -21,6 +21,7 @@ from compwright.jobs.command_line import ACTIVE
 from compwright.planning.axes import fit_within
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlFile
+from compwright.records.fitted import FittedTable
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedCross
 from compwright.workflow.stages.control import (
@@ -85,23 +86,7 @@ def export_plan(
     refuse_added_again(plan, path, state)
     moved = {name: settled_axis(axis, [state.state], control.given) for name, axis in moved.items()}
     control = control.in_state(state.state)
-    fitted = []
-    errors: list[CompwrightError] = []
-    assumed: list[Assumption] = [*control.assumed(state.state), *state.state.assumed, *taken]
-    for name, entry in plan.axes.items():
-        if entry.wanted is None or entry.fitted is None:
-            continue
-        axis = moved[name]
-        try:
-            one_curve = entry.request.mode == "single"
-            capacity = control.format.capacity(axis, one_curve=one_curve)
-            fitted.append(
-                (axis, fit_within(entry.wanted, capacity, entry.request, address=axis.address))
-            )
-        except CapacityError as error:
-            errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))
-    raise_all(CapacityError, collect(errors))
-    missing = tuple(name for name, entry in plan.axes.items() if entry.fitted is None)
+    fitted = _refitted(plan, control, moved)
     if not fitted and not plan.cross:
         raise UsageError(
             Fault(
@@ -125,10 +110,33 @@ def export_plan(
     )
     return ExportOutcome(
         files=tuple(written),
-        assumed=tuple(dict.fromkeys(assumed)),
-        missing=missing,
+        assumed=tuple(dict.fromkeys((*control.assumed(state.state), *state.state.assumed, *taken))),
+        missing=tuple(name for name, entry in plan.axes.items() if entry.fitted is None),
         findings=(*control.findings, *cross.findings),
     )
+
+
+def _refitted(
+    plan: Plan, control: Control, axes: Mapping[str, Axis]
+) -> list[tuple[Axis, FittedTable]]:
+    """Return what the plan wants within the limits of a control. Raises CapacityError with the
+    faults of all axes.
+    """
+    fitted = []
+    errors: list[CompwrightError] = []
+    for name, entry in plan.axes.items():
+        if entry.wanted is None or entry.fitted is None:
+            continue
+        axis = axes[name]
+        try:
+            capacity = control.format.capacity(axis, one_curve=entry.request.mode == "single")
+            table = fit_within(entry.wanted, capacity, entry.request, address=axis.address)
+        except CapacityError as error:
+            errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))
+        else:
+            fitted.append((axis, table))
+    raise_all(CapacityError, collect(errors))
+    return fitted
 
 
 def _axes_here(

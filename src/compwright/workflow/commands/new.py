@@ -56,13 +56,12 @@ def new_job(
         # Which axes there are does not depend on the length of a pulse.
         state, left_out = _read(open_control(format_id, {**options, DETECTION_UNIT: 0.001}), own)
     drafts = list(_drafts(control, state, units=unsaid))
-    asked = unsaid and any("options" not in draft.values for draft in drafts)
     if not drafts:
         raise InputError(Fault(message="the files name no axis", file=", ".join(map(str, files))))
     given = {
         name: Prefilled(value, "as given on the command line") for name, value in options.items()
     }
-    if asked:
+    if unsaid and any("options" not in draft.values for draft in drafts):
         given[DETECTION_UNIT] = Prefilled(
             None, "mm or deg per pulse, such as 0.001; nothing in the files says it"
         )
@@ -208,6 +207,32 @@ def _values(
             f"from {said}" if known else "CHECK: linear or rotary; the files do not say it",
         ),
     )
+    yield from _travel(address, axis, facts, said)
+    reference = facts.said.get("reference_coordinate")
+    if isinstance(reference, (int, float)):
+        yield "reference", Prefilled(float(reference), f"from {said}")
+    else:
+        yield "reference", Prefilled(0.0, "CHECK: machine coordinate of the reference position")
+    yield "reference_return", _returning(facts, said)
+    encoder: dict[str, object] = {}
+    if facts.said.get("absolute_encoder") in ("yes", "no"):
+        encoder["type"] = "absolute" if facts.said["absolute_encoder"] == "yes" else "incremental"
+    if facts.encoder_system is not None:
+        encoder["system"] = facts.encoder_system
+    if encoder:
+        yield "encoder", Prefilled(encoder, f"from {said}")
+    if axis.kind is AxisKind.LINEAR and facts.said.get("diameter") in ("yes", "no"):
+        yield (
+            "programmed",
+            Prefilled("diameter" if facts.said["diameter"] == "yes" else "radius", f"from {said}"),
+        )
+    yield "before", Prefilled(None, "[path of the measurement]")
+
+
+def _travel(
+    address: str, axis: AxisCompensation, facts: AxisFacts, said: str
+) -> Iterator[tuple[str, Prefilled]]:
+    """Yield how far the axis goes, its address between, and the turn of one without ends."""
     low, high = facts.limits or (0.0, 0.0)
     turn = (
         axis.period
@@ -228,22 +253,3 @@ def _values(
         yield "modulo", Prefilled(axis.period, f"the table in {said} repeats")
     elif isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
         yield "modulo", Prefilled(float(turn), f"from {said}: the axis has no ends")
-    reference = facts.said.get("reference_coordinate")
-    if isinstance(reference, (int, float)):
-        yield "reference", Prefilled(float(reference), f"from {said}")
-    else:
-        yield "reference", Prefilled(0.0, "CHECK: machine coordinate of the reference position")
-    yield "reference_return", _returning(facts, said)
-    encoder: dict[str, object] = {}
-    if facts.said.get("absolute_encoder") in ("yes", "no"):
-        encoder["type"] = "absolute" if facts.said["absolute_encoder"] == "yes" else "incremental"
-    if facts.encoder_system is not None:
-        encoder["system"] = facts.encoder_system
-    if encoder:
-        yield "encoder", Prefilled(encoder, f"from {said}")
-    if axis.kind is AxisKind.LINEAR and facts.said.get("diameter") in ("yes", "no"):
-        yield (
-            "programmed",
-            Prefilled("diameter" if facts.said["diameter"] == "yes" else "radius", f"from {said}"),
-        )
-    yield "before", Prefilled(None, "[path of the measurement]")

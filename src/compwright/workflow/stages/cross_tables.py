@@ -85,13 +85,9 @@ def write_planned(
         return outcome
     after = read(together(base, answer.files), written=True)
     raise_all(CompwrightError, _wrong(planned, read(base), after))
+    files, totals = together(tables, answer.files), _totals(planned, after, axes)
     return replace(
-        outcome,
-        planned=tuple(planned),
-        written=True,
-        files=together(tables, answer.files),
-        after=after,
-        totals=_totals(planned, after, axes),
+        outcome, planned=tuple(planned), written=True, files=files, after=after, totals=totals
     )
 
 

@@ -137,43 +137,24 @@ def job_of(
     Raises UsageError with all faults.
     """
     first = Path(inputs[0])
+    needed = {"--format": format_id, "--axis": axis, "--travel": travel}
     if len(inputs) == 1 and first.suffix.lower() in _YAML:
-        extra = {
-            "--format": format_id,
-            "--axis": axis,
-            "--travel": travel,
-            "--state": states,
-            "--option": options,
-        }
-        raise_all(
-            UsageError,
-            [
-                Fault(
-                    message="does not go with a job file, which says it itself",
-                    file=str(first),
-                    place=name,
-                )
-                for name, value in extra.items()
-                if value
-            ],
-        )
+        said = "does not go with a job file, which says it itself"
+        extra = {**needed, "--state": states, "--option": options}
+        faults = [
+            Fault(message=said, file=str(first), place=name)
+            for name, value in extra.items()
+            if value
+        ]
+        raise_all(UsageError, faults)
         return read_job_file(first), first.parent, default_folder(first)
-    missing = [
-        name
-        for name, value in (("--format", format_id), ("--axis", axis), ("--travel", travel))
+    expected = "a value, or one job file JOB.yaml instead of measurement files"
+    faults = [
+        Fault(message="is missing", place=name, expected=expected)
+        for name, value in needed.items()
         if not value
     ]
-    raise_all(
-        UsageError,
-        [
-            Fault(
-                message="is missing",
-                place=name,
-                expected="a value, or one job file JOB.yaml instead of measurement files",
-            )
-            for name in missing
-        ],
-    )
+    raise_all(UsageError, faults)
     job = job_from_options(
         inputs,
         format=format_id or "",
