@@ -123,6 +123,11 @@ def line_number(text: str) -> str | None:
     return match[1] if match else None
 
 
+def readable(form: str) -> str:
+    """Return a form as people are shown it: ``KEY[<axis>]=<value>``."""
+    return form.replace("{", "<").replace("}", ">")
+
+
 def name_in_form(form: str) -> str:
     """Return the control's name of what a form holds: its first word (``$BACKLASH``), or the number
     of a parameter (``N#00007Q1(A{axis}P{value})*`` -> ``7``).

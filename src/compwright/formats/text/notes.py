@@ -93,6 +93,10 @@ class Notes:
             expected=expected,
             found=place.text if found is None and place is not None else found or "",
         )
+        self.once(fault)
+
+    def once(self, fault: Fault) -> None:
+        """Note a fault once."""
         if fault not in self.faults:
             self.faults.append(fault)
 

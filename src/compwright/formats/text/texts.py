@@ -12,13 +12,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 
-from compwright.formats.definition.schema import Definition, Statement, TextKind
+from compwright.formats.definition.schema import Definition, TextKind
 from compwright.formats.definition.statements import (
     Matcher,
     Occurrence,
     Token,
     compile_statement,
     line_number,
+    readable,
 )
 from compwright.foundations.errors import Fault
 from compwright.foundations.findings import Finding
@@ -244,7 +245,7 @@ class _KindReader:
                 return
             elsewhere = elsewhere or found is not None
             if found is None and matcher.number in self.kind.claims_at_start:
-                self._unread(line, code, _readable(matcher.statement))
+                self._unread(line, code, readable(matcher.statement.form))
                 return
         if elsewhere:  # a statement of another section
             return
@@ -345,7 +346,7 @@ class _KindReader:
         )
 
     def _refuse(self, line: Line, message: str, expected: str = "") -> None:
-        rows = " or ".join(_readable(matcher.statement) for matcher in self.matchers)
+        rows = " or ".join(readable(matcher.statement.form) for matcher in self.matchers)
         self._fault(
             line,
             f"{message}; {self.kind.because}",
@@ -369,12 +370,10 @@ def _nearest(matchers: Sequence[Matcher], probe: str) -> str:
     """Return the form whose first word fits the line best."""
     fitting = [matcher for matcher in matchers if matcher.head and matcher.head in probe]
     return (
-        _readable(max(fitting, key=lambda matcher: len(matcher.head)).statement) if fitting else ""
+        readable(max(fitting, key=lambda matcher: len(matcher.head)).statement.form)
+        if fitting
+        else ""
     )
-
-
-def _readable(statement: Statement) -> str:
-    return statement.form.replace("{", "<").replace("}", ">")
 
 
 def _shown(text: str) -> str:

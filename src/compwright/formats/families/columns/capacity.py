@@ -141,50 +141,57 @@ def broken_limits(
     ends.
     """
     label, unit = f"axis {axis.name} ({compensation.address})", axis.kind.unit
-    nodes, values = compensation.positions, compensation.positive
     if compensation.interpolation != "linear" or compensation.others:
         yield Fault(
             message=f"{label}: the control has one table with straight lines between its points"
         )
-    if capacity.line is not None and nodes.size:
-        yield Fault(
-            message=f"{label}: the linear parameter and a table exclude each other",
-            expected="no table",
-            found="a table",
-        )
-    if capacity.line is None and compensation.slope:
-        found = f"{compensation.slope * 1000:g} mm/m"
-        yield Fault(
-            message=f"{label}: beside a table the linear parameter has no effect",
-            expected="0 mm/m",
-            found=found,
-        )
-    if capacity.line is not None and compensation.slope and compensation.origin != axis.reference:
-        expected = f"{axis.reference:g} {unit}"
-        yield Fault(
-            message=f"{label}: the line is zero at the reference",
-            expected=expected,
-            found=f"{compensation.origin:g}",
-        )
+    yield from _line_faults(label, axis, compensation, capacity)
+    nodes = compensation.positions
     if nodes.size < 2:
         return
-    steps = np.diff(nodes)
-    yield from _grid_faults(label, unit, steps, capacity)
+    yield from _grid_faults(label, unit, np.diff(nodes), capacity)
     rule = control.definition.limit_number("spacing_per_step")
     if rule is not None:
-        worst = int(np.argmax(np.abs(np.diff(values)) - steps / rule))
-        step = float(abs(values[worst + 1] - values[worst]))
-        if step > float(steps[worst]) / rule * (1 + 1e-9):
-            yield Fault(
-                message=(
-                    f"{label}: neighbouring values at {nodes[worst]:g} {unit} differ too much; a"
-                    " wider spacing would help"
-                ),
-                expected=f"at most the spacing / {rule}, {float(steps[worst]) / rule:.6g} {unit}",
-                found=f"{step:.6g} {unit}",
-            )
+        yield from _steep_faults(label, unit, compensation, rule)
     if axis.kind is AxisKind.ROTARY:
         yield from _turn_faults(label, compensation, capacity)
+
+
+def _line_faults(
+    label: str, axis: Axis, compensation: AxisCompensation, capacity: Capacity
+) -> Iterator[Fault]:
+    """The linear parameter and a table exclude each other."""
+    if capacity.line is not None and compensation.positions.size:
+        message = f"{label}: the linear parameter and a table exclude each other"
+        yield Fault(message=message, expected="no table", found="a table")
+    if capacity.line is None and compensation.slope:
+        message = f"{label}: beside a table the linear parameter has no effect"
+        found = f"{compensation.slope * 1000:g} mm/m"
+        yield Fault(message=message, expected="0 mm/m", found=found)
+    if capacity.line is not None and compensation.slope and compensation.origin != axis.reference:
+        yield Fault(
+            message=f"{label}: the line is zero at the reference",
+            expected=f"{axis.reference:g} {axis.kind.unit}",
+            found=f"{compensation.origin:g}",
+        )
+
+
+def _steep_faults(
+    label: str, unit: str, compensation: AxisCompensation, rule: int
+) -> Iterator[Fault]:
+    nodes, values = compensation.positions, compensation.positive
+    steps = np.diff(nodes)
+    worst = int(np.argmax(np.abs(np.diff(values)) - steps / rule))
+    step = float(abs(values[worst + 1] - values[worst]))
+    if step > float(steps[worst]) / rule * (1 + 1e-9):
+        yield Fault(
+            message=(
+                f"{label}: neighbouring values at {nodes[worst]:g} {unit} differ too much; a"
+                " wider spacing would help"
+            ),
+            expected=f"at most the spacing / {rule}, {float(steps[worst]) / rule:.6g} {unit}",
+            found=f"{step:.6g} {unit}",
+        )
 
 
 def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -> Iterator[Fault]:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 
-from compwright.formats.definition.statements import Occurrence
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import Occurrence, readable
 from compwright.formats.families.columns.sources import PARAMETERS, Sources
 from compwright.formats.text.gathering import Found
 from compwright.formats.text.texts import TextReader
@@ -19,35 +21,17 @@ def take_parameters(
     sources: Sources, reader: TextReader, file: ControlFile, number: int, faults: list[Fault]
 ) -> None:
     """Take the parameters of a text into the sources; ``number``: its place among the files."""
-    definition = sources.definition
     known = len(faults)
     text = reader.read(file, faults, number)
     sources.findings.extend(text.findings if text is not None else ())
-    lines = {
-        statement.name: quantity
-        for quantity in PARAMETERS
-        if quantity in definition.bindings
-        for statement in definition.statements.values()
-        if statement.text == "parameters"
-        and statement.form.startswith(name_of(definition, quantity))
-    }
+    lines = _parameter_lines(sources.definition)
     found = [
         place
         for place in (text.occurrences if text is not None else ())
         if place.statement in lines
     ]
     if not found and len(faults) == known:
-        kinds = "an entry sheet, or a table that begins with BEGIN"
-        forms = [
-            definition.statements[name].form.replace("{", "<").replace("}", ">") for name in lines
-        ]
-        faults.append(
-            Fault(
-                message=f"nothing in it is compensation data of {definition.id}",
-                file=file.name,
-                expected=f"{kinds}, or lines such as {', '.join(forms)}" if forms else kinds,
-            )
-        )
+        faults.append(_nothing(sources.definition, file, lines))
     for place in found:
         quantity = lines[place.statement]
         if quantity == "enabled":
@@ -56,6 +40,28 @@ def take_parameters(
             address = sources.numbers.address(int(place.tokens["number"].text) + 1)
             given = Found(place.tokens["value"].text, place, number)
             sources.given.setdefault((address, quantity), []).append(given)
+
+
+def _parameter_lines(definition: Definition) -> dict[str, str]:
+    """Return the statements of lines that hold parameters, with their quantities."""
+    return {
+        statement.name: quantity
+        for quantity in PARAMETERS
+        if quantity in definition.bindings
+        for statement in definition.statements.values()
+        if statement.text == "parameters"
+        and statement.form.startswith(name_of(definition, quantity))
+    }
+
+
+def _nothing(definition: Definition, file: ControlFile, lines: Iterable[str]) -> Fault:
+    kinds = "an entry sheet, or a table that begins with BEGIN"
+    forms = [readable(definition.statements[name].form) for name in lines]
+    return Fault(
+        message=f"nothing in it is compensation data of {definition.id}",
+        file=file.name,
+        expected=f"{kinds}, or lines such as {', '.join(forms)}" if forms else kinds,
+    )
 
 
 def _take_mask(sources: Sources, place: Occurrence, file: int, faults: list[Fault]) -> None:

@@ -18,7 +18,7 @@ from collections.abc import Mapping, Sequence
 from functools import lru_cache
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.definition.statements import Token
+from compwright.formats.definition.statements import Token, readable
 from compwright.formats.families.columns.table import (
     ASSIGNMENTS,
     RESERVED,
@@ -91,20 +91,11 @@ class _TableReader:
         if opened is None:
             return None
         kind, head = opened
-        end = next(
-            (
-                place
-                for place, line in enumerate(lines)
-                if place and _words(line)[0].text.upper() in _ENDS
-            ),
-            None,
-        )
+        firsts = [_words(line)[0].text.upper() for line in lines]
+        end = next((place for place, word in enumerate(firsts) if place and word in _ENDS), None)
         if end is None:
-            self._fault(
-                "the table has no end; it may have been cut short",
-                lines[-1],
-                expected="a last line END or [END]",
-            )
+            message = "the table has no end; it may have been cut short"
+            self._fault(message, lines[-1], expected="a last line END or [END]")
             return None
         self._closed(lines[end], head["name"].text, "COM" if kind == "values" else "CMA")
         for line in lines[end + 1 :]:
@@ -137,10 +128,7 @@ class _TableReader:
                         key: Token(line.text[a:b], line.start + a, line.start + b)
                         for key, (a, b) in fields.items()
                     }
-        forms = [
-            self.definition.statements[name].form.replace("{", "<").replace("}", ">")
-            for _, name in kinds
-        ]
+        forms = [readable(self.definition.statements[name].form) for _, name in kinds]
         self._fault(
             "the first line cannot be read",
             line,

@@ -4,14 +4,13 @@ spacing, blank cells, one turn.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 
 import numpy as np
 
 from compwright.formats.definition.options import TABLE_VALUES
 from compwright.formats.definition.schema import Definition
-from compwright.formats.definition.statements import Token
 from compwright.formats.families.columns.sources import Sources
 from compwright.formats.families.columns.table import POSITION, Row, UserTable, is_number
 from compwright.formats.families.family import Family
@@ -103,7 +102,7 @@ class TableValues:
                 expected=f"{known.unit if known else 'one kind of unit'}",
                 found=", ".join(sorted(units)),
             )
-            self.notes.faults += [] if fault in self.notes.faults else [fault]
+            self.notes.once(fault)
         if known is None:
             known = kind_by_letter(address)
             self.notes.assume(f"axis {address}: kind", known, "inferred from the name of the axis")
@@ -115,93 +114,62 @@ class TableValues:
         """
         kind = self.kind(address)
         scale = self.scale(address, kind)
-        factor = self._factor(table, kind)
-        if not self.sources.numbered:
-            found = [self._position_cell(table, row) for row in table.rows]
-            if None in found:
-                return None
-            positions = [
-                scale.read("node_position", cell.text) * factor
-                for cell in found
-                if cell is not None
-            ]
-        else:
-            datum, step = table.head["datum"], table.head["spacing"]
-            spacing = fitting_rule(self.own_options(address), step.text)
-            if (
-                table.head["unit"].text.upper() == "INCH"
-                and self.own_options(address).get("spacing_rule") == "power_of_two"
-            ):
-                self._fault(
-                    table,
-                    1,
-                    "whether the exponent of a table in inch counts inches is not known",
-                    "a table in mm",
-                    "INCH",
-                )
-                return None
-            if spacing is None or not is_number(datum.text):
-                what = f"DATUM:{datum.text} DIST:{step.text}"
-                self._fault(
-                    table,
-                    1,
-                    "datum and spacing cannot be read by the option spacing_rule",
-                    "such as DATUM:-400 DIST:16",
-                    what,
-                )
-                return None
-            positions = [
-                (Decimal(datum.text) + number * spacing) * factor
-                for number in range(len(table.rows))
-            ]
-        return self._checked(table, positions, scale)
-
-    def _position_cell(self, table: UserTable, row: Row) -> Token | None:
-        cell = row.cells.get(POSITION)
-        if cell is not None and is_number(cell.text):
-            return cell
-        self._fault(
-            table,
-            row.line,
-            f"the row has no position in {POSITION}",
-            "a number",
-            cell.text if cell else "nothing",
+        found = (
+            self._spaced(table, address) if self.sources.numbered else self._listed(table, scale)
         )
-        return None
+        if found is None:
+            return None
+        factor = self._factor(table, kind)
+        return self._checked(table, [position * factor for position in found], scale)
+
+    def _listed(self, table: UserTable, scale: Scale) -> list[Decimal] | None:
+        """Return the positions that stand in the rows, in the unit of the table."""
+        positions = []
+        for row in table.rows:
+            cell = row.cells.get(POSITION)
+            if cell is not None and is_number(cell.text):
+                positions.append(scale.read("node_position", cell.text))
+            else:
+                message = f"the row has no position in {POSITION}"
+                self._fault(table, row.line, message, "a number", cell.text if cell else "nothing")
+        return positions if len(positions) == len(table.rows) else None
+
+    def _spaced(self, table: UserTable, address: str) -> list[Decimal] | None:
+        """Return the positions by datum and spacing of the first line, in the unit of the table."""
+        datum, step = table.head["datum"], table.head["spacing"]
+        options = self.own_options(address)
+        inch = table.head["unit"].text.upper() == "INCH"
+        if inch and options.get("spacing_rule") == "power_of_two":
+            message = "whether the exponent of a table in inch counts inches is not known"
+            self._fault(table, 1, message, "a table in mm", "INCH")
+            return None
+        spacing = fitting_rule(options, step.text)
+        if spacing is None or not is_number(datum.text):
+            message = "datum and spacing cannot be read by the option spacing_rule"
+            what = f"DATUM:{datum.text} DIST:{step.text}"
+            self._fault(table, 1, message, "such as DATUM:-400 DIST:16", what)
+            return None
+        return [Decimal(datum.text) + number * spacing for number in range(len(table.rows))]
 
     def _checked(
         self, table: UserTable, positions: list[Decimal], scale: Scale
     ) -> tuple[Decimal, ...] | None:
+        node = self.definition.measure("node_position")
         for row, position, before in zip(
             table.rows, positions, [None, *positions[:-1]], strict=True
         ):
+            why = expected = ""
             if before is not None and position <= before:
-                self._fault(
-                    table,
-                    row.line,
-                    "the positions do not ascend",
-                    f"more than {before}",
-                    str(position),
-                )
-                return None
-            if not in_range(self.definition.measure("node_position"), scale, position):
-                self._fault(
-                    table,
-                    row.line,
-                    "a position this large is not plausible",
-                    "see formats show",
-                    str(position),
-                )
+                why, expected = "the positions do not ascend", f"more than {before}"
+            elif not in_range(node, scale, position):
+                why, expected = "a position this large is not plausible", "see formats show"
+            if why:
+                self._fault(table, row.line, why, expected, str(position))
                 return None
         most = self.definition.limit_number("max_points")
         if most is not None and len(positions) > most:
-            self._fault(
-                table,
-                table.rows[most].line,
-                "more rows than the control takes",
-                f"at most {most}",
-                str(len(positions)),
-            )
+            line, found = table.rows[most].line, str(len(positions))
+            self._fault(table, line, "more rows than the control takes", f"at most {most}", found)
             return None
         return tuple(positions)
 
@@ -220,42 +188,33 @@ class TableValues:
         known = len(self.notes.faults)
         kind = self.kind(output)
         scale = self.scale(moving, kind)
+        ends = (table.rows[0], table.rows[-1])
         numbers: list[float] = []
         for row, cell in zip(table.rows, cells, strict=True):
-            if cell is None:
-                if row in (table.rows[0], table.rows[-1]):
-                    self._fault(
-                        table,
-                        row.line,
-                        f"the column {name} is blank at an end of the table",
-                        "a number",
-                        "nothing",
-                    )
-            elif not is_number(cell.text):
-                self._fault(
-                    table,
-                    row.line,
-                    f"the column {name} holds no number",
-                    "a decimal number",
-                    cell.text,
-                )
-            else:
-                value = scale.read("value", cell.text) * self._factor(table, kind)
-                if not in_range(self.definition.measure("value"), scale, value):
-                    self._fault(
-                        table,
-                        row.line,
-                        f"column {name}: a value this large is not plausible",
-                        "see formats show",
-                        cell.text,
-                    )
-                numbers.append(float(value) + 0.0)
+            if cell is not None:
+                numbers += self._value(table, row, f"column {name}", cell.text, scale)
+            elif row in ends:
+                message = f"the column {name} is blank at an end of the table"
+                self._fault(table, row.line, message, "a number", "nothing")
         if len(self.notes.faults) > known:
             return None
         where = np.array([float(position) for position in positions])
         filled = np.array([cell is not None for cell in cells])
         curve: FloatArray = np.interp(where, where[filled], np.array(numbers))
         return curve
+
+    def _value(
+        self, table: UserTable, row: Row, column: str, text: str, scale: Scale
+    ) -> Iterator[float]:
+        if not is_number(text):
+            message = f"the {column} holds no number"
+            self._fault(table, row.line, message, "a decimal number", text)
+            return
+        value = scale.read("value", text) * self._factor(table, scale.kind)
+        if not in_range(self.definition.measure("value"), scale, value):
+            message = f"{column}: a value this large is not plausible"
+            self._fault(table, row.line, message, "see formats show", text)
+        yield float(value) + 0.0
 
     def _factor(self, table: UserTable, kind: AxisKind) -> Decimal:
         inch = table.head["unit"].text.upper() == "INCH" and kind is AxisKind.LINEAR
@@ -270,27 +229,19 @@ class TableValues:
         axis = self.axes.get(address)
         if self.kind(address) is AxisKind.LINEAR:
             return positions, values, None
-        endless = axis is not None and axis.modulo is not None
-        if endless and axis is not None and axis.modulo != TURN:
-            self.notes.faults.append(
-                Fault(
-                    message=f"axis {address}: one turn of a rotary axis is 360 degrees here",
-                    file=file,
-                    found=f"{axis.modulo:g}",
-                )
-            )
-        if not endless and not (positions[0] <= 0 and positions[-1] >= TURN):
+        modulo = axis.modulo if axis is not None else None
+        if modulo is not None and modulo != TURN:
+            message = f"axis {address}: one turn of a rotary axis is 360 degrees here"
+            self.notes.faults.append(Fault(message=message, file=file, found=f"{modulo:g}"))
+        if modulo is None and not (positions[0] <= 0 and positions[-1] >= TURN):
             if positions[0] < 0 or positions[-1] > TURN:
+                message = (
+                    f"axis {address}: of a rotary axis only 0 to 360 degrees are used; what"
+                    " lies outside would be dropped without a word"
+                )
+                found = f"{positions[0]:g} to {positions[-1]:g}"
                 self.notes.faults.append(
-                    Fault(
-                        message=(
-                            f"axis {address}: of a rotary axis only 0 to 360 degrees are used; what"
-                            " lies outside would be dropped without a word"
-                        ),
-                        file=file,
-                        expected="0 to 360 degrees",
-                        found=f"{positions[0]:g} to {positions[-1]:g}",
-                    )
+                    Fault(message=message, file=file, expected="0 to 360 degrees", found=found)
                 )
             return positions, values, None
         inside = positions[(positions > 0) & (positions < TURN)]
@@ -308,7 +259,7 @@ class TableValues:
     def fault(self, file: str, place: str, message: str, expected: str, found: str) -> None:
         """Note a fault once."""
         fault = Fault(message=message, file=file, place=place, expected=expected, found=found[:60])
-        self.notes.faults += [] if fault in self.notes.faults else [fault]
+        self.notes.once(fault)
 
     def _fault(self, table: UserTable, line: int, message: str, expected: str, found: str) -> None:
         self.fault(table.file, f"line {line}", message, expected, found)

@@ -20,6 +20,7 @@ from compwright.formats.families.increments.reading import read_texts
 from compwright.formats.text.entry_sheet import SheetRow, is_entry_sheet
 from compwright.formats.text.gathering import Found, Gathered, gather
 from compwright.formats.text.patching import Patches, fresh_file, set_field
+from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -245,8 +246,7 @@ def write_programs(definition: Definition, entries: Sequence[Entries]) -> tuple[
             lines = [
                 f"N{number}P{entry.address}R{text}"
                 for quantity, text in entry.parameters.items()
-                if quantity != "bidirectional"
-                and (number := parameter_number(definition, quantity))
+                if quantity != "bidirectional" and (number := name_of(definition, quantity))
             ]
             lines += _program_bit(definition, file, entry)
             lines += [f"N{POINTS_FROM + number}R{value}" for number, value in entry.points.items()]
@@ -260,19 +260,10 @@ def _program_bit(definition: Definition, file: WrittenFile, entry: Entries) -> l
     """
     if not entry.switches:
         return []
-    number, value = parameter_number(definition, "bidirectional"), entry.parameters["bidirectional"]
+    number, value = name_of(definition, "bidirectional"), entry.parameters["bidirectional"]
     if any("L52" in line for line in file.header):
         return [f"N{number}P{entry.address}Q0R{value}"]
     return [f"(SET BIT 0 OF {number} FOR AXIS {entry.address} TO {value} BY HAND)"]
-
-
-def parameter_number(definition: Definition, quantity: str) -> str:
-    """Return the number of a parameter, without leading zeros."""
-    form = definition.statements[definition.bindings[quantity].statement].form
-    digits = form.split("#", 1)[1]
-    return digits[
-        : next((place for place, letter in enumerate(digits) if not letter.isdigit()), len(digits))
-    ].lstrip("0")
 
 
 def sheet_rows(definition: Definition, entry: Entries) -> tuple[SheetRow, ...]:
@@ -282,7 +273,7 @@ def sheet_rows(definition: Definition, entry: Entries) -> tuple[SheetRow, ...]:
     unit = {"table_spacing": entry.kind.unit, "turn": entry.kind.unit}
     rows = []
     for quantity, text in entry.parameters.items():
-        number = parameter_number(definition, quantity)
+        number = name_of(definition, quantity)
         value = text
         if quantity in unit and "." not in text:
             value = real_text(Decimal(text) / 1000)
