@@ -57,6 +57,11 @@ ALLOWED: tuple[Allowed, ...] = (
         json_key="judged",
     ),
     Allowed(
+        "*/plan.json",
+        "lists the fingerprint of the prediction, in which that key is new",
+        text=r'^ *"prediction\.json": "[0-9a-f]{64}",?\n',
+    ),
+    Allowed(
         "said/*",
         "the same key where the document is printed by --json -",
         text=r'^ *"judged": "[a-z_]+",?\n',
