@@ -1,0 +1,179 @@
+"""Commands of a job: written, run, verified."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from compwright.cli.saying import answer, errors, json_file, print_lines, tell
+from compwright.cli.words import (
+    PATH,
+    compwright,
+    control_options,
+    exiting,
+    force_option,
+    json_option,
+    pairs,
+    state_option,
+)
+
+
+@compwright.command("run")
+@click.argument("inputs", nargs=-1, required=True, metavar="JOB.yaml|FILE...", type=PATH)
+@click.option(
+    "--format",
+    "format_id",
+    metavar="ID",
+    help="Without a job file: the control's id (compwright formats list), or your own definition.",
+)
+@click.option("--axis", metavar="NAME", help="Without a job file: the axis that was measured.")
+@click.option(
+    "--travel",
+    metavar="LO:HI",
+    help="Without a job file: its travel in machine coordinates, mm or deg.",
+)
+@state_option
+@control_options
+@click.option(
+    "--out",
+    type=PATH,
+    help="Folder for the results; default: the name of the job file, beside it.",
+)
+@click.option(
+    "--accept-worse", is_flag=True, help="Write a table even if it would not improve the axis."
+)
+@json_option
+@force_option
+@exiting
+def run_command(
+    inputs: tuple[Path, ...], out: Path | None, json_path: Path | None, **words: Any
+) -> int:
+    """Evaluate, fit, export, predict and report: the whole job."""
+    from compwright.workflow.commands.run import run_job
+    from compwright.workflow.showing.answers import run_summary
+    from compwright.workflow.stages.jobs import job_of
+
+    job, folder, default_out = job_of(
+        [str(path) for path in inputs],
+        format_id=words["format_id"],
+        axis=words["axis"],
+        travel=words["travel"],
+        states=words["states"],
+        options=words["options"],
+    )
+    outcome = run_job(
+        job,
+        folder,
+        out or default_out,
+        force=words["force"],
+        accept_worse=words["accept_worse"],
+        json_path=json_file(json_path),
+    )
+    answer(outcome.prediction, json_path, lambda: run_summary(outcome))
+    errors(filter(None, [outcome.no_tables]))
+    errors(f"axis {name}: no table is written: {why}" for name, why in outcome.refused.items())
+    for note in outcome.notes:
+        tell(f"note: {note}")
+    errors(
+        entry["message"]
+        for entry in outcome.findings
+        if entry["severity"] == "error" and entry["code"] != "CW-P001"
+    )
+    return outcome.exit_code
+
+
+@compwright.command()
+@click.option(
+    "--from",
+    "files",
+    multiple=True,
+    required=True,
+    type=PATH,
+    metavar="FILE...",
+    help="Files of the control, or a folder of them.",
+)
+@click.option(
+    "--format",
+    "format_id",
+    required=True,
+    metavar="ID",
+    help="The control: its id, see compwright formats list, or your own definition (*.yaml).",
+)
+@control_options
+@click.option("--out", required=True, type=PATH, metavar="JOB.yaml", help="The job file to write.")
+@force_option
+@exiting
+def new(
+    files: tuple[Path, ...],
+    format_id: str,
+    options: tuple[str, ...],
+    out: Path,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Write a job prefilled from the control's own files."""
+    from compwright.workflow.commands.new import new_job
+
+    outcome = new_job(files, format_id, pairs(options), out, force=force)
+    print_lines([str(outcome.path)])
+    for line in outcome.open:
+        tell(f"fill in: {line}")
+    for line in outcome.left_out:
+        tell(f"note: {line}")
+    return 0
+
+
+@compwright.command()
+@click.argument("job_file", metavar="JOB.yaml", type=PATH)
+@click.option(
+    "--after",
+    multiple=True,
+    required=True,
+    metavar="[TEST=]FILE...",
+    help="Tests made after loading.",
+)
+@click.option(
+    "--plan", type=PATH, help="Folder of the run, or its plan.json; default: where run puts it."
+)
+@click.option(
+    "--loaded",
+    multiple=True,
+    type=PATH,
+    metavar="FILE...",
+    help="What was read back from the control.",
+)
+@click.option("--out", type=PATH, help="Folder for the results; default: that of the run.")
+@json_option
+@force_option
+@exiting
+def verify(
+    job_file: Path,
+    after: tuple[str, ...],
+    plan: Path | None,
+    loaded: tuple[Path, ...],
+    out: Path | None,
+    json_path: Path | None,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Judge the test after loading against the plan."""
+    from compwright.workflow.commands.verify import plan_path, verify_job
+    from compwright.workflow.showing.answers import verify_summary
+    from compwright.workflow.stages.jobs import default_folder, read_job_file
+
+    folder = default_folder(job_file)
+    plan_file = plan_path(plan, folder)
+    job = read_job_file(job_file, plan_file)
+    outcome = verify_job(
+        job,
+        after,
+        plan_file=plan_file,
+        out=out or folder,
+        loaded=loaded,
+        force=force,
+        json_path=json_file(json_path),
+    )
+    answer(outcome.document, json_path, lambda: verify_summary(outcome))
+    for note in outcome.notes:
+        tell(f"note: {note}")
+    return outcome.exit_code

@@ -1,0 +1,117 @@
+"""Commands that read or make measurements alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from compwright.cli.saying import answer, errors, json_file, print_lines, print_safely, tell
+from compwright.cli.words import PATH, compwright, exiting, force_option, json_option
+
+_STANDARDS = (
+    "iso230-2:1988, iso230-2:1997, iso230-2:2006, iso230-2:2014 (default), gost27843:2006, vdi3441;"
+    " circular: iso230-4:1996, iso230-4:2005 (default)"
+)
+
+
+@compwright.command()
+@click.argument("paths", nargs=-1, required=True, metavar="FILE|FOLDER...", type=PATH)
+@click.option(
+    "--standard",
+    "standards",
+    multiple=True,
+    metavar="ID...",
+    help=f"One per kind of test: {_STANDARDS}.",
+)
+@click.option(
+    "--spread",
+    type=click.Choice(["std", "range"]),
+    default="std",
+    help="How s is estimated (range: 1988 and GOST only).",
+)
+@click.option("--plot", type=PATH, help="Plot to a file: .svg, .png or .pdf.")
+@click.option("--targets", is_flag=True, help="Show the values of every target too.")
+@json_option
+@force_option
+@exiting
+def evaluate(
+    paths: tuple[Path, ...],
+    standards: tuple[str, ...],
+    spread: str,
+    plot: Path | None,
+    targets: bool,  # noqa: FBT001 - a flag of the command line
+    json_path: Path | None,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Evaluate positioning and circular tests to a standard."""
+    from compwright.workflow.commands.evaluate import (
+        evaluate_files,
+        evaluation_renderables,
+        write_evaluation,
+    )
+
+    outcome = evaluate_files(paths, standards, spread)
+    written = write_evaluation(
+        outcome.document, json_path=json_file(json_path), plot_path=plot, force=force
+    )
+    answer(
+        outcome.document,
+        json_path,
+        lambda: evaluation_renderables({**outcome.document, "errors": []}, targets=targets),
+    )
+    errors(
+        ": ".join(filter(None, (entry["file"], entry["message"])))
+        for entry in outcome.document["errors"]
+    )
+    for name in outcome.document.get("skipped", ()):
+        tell(f"note: {name}: skipped, by its ending no measurement")
+    for path in written:
+        tell(f"written: {path}")
+    return outcome.exit_code
+
+
+@compwright.command()
+@click.argument("machine", metavar="MACHINE.yaml", type=PATH)
+@click.option("--out", required=True, type=PATH, help="Folder for the measurement files.")
+@click.option(
+    "--seed", type=click.IntRange(min=0), default=0, show_default=True, help="Seed of the noise."
+)
+@click.option(
+    "--with-tables", "tables", type=PATH, help="Folder with the control's files that are loaded."
+)
+@force_option
+@exiting
+def simulate(
+    machine: Path,
+    out: Path,
+    seed: int,
+    tables: Path | None,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Measure a virtual machine; see docs/simulation.md."""
+    from compwright.workflow.commands.simulate import load_machine, simulate_files
+
+    written = simulate_files(
+        load_machine(machine), out, seed=seed, tables=tables, force=force, file=str(machine)
+    )
+    print_lines(map(str, written))
+    return 0
+
+
+@compwright.command()
+@click.option(
+    "--out", type=PATH, default=Path("demo"), show_default=True, help="Folder for the demo."
+)
+@force_option
+@exiting
+def demo(out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command line
+    """Play the whole loop on a virtual machine."""
+    from compwright.workflow.commands.demo import run_demo
+    from compwright.workflow.showing.answers import demo_summary, show
+
+    outcome = run_demo(out, force=force)
+    print_safely(lambda: show(demo_summary(outcome)))
+    for note in (*outcome.run.notes, *outcome.verification.notes):
+        tell(f"note: {note}")
+    return max(outcome.run.exit_code, outcome.verification.exit_code)

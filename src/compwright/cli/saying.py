@@ -1,0 +1,81 @@
+"""What is printed, where, and what is told when it cannot be."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterable, Mapping
+from io import StringIO
+from pathlib import Path
+from typing import Any
+
+import click
+
+#: A file of the wrong kind is wrong in every line: nobody reads more than these.
+_MOST_ERRORS = 25
+
+
+def print_safely(say: Callable[[], None]) -> None:
+    """Print on standard output. A reader that hangs up early (``| head``) changes neither the work
+    nor its exit code.
+    """
+    try:
+        say()
+    except (BrokenPipeError, SystemExit):  # SystemExit: rich leaves the program then
+        sys.stdout = StringIO()
+
+
+def print_lines(lines: Iterable[str]) -> None:
+    """Print lines on standard output."""
+    print_safely(lambda: click.echo("\n".join(lines)))
+
+
+def answer(
+    document: Mapping[str, Any], json_path: Path | None, renderables: Callable[[], list[Any]]
+) -> None:
+    """Print the answer of a command: as JSON for ``--json -``, else for people."""
+    from compwright.workflow.showing.answers import document_text, show
+
+    if _on_output(json_path):
+        text = document_text(document).encode()  # always UTF-8, whatever the terminal speaks
+        print_safely(lambda: click.echo(text, nl=False))
+    else:
+        print_safely(lambda: show(renderables()))
+
+
+def _on_output(json_path: Path | None) -> bool:
+    return json_path is not None and str(json_path) == "-"
+
+
+def json_file(json_path: Path | None) -> Path | None:
+    """Return the file that ``--json`` asks for; None without it and for standard output."""
+    return None if _on_output(json_path) else json_path
+
+
+def errors(lines: Iterable[str]) -> None:
+    """Print each error on a line of its own; of very many the first, and how many more there
+    are.
+    """
+    told = list(lines)
+    for line in told[:_MOST_ERRORS]:
+        tell(f"error: {''.join(map(_visible, line))}")
+    if len(told) > _MOST_ERRORS:
+        tell(f"error: ... and {len(told) - _MOST_ERRORS} more like these")
+
+
+def _visible(character: str) -> str:
+    """Return what may stand in a line of a terminal: a file's name may hold line breaks and control
+    codes.
+    """
+    if character.isprintable():
+        return character
+    return " " if character.isspace() else "?"
+
+
+def tell(line: str) -> None:
+    """Print a line on standard error; where that is closed or full nobody listens, and the exit
+    code says it.
+    """
+    try:
+        click.echo(line, err=True)
+    except OSError:
+        sys.stderr = StringIO()

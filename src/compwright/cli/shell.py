@@ -1,0 +1,92 @@
+"""The command line from its words to its exit code."""
+
+from __future__ import annotations
+
+import errno
+import sys
+from io import StringIO, TextIOWrapper
+from pathlib import Path
+from typing import NoReturn
+
+import click
+
+from compwright import __version__
+from compwright.cli.saying import errors, tell
+from compwright.cli.words import compwright
+from compwright.foundations.command_inputs import start_command
+from compwright.foundations.errors import CompwrightError, StorageError, UsageError
+from compwright.foundations.processors import use_one_thread
+
+
+def main() -> NoReturn:
+    """Run the command line and leave with the exit code of what happened."""
+    use_one_thread()
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(
+            stream, TextIOWrapper
+        ):  # a terminal that knows no µ gets a question mark, not a crash
+            stream.reconfigure(errors="replace")
+    sys.exit(run(sys.argv[1:]))
+
+
+def run(arguments: list[str]) -> int:
+    """Run a command and return its exit code. Every error becomes lines on standard error, never a
+    traceback.
+    """
+    start_command()
+    try:
+        code = compwright.main(args=arguments, prog_name="compwright", standalone_mode=False)
+    except click.exceptions.Exit as leaving:
+        return leaving.exit_code
+    except click.Abort:
+        tell("stopped")
+        return 130
+    except click.ClickException as error:
+        return _wrong_words(error)
+    except CompwrightError as error:
+        errors(str(fault) for fault in error.faults)
+        return error.exit_code
+    # the last line of defence: a fault of our own, said as one
+    except Exception as error:  # noqa: BLE001
+        if (
+            isinstance(error, OSError) and error.errno == errno.ENOSPC
+        ):  # files are written elsewhere: this is standard output
+            sys.stdout = StringIO()
+            errors([f"standard output: cannot be written; found {error.strerror}"])
+            return StorageError.exit_code
+        return _own_fault(error)
+    return code if isinstance(code, int) else 0
+
+
+def _wrong_words(error: click.ClickException) -> int:
+    context = error.ctx if isinstance(error, click.UsageError) else None
+    if (
+        context is not None and error.format_message() == context.get_help()
+    ):  # a group without a command shows its help
+        tell(error.format_message())
+        return UsageError.exit_code
+    errors([error.format_message()])
+    if context is not None:
+        tell(f"see: {context.command_path} --help")
+    return UsageError.exit_code
+
+
+def _own_fault(error: Exception) -> int:
+    import traceback
+
+    frames = traceback.extract_tb(error.__traceback__)
+    where = next(
+        (frame for frame in reversed(frames) if "compwright" in frame.filename), frames[-1]
+    )
+    errors(
+        [
+            (
+                f"a fault of compwright itself: {type(error).__name__}: {error}"
+                f" ({Path(where.filename).name}, line {where.lineno})"
+            )
+        ]
+    )
+    tell(
+        f"Please report this line with the command, the input files and the version {__version__}."
+    )
+    return 70

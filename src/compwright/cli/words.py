@@ -1,0 +1,146 @@
+"""What every command is made of: words, options, and the group itself."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping
+from functools import wraps
+from pathlib import Path
+from typing import ParamSpec
+
+import click
+
+from compwright import __version__
+from compwright.foundations.command_words import Form, spread
+from compwright.foundations.errors import Fault, UsageError
+
+P = ParamSpec("P")
+
+
+_STANDARD_ID = re.compile(r"(iso[0-9-]+|gost[0-9]+):[0-9]{4}|vdi[0-9]+")
+
+
+class _PathType(click.ParamType[Path]):
+    """The name of a file or folder. Whether it can be read or written is found out, and said, where
+    it is done.
+    """
+
+    name = "path"
+
+    def convert(
+        self, value: object, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Path:
+        if value == "":  # an unset variable in a script; it must not mean the working directory
+            self.fail("the name is empty", param, ctx)
+        return Path(str(value))
+
+
+class _Command(click.Command):
+    """A command whose options take several values at once where their value ends in ``...``; see
+    `command_words`.
+    """
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        forms = {
+            name: Form(
+                flag=param.is_flag or param.count,
+                several=param.multiple,
+                more=_MORE.get(name, _another),
+            )
+            for param in self.get_params(ctx)
+            if isinstance(param, click.Option)
+            for name in param.opts
+        }
+        files = [param for param in self.params if isinstance(param, click.Argument)]
+        many = any(param.nargs < 0 for param in files)
+        return super().parse_args(
+            ctx, spread(args, forms, needed=sum(param.required for param in files), many=many)
+        )
+
+
+class _Group(click.Group):
+    command_class = _Command
+    group_class = type
+
+
+# any word may be one more file, except behind `none`
+def _another(value: str, word: str) -> bool:  # noqa: ARG001
+    return value != "none"
+
+
+#: What one more value of these options looks like; of the others any word.
+_MORE: Mapping[str, Callable[[str, str], bool]] = {
+    "--option": lambda _, word: "=" in word,
+    "--standard": lambda _, word: _STANDARD_ID.fullmatch(word.lower()) is not None,
+}
+
+
+PATH = _PathType()
+
+
+json_option = click.option(
+    "--json",
+    "json_path",
+    type=PATH,
+    metavar="PATH|-",
+    help="Write the answer as JSON to a file, or with - to standard output.",
+)
+
+
+force_option = click.option("--force", is_flag=True, help="Replace files that exist already.")
+
+
+control_options = click.option(
+    "--option",
+    "options",
+    multiple=True,
+    metavar="K=V...",
+    help="An option of the control; see compwright formats show ID.",
+)
+
+
+state_option = click.option(
+    "--state",
+    "states",
+    multiple=True,
+    metavar="none|FILE...",
+    help="What is active in the control: none, or its files.",
+)
+
+
+def exiting(command: Callable[P, int]) -> Callable[P, None]:
+    """Turn the number that a command returns into its exit code."""
+
+    @wraps(command)
+    def wrapper(*args: P.args, **kwargs: P.kwargs) -> None:
+        raise click.exceptions.Exit(command(*args, **kwargs))
+
+    return wrapper
+
+
+def pairs(options: Iterable[str]) -> dict[str, object]:
+    """Return the options K=V of the command line. Raises UsageError for what cannot be read."""
+    given: dict[str, object] = {}
+    faults = []
+    for text in options:
+        key, mark, value = text.partition("=")
+        if not mark or not key.strip():
+            faults.append(
+                Fault(message="cannot be read", place="--option", expected="K=V", found=text)
+            )
+        elif key.strip() in given:
+            faults.append(Fault(message="option given twice", place="--option", found=key.strip()))
+        given[key.strip()] = value.strip()
+    if faults:
+        raise UsageError(*faults)
+    return given
+
+
+@click.group(
+    cls=_Group, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110}
+)
+@click.version_option(__version__, prog_name="compwright")
+def compwright() -> None:
+    """Bring a machine axis back to accuracy: evaluate tests, fit and export compensation tables,
+    predict, verify.
+    """
