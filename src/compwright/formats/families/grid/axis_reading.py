@@ -86,17 +86,7 @@ class AxisReader:
     def read(self) -> AxisReading:
         """Return what acts on the axis; what is wrong goes to the notes."""
         kind = self._kind()
-        returns = (
-            self.axis.reference_return
-            if self.axis
-            else Direction(str(self.options[REFERENCE_RETURN]))
-        )
-        said: dict[str, Fact] = {}
-        if (unit := self.values.said("length_unit")) is not None:
-            said["length_unit"] = unit
-        max_points = self.values.single("max_points")
-        if max_points is not None:
-            said["max_points"] = int(max_points.text)
+        said, max_points = self._settling(), self.values.single("max_points")
         has_table = bool(self.rows) or any(
             self.values.single(name) for name in grid(self.definition)
         )
@@ -123,12 +113,23 @@ class AxisReader:
             positive=table.positive,
             negative=table.negative,
             backlash=backlash,
-            reference_return=returns,
+            reference_return=self._returns(),
             below=self.definition.layout.below,
             above=self.definition.layout.above,
             period=period,
         )
         return AxisReading(compensation, facts)
+
+    def _returns(self) -> Direction:
+        if self.axis is None:
+            return Direction(str(self.options[REFERENCE_RETURN]))
+        return self.axis.reference_return
+
+    def _settling(self) -> dict[str, Fact]:
+        """Return what the files say of quantities that settle options."""
+        unit, points = self.values.said("length_unit"), self.values.single("max_points")
+        said: dict[str, Fact] = {} if unit is None else {"length_unit": unit}
+        return said if points is None else {**said, "max_points": int(points.text)}
 
     def _facts(self, kind: AxisKind, said: Mapping[str, Fact], *, enabled: bool) -> AxisFacts:
         """Return what the files say of the axis itself: its kind, its letter, its software limits

@@ -28,25 +28,13 @@ def check_unit(gathered: Gathered, wanted: Mapping[str, Axis | None], notes: Not
     """Refuse files of a control whose basic system is the inch, and files that say both, where a
     linear axis is read.
     """
+    _tell_unsaid(gathered, wanted, notes)
     metric = gathered.singles.get((None, None), {}).get("metric_system", [])
     words = gathered.singles.get((None, None), {}).get("unit_word", [])
     inch = [found for found in metric if Decimal(found.text) == 0] + [
         found for found in words if found.text.upper() == "INCH"
     ]
     known = [axis for axis in wanted.values() if axis is not None]
-    if not inch and not metric and not words and "metric_system" in gathered.definition.bindings:
-        spoken = list(wanted) or gathered.addresses()
-        linear = [
-            name
-            for name in spoken
-            if (axis := wanted.get(name)) is None or axis.kind is not AxisKind.ROTARY
-        ]
-        if linear:
-            evidence = (
-                "unconfirmed: neither MD10240 nor a line METRIC or INCH; the values of"
-                f" {', '.join(linear)} are taken as mm"
-            )
-            notes.assume("basic system (MD10240)", "metric", evidence)
     if not inch or (
         wanted and len(known) == len(wanted) and all(axis.kind is AxisKind.ROTARY for axis in known)
     ):
@@ -69,6 +57,27 @@ def check_unit(gathered: Gathered, wanted: Mapping[str, Axis | None], notes: Not
         inch[0],
         expected="MD10240 = 1 and METRIC: a control with the metric basic system",
     )
+
+
+def _tell_unsaid(gathered: Gathered, wanted: Mapping[str, Axis | None], notes: Notes) -> None:
+    """List that linear axes are taken as metric where no file says it."""
+    said = gathered.singles.get((None, None), {})
+    if "metric_system" not in gathered.definition.bindings or said.keys() & {
+        "metric_system",
+        "unit_word",
+    }:
+        return
+    linear = [
+        name
+        for name in list(wanted) or gathered.addresses()
+        if (axis := wanted.get(name)) is None or axis.kind is not AxisKind.ROTARY
+    ]
+    if linear:
+        evidence = (
+            "unconfirmed: neither MD10240 nor a line METRIC or INCH; the values of"
+            f" {', '.join(linear)} are taken as mm"
+        )
+        notes.assume("basic system (MD10240)", "metric", evidence)
 
 
 class Beside:
@@ -138,13 +147,11 @@ class Beside:
             else {k for k, v in partners.items() if v == self.address}
         )
         wrong = [address for address in dict.fromkeys(others) if address not in named]
-        place = self.last("gantry_type")
-        label = f"axis {self.address}"
+        place, label = self.last("gantry_type"), f"axis {self.address}"
         if follows and self.address in partners:
-            message = "it is the synchronised axis of a gantry (MD37100), not the leading one"
             self.notes.refuse(
                 label,
-                message,
+                "it is the synchronised axis of a gantry (MD37100), not the leading one",
                 place,
                 expected=f"the job's axis at {', '.join(map(str, others)) or 'the leading axis'}",
             )
@@ -168,20 +175,7 @@ class Beside:
         """Name what else acts on the axis and stays as it is; return it in words, to hold two
         states against each other.
         """
-        said = []
-        kind, slope = self.last("temperature_type"), self.number("temperature_slope")
-        bits = _mask(kind.text) if kind is not None else 0
-        if bits is None:
-            expected = "a bit mask, such as 'H1'"
-            self.notes.refuse(
-                f"axis {self.address}",
-                "its temperature compensation (MD32750) cannot be read",
-                kind,
-                expected=expected,
-            )
-            bits = 0
-        if bits & 2 and slope:
-            said.append(f"temperature compensation with a slope (MD32750, SD43910 = {slope:g})")
+        said = self._temperature()
         for (address, system), places in sorted(self.gathered.singles.items(), key=str):
             found = places.get("dynamic_backlash", ())
             if address == self.address and found and Decimal(found[-1].text) != 0:
@@ -208,6 +202,20 @@ class Beside:
                 " is, and counts as acting alike during the test and afterwards",
             )
         return "; ".join(said)
+
+    def _temperature(self) -> list[str]:
+        kind, slope = self.last("temperature_type"), self.number("temperature_slope")
+        bits = _mask(kind.text) if kind is not None else 0
+        if bits is None:
+            self.notes.refuse(
+                f"axis {self.address}",
+                "its temperature compensation (MD32750) cannot be read",
+                kind,
+                expected="a bit mask, such as 'H1'",
+            )
+        if not (bits and bits & 2 and slope):
+            return []
+        return [f"temperature compensation with a slope (MD32750, SD43910 = {slope:g})"]
 
 
 def _mask(text: str) -> int | None:

@@ -41,6 +41,14 @@ class SystemChoice:
                 ),
             )
             return chosen
+        self._check_tables(chosen, by_job=by_job)
+        return chosen
+
+    def _check_tables(self, chosen: str, *, by_job: bool) -> None:
+        """The system that somebody named has to be that of which the files hold a table, and should
+        be the one that they switch on.
+        """
+        number = int(chosen) + 1
         tables = [system for system in self.systems if self._rows(system)]
         active = [system for system in tables if self._switch(system) is not False]
         if chosen not in self.systems or (chosen not in tables and active):
@@ -48,9 +56,9 @@ class SystemChoice:
                 Fault(
                     message=(
                         f"axis {self.address}: the files hold no table for measuring system"
-                        f" {wanted}, but for another one"
+                        f" {number}, but for another one"
                     ),
-                    expected=f"measuring system {wanted}, as the job or the option says",
+                    expected=f"measuring system {number}, as the job or the option says",
                     found=", ".join(
                         f"system {int(system) + 1}" for system in active or self.systems
                     ),
@@ -64,11 +72,10 @@ class SystemChoice:
             self.notes.find(
                 "CW-S052",
                 "warning",
-                f"axis {self.address}: the job names measuring system {wanted}, but the files"
+                f"axis {self.address}: the job names measuring system {number}, but the files"
                 f" switch compensation on for system {int(others[0]) + 1} (MD32700): make sure that"
-                f" system {wanted} is in use",
+                f" system {number} is in use",
             )
-        return chosen
 
     def found(self, *, asking: bool) -> str:
         """Return the system that the files show to be in use. ``asking``: where they do not, that
@@ -84,33 +91,19 @@ class SystemChoice:
             if len(self.systems) > 1 or chosen != "0":
                 self._assume(chosen, why)
             return chosen
-        reasons: tuple[tuple[list[str], str], ...] = (
-            (
-                [system for system in self.systems if self._switch(system)],
-                "the only one that is switched on (MD32700)",
-            ),
-            (
-                [system for system in self.systems if self._written(system)],
-                "the only one that holds a table",
-            ),
-            (
-                [system for system in self.systems if self._rows(system)],
-                "the only one that holds a table",
-            ),
-            (
-                [system for system in self.systems if self._reserved(system)],
-                "the only one with points reserved (MD38000)",
-            ),
-            (
-                [system for system in self.systems if self._backlash(system)],
-                "the only one with a backlash value",
-            ),
+        reasons = (
+            (self._switch, "the only one that is switched on (MD32700)"),
+            (self._written, "the only one that holds a table"),
+            (self._rows, "the only one that holds a table"),
+            (self._reserved, "the only one with points reserved (MD38000)"),
+            (self._backlash, "the only one with a backlash value"),
         )
-        for systems, why in reasons:
+        for shows, why in reasons:
+            systems = [system for system in self.systems if shows(system)]
             if len(systems) == 1:
                 self._assume(systems[0], why)
                 return systems[0]
-            if len(systems) > 1:
+            if systems:
                 break
         return self._unclear(asking=asking)
 
