@@ -714,6 +714,27 @@ def test_the_second_set_of_a_neighbour_is_never_touched() -> None:
         np.testing.assert_array_equal(after.curve(side), before.curve(side))
 
 
+@pytest.mark.parametrize(
+    ("first", "clear"), [(29, True), (30, False), (37, False), (44, False), (45, True)]
+)
+def test_two_sets_that_share_one_number_are_refused(first: int, *, clear: bool) -> None:
+    """The set for + is 37 .. 44: eight numbers from 30 share its first, from 44 its last."""
+    two = PARAMETERS.replace("3605Q1A1P00000000", "3605Q1A1P00000001").replace(
+        "N03623", f"N03626Q1A1P{first}A2P0A3P0\nN03627Q1A1P0A2P0A3P0\nN03623"
+    )
+    points = {**dict.fromkeys(range(first, first + 8), 0), **OLD_POINTS}
+    pitch = "".join(f"N{10_000 + number}Q0P{value}\n" for number, value in points.items())
+    own = files(P__TXT=two, Q__TXT=f"%\n{pitch}%\n")
+    reader = control_format(open_control("fanuc-30i", {}).definition, {"detection_unit": 0.001})
+    if clear:
+        state = reader.read(own, [axis()]).axes["1"]
+        assert not np.array_equal(state.positive, state.negative)
+        return
+    with pytest.raises(InputError, match="the two sets overlap") as caught:
+        reader.read(own, [axis()])
+    assert "clear of 37 .. 44" in str(caught.value)
+
+
 def test_places_against_brute_force() -> None:
     """All numbers tried one by one, for random ranges of other axes, some beyond the array."""
     rng = np.random.default_rng(4)
