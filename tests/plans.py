@@ -32,6 +32,7 @@ ADDRESSES = {
     "linuxcnc": ("0", "3"),
     "heidenhain-itnc530": "XYZ",
     "heidenhain-nck": "XYZ",
+    "isg-kernel": ("1", "12"),
 }
 #: Doubles carry 1 m to 1e-13 mm, far below every quantum; LinuxCNC keeps its table in single
 #: precision: 1 mm to 6e-8 mm. mm or deg.
@@ -91,7 +92,7 @@ def random_options(format_id: str, rng: np.random.Generator) -> dict[str, object
             "units": str(rng.choice(["mm", "inch"])),
             "comp_file_type": str(rng.choice(["0", "1"])),
         }
-    if format_id.startswith("heidenhain"):
+    if format_id.startswith(("heidenhain", "isg")):
         return {"table_values": str(rng.choice(["error", "correction"]))}
     if rng.random() < 0.4:
         return {

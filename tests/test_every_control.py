@@ -34,6 +34,7 @@ FORMATS = (
     "fanuc-0i-16i",
     "heidenhain-itnc530",
     "heidenhain-nck",
+    "isg-kernel",
 )
 #: The same controls met otherwise: tables of their own that are filled, an option that they have.
 #: The name before + is the format.
@@ -45,7 +46,10 @@ ADDRESS = {
     "fanuc-0i-16i": "1",
     "heidenhain-itnc530": "X",
     "heidenhain-nck": "X",
+    "isg-kernel": "1",
 }
+#: Controls whose table holds the reversal, in a curve for each direction.
+TWO_CURVES = ("linuxcnc", "isg-kernel")
 #: What nobody can know but the user.
 OPTIONS: dict[str, dict[str, object]] = {
     "fanuc-30i": {"detection_unit": 0.001, "first_point": 0},
@@ -58,7 +62,13 @@ MORE_OPTIONS = {
 #: Controls that hold whole steps of 1 µm which come out in the middle of a section.
 STEPS = ("fanuc-30i", "fanuc-0i-16i")
 #: Decimal places of a table value in mm, where it is not 6.
-DIGITS = {"fanuc-30i": 3, "fanuc-0i-16i": 3, "heidenhain-itnc530": 4, "heidenhain-nck": 4}
+DIGITS = {
+    "fanuc-30i": 3,
+    "fanuc-0i-16i": 3,
+    "heidenhain-itnc530": 4,
+    "heidenhain-nck": 4,
+    "isg-kernel": 4,
+}
 MACHINES = {
     "plain": Machine(),
     "negative travel, referenced in -": Machine(
@@ -315,6 +325,23 @@ MUTATIONS = {
             "{table_form: {error: correction, correction: error}}",
         ),
     },
+    "isg-kernel": {
+        "flipped sign of the table": ("default: error", "default: correction"),
+        "columns exchanged": (
+            "].pos         {value}",
+            "].neg         {value}",
+        ),
+        "values in the place of positions": ("].setpoint    {value}", "].pos    {value}"),
+        "a list in increments": ('writes: "1"', 'writes: "0"'),
+        "one column for both directions": (
+            'values: {"0": "no", "1": "yes"}\n    writes: "1"',
+            'values: {"0": "no", "1": "yes"}\n    writes: "0"',
+        ),
+        "a number of entries that says nothing": (
+            'form: "kw.ssfk.kw_nr_max ',
+            'form: "kw.ssfk.max_points ',
+        ),
+    },
 }
 
 
@@ -335,7 +362,7 @@ def perfect_table(machine: Machine, format_id: str) -> AxisCompensation:
     positive, negative = (
         np.round(-(machine.error(nodes, sign) - zero), digits) for sign in (1, -1)
     )
-    one_curve = format_id != "linuxcnc"
+    one_curve = format_id not in TWO_CURVES
     return AxisCompensation(
         address=ADDRESS[format_id],
         kind=AxisKind.LINEAR,

@@ -10,6 +10,7 @@ from compwright.formats.families.columns.family import ColumnsFamily
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.increments.family import IncrementsFamily
+from compwright.formats.families.lists.family import ListsFamily
 from compwright.formats.families.pairs.family import PairsFamily
 from compwright.records.correction import ControlState
 
@@ -18,6 +19,7 @@ _FAMILIES: Mapping[Shape, type[Family]] = {
     "rows_by_position": GridFamily,
     "section_increments": IncrementsFamily,
     "user_tables": ColumnsFamily,
+    "lists_by_axis": ListsFamily,
 }
 
 _WORDS: Mapping[Shape, str] = {
@@ -25,6 +27,7 @@ _WORDS: Mapping[Shape, str] = {
     "rows_by_position": "rows by position, freely spaced",
     "section_increments": "whole increments by section, numbered in one array for all axes",
     "user_tables": "rows in tables that the control exports, or typed in from a sheet",
+    "lists_by_axis": "entries by index, at equal or at any spacing, in one list per axis",
 }
 
 

@@ -184,7 +184,7 @@ def _layout(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
     ]
     if definition.layout.shape == "rows_by_position" and "node_position" in definition.bindings:
         parts.append(definition.bindings["node_position"].statement)
-    if len(set(parts)) > 1:
+    if len(set(parts)) > 1 and definition.layout.shape != "lists_by_axis":
         yield ("bindings",), "position and values of a row must stand in one statement"
     row = definition.statements.get(parts[0]) if parts else None
     if (

@@ -111,7 +111,9 @@ FieldType = Literal[
     "system_word",
 ]
 Rest = Literal["none", "after_blank", "anything"]
-Shape = Literal["values_by_index", "rows_by_position", "section_increments", "user_tables"]
+Shape = Literal[
+    "values_by_index", "rows_by_position", "section_increments", "user_tables", "lists_by_axis"
+]
 Pairing = Literal["none", "two_columns"]
 Sign = Literal["position", "error", "correction", "actual_position", "lost_motion", "half_each_way"]
 Repeated = Literal["first", "last", "same"]

@@ -50,13 +50,15 @@ class Between:
 
     ``files``: those of ``Asked.base`` that change, and new ones; None: no file holds them.
     ``sheets``: what is typed in. ``remarks``: what is to be said; ``steps``: title, text and
-    evidence of steps of the card.
+    evidence of steps of the card. ``quantum``: to what the values in the files are rounded, mm or
+    deg; 0: they hold what was planned.
     """
 
     files: tuple[ControlFile, ...] | None = None
     sheets: tuple[ControlFile, ...] = ()
     remarks: tuple[tuple[Severity, str], ...] = ()
     steps: tuple[Mapping[str, str], ...] = ()
+    quantum: float = 0.0
 
 
 def label(entry: PlannedCross) -> str:

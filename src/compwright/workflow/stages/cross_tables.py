@@ -84,7 +84,7 @@ def write_planned(
     if answer.files is None:
         return outcome
     after = read(together(base, answer.files), written=True)
-    raise_all(CompwrightError, _wrong(planned, read(base), after))
+    raise_all(CompwrightError, _wrong(planned, read(base), after, answer.quantum))
     files, totals = together(tables, answer.files), _totals(planned, after, axes)
     return replace(
         outcome, planned=tuple(planned), written=True, files=files, after=after, totals=totals
@@ -92,10 +92,10 @@ def write_planned(
 
 
 def _wrong(
-    planned: Sequence[PlannedCross], before: DecodedState, after: DecodedState
+    planned: Sequence[PlannedCross], before: DecodedState, after: DecodedState, quantum: float
 ) -> list[Fault]:
     """Return a fault for every pair of axes that does not read back as before plus what was
-    planned.
+    planned, up to half a ``quantum``.
     """
     old, new = (
         {(entry.input, entry.output): [entry] for entry in judged_cross(decoded)}
@@ -113,7 +113,7 @@ def _wrong(
             worst = float(
                 np.max(np.abs(_sum(found, where, direction) - _sum(wanted, where, direction)))
             )
-            if worst > READ_BACK:
+            if worst > READ_BACK + 0.5 * quantum:
                 message = (
                     f"what {pair[0]} does to {pair[1]} does not come back as it was written; please"
                     " report this"

@@ -1,0 +1,161 @@
+"""Corrections between axes into the list of the corrected axis, and how these are loaded."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from compwright.formats.families.between import Asked, Between, in_turn, label, not_held
+from compwright.formats.families.family import Family
+from compwright.formats.families.lists.axis import TENTH
+from compwright.formats.families.lists.cross import CROSS_ROOM, CROSS_VALUES
+from compwright.formats.families.lists.writing import ListsWriter
+from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.correction import ControlFile, ControlState, CrossCompensation
+from compwright.records.plan import PlannedCross
+
+#: Straight is what a curve misses by less than this, mm or deg.
+_STRAIGHT = 1e-9
+
+
+def lists_between(family: Family, asked: Asked) -> Between:
+    """Return the lists with the tables between axes, and the steps that load them; or why the
+    control cannot hold them. Raises UsageError where nobody says what the values are.
+    """
+    signs = {entry.output: _sign(family, asked, entry) for entry in asked.planned}
+    before = asked.read(asked.base)
+    writer = ListsWriter(family.definition, asked.base)
+    try:
+        for entry in asked.planned:
+            _write(writer, entry, signs[entry.output], before, asked.planned)
+    except CapacityError as error:
+        why = "; ".join(str(fault) for fault in error.faults)
+        return in_turn(not_held(entry, why) for entry in asked.planned)
+    known = {file.name: file.content for file in asked.base}
+    written = writer.files_of([entry.added.output for entry in asked.planned])
+    changed = tuple(file for file in written if known.get(file.name) != file.content)
+    meanings = {entry.output: str(_values(family, asked, entry)) for entry in asked.planned}
+    steps = [
+        step for entry in asked.planned for step in _steps(entry, changed, meanings[entry.output])
+    ]
+    return Between(files=changed, steps=tuple(steps), quantum=TENTH)
+
+
+def _values(family: Family, asked: Asked, entry: PlannedCross) -> object:
+    return family.options_of(asked.axes[entry.output])[CROSS_VALUES]
+
+
+def _sign(family: Family, asked: Asked, entry: PlannedCross) -> int:
+    """Return by what a correction is multiplied to be a value of the list."""
+    said = _values(family, asked, entry)
+    if said is None:
+        message = (
+            f"{label(entry)}: what the values of kw.crosscomp are is said nowhere; test it as"
+            " docs/controllers/isg-kernel.md describes"
+        )
+        expected = "error or correction"
+        raise UsageError(
+            Fault(message=message, place=CROSS_VALUES, expected=expected, found="nothing")
+        )
+    return 1 if said == "correction" else -1
+
+
+def _write(
+    writer: ListsWriter,
+    entry: PlannedCross,
+    sign: int,
+    before: ControlState,
+    planned: Sequence[PlannedCross],
+) -> None:
+    """Write what acted and what is added as one table. Raises CapacityError."""
+    added = entry.added
+    rivals = {each.input for each in before.cross if each.output == added.output} | {
+        each.added.input for each in planned if each.added.output == added.output
+    }
+    acting = [
+        each for each in before.cross if (each.input, each.output) == (added.input, added.output)
+    ]
+    faults = []
+    if rivals != {added.input}:
+        message = f"axis {added.output} can have one master only"
+        faults.append(Fault(message=message, expected="one", found=", ".join(sorted(rivals))))
+    if not np.allclose(added.positive, added.negative, rtol=0.0, atol=_STRAIGHT):
+        message = "a table between axes holds one curve for both directions"
+        faults.append(Fault(message=message, expected="one curve", found="two"))
+    raise_all(CapacityError, faults)
+    positions = np.unique(np.concatenate([each.positions for each in (added, *acting)]))
+    positions = np.unique(np.round(positions / TENTH) * TENTH)
+    total = _sum([added, *acting], positions)
+    kept = _corners(positions, total)
+    positions, total = positions[kept], total[kept]
+    room = _room(writer, added.output)
+    if positions.size > room:
+        message = f"the table of axis {added.output} over {added.input} has too many points"
+        found = str(positions.size)
+        raise CapacityError(Fault(message=message, expected=f"at most {room}", found=found))
+    writer.put_cross(
+        added.output,
+        added.input,
+        [str(round(place / TENTH)) for place in positions],
+        [str(round(sign * value / TENTH)) for value in total],
+    )
+
+
+def _room(writer: ListsWriter, address: str) -> int:
+    said = writer.lists.places(address, "cross_max_points")
+    return (int(said[0].text) if said else 0) or CROSS_ROOM
+
+
+def _sum(tables: Sequence[CrossCompensation], where: FloatArray) -> FloatArray:
+    return sum((each.at(where, Direction.POSITIVE) for each in tables), np.zeros(where.size))
+
+
+def _corners(positions: FloatArray, values: FloatArray) -> list[int]:
+    """Return the points between which straight lines are the curve: of a straight line the ends."""
+    kept = [0]
+    for index in range(1, positions.size - 1):
+        around = np.array([kept[-1], index + 1])
+        straight = np.interp(positions[kept[-1] + 1 : index + 1], positions[around], values[around])
+        if np.max(np.abs(straight - values[kept[-1] + 1 : index + 1])) > _STRAIGHT:
+            kept.append(index)
+    return [*kept, positions.size - 1] if positions.size > 1 else kept
+
+
+def _steps(entry: PlannedCross, files: Sequence[ControlFile], meaning: str) -> list[dict[str, str]]:
+    """Return how a table gets into the control: the sign first, then the data."""
+    added = entry.added
+    named = " and ".join(file.name for file in files)
+    texts = {
+        "check the sign": _checking(entry, meaning),
+        "load": (
+            f"Load {named}: {label(entry)} is in the list of axis {added.output}, whose master is"
+            f" axis {added.input}. lr_param.crosscomp 1 in the parameter list of axis"
+            f" {added.output}; restart or reload, and reference both axes: nothing acts before"
+            f" {entry.input} is referenced. Outside the table its end values should stay; no page"
+            f" says it. Work offsets of {entry.output} shift with {entry.input}: probe them again."
+        ),
+    }
+    return [
+        {"title": f"{entry.output} over {entry.input}: {step}", "text": text, "evidence": evidence}
+        for (step, text), evidence in zip(texts.items(), ("unconfirmed", "inferred"), strict=True)
+    ]
+
+
+def _checking(entry: PlannedCross, meaning: str) -> str:
+    """Return the experiment that shows what a value of the list does."""
+    added = entry.added
+    factor, unit = outside_factor(added.output_kind.unit), shown_unit(added.output_kind.unit)
+    low, high = (float(value) for value in added.positive[[0, -1]])
+    change = (high - low) * factor
+    return (
+        f"No page says in which direction a value of kw.crosscomp moves axis {entry.output};"
+        f" cross_values: {meaning} is what the job says. Before production, keep clear of"
+        f" everything, with a dial gauge on {entry.output}: {entry.output}[COMP OFF CROSS], go with"
+        f" {entry.input} from {added.positions[0]:g} to {added.positions[-1]:g}, read it; then the"
+        f" same with {entry.output}[COMP ON CROSS]. What is new must move {entry.output} by"
+        f" {change:+.1f} {unit} on this way, beside what the old list did. If it is the opposite:"
+        " restore the old list and run again with the other one."
+    )

@@ -1,0 +1,99 @@
+"""The table by which another axis corrects one, as it stands in the list of the corrected axis."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from decimal import Decimal
+
+import numpy as np
+
+from compwright.formats.families.lists.axis import TENTH, AxisLists
+from compwright.formats.text.gathering import same_value
+from compwright.formats.text.notes import Notes
+from compwright.records.axis import AxisKind
+from compwright.records.correction import CrossCompensation
+
+#: The option that says what the values are; no page does.
+CROSS_VALUES = "cross_values"
+#: Entries of a table between axes where the list does not say how many there is room for.
+CROSS_ROOM = 1001
+#: Every statement of such a table.
+CROSS_STATEMENTS = (
+    "cross_unit",
+    "cross_master",
+    "cross_last",
+    "cross_max_points",
+    "cross_manual",
+    "cross_setpoint",
+    "cross_correction",
+)
+
+
+def read_cross(lists: AxisLists, kind_of: Callable[[str], AxisKind]) -> CrossCompensation | None:
+    """Return what another axis does to this one, mm or deg; None without an acting table, and
+    where nobody says what its values are, which is told. What is wrong goes to the notes.
+    """
+    entries = _entries(lists)
+    master = lists.one("cross_master")
+    if not entries or master is None or all(value == 0 for _, value in entries):
+        return None
+    label = f"{lists.label}: its table over axis {int(master.text)}"
+    if not lists.acts("cross_switch", "cross_manual", zero=False, label=label):
+        return None
+    unit = lists.one("cross_unit")
+    if unit is not None and not same_value(unit.text, "1"):
+        message = "a table between axes that counts in increments is not understood"
+        lists.notes.refuse(lists.label, message, unit, expected="1 (0.1 µm, 0.0001 deg)")
+    if str(int(master.text)) == lists.address:
+        message = "the axis is its own master"
+        lists.notes.refuse(lists.label, message, master, expected="another axis")
+    sign = {"error": -1, "correction": 1}.get(str(lists.options.get(CROSS_VALUES)))
+    if sign is None:
+        left_out(
+            lists.notes,
+            label,
+            f"what its values are is not known; give the option {CROSS_VALUES} after the check on"
+            " the card",
+        )
+        return None
+    tenth = Decimal(str(TENTH))
+    curve = np.array([float(sign * value * tenth) for _, value in entries])
+    return CrossCompensation(
+        input=str(int(master.text)),
+        output=lists.address,
+        input_kind=kind_of(str(int(master.text))),
+        output_kind=lists.kind,
+        positions=np.array([float(place * tenth) for place, _ in entries]),
+        positive=curve,
+        negative=curve,
+    )
+
+
+def left_out(notes: Notes, label: str, why: str) -> None:
+    """Note a table between axes that is left as it is."""
+    notes.find("CW-S050", "warning", f"{label} is left as it is and not shown: {why}")
+
+
+def _entries(lists: AxisLists) -> list[tuple[Decimal, Decimal]]:
+    """Return position and value of every entry, as they stand; empty without a table, and where
+    something is wrong with it, which goes to the notes.
+    """
+    said = [place for name in CROSS_STATEMENTS for place in lists.lists.places(lists.address, name)]
+    before = len(lists.notes.faults)
+    setpoints, values = lists.rows("cross_setpoint"), lists.rows("cross_correction")
+    needed = [lists.needed(name, said[0]) for name in CROSS_STATEMENTS[:3]] if said else []
+    last = lists.one("cross_last")
+    if last is None or len(lists.notes.faults) > before or None in needed:
+        return []
+    count = int(last.text) + 1
+    room = lists.room("cross_max_points", CROSS_ROOM)
+    if count > room:
+        message = f"{lists.lists.name('cross_last')} must be less than the room for entries"
+        lists.notes.refuse(lists.label, message, last, expected=f"less than {room}")
+    for column, rows in (("cross_setpoint", setpoints), ("cross_correction", values)):
+        lists.complete(rows, count, column, last)
+    if len(lists.notes.faults) > before:
+        return []
+    places = [Decimal(setpoints[index].text) for index in range(count)]
+    lists.check_ascending(places, setpoints, last)
+    return [(place, Decimal(values[index].text)) for index, place in enumerate(places)]

@@ -1,0 +1,155 @@
+"""Entries by index in one list per axis, whose header names the axis; beside them one table by
+which another axis corrects it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from copy import copy
+from typing import Self
+
+from compwright.formats.families import limits
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.between import Asked, Between
+from compwright.formats.families.card_words import sign_check, typed
+from compwright.formats.families.family import AxisTable, Family, sound
+from compwright.formats.families.lists.axis import COUNTS, TENTH, VALUE_TYPES, counted
+from compwright.formats.families.lists.between import lists_between
+from compwright.formats.families.lists.reading import read_state
+from compwright.formats.families.lists.writing import ListsWriter
+from compwright.formats.text.scale import Scale
+from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
+from compwright.records.axis import Axis, AxisKind, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.facts import AxisFacts
+
+
+class ListsFamily(Family):
+    """Entries by index in one list per axis."""
+
+    def read(
+        self,
+        files: Sequence[ControlFile],
+        axes: Sequence[Axis] = (),
+        *,
+        address: str | None = None,
+        activity: Activity = Activity(),  # noqa: B008 - frozen
+    ) -> ControlState:
+        """See `Family.read`."""
+        return read_state(self, files, axes, address, activity)
+
+    def bound_to(self, files: Sequence[ControlFile], axes: Sequence[Axis]) -> Self:
+        """Return the control whose unit and room for entries are those of ``files``."""
+        if not files:
+            return self
+        bound = copy(self)
+        bound.state = self.read(files, axes)
+        return bound
+
+    def unit_of(self, axis: Axis) -> str:
+        """Return what the list of an axis counts in (a word of its unit), new lists in tenths."""
+        address, _ = self.address(axis)
+        return str(self.facts_of(address).said.get("table_form", "tenths"))
+
+    def scale_of(self, axis: Axis) -> Scale:
+        """Return how the numbers of an axis are written. Raises UsageError where its list counts in
+        increments and nobody says how long one is.
+        """
+        options = self.options_of(axis)
+        increment: object = TENTH
+        if self.unit_of(axis) == "increments":
+            increment = options.get("encoder_increment")
+        if not isinstance(increment, (int, float)) or increment <= 0:
+            message = f"axis {axis.name}: its list counts in encoder increments: how long is one?"
+            raise UsageError(
+                Fault(message=message, place="encoder_increment", expected="mm or deg")
+            )
+        return counted(Scale(self.definition, axis.kind, options, {}), options, increment)
+
+    def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
+        """See `Family.capacity`. The reversal goes into the two columns: which direction the
+        control's backlash acts in is not known.
+        """
+        del one_curve
+        scale = self.scale_of(axis)
+        address, _ = self.address(axis)
+        absent = self.definition.bindings["max_points"].when_absent
+        said = self.facts_of(address).said.get("max_points")
+        room = int(said or (absent.value if absent is not None else 0))
+        low, high = scale.range("value_positive")
+        most = VALUE_TYPES.get(str(self.options_of(axis).get("value_type")))
+        quantum = scale.quantum("value_positive")
+        if most is not None:
+            low, high = max(low, -most * quantum), min(high, most * quantum)
+        return Capacity(
+            format=self.definition.id,
+            curves=2,
+            spacing="free",
+            quantum=quantum,
+            position_quantum=scale.quantum("node_position"),
+            value_range=(low, high),
+            backlash_quantum=None,
+            min_points=self.definition.limit_number("min_points") or 1,
+            max_points=room - 1,
+            below=self.definition.layout.below,
+            above=self.definition.layout.above,
+            period=axis.modulo if axis.kind is AxisKind.ROTARY else None,
+        )
+
+    def own_limits(
+        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity
+    ) -> Sequence[Fault]:
+        """Return a fault for a value that the type of the build does not hold."""
+        low, high = capacity.value_range
+        values = (*compensation.positive, *compensation.negative)
+        if all(low <= value <= high for value in values):
+            return ()
+        message = f"axis {axis.name}: a value does not fit the type of the list"
+        found = f"{max(values, key=abs):g}"
+        return (Fault(message=message, expected=f"{low:g} to {high:g}", found=found),)
+
+    def limits_of_turn(
+        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
+    ) -> Sequence[Fault]:
+        """Return what is wrong with the table of an endless axis."""
+        del axis
+        return limits.turn(capacity, compensation, label)
+
+    def files_of(
+        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    ) -> tuple[ControlFile, ...]:
+        """See `Family.files_of`."""
+        whole = sound(tables)
+        writer = ListsWriter(self.definition, files)
+        for address, axis, compensation in whole:
+            writer.put_table(address, compensation, self.scale_of(axis), faults)
+        raise_all(CapacityError, list(dict.fromkeys(faults)))
+        return writer.files_of([address for address, _, _ in whole])
+
+    def card_values(
+        self,
+        axis: Axis,
+        compensation: AxisCompensation,
+        facts: AxisFacts,
+        check_at: FloatArray,
+    ) -> dict[str, str]:
+        """See `Family.card_values`."""
+        counts = str(facts.said.get("table_form", "tenths"))
+        count = float(self.scale_of(axis).factor("node_position"))
+        positions = compensation.positions
+        values = {
+            "points": str(positions.size),
+            "counts": COUNTS.get(counts, counts),
+            "values": str(self.options_of(axis)["table_values"]),
+            "axis_unit": axis.kind.unit,
+            **sign_check(compensation, check_at),
+        }
+        if positions.size:
+            values["start"] = typed(round(float(positions[0]) / count))
+            values["end"] = typed(round(float(positions[-1]) / count))
+        return values
+
+    def between(self, asked: Asked) -> Between:
+        """See `Family.between`: into the list of the corrected axis."""
+        return lists_between(self, asked)

@@ -1,0 +1,198 @@
+"""Value lists, axis parameter lists and the start-up list -> the statements that count for an axis.
+
+A list says in its header whose it is; without a header the start-up list does. Where there is a
+start-up list, a value list that it does not name is not loaded.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import Occurrence, name_in_form
+from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.notes import Notes
+from compwright.formats.text.texts import ReadText, text_reader
+from compwright.records.correction import ControlFile
+
+#: Statements of the header, and those of the start-up list.
+AXIS_NUMBER = "axis_number"
+LISTED_COUNT, LISTED_AXIS, LISTED_FILE = "listed_count", "listed_axis", "listed_file"
+_START_UP = (LISTED_COUNT, LISTED_AXIS, LISTED_FILE)
+#: How every statement of a value list begins.
+_VALUE_LIST = "kw."
+_REMARK = re.compile(rb"/\*.*?(?:\*/|\Z)|#[^\r\n]*", re.DOTALL)
+
+
+def without_remarks(content: bytes) -> bytes:
+    """Return a file with blanks in the place of remarks, so that every other byte keeps its
+    place.
+    """
+    return _REMARK.sub(lambda remark: re.sub(rb"[^\r\n]", b" ", remark[0]), content)
+
+
+@dataclass(slots=True)
+class Lists:
+    """All lists, sorted by axis: ``said[address][statement]`` in the order of the files.
+
+    ``files``: the places of the files of an axis among those given; ``start_up``: those of start-up
+    lists. ``unlisted``: axes whose lists stand under no start-up list, although one was given.
+    ``missing``: where the start-up list names a file that was not given, by axis. ``odd``: what is
+    wrong with the lists of one axis.
+    """
+
+    definition: Definition
+    said: dict[str, dict[str, list[Found]]] = field(default_factory=dict)
+    files: dict[str, set[int]] = field(default_factory=dict)
+    listed: dict[str, list[Found]] = field(default_factory=dict)
+    start_up: dict[str, list[Found]] = field(default_factory=dict)
+    missing: dict[str, Found] = field(default_factory=dict)
+
+    def places(self, address: str, statement: str) -> Sequence[Found]:
+        """Return every place where a statement stands for an axis."""
+        return self.said.get(address, {}).get(statement, ())
+
+    def name(self, statement: str) -> str:
+        """Return the control's name of a statement, without its index."""
+        form = self.definition.statements[statement].form
+        head, bracket, tail = form.partition("[{index}]")
+        return f"{name_in_form(head)}[..]{tail.split()[0]}" if bracket else name_in_form(form)
+
+    def value_files(self, address: str) -> set[int]:
+        """Return the places of the loaded value lists of an axis among the files."""
+        return {
+            found.number
+            for name, places in self.said.get(address, {}).items()
+            if _in_value_list(self.definition, name)
+            for found in places
+        }
+
+
+def _in_value_list(definition: Definition, statement: str) -> bool:
+    return definition.statements[statement].form.startswith(_VALUE_LIST)
+
+
+def read_lists(definition: Definition, files: Sequence[ControlFile], notes: Notes) -> Lists:
+    """Return what the files say of each axis; lines that cannot be read, and lists that nobody can
+    tell an axis of, go to the faults of ``notes``.
+    """
+    reader = text_reader(definition)
+    texts: list[ReadText] = []
+    for number, file in enumerate(files):
+        code = ControlFile(file.name, without_remarks(file.content))
+        text = reader.read(code, notes.faults, number)
+        if text is not None:
+            notes.findings.extend(text.findings)
+            texts.append(text)
+    sorter = _Sorter(Lists(definition), notes, texts)
+    for text in texts:
+        sorter.sort(text)
+    sorter.find_missing()
+    return sorter.lists
+
+
+class _Sorter:
+    def __init__(self, lists: Lists, notes: Notes, texts: Sequence[ReadText]) -> None:
+        self.lists = lists
+        self.notes = notes
+        self.texts = texts
+        for text in texts:
+            for occurrence in text.occurrences:
+                if occurrence.statement in _START_UP:
+                    found = Found(_value(occurrence), occurrence, text.number)
+                    lists.start_up.setdefault(occurrence.statement, []).append(found)
+        self.axes = self._by_index(LISTED_AXIS)
+        self.names = self._by_index(LISTED_FILE)
+        for index, found in self.axes.items():
+            lists.listed.setdefault(str(int(found.text)), []).append(found)
+            if index not in self.names:
+                message = "names an axis without a list"
+                notes.refuse("start-up list", message, found, expected=f"achs_kw[{index}]")
+
+    def _by_index(self, statement: str) -> Mapping[int, Found]:
+        """Return the entries of the start-up list; two that differ are a fault."""
+        entries: dict[int, Found] = {}
+        for found in self.lists.start_up.get(statement, ()):
+            index = int(found.occurrence.tokens["index"].text)
+            first = entries.setdefault(index, found)
+            if not same_value(first.text.casefold(), found.text.casefold()):
+                name = self.lists.name(statement)
+                message = f"{name} contradicts {first.where}"
+                self.notes.refuse("start-up list", message, found, expected=first.text)
+        return entries
+
+    def sort(self, text: ReadText) -> None:
+        """Put the statements of one file under its axis."""
+        own = [each for each in text.occurrences if each.statement not in _START_UP]
+        values = any(_in_value_list(self.lists.definition, each.statement) for each in own)
+        indices = [i for i, name in self.names.items() if base_name(name.text) == _low(text)]
+        if values and not indices and (self.axes or self.names):
+            self.notes.idle_file(
+                f"{text.file} is not named by the start-up list: the control does not load it"
+            )
+            return
+        address = self._address(text, own, indices if values else ())
+        if address is None:
+            return
+        self.lists.files.setdefault(address, set()).add(text.number)
+        said = self.lists.said.setdefault(address, {})
+        for occurrence in own:
+            found = Found(_value(occurrence), occurrence, text.number)
+            said.setdefault(occurrence.statement, []).append(found)
+
+    def _address(
+        self, text: ReadText, own: Sequence[Occurrence], indices: Sequence[int]
+    ) -> str | None:
+        """Return whose list a file is, by its header and by the start-up list, which must agree."""
+        headers = [
+            Found(each.tokens["axis"].text, each, text.number)
+            for each in own
+            if each.statement == AXIS_NUMBER
+        ]
+        listed = [self.axes[index] for index in indices if index in self.axes]
+        numbers = {int(found.text) for found in (*headers, *listed)}
+        if len(numbers) > 1:
+            second = next(
+                found
+                for found in (*headers, *listed)
+                if int(found.text) != int((*headers, *listed)[0].text)
+            )
+            message = "header and start-up list name different axes"
+            first = (*headers, *listed)[0]
+            self.notes.refuse(text.file, message, second, expected=f"{first.text} ({first.where})")
+        elif not numbers and own:
+            message = "nothing says to which axis this list belongs"
+            place = Found(own[0].statement, own[0], text.number)
+            expected = f"a line {self.lists.name(AXIS_NUMBER)} <number>"
+            self.notes.refuse(text.file, message, place, expected=expected, found="none")
+        return str(numbers.pop()) if len(numbers) == 1 else None
+
+    def find_missing(self) -> None:
+        """Note the lists that the start-up list names and that were not given."""
+        given = {_low(text) for text in self.texts}
+        for index, name in self.names.items():
+            if index in self.axes and base_name(name.text) not in given:
+                self.lists.missing[str(int(self.axes[index].text))] = name
+
+
+def base_name(path: str) -> str:
+    """Return the bare name of a file in lower case: the controls run on Windows."""
+    return re.split(r"[/\\]", path.strip().strip("\"'"))[-1].casefold()
+
+
+def _low(text: ReadText) -> str:
+    return text.file.casefold()
+
+
+def _value(occurrence: Occurrence) -> str:
+    """Return what a statement says."""
+    tokens = occurrence.tokens
+    return tokens["value" if "value" in tokens else "axis"].text
+
+
+def entries(places: Sequence[Found]) -> Iterator[tuple[int, Found]]:
+    """Yield the index of each of the places of an entry, with the place."""
+    for found in places:
+        yield int(found.occurrence.tokens["index"].text), found

@@ -1,0 +1,160 @@
+"""A control's own lists -> what acts in it, for every axis that they name.
+
+Missing is not zero. What had to be assumed is listed; what is odd about an axis that nobody asks
+for stops nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, axis_options
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.family import Family
+from compwright.formats.families.gantry import partner_of
+from compwright.formats.families.lists.axis import AxisLists
+from compwright.formats.families.lists.cross import left_out, read_cross
+from compwright.formats.families.lists.files import Lists, read_lists
+from compwright.formats.text.addresses import normal_address, normal_text
+from compwright.formats.text.notes import Notes
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.correction import (
+    AxisCompensation,
+    ControlFile,
+    ControlState,
+    CrossCompensation,
+)
+from compwright.records.facts import AxisFacts
+
+
+def read_state(
+    family: Family,
+    files: Sequence[ControlFile],
+    axes: Sequence[Axis],
+    address: str | None,
+    activity: Activity,
+) -> ControlState:
+    """Return what a control does with ``files``; arguments and errors as `Family.read`."""
+    return _StateReader(family, axes, address, activity).read(files)
+
+
+class _StateReader:
+    def __init__(
+        self, family: Family, axes: Sequence[Axis], address: str | None, activity: Activity
+    ) -> None:
+        self.family = family
+        self.definition = family.definition
+        self.activity = activity
+        self.notes = Notes()
+        self.wanted: dict[str, Axis | None] = {}
+        if address is not None:
+            self.wanted[normal_text(self.definition, address)] = None
+        for axis in axes:
+            name, _ = normal_address(self.definition, axis)
+            self.wanted[name] = axis
+            if axis.gantry is not None:
+                partner = normal_text(self.definition, axis.gantry)
+                self.wanted.setdefault(partner, partner_of(axis, partner))
+        self.compensations: dict[str, AxisCompensation] = {}
+        self.facts: dict[str, AxisFacts] = {}
+        self.cross: list[CrossCompensation] = []
+
+    def read(self, files: Sequence[ControlFile]) -> ControlState:
+        lists = read_lists(self.definition, files, self.notes)
+        raise_all(InputError, self.notes.faults)
+        asked = self.wanted or dict.fromkeys(lists.said)
+        masters = {
+            str(int(place.text))
+            for address in lists.said
+            for place in lists.places(address, "cross_master")
+        }
+        if not asked:
+            message = "no list of an axis is among the files"
+            raise InputError(Fault(message=message, file=", ".join(f.name for f in files)))
+        for address, axis in asked.items():
+            if address in lists.missing:
+                self._missing(lists, address)
+            elif address in lists.said:
+                self._axis(lists, address, axis)
+            elif address not in masters:
+                message = f"no list says anything about axis {address}; missing is not zero"
+                self.notes.faults.append(
+                    Fault(
+                        message=message,
+                        file=", ".join(file.name for file in files),
+                        expected=f"a list of axis {address}, or the state `none`",
+                        found=f"axes {', '.join(lists.said)}" if lists.said else "no axis at all",
+                    )
+                )
+        for address in lists.said:
+            if address not in asked:
+                self._unasked(lists, address)
+        raise_all(InputError, self.notes.faults)
+        raise_all(UsageError, self.notes.questions)
+        if any(axis is None for axis in asked.values()):
+            options = self.family.options
+            self.notes.assume(REFERENCE, f"{options[REFERENCE]:g}", "option or its default")
+            self.notes.assume(
+                REFERENCE_RETURN, str(options[REFERENCE_RETURN]), "option or its default"
+            )
+        return ControlState(
+            format=self.definition.id,
+            axes=self.compensations,
+            cross=tuple(self.cross),
+            facts=self.facts,
+            assumed=tuple(self.notes.assumed),
+            findings=tuple(dict.fromkeys(self.notes.findings)),
+        )
+
+    def _missing(self, lists: Lists, address: str) -> None:
+        place = lists.missing[address]
+        message = "the list that the start-up list names was not given"
+        self.notes.refuse(f"axis {address}", message, place, expected="this file too")
+
+    def _axis(self, lists: Lists, address: str, axis: Axis | None) -> None:
+        """Read an axis that is asked for."""
+        reader = self._reader(lists, address, axis, self.notes)
+        self.compensations[address] = reader.read()
+        reader.check_others()
+        between = read_cross(reader, self._kind)
+        self.cross.extend([between] if between is not None else [])
+        name = reader.one("axis_name")
+        self.facts[address] = AxisFacts(
+            name=None if name is None else name.text, enabled=reader.enabled, said=reader.said
+        )
+        if axis is not None:
+            self._check_turn(axis, self.compensations[address])
+
+    def _unasked(self, lists: Lists, address: str) -> None:
+        """Read what another axis does to one that nobody asks for; where it is odd it is left out,
+        and said.
+        """
+        notes = Notes()
+        between = read_cross(self._reader(lists, address, None, notes), self._kind)
+        if notes.faults or notes.questions:
+            why = str((notes.faults or notes.questions)[0])
+            left_out(self.notes, f"axis {address}: its table over another axis", why)
+            return
+        self.notes.take(notes)
+        self.cross.extend([between] if between is not None else [])
+
+    def _reader(self, lists: Lists, address: str, axis: Axis | None, notes: Notes) -> AxisLists:
+        options = axis_options(self.definition, self.family.options, axis)
+        return AxisLists(lists, address, axis, options, notes, self.activity)
+
+    def _kind(self, address: str) -> AxisKind:
+        axis = self.wanted.get(address)
+        return AxisKind.LINEAR if axis is None else axis.kind
+
+    def _check_turn(self, axis: Axis, table: AxisCompensation) -> None:
+        """Tell a table that ends on an endless axis, or repeats on one with ends."""
+        if table.positions.size == 0 or (axis.modulo is None) == (table.period is None):
+            return
+        what = (
+            f"its table repeats every {table.period:g}, but the job gives no modulo; a new table"
+            " will have ends"
+            if table.period is not None
+            else "it is endless, but its table does not repeat: it ends at both sides"
+        )
+        self.notes.find("CW-S056", "warning", f"axis {axis.address}: {what}")

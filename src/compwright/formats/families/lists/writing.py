@@ -1,0 +1,271 @@
+"""Tables -> lists: the control's own, changed in place, or new ones by the same changes on their
+skeleton.
+
+A value keeps its line; where the entries change in number, place or form, the old ones go and the
+new ones stand where the first of them stood. Every other byte stays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+import numpy as np
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import print_form
+from compwright.formats.families.lists.files import (
+    LISTED_AXIS,
+    LISTED_COUNT,
+    LISTED_FILE,
+    Lists,
+    base_name,
+    entries,
+    read_lists,
+    without_remarks,
+)
+from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.notes import Notes
+from compwright.formats.text.patching import Change, Patches, fresh_file, set_field
+from compwright.formats.text.scale import NotHeld, Scale
+from compwright.foundations.errors import Fault, InputError, raise_all
+from compwright.records.axis import FloatArray
+from compwright.records.correction import AxisCompensation, ControlFile
+
+#: An entry: its statement and its index.
+Entry = tuple[str, int]
+_COLUMNS = ("setpoint", "positive", "negative")
+_CROSS_COLUMNS = ("cross_setpoint", "cross_correction")
+
+
+class ListsWriter:
+    """Changes to the lists of a control. Raises InputError where they cannot be read."""
+
+    def __init__(self, definition: Definition, files: Sequence[ControlFile]) -> None:
+        self.definition = definition
+        self.patches = Patches(definition.dialect, files)
+        self.lists = self._read()
+
+    def _read(self) -> Lists:
+        notes = Notes()
+        lists = read_lists(self.definition, self.patches.files, notes)
+        raise_all(InputError, notes.faults)
+        return lists
+
+    def put_table(
+        self, address: str, table: AxisCompensation, scale: Scale, faults: list[Fault]
+    ) -> None:
+        """Put the table of an axis into its list; a number that the list cannot hold goes to
+        ``faults``.
+        """
+        label = f"axis {address}"
+        positions = _texts(scale, "node_position", table.positions, label, faults)
+        curves = {
+            name: _texts(scale, f"value_{name}", curve, label, faults)
+            for name, curve in (("positive", table.positive), ("negative", table.negative))
+        }
+        if faults:
+            return
+        self._home(address)
+        step = self._interval(address, [int(text) for text in positions])
+        columns = curves if step else {"setpoint": positions, **curves}
+        self._entries(
+            address,
+            {
+                **self._words(address),
+                "interval": str(step),
+                "start": positions[0],
+                "count": str(len(positions)),
+                "modulo": "0" if table.period is None else "1",
+            },
+            columns,
+            _COLUMNS,
+        )
+        self._make_act(address, "table_switch", "manual")
+        switch = self.lists.places(address, "backlash_switch")
+        if any(not same_value(place.text, "0") for place in switch):
+            self._put(self.lists.places(address, "backlash"), "0")
+
+    def _words(self, address: str) -> dict[str, str]:
+        """Return the unit of a new list, and that every table has two columns."""
+        bindings = self.definition
+        unit = self.lists.places(address, "unit")
+        return {
+            "unit": unit[0].text if unit else str(bindings.choice("table_form").writes),
+            "bilateral": str(bindings.choice("bidirectional").writes),
+        }
+
+    def put_cross(
+        self, address: str, master: str, positions: Sequence[str], values: Sequence[str]
+    ) -> None:
+        """Put the table by which ``master`` corrects an axis into the list of that axis; numbers as
+        text.
+        """
+        self._home(address)
+        single = {
+            "cross_unit": "1",
+            "cross_master": master,
+            "cross_last": str(len(positions) - 1),
+        }
+        columns = {"cross_setpoint": positions, "cross_correction": values}
+        self._entries(address, single, columns, _CROSS_COLUMNS)
+        self._make_act(address, "cross_switch", "cross_manual")
+
+    def files_of(self, addresses: Iterable[str]) -> tuple[ControlFile, ...]:
+        """Return the lists of some axes, with the start-up list, with all changes made."""
+        numbers = {number for each in addresses for number in self.lists.files.get(each, ())}
+        numbers |= {place.number for places in self.lists.start_up.values() for place in places}
+        return self.patches.patched(numbers)
+
+    # --- where a table stands
+
+    def _home(self, address: str) -> None:
+        """Make a list for an axis that has none, and name it in the start-up list."""
+        if self.lists.value_files(address):
+            return
+        file = self.definition.writing[0]
+        name = self._free_name(print_form(file.name, {"axis": address}))
+        made = fresh_file(self.definition, file, name, {"axis": address}, ()).patched([0])[0]
+        self._announce(address, name)
+        done = self.patches.patched(range(len(self.patches.files)))
+        self.patches = Patches(self.definition.dialect, [*done, made])
+        self.lists = self._read()
+
+    def _free_name(self, name: str) -> str:
+        taken = {file.name.casefold() for file in self.patches.files}
+        taken |= {base_name(place.text) for place in self.lists.start_up.get(LISTED_FILE, ())}
+        stem, dot, ending = name.rpartition(".")
+        number = 2
+        while name.casefold() in taken:
+            name, number = f"{stem}_{number}{dot}{ending}", number + 1
+        return name
+
+    def _announce(self, address: str, name: str) -> None:
+        """Name a new list in the start-up list, where there is one."""
+        start_up = self.lists.start_up
+        listed = [*start_up.get(LISTED_AXIS, ()), *start_up.get(LISTED_FILE, ())]
+        if not listed:
+            return
+        index = str(1 + max(at for at, _ in entries(listed)))
+        lines = [
+            self._line(LISTED_AXIS, {"index": index, "axis": address}),
+            self._line(LISTED_FILE, {"index": index, "value": name}),
+        ]
+        last = max(listed, key=lambda found: (found.number, found.occurrence.line))
+        self.patches.add_lines(last.number, _start(last), lines)
+        for place in start_up.get(LISTED_COUNT, ()):
+            self._put([place], str(int(place.text) + 1))
+
+    def _interval(self, address: str, counts: Sequence[int]) -> int:
+        """Return the interval where the axis' own list has one and the positions allow it; else 0:
+        every entry has its setpoint.
+        """
+        own = self.lists.places(address, "interval")
+        steps = set(np.diff(counts).tolist())
+        even = bool(own) and not same_value(own[0].text, "0") and len(steps) == 1
+        return int(steps.pop()) if even else 0
+
+    # --- what is written
+
+    def _entries(
+        self,
+        address: str,
+        singles: Mapping[str, str],
+        columns: Mapping[str, Sequence[str]],
+        known: Sequence[str],
+    ) -> None:
+        """Set single statements, then the entries: in their lines, or all of them anew."""
+        old = {
+            (column, index): found
+            for column in known
+            for index, found in entries(self.lists.places(address, column))
+        }
+        places = [f for column in known for f in self.lists.places(address, column)]
+        new: dict[Entry, str] = {
+            (column, index): texts[index]
+            for index in range(len(next(iter(columns.values()))))
+            for column, texts in columns.items()
+        }
+        added = [
+            self._line(name, {"value": text})
+            for name, text in singles.items()
+            if not self._put(self.lists.places(address, name), text)
+        ]
+        stays = set(old) == set(new) and all(
+            same_value(found.text, new[entry])
+            for entry, found in old.items()
+            if entry[0] == known[0]
+        )
+        if stays:
+            for column in columns:
+                for index, found in entries(self.lists.places(address, column)):
+                    self._put([found], new[column, index])
+        else:
+            added += [
+                self._line(column, {"index": str(index), "value": text})
+                for (column, index), text in new.items()
+            ]
+        anchor = self._anchor(address, [*singles, *known], places)
+        self.patches.add_lines(anchor.number, _start(anchor), added, before=bool(places))
+        if not stays:
+            for found in places:
+                self._take_out(found)
+
+    def _anchor(self, address: str, names: Sequence[str], places: Sequence[Found]) -> Found:
+        """Return the line before the first entry of a table, else behind what its list says of it,
+        else the last line of the list.
+        """
+        if places:
+            return min(places, key=lambda found: (found.number, found.occurrence.line))
+        said = self.lists.said[address]
+        around = [found for name in names for found in said.get(name, ())]
+        if not around:
+            here = self.lists.value_files(address) or {max(self.lists.files[address])}
+            every = [found for places in said.values() for found in places]
+            around = [found for found in every if found.number in here]
+        return max(around, key=lambda found: (found.number, found.occurrence.line))
+
+    def _line(self, statement: str, fields: Mapping[str, str]) -> str:
+        return print_form(self.definition.statements[statement].form, fields)
+
+    def _put(self, places: Sequence[Found], text: str) -> bool:
+        """Set a value wherever it stands; False where it stands nowhere."""
+        for place in places:
+            if not same_value(place.text, text):
+                self.patches.replace(place.number, *set_field(place.occurrence, "value", text))
+        return bool(places)
+
+    def _make_act(self, address: str, switch: str, manual: str) -> None:
+        """Switch on a table where the lists end with it off."""
+        self._put(self.lists.places(address, switch), "1")
+        self._put(self.lists.places(address, manual), "0")
+
+    def _take_out(self, found: Found) -> None:
+        """Take out an old entry with its line; a remark over several lines stays."""
+        line = self.patches.line(found.number, _start(found))
+        content = self.patches.files[found.number].content
+        raw = content[line.start : line.end]
+        if b"/*" not in raw and b"*/" not in raw:
+            self.patches.cut_line(found.number, _start(found))
+            return
+        code = without_remarks(content)[line.start : line.end]
+        start = line.start + len(code) - len(code.lstrip())
+        end = found.occurrence.tokens["value"].end
+        self.patches.replace(found.number, Change(start, end, b""))
+
+
+def _start(found: Found) -> int:
+    """Return a byte within the line of a statement."""
+    return next(iter(found.occurrence.tokens.values())).start
+
+
+def _texts(
+    scale: Scale, quantity: str, values: FloatArray, label: str, faults: list[Fault]
+) -> list[str]:
+    """Return numbers as whole counts; what is none goes to ``faults``."""
+    texts = []
+    for value in values:
+        try:
+            texts.append(scale.write(quantity, float(value)))
+        except NotHeld as error:
+            faults.append(Fault(message=f"{label}: {error}"))
+    return texts
