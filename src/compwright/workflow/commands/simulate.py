@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,20 +12,17 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.prediction.acting import IDLE, Acting
 from compwright.prediction.circular import moved_test
-from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.axis import FloatArray
 from compwright.records.circular import CircularRun
 from compwright.simulation.circular import CircleRecording, Traverse
 from compwright.simulation.circular_files import to_b5r, to_circular_csv
 from compwright.simulation.files import to_csv
-from compwright.simulation.machine import Correction, VirtualMachine
+from compwright.simulation.machine import VirtualMachine
 from compwright.simulation.reading import read_machine
 from compwright.workflow.stages.acting import acting
 from compwright.workflow.stages.control import (
-    Control,
-    DecodedState,
     Origin,
     decode,
-    judged,
     open_control,
     read_files,
 )
@@ -57,22 +53,15 @@ def simulate_files(
     ``tables``: a folder with what the control loads; ``file``: the machine file, for messages.
     Noise comes from ``seed`` alone: the same seed gives the same bytes.
     """
-    loaded = None if tables is None else _load(machine, tables, file)
+    loaded = IDLE if tables is None else _loaded(machine, tables, file)
     files = {}
     for number, name in enumerate(machine.axes):
-        correction = None if loaded is None else _correction(loaded, machine.axes[name].axis)
         rng = np.random.default_rng([seed, number])
-        test = machine.measure(name, rng=rng, correction=correction)
+        test = machine.measure(name, rng=rng, correction=loaded.along.get(name))
         files[f"{name.lower()}.csv"] = to_csv(test)
-    corrections = (
-        {name: _correction(loaded, virtual.axis) for name, virtual in machine.axes.items()}
-        if loaded
-        else {}
-    )
-    between = _between(machine, loaded) if loaded else IDLE
     for number, name in enumerate(machine.circles, start=len(machine.axes)):
         files[_circle_file(machine, name)] = _measured_circle(
-            machine, name, seed=_seed_of(seed, number), corrections=corrections, between=between
+            machine, name, seed=_seed_of(seed, number), loaded=loaded
         )
     return storage.write_files(
         out, files, force=force, known=lambda name, content: _is_simulated(content, files[name])
@@ -107,16 +96,9 @@ def _circle_file(machine: VirtualMachine, name: str) -> str:
     return f"{name.lower()}.{machine.circles[name].format}"
 
 
-def _measured_circle(
-    machine: VirtualMachine,
-    name: str,
-    *,
-    seed: int,
-    corrections: Mapping[str, Correction],
-    between: Acting,
-) -> bytes:
-    recording = machine.record_circle(name, seed=seed, corrections=corrections)
-    recording = _bent(recording, between)
+def _measured_circle(machine: VirtualMachine, name: str, *, seed: int, loaded: Acting) -> bytes:
+    recording = machine.record_circle(name, seed=seed, corrections=loaded.along)
+    recording = _bent(recording, replace(loaded, along={}))
     about = {
         key: text for key, text in (("machine", machine.name), ("serial", machine.serial)) if text
     }
@@ -159,14 +141,10 @@ def _rerecorded(traverse: Traverse, moved: CircularRun) -> Traverse:
     )
 
 
-def _between(machine: VirtualMachine, loaded: tuple[Control, DecodedState]) -> Acting:
-    """Return what the control does between the axes of the machine."""
-    control, decoded = loaded
-    axes = {name: _addressed(control, virtual.axis) for name, virtual in machine.axes.items()}
-    return replace(acting(decoded, axes), along={})
-
-
-def _load(machine: VirtualMachine, tables: Path, file: str) -> tuple[Control, DecodedState]:
+def _loaded(machine: VirtualMachine, tables: Path, file: str) -> Acting:
+    """Return what the tables in a folder do to a machine and between its axes. Raises UsageError,
+    InputError.
+    """
     if not machine.format:
         raise UsageError(
             Fault(
@@ -178,32 +156,22 @@ def _load(machine: VirtualMachine, tables: Path, file: str) -> tuple[Control, De
         )
     origin = Origin(file, "controller.format", "controller.options.", Path(file).parent)
     control = open_control(machine.format, machine.options, origin)
-    axes = [_addressed(control, virtual.axis) for virtual in machine.axes.values()]
-    decoded = decode(control, read_files([tables]), axes)
-    unknown = sorted(set(decoded.state.axes) - {axis.address for axis in axes})
+    axes = {
+        name: replace(virtual.axis, address=normal_address(control.definition, virtual.axis)[0])
+        for name, virtual in machine.axes.items()
+    }
+    known = [axis.address for axis in axes.values()]
+    decoded = decode(control, read_files([tables]), list(axes.values()))
+    unknown = sorted(set(decoded.state.axes) - set(known))
     raise_all(
         InputError,
         [
             Fault(
                 message=f"holds a table for axis {address}, which this machine does not have",
                 file=str(tables),
-                expected=", ".join(axis.address for axis in axes),
+                expected=", ".join(known),
             )
             for address in unknown
         ],
     )
-    return control, decoded
-
-
-def _addressed(control: Control, axis: Axis) -> Axis:
-    return replace(axis, address=normal_address(control.definition, axis)[0])
-
-
-def _correction(loaded: tuple[Control, DecodedState], axis: Axis) -> Correction:
-    control, decoded = loaded
-    address = _addressed(control, axis).address
-
-    def correction(positions: FloatArray, direction: Direction) -> FloatArray:
-        return judged(decoded, address, positions, direction)
-
-    return correction
+    return acting(decoded, axes)
