@@ -35,6 +35,7 @@ FORMATS = (
     "heidenhain-itnc530",
     "heidenhain-nck",
     "isg-kernel",
+    "pmac",
 )
 #: The same controls met otherwise: tables of their own that are filled, an option that they have.
 #: The name before + is the format.
@@ -47,13 +48,15 @@ ADDRESS = {
     "heidenhain-itnc530": "X",
     "heidenhain-nck": "X",
     "isg-kernel": "1",
+    "pmac": "1",
 }
 #: Controls whose table holds the reversal, in a curve for each direction.
-TWO_CURVES = ("linuxcnc", "isg-kernel")
+TWO_CURVES = ("linuxcnc", "isg-kernel", "pmac")
 #: What nobody can know but the user.
 OPTIONS: dict[str, dict[str, object]] = {
     "fanuc-30i": {"detection_unit": 0.001, "first_point": 0},
     "fanuc-0i-16i": {"detection_unit": 0.001, "first_point": 0},
+    "pmac": {"counts_per_unit": 62500.0},  # a table value of 1 is 1e-6 mm
 }
 #: What a control met otherwise has.
 MORE_OPTIONS = {
@@ -342,6 +345,18 @@ MUTATIONS = {
             'form: "kw.ssfk.max_points ',
         ),
     },
+    "pmac": {
+        "flipped sign of the table": (
+            "sign: correction\n    digits: 0\n    range: [-8388607, 8388607]",
+            "sign: error\n    digits: 0\n    range: [-8388607, 8388607]",
+        ),
+        "length and number of entries exchanged": (
+            'DEFINE COMP {entries},#{source}D,{length}"',
+            'DEFINE COMP {length},#{source}D,{entries}"',
+        ),
+        "backlash in the place of its rate": ('form: "I{axis}86', 'form: "I{axis}85'),
+        "ends switched off": ('footer: ["I51=1"]', 'footer: ["I51=0"]'),
+    },
 }
 
 
@@ -435,8 +450,9 @@ def test_a_table_one_node_off_breaks_the_demand(format_id: str) -> None:
     shifted = replace(
         table, positive=np.roll(table.positive, 3), negative=np.roll(table.negative, 3)
     )
-    if format_id in STEPS:  # refused by the writer: its table is no longer zero at the reference
-        with pytest.raises(CapacityError, match="not zero at the reference"):
+    # Refused by the writer: its table is no longer zero at the reference.
+    if format_id in (*STEPS, "pmac"):
+        with pytest.raises(CapacityError, match=r"at the reference, arriving|not zero at the ref"):
             accuracy_with(definition_texts(format_id), format_id, shifted)
         return
     assert accuracy_with(definition_texts(format_id), format_id, shifted) > allowed_by(
@@ -451,6 +467,10 @@ def test_exchanged_directions_break_the_demand(format_id: str) -> None:
     swapped = replace(
         table, positive=table.negative, negative=table.positive, backlash=-table.backlash
     )
+    if format_id == "pmac":  # it holds nothing against the lost motion at motor zero
+        with pytest.raises(CapacityError, match=r"backlash at motor zero|arriving in"):
+            accuracy_with(definition_texts(format_id), format_id, swapped)
+        return
     assert accuracy_with(definition_texts(format_id), format_id, swapped) > allowed_by(
         format_id, machine, machine.targets(seed=8), 20.0
     )

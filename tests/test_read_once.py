@@ -22,9 +22,19 @@ from format_samples import DEFINITIONS, SIEMENS, axis_of, table
 from loop import Machine, csv_of
 
 MACHINE = Machine()
-ADDRESSES = {"siemens-840d-sl": "AX1", "linuxcnc": "0", "fanuc-30i": "1", "fanuc-0i-16i": "1"}
+ADDRESSES = {
+    "siemens-840d-sl": "AX1",
+    "linuxcnc": "0",
+    "fanuc-30i": "1",
+    "fanuc-0i-16i": "1",
+    "pmac": "1",
+}
 PULSE: dict[str, object] = {"detection_unit": 0.001, "first_point": 0}
-OPTIONS: dict[str, dict[str, object]] = {"fanuc-30i": PULSE, "fanuc-0i-16i": PULSE}
+OPTIONS: dict[str, dict[str, object]] = {
+    "fanuc-30i": PULSE,
+    "fanuc-0i-16i": PULSE,
+    "pmac": {"counts_per_unit": 1000.0},
+}
 COLUMNS = {
     "X.COM": "BEGIN X .COM MM DATUM:0 DIST:100\nNR   1=F()\n"
     + "".join(f"{row:<4d} +0.0010\n" for row in range(9))

@@ -70,6 +70,8 @@ def fit_table(
                 *goal_finding(request.goal, "a control that holds one slope"),
             ),
         )
+    if capacity.zero is not None:
+        wanted = replace(wanted, reference_return=capacity.zero)
     if capacity.period is not None:
         wanted = over_one_period(wanted, capacity.period)
     shape, reason = _shape(wanted, capacity, request)

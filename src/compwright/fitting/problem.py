@@ -314,6 +314,9 @@ def _limits(
     low, high = limited_range(capacity)
     if np.isfinite(low) or np.isfinite(high):
         blocks.append(("value range", np.vstack(curves), low, high))
+    if two_curves and capacity.zero is not None:
+        plus, minus = (layout.columns(at_reference, direction) for direction in BOTH)
+        blocks.append(("backlash range", plus - minus, *capacity.backlash_range))
     if layout.shape == "single" and layout.reversal == "backlash":
         row = np.zeros((1, layout.size))
         row[0, k] = (

@@ -12,6 +12,7 @@ from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.increments.family import IncrementsFamily
 from compwright.formats.families.lists.family import ListsFamily
 from compwright.formats.families.pairs.family import PairsFamily
+from compwright.formats.families.wrapped.family import WrappedFamily
 from compwright.records.correction import ControlState
 
 _FAMILIES: Mapping[Shape, type[Family]] = {
@@ -20,6 +21,7 @@ _FAMILIES: Mapping[Shape, type[Family]] = {
     "section_increments": IncrementsFamily,
     "user_tables": ColumnsFamily,
     "lists_by_axis": ListsFamily,
+    "wrapped_counts": WrappedFamily,
 }
 
 _WORDS: Mapping[Shape, str] = {
@@ -28,6 +30,7 @@ _WORDS: Mapping[Shape, str] = {
     "section_increments": "whole increments by section, numbered in one array for all axes",
     "user_tables": "rows in tables that the control exports, or typed in from a sheet",
     "lists_by_axis": "entries by index, at equal or at any spacing, in one list per axis",
+    "wrapped_counts": "parts of a count over a length that repeats, defined by a script",
 }
 
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from compwright.records.axis import Direction
 from compwright.records.correction import Assumption, Beyond, Interpolation
 
 
@@ -47,7 +48,9 @@ class Capacity:
     as slopes. ``nodes``: the only nodes there are, because the table's grid serves other axes too.
     ``cover``: whole spacings by which a table should reach beyond the travel on each side, where
     nobody knows what the control does behind its ends. ``shared_points``: ``max_points`` is what
-    all axes share.
+    all axes share. ``zero``: the direction in which the correction is zero at the reference,
+    however that is approached (None: that of the reference return); of two curves, the correction
+    in + less that in - at the reference then lies in ``backlash_range``.
     """
 
     format: str
@@ -73,6 +76,7 @@ class Capacity:
     nodes: tuple[float, ...] | None = None
     cover: int = 0
     shared_points: bool = False
+    zero: Direction | None = None
     below: Beyond = "hold"
     above: Beyond = "hold"
     assumed: tuple[Assumption, ...] = ()

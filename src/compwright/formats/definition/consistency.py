@@ -78,6 +78,8 @@ def grid(definition: Definition) -> tuple[str, ...]:
         return ("table_start", "table_end", "table_spacing")
     if definition.layout.shape == "section_increments":
         return ("table_spacing",)
+    if definition.layout.shape == "wrapped_counts":
+        return ("table_end",)
     return ("node_position",)
 
 
@@ -362,7 +364,8 @@ def _writing(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
         path = ("writing", index)
         if file.text not in definition.texts:
             yield (*path, "text"), f"no kind of text is called {file.text}"
-        if "{axis}" not in file.name or not _FILE_NAME.fullmatch(file.name):
+        shared = definition.layout.shape == "wrapped_counts"
+        if not (shared or "{axis}" in file.name) or not _FILE_NAME.fullmatch(file.name):
             yield (*path, "name"), "must be a plain file name that contains {axis}"
         for line in (file.name, *file.header, *file.footer):
             if set(field_names(line)) - {"axis", "system", "program"}:

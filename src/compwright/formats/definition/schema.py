@@ -64,6 +64,7 @@ PLAIN = (
     "negative_offset",
     "backlash_rapid",
     "backlash_factor",
+    "take_up_rate",
     "axis_name",
     "reference_coordinate",
     "axis_letters",
@@ -112,7 +113,12 @@ FieldType = Literal[
 ]
 Rest = Literal["none", "after_blank", "anything"]
 Shape = Literal[
-    "values_by_index", "rows_by_position", "section_increments", "user_tables", "lists_by_axis"
+    "values_by_index",
+    "rows_by_position",
+    "section_increments",
+    "user_tables",
+    "lists_by_axis",
+    "wrapped_counts",
 ]
 Pairing = Literal["none", "two_columns"]
 Sign = Literal["position", "error", "correction", "actual_position", "lost_motion", "half_each_way"]

@@ -249,7 +249,7 @@ def _travel(
         unit = "deg" if axis.kind is AxisKind.ROTARY else "mm"
         yield "travel", Prefilled(None, f"[low, high] in machine coordinates, {unit}")
     yield "address", Prefilled(address, "the control's own name of the axis")
-    if axis.period is not None:
+    if axis.period is not None and axis.kind is AxisKind.ROTARY:
         yield "modulo", Prefilled(axis.period, f"the table in {said} repeats")
     elif isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
         yield "modulo", Prefilled(float(turn), f"from {said}: the axis has no ends")

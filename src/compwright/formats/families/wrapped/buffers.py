@@ -1,0 +1,44 @@
+"""In which order the card lets tables be defined and deleted (ERR003)."""
+
+from __future__ import annotations
+
+#: What must not exist while a table of corrections is defined.
+_AFTER_COMP = ("TCOMP", "BLCOMP", "TBUF", "ROTARY", "LOOKAHEAD", "GATHER")
+_SHORT = {"ROT": "ROTARY", "LOOK": "LOOKAHEAD", "GAT": "GATHER"}
+
+
+class Buffers:
+    """The buffers that scripts have defined so far, by name; of tables the motors."""
+
+    def __init__(self) -> None:
+        self.motors: dict[str, set[int]] = {}
+
+    def define(self, name: str, motor: int = 0) -> None:
+        """Note a buffer."""
+        self.motors.setdefault(_long(name), set()).add(motor)
+
+    def delete(self, name: str, motor: int) -> None:
+        """Take a buffer out; one that is not there is no fault."""
+        found = self.motors.get(_long(name), set())
+        found -= {motor, 0}
+
+    def refuses(self, kind: str, motor: int) -> str:
+        """Return why the card does not define a table; empty where it does."""
+        mine = self.motors.get(kind, set())
+        if motor in mine:
+            return f"#{motor} has a {kind} already; delete it first"
+        if any(other < motor for other in mine):
+            return f"#{min(mine)}, a lower motor, has a {kind}"
+        there = [name for name in _AFTER_COMP if self.motors.get(name)] if kind == "COMP" else []
+        return f"{', '.join(there)} was defined before it" if there else ""
+
+    def keeps(self, kind: str, motor: int) -> str:
+        """Return why the card does not delete a table; empty where it does."""
+        mine = self.motors.get(kind, set())
+        if motor in mine and any(other < motor for other in mine):
+            return f"#{min(mine)}, a lower motor, has a {kind}"
+        return ""
+
+
+def _long(name: str) -> str:
+    return _SHORT.get(name.upper(), name.upper())

@@ -1,0 +1,85 @@
+"""Counts of a motor <-> mm or deg of its axis, exactly: entries are whole parts of a count."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.text.scale import EXACTNESS, NotHeld
+from compwright.foundations.errors import Fault, UsageError
+from compwright.records.axis import Direction, FloatArray
+
+#: The option that says how many counts of the motor a mm or a degree has; negative where the motor
+#: counts against its axis.
+COUNTS = "counts_per_unit"
+#: Parts of a count in an entry.
+PARTS = 16
+_SIGN = {"correction": 1, "error": -1, "lost_motion": -1}
+
+
+@dataclass(frozen=True, slots=True)
+class Counts:
+    """``per_unit``: counts of the motor for a mm or degree, with the sign of the motor."""
+
+    definition: Definition
+    per_unit: float
+
+    @property
+    def quantum(self) -> float:
+        """The value of 1 in a table, mm or deg."""
+        return 1.0 / (PARTS * abs(self.per_unit))
+
+    @property
+    def count(self) -> float:
+        """One count, mm or deg."""
+        return 1.0 / abs(self.per_unit)
+
+    @property
+    def forward(self) -> Direction:
+        """The direction of the axis in which its motor counts up: nothing but the table acts."""
+        return Direction.POSITIVE if self.per_unit > 0 else Direction.NEGATIVE
+
+    def added(self, quantity: str, numbers: FloatArray) -> FloatArray:
+        """Return what entries (k,) add to the axis, mm or deg; of backlash, against `forward`."""
+        return numbers * (_SIGN[self._sign(quantity)] / (PARTS * self.per_unit)) + 0.0
+
+    def entries(self, quantity: str, added: FloatArray, what: str) -> list[int]:
+        """Return the entries that add ``added`` (k,), mm or deg. Raises NotHeld for what is no
+        whole part of a count, or beyond the range of ``quantity``.
+        """
+        low, high = self.definition.measure(quantity).range
+        ratio = added * (_SIGN[self._sign(quantity)] * PARTS * self.per_unit)
+        numbers = np.round(ratio)
+        for value, number, exact in zip(added, numbers, ratio, strict=True):
+            if abs(exact - number) > EXACTNESS:
+                raise NotHeld(
+                    f"{what}: {value:.9g} is no multiple of {self.quantum:.9g} (1/16 count)"
+                )
+            if not low <= number <= high:
+                raise NotHeld(
+                    f"{what}: {number:.0f} (1/16 count) is outside {low:.0f} to {high:.0f}; a"
+                    " smaller correction would help"
+                )
+        return [int(number) for number in numbers]
+
+    def _sign(self, quantity: str) -> str:
+        return str(self.definition.measure(quantity).sign)
+
+
+def counts_of(definition: Definition, options: Mapping[str, object], name: str) -> Counts:
+    """Return the counts of an axis. Raises UsageError where nobody says how many there are."""
+    given = options[COUNTS]
+    if isinstance(given, (int, float)) and given != 0:
+        return Counts(definition, float(given))
+    message = f"axis {name}: the counts of its motor must be given; no script says them for sure"
+    raise UsageError(
+        Fault(
+            message=message,
+            place=COUNTS,
+            expected="counts per mm or deg, such as 1000; negative against the axis",
+            found="nothing" if given is None else f"{given}",
+        )
+    )

@@ -1,0 +1,138 @@
+"""Whole parts of a count over a length that repeats, from motor zero; a table of backlash beside
+it. A script defines them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from compwright.formats.families import limits
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.between import Asked, Between, instead
+from compwright.formats.families.card_words import sign_check
+from compwright.formats.families.family import AxisTable, Family, sound
+from compwright.formats.families.wrapped.card import table_words
+from compwright.formats.families.wrapped.counts import Counts, counts_of
+from compwright.formats.families.wrapped.reading import read_wrapped
+from compwright.formats.families.wrapped.script import MOST_MOTORS
+from compwright.formats.families.wrapped.tables import MotorTable, motor_table
+from compwright.formats.families.wrapped.writing import TAKE_UP, fresh_script, patched_scripts
+from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
+from compwright.records.axis import Axis, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import (
+    Assumption,
+    AxisCompensation,
+    ControlFile,
+    ControlState,
+)
+from compwright.records.facts import AxisFacts
+
+
+class WrappedFamily(Family):
+    """Parts of a count over a length that repeats."""
+
+    def address(self, axis: Axis) -> tuple[str, Assumption | None]:
+        """See `Family.address`: the number of the motor."""
+        address, assumption = super().address(axis)
+        if not 1 <= int(address) <= MOST_MOTORS:
+            message = (
+                f"{self.definition.id} has no such motor: give the address of axis {axis.name}"
+            )
+            raise UsageError(Fault(message=message, expected=f"1 to {MOST_MOTORS}", found=address))
+        return address, assumption
+
+    def read(
+        self,
+        files: Sequence[ControlFile],
+        axes: Sequence[Axis] = (),
+        *,
+        address: str | None = None,
+        activity: Activity = Activity(),  # noqa: B008 - frozen
+    ) -> ControlState:
+        """See `Family.read`."""
+        return read_wrapped(self.definition, self.options, files, axes, address, activity)
+
+    def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
+        """See `Family.capacity`. Raises UsageError where nobody says the counts of the motor."""
+        del one_curve
+        self.address(axis)
+        counts = self._counts(axis)
+        value, backlash = (
+            self.definition.measure(name).range for name in ("value_positive", "backlash")
+        )
+        return Capacity(
+            format=self.definition.id,
+            curves=2,
+            spacing="equidistant",
+            quantum=counts.quantum,
+            position_quantum=counts.count,
+            value_range=(value[0] * counts.quantum, value[1] * counts.quantum),
+            backlash_range=(backlash[0] * counts.quantum, backlash[1] * counts.quantum),
+            min_points=self.definition.limit_number("min_points") or 1,
+            anchored=True,
+            period=axis.modulo,
+            zero=counts.forward,
+            below=self.definition.layout.below,
+            above=self.definition.layout.above,
+        )
+
+    def _counts(self, axis: Axis) -> Counts:
+        return counts_of(self.definition, self.options_of(axis), axis.name)
+
+    def limits_of_turn(
+        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity, label: str
+    ) -> Sequence[Fault]:
+        """Return what is wrong with the table of an endless axis."""
+        del axis
+        return limits.turn(capacity, compensation, label)
+
+    def own_limits(
+        self, axis: Axis, compensation: AxisCompensation, capacity: Capacity
+    ) -> Sequence[Fault]:
+        """Return what the entries of the motor cannot say."""
+        del capacity
+        faults: list[Fault] = []
+        if compensation.positions.size >= 2:
+            motor_table(axis, compensation, self._counts(axis), faults)
+        return faults
+
+    def files_of(
+        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    ) -> tuple[ControlFile, ...]:
+        """See `Family.files_of`: one script, or the user's own ones, all of them in their order."""
+        raise_all(CapacityError, faults)
+        motors = [self._motor_table(axis, table) for _, axis, table in sound(tables)]
+        rates = {
+            int(table.address): int(str(self.options_of(axis)[TAKE_UP]))
+            for _, axis, table in tables
+        }
+        if not files:
+            return (fresh_script(self.definition, motors, rates),)
+        written = patched_scripts(self.definition, files, motors, rates, faults)
+        raise_all(CapacityError, faults)
+        return written
+
+    def _motor_table(self, axis: Axis, compensation: AxisCompensation) -> MotorTable:
+        faults: list[Fault] = []
+        made = motor_table(axis, compensation, self._counts(axis), faults)
+        if made is None:
+            raise CapacityError(*faults)
+        return made
+
+    def card_values(
+        self,
+        axis: Axis,
+        compensation: AxisCompensation,
+        facts: AxisFacts,
+        check_at: FloatArray,
+    ) -> dict[str, str]:
+        """See `Family.card_values`."""
+        del facts
+        rate = str(self.options_of(axis)[TAKE_UP])
+        words = table_words(axis, self._motor_table(axis, compensation), self._counts(axis), rate)
+        return words | sign_check(compensation, check_at)
+
+    def between(self, asked: Asked) -> Between:
+        """See `Family.between`: a table of a third motor, which is left to the user."""
+        return instead(self.definition, asked.planned)

@@ -1,0 +1,413 @@
+"""Scripts -> the compensation that acts, for every motor that they name.
+
+The table is looked up by the position of the source before correction and repeats after its length;
+the correction at motor zero is 0. Against the counting direction of the motor the constant backlash
+and its table are taken off (PMAC manuals; sources in the definition).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, axis_options
+from compwright.formats.definition.schema import Choice, Definition
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.limits import SAME_TURN
+from compwright.formats.families.wrapped.counts import Counts, counts_of
+from compwright.formats.families.wrapped.script import Script, Table, Word, read_script
+from compwright.formats.text.addresses import normal_address, normal_text
+from compwright.formats.text.notes import Notes
+from compwright.formats.text.texts import text_reader
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
+from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
+from compwright.records.correction import (
+    AxisCompensation,
+    ControlFile,
+    ControlState,
+    CrossCompensation,
+)
+from compwright.records.facts import AxisFacts
+
+
+def read_wrapped(
+    definition: Definition,
+    options: Mapping[str, object],
+    files: Sequence[ControlFile],
+    axes: Sequence[Axis],
+    address: str | None,
+    activity: Activity,
+) -> ControlState:
+    """Return what a control does with ``files``; arguments and errors as `Family.read`."""
+    return _StateReader(definition, options, files, axes, address, activity).read()
+
+
+def number_of(text: str) -> int:
+    """Return a whole number, decimal or ``$`` and hexadecimal digits."""
+    return int(text[1:], 16) if text.startswith("$") else int(text)
+
+
+def over_itself(script: Script, motor: int) -> list[Table]:
+    """Return the tables by which a motor corrects itself, wherever they are kept."""
+    return [
+        table
+        for table in script.of("COMP")
+        if not table.plane and table.source == table.target == motor
+    ]
+
+
+class _StateReader:
+    def __init__(
+        self,
+        definition: Definition,
+        options: Mapping[str, object],
+        files: Sequence[ControlFile],
+        axes: Sequence[Axis],
+        address: str | None,
+        activity: Activity,
+    ) -> None:
+        self.definition = definition
+        self.options = options
+        self.activity = activity
+        self.notes = Notes()
+        self.files = files
+        self.axes: dict[str, Axis | None] = {}
+        for axis in axes:
+            self.axes[normal_address(definition, axis)[0]] = axis
+        self.wanted = list(self.axes)
+        for axis in axes:
+            if axis.gantry is not None:
+                self.wanted.append(normal_text(definition, axis.gantry))
+                self.axes.setdefault(self.wanted[-1], axis)
+        if address is not None:
+            self.wanted.append(normal_text(definition, address))
+        for file in files:
+            text = text_reader(definition).read(file, self.notes.faults)
+            self.notes.findings.extend(text.findings if text is not None else ())
+        self.script = read_script(definition, files)
+        self.notes.faults.extend(self.script.faults)
+
+    def read(self) -> ControlState:
+        raise_all(InputError, self.notes.faults)
+        self._check_tables()
+        raise_all(InputError, self.notes.faults)
+        compensations: dict[str, AxisCompensation] = {}
+        facts: dict[str, AxisFacts] = {}
+        named, between = self._named(), self._between()
+        if not self.wanted and not named and not between:
+            names = ", ".join(file.name for file in self.files)
+            message = "the scripts say nothing about the compensation of a motor"
+            self.notes.faults.append(Fault(message=message, file=names))
+        for address in dict.fromkeys(self.wanted or named):
+            if address not in named and address in between:
+                continue
+            if address not in named:
+                self.notes.faults.append(self._unnamed(address, named))
+                continue
+            compensations[address], facts[address] = self._motor(int(address))
+        cross = tuple(
+            found
+            for table in self.script.of("COMP")
+            if not table.plane and table.source != table.target
+            if (found := self._cross(table)) is not None
+        )
+        self.notes.ask_contradicted()
+        raise_all(InputError, self.notes.faults)
+        raise_all(UsageError, self.notes.questions)
+        if any(self.axes.get(address) is None for address in compensations):
+            said = "option or its default"
+            self.notes.assume(REFERENCE, f"{self.options[REFERENCE]:g}", said)
+            self.notes.assume(REFERENCE_RETURN, str(self.options[REFERENCE_RETURN]), said)
+        return ControlState(
+            format=self.definition.id,
+            axes=compensations,
+            cross=cross,
+            facts=facts,
+            assumed=tuple(self.notes.assumed),
+            findings=tuple(dict.fromkeys(self.notes.findings)),
+        )
+
+    def _named(self) -> list[str]:
+        motors = {table.motor for table in self.script.of("BLCOMP")}
+        motors |= {table.target for table in self.script.of("COMP") if table.source == table.target}
+        motors |= {motor for name, motor in self.script.settings if name == "backlash"}
+        return [str(motor) for motor in sorted(motors - {0})]
+
+    def _between(self) -> set[str]:
+        tables = self.script.of("COMP")
+        return {str(motor) for table in tables for motor in (table.source, table.target)}
+
+    def _unnamed(self, address: str, named: Sequence[str]) -> Fault:
+        return Fault(
+            message=f"no file says anything about motor {address}; missing is not zero",
+            file=", ".join(file.name for file in self.files),
+            expected=f"a table or a backlash of #{address}, or the state `none`",
+            found=f"motors {', '.join(named)}" if named else "no motor at all",
+        )
+
+    def _check_tables(self) -> None:
+        for table in (*self.script.of("COMP"), *self.script.of("BLCOMP")):
+            if table.plane and any(table.numbers):
+                message = f"{table.says}: a table over two motors acts, which compwright does not"
+                self.notes.faults.append(
+                    table.word.fault(f"{message} read", expected="one motor, or all entries 0")
+                )
+            elif not table.plane and table.numbers[-1]:
+                message = (
+                    f"{table.says}: the last entry is not 0; it stands at motor zero, where the"
+                    " correction is 0 by definition"
+                )
+                self.notes.faults.append(table.values[-1].fault(message, expected="0"))
+
+    # --- one motor
+
+    def _counts(self, motor: int) -> Counts:
+        axis = self.axes.get(str(motor))
+        options = axis_options(self.definition, self.options, axis)
+        return counts_of(self.definition, options, axis.name if axis else str(motor))
+
+    def _motor(self, motor: int) -> tuple[AxisCompensation, AxisFacts]:
+        axis, label = self.axes.get(str(motor)), f"motor {motor}"
+        reversal = self.script.tables.get(("BLCOMP", motor))
+        tables = over_itself(self.script, motor)
+        constant = self._constant(motor, beside=reversal is not None)
+        self._check_programs(label, motor)
+        both = [*tables, *([reversal] if reversal is not None else [])]
+        on = self._on(label, acting=any(any(table.numbers) for table in both))
+        taken = reversal is not None and on and any(reversal.numbers)
+        lost = self._takes_up(label, motor, acting=bool(constant) or taken)
+        for table in tables:
+            if not table.desired and any(table.numbers):
+                self._by_actual(table)
+        facts = AxisFacts(enabled=on)
+        grids: dict[tuple[int, int], tuple[FloatArray, FloatArray]] = {}
+        if (on and any(any(table.numbers) for table in both)) or (lost and constant):
+            try:
+                counts = self._counts(motor)
+            except UsageError as error:
+                for fault in error.faults:
+                    self.notes.ask(fault)
+                return _empty(motor, axis), facts
+            for table in tables if on else []:
+                _add(grids, table, counts.added("value_positive", _closed(table)), both=True)
+            if reversal is not None and on and lost:
+                _add(grids, reversal, counts.added("value_negative", _closed(reversal)), both=False)
+            step = counts.added("backlash", np.array([float(constant)]))[0] if lost else 0.0
+            return self._compensation(motor, axis, counts, grids, float(step)), facts
+        return _empty(motor, axis), facts
+
+    def _compensation(
+        self,
+        motor: int,
+        axis: Axis | None,
+        counts: Counts,
+        grids: Mapping[tuple[int, int], tuple[FloatArray, FloatArray]],
+        step: float,
+    ) -> AxisCompensation:
+        """Return the tables as one compensation; those on other grids stand beside the first."""
+        parts: list[AxisCompensation] = []
+        for (needed, length), (ahead, back) in grids.items():
+            against = back + (0.0 if parts else step)
+            place, where = _around(axis, self._zero(axis), length / needed * counts.count)
+            self._check_turn(motor, axis, length * counts.count)
+            values = [_turned(curve, where, counts) for curve in (ahead, against)]
+            if counts.forward is Direction.NEGATIVE:
+                values.reverse()
+            parts.append(
+                AxisCompensation(
+                    address=str(motor),
+                    kind=axis.kind if axis else AxisKind.LINEAR,
+                    positions=place + np.arange(needed + 1) * length / needed * counts.count,
+                    positive=values[0],
+                    negative=values[1],
+                    reference_return=counts.forward,
+                    period=length * counts.count,
+                )
+            )
+        if not parts:
+            empty = _empty(motor, axis)
+            amount = counts.forward.opposite.sign * step
+            return replace(empty, backlash=amount, reference_return=counts.forward)
+        return replace(parts[0], others=tuple(parts[1:]))
+
+    def _zero(self, axis: Axis | None) -> float:
+        return axis.reference if axis is not None else float(str(self.options[REFERENCE]))
+
+    def _check_turn(self, motor: int, axis: Axis | None, period: float) -> None:
+        turn = axis.modulo if axis is not None else None
+        if turn is None or abs(turn / period - max(1, round(turn / period))) * period <= SAME_TURN:
+            return
+        message = f"motor {motor}: the turn of the endless axis is no whole multiple of the length"
+        found = f"a table that repeats after {period:.10g}"
+        expected = f"{turn:g} or a part of it"
+        self.notes.faults.append(Fault(message=message, expected=expected, found=found))
+
+    # --- what switches
+
+    def _on(self, label: str, *, acting: bool) -> bool:
+        """Return whether tables act (the switch of all tables)."""
+        place = self.script.said("enabled")
+        binding = self.definition.bindings["enabled"]
+        name = "I51"
+        word = None
+        if place is not None and isinstance(binding, Choice):
+            word = binding.values.get(str(number_of(place.text)))
+            if word is None:
+                fault = place.fault(f"{name} is neither on nor off", expected="0 or 1")
+                self.notes.faults.append(fault)
+        if not acting:
+            return word != "no"
+        found = None if place is None else place.found
+        said = self.activity.settle(label, name, word, found, self.notes)
+        if said is not None:
+            return said
+        if word is None:
+            absent = binding.when_absent
+            self.notes.assume(f"{name}: tables act", "1", str(absent.evidence if absent else ""))
+        else:
+            self.notes.switched_off(label, f"the scripts end with {name} = 0")
+        return word is None
+
+    def _takes_up(self, label: str, motor: int, *, acting: bool) -> bool:
+        """Return whether backlash is taken up: its rate is not 0."""
+        if not acting:
+            return False
+        name, place = f"I{motor}85", self.script.said("take_up_rate", motor)
+        if place is not None:
+            rate = self._ranged(place, name)
+            if rate == 0:
+                self.notes.switched_off(label, f"{name} = 0 switches its backlash off")
+            return rate != 0
+        if self.activity.said is not None:
+            answer = "on" if self.activity.said else "off"
+            self.notes.assume(f"{name}: backlash is taken up", answer, "the job's answer (active)")
+            return self.activity.said
+        message = f"{label} has backlash, and no script says whether it is taken up ({name})"
+        expected = f"{name} as it is in the control (0 switches backlash off)"
+        files = ", ".join(file.name for file in self.files)
+        self.notes.faults.append(
+            Fault(message=message, file=files, expected=expected, found="nothing")
+        )
+        return False
+
+    def _constant(self, motor: int, *, beside: bool) -> int:
+        """Return the constant backlash, in parts of a count."""
+        name, place = f"I{motor}86", self.script.said("backlash", motor)
+        if place is not None:
+            return self._ranged(place, name)
+        if beside:
+            table = self.script.tables["BLCOMP", motor]
+            message = f"{table.says} is added to {name}, which no script says"
+            expected = f"{name} as it is in the control"
+            self.notes.faults.append(table.word.fault(message, expected=expected, found="nothing"))
+        else:
+            absent = self.definition.bindings["backlash"].when_absent
+            self.notes.assume(f"{name}: backlash", "0", str(absent.evidence if absent else ""))
+        return 0
+
+    def _ranged(self, place: Word, name: str) -> int:
+        low, high = self.definition.measure("backlash").range
+        number = number_of(place.text)
+        if not low <= number <= high:
+            said = f"{low:.0f} to {high:.0f}"
+            self.notes.faults.append(place.fault(f"{name} is out of its range", expected=said))
+        return number
+
+    def _check_programs(self, label: str, motor: int) -> None:
+        for (_, of), word in self.script.programs.items():
+            if of in (0, motor):
+                message = f"{label}: a program sets {word.text.rstrip('= ')}: what acts then is not"
+                expected = "the assignment outside the program, as it was during the test"
+                self.notes.faults.append(word.fault(f"{message} known", expected=expected))
+
+    def _by_actual(self, table: Table) -> None:
+        self.notes.assume(
+            f"{table.says}: looked up by the actual position",
+            "counted as the commanded one",
+            "inferred: they differ by the following error",
+        )
+
+    # --- tables between motors
+
+    def _cross(self, table: Table) -> CrossCompensation | None:
+        if not any(table.numbers):
+            return None
+        pair = [self.axes.get(str(motor)) for motor in (table.source, table.target)]
+        label = f"motor {table.target} by motor {table.source}"
+        self._check_programs(label, table.target)
+        if not self._on(label, acting=True):
+            return None
+        try:
+            source, target = self._counts(table.source), self._counts(table.target)
+        except UsageError as error:
+            for fault in error.faults:
+                self.notes.ask(fault)
+            return None
+        if not table.desired:
+            self._by_actual(table)
+        step = float(table.counts / table.needed * source.count)
+        place, where = _around(pair[0], self._zero(pair[0]), step)
+        curve = _turned(target.added("value_positive", _closed(table)), where, source)
+        kinds = [axis.kind if axis else AxisKind.LINEAR for axis in pair]
+        return CrossCompensation(
+            input=str(table.source),
+            output=str(table.target),
+            input_kind=kinds[0],
+            output_kind=kinds[1],
+            positions=place + np.arange(table.needed + 1, dtype=np.float64) * step,
+            positive=curve,
+            negative=curve,
+            period=table.counts * source.count,
+        )
+
+
+def _closed(table: Table) -> FloatArray:
+    """Return the entries (n + 1,) from motor zero, where there is 0, to the length."""
+    return np.array([0, *table.numbers], dtype=np.float64)
+
+
+def _add(
+    grids: dict[tuple[int, int], tuple[FloatArray, FloatArray]],
+    table: Table,
+    added: FloatArray,
+    *,
+    both: bool,
+) -> None:
+    """Add a table to what acts on its grid, in the counting direction (``both``) and against it."""
+    none = (np.zeros(table.needed + 1), np.zeros(table.needed + 1))
+    ahead, back = grids.get((table.needed, table.counts), none)
+    grids[table.needed, table.counts] = (ahead + added if both else ahead, back + added)
+
+
+def _around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
+    """Return the node at which the table is shown from, and its number from motor zero: the last
+    one below the travel of an axis with ends.
+    """
+    if axis is None or axis.modulo is not None:
+        return zero, 0
+    number = int(np.floor((axis.travel[0] - zero) / step + 1e-9))
+    return zero + number * step, number
+
+
+def _turned(curve: FloatArray, first: int, counts: Counts) -> FloatArray:
+    """Return values (n + 1,) by position of the axis from the node ``first``, by position of the
+    motor from its zero.
+    """
+    size = curve.size - 1
+    along = first + np.arange(size + 1)
+    places = along if counts.forward is Direction.POSITIVE else -along
+    turned: FloatArray = curve[np.mod(places, size)]
+    return turned
+
+
+def _empty(motor: int, axis: Axis | None) -> AxisCompensation:
+    none = np.empty(0)
+    return AxisCompensation(
+        address=str(motor),
+        kind=axis.kind if axis else AxisKind.LINEAR,
+        positions=none,
+        positive=none,
+        negative=none,
+    )

@@ -1,0 +1,166 @@
+"""A correction -> the entries of one motor: a table for both directions, and what is taken off it
+against the counting direction.
+
+Entry i stands at i * length / entries from motor zero; the table repeats after the length. The
+length is more than the whole travel, so that no place of the table serves two places of the axis:
+between the end of the travel and its beginning, one turn further, lies a gap that nobody uses. Up
+to one spacing beyond the travel the end values are held.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.formats.families.wrapped.counts import Counts
+from compwright.formats.text.scale import EXACTNESS, NotHeld
+from compwright.foundations.errors import Fault
+from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import AxisCompensation
+
+
+@dataclass(frozen=True, slots=True)
+class MotorTable:
+    """The entries of a motor, whole parts of a count. ``length`` in counts; ``lost``: the table of
+    backlash beside ``constant``.
+
+    ``gap``: the places of the axis between which nothing of the travel lies, mm or deg; None: an
+    endless axis.
+    """
+
+    motor: int
+    length: int
+    entries: tuple[int, ...]
+    lost: tuple[int, ...]
+    constant: int
+    gap: tuple[float, float] | None
+
+    @property
+    def varies(self) -> bool:
+        """Whether the backlash depends on the position."""
+        return any(self.lost)
+
+    @property
+    def takes_up(self) -> bool:
+        """Whether there is backlash."""
+        return self.varies or self.constant != 0
+
+
+@dataclass(frozen=True, slots=True)
+class _Nodes:
+    """Nodes by their number from the reference: ``first`` and ``last`` of the correction, ``low``
+    and ``high`` of what the table holds.
+    """
+
+    step: float
+    first: int
+    last: int
+    low: int
+    high: int
+
+
+def motor_table(
+    axis: Axis, compensation: AxisCompensation, counts: Counts, faults: list[Fault]
+) -> MotorTable | None:
+    """Return the entries of an axis, or None with what the control cannot hold in ``faults``."""
+    label = f"axis {axis.name} ({compensation.address})"
+    nodes, wrong = _nodes(axis, compensation, label)
+    if nodes is None:
+        faults.extend(wrong)
+        return None
+    size = nodes.high - nodes.low + 1
+    length = nodes.step * size * abs(counts.per_unit)
+    if abs(length - round(length)) > EXACTNESS:
+        faults.append(
+            Fault(
+                message=(
+                    f"{label}: the length of the table is no whole number of counts; a spacing of"
+                    " whole counts would help"
+                ),
+                expected=f"a spacing that is a multiple of {counts.count:.9g} {axis.kind.unit}",
+                found=f"{nodes.step:.10g} {axis.kind.unit}, {length:.6f} counts",
+            )
+        )
+        return None
+    ahead, against = (
+        _entries_of(compensation.curve(direction), nodes, counts)
+        for direction in (counts.forward, counts.forward.opposite)
+    )
+    if abs(ahead[-1]) > EXACTNESS * counts.quantum:
+        faults.append(
+            Fault(
+                message=(
+                    f"{label}: the correction at the reference, arriving in {counts.forward}, is"
+                    " not 0; this control holds none at motor zero"
+                ),
+                expected="0",
+                found=f"{ahead[-1]:.9g} {axis.kind.unit}",
+            )
+        )
+        return None
+    try:
+        entries = counts.entries("value_positive", ahead, f"{label}: the table")
+        zero = against[-1] - ahead[-1]
+        constant = counts.entries("backlash", np.array([zero]), f"{label}: backlash at motor zero")
+        lost = counts.entries(
+            "value_negative", against - ahead - zero, f"{label}: the table of backlash"
+        )
+    except NotHeld as error:
+        faults.append(Fault(message=str(error)))
+        return None
+    gap = (
+        None
+        if compensation.period is not None
+        else (axis.reference + nodes.high * nodes.step, axis.reference + nodes.low * nodes.step)
+    )
+    return MotorTable(
+        int(compensation.address), round(length), tuple(entries), tuple(lost), constant[0], gap
+    )
+
+
+def _nodes(
+    axis: Axis, compensation: AxisCompensation, label: str
+) -> tuple[_Nodes | None, list[Fault]]:
+    positions, unit = compensation.positions, axis.kind.unit
+    faults = _beyond_shape(compensation, label)
+    steps = np.diff(positions)
+    step = float(positions[-1] - positions[0]) / steps.size
+    slack = EXACTNESS * step
+    if np.ptp(steps) > slack:
+        found = f"{np.min(steps):.10g} to {np.max(steps):.10g} {unit}"
+        message = f"{label}: the points are not equally spaced"
+        return None, [*faults, Fault(message=message, expected="one spacing", found=found)]
+    begin = (float(positions[0]) - axis.reference) / step
+    first = round(begin)
+    last = first + steps.size
+    if abs(begin - first) > EXACTNESS or not first <= 0 <= last:
+        message = f"{label}: the control counts whole spacings from the reference, which is a point"
+        expected = f"points at {axis.reference:.10g} {unit} plus whole spacings of {step:.10g}"
+        found = f"from {positions[0]:.10g} to {positions[-1]:.10g} {unit}"
+        return None, [*faults, Fault(message=message, expected=expected, found=found)]
+    if compensation.period is not None:
+        return (None if faults else _Nodes(step, first, last - 1, first, last - 1)), faults
+    low = min(first, int(np.floor((axis.travel[0] - axis.reference) / step + EXACTNESS))) - 1
+    high = max(last, int(np.ceil((axis.travel[1] - axis.reference) / step - EXACTNESS))) + 1
+    return (None if faults else _Nodes(step, first, last, low, high)), faults
+
+
+def _beyond_shape(compensation: AxisCompensation, label: str) -> list[Fault]:
+    """Return a fault for everything that acts beside a table with straight lines."""
+    beside = compensation.others or compensation.slope or compensation.backlash
+    if compensation.interpolation == "linear" and not beside:
+        return []
+    message = f"{label}: the control has one table for each direction, with straight lines between"
+    return [Fault(message=f"{message} its points; put everything into it", expected="one table")]
+
+
+def _entries_of(curve: FloatArray, nodes: _Nodes, counts: Counts) -> FloatArray:
+    """Return what acts (size,) at the entries 1 to size, mm or deg; the last one is motor zero.
+    Beyond its ends ``curve`` is held.
+    """
+    size = nodes.high - nodes.low + 1
+    along = np.arange(1, size + 1) * (1 if counts.forward is Direction.POSITIVE else -1)
+    places = nodes.low + np.mod(along - nodes.low, size)
+    held: FloatArray = curve[np.clip(places, nodes.first, nodes.last) - nodes.first]
+    return held

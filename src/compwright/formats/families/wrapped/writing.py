@@ -1,0 +1,275 @@
+"""Tables of motors -> scripts: a fresh one, or the user's own with our numbers in their place.
+
+In the user's own scripts every other byte stays. What was not there is put where the card takes it:
+tables from the highest motor down, all COMP before what must come behind them. What comes out is
+read again before it is given away.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+
+from compwright.formats.definition.schema import Choice, Definition
+from compwright.formats.definition.statements import print_form
+from compwright.formats.families.wrapped.reading import number_of, over_itself
+from compwright.formats.families.wrapped.script import Script, Table, Word, read_script
+from compwright.formats.families.wrapped.tables import MotorTable
+from compwright.formats.text.patching import Change, Patches, fresh_file
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+#: Entries on a line of a script.
+_ON_A_LINE = 8
+#: The option with the take-up rate that is written where a script says none.
+TAKE_UP = "take_up_rate"
+
+
+def fresh_script(
+    definition: Definition, tables: Sequence[MotorTable], rates: Mapping[int, int]
+) -> ControlFile:
+    """Return the script that defines ``tables`` in a card without any; ``rates`` of take-up by
+    motor.
+    """
+    file = definition.writing[0]
+    falling = sorted(tables, key=lambda table: -table.motor)
+    lines = [line for table in falling for line in definition_lines(definition, "COMP", table)]
+    for table in falling:
+        lines += definition_lines(definition, "BLCOMP", table) if table.varies else []
+    for table in sorted(tables, key=lambda table: table.motor):
+        lines += _setting_lines(definition, table, rates[table.motor], [TAKE_UP, "backlash"])
+    return fresh_file(definition, file, file.name, {}, lines).patched([0])[0]
+
+
+def definition_lines(definition: Definition, kind: str, table: MotorTable) -> list[str]:
+    """Return the lines that define a table of a motor: its command, then its entries."""
+    entries = table.entries if kind == "COMP" else table.lost
+    named = {"axis": str(table.motor), "source": str(table.motor)}
+    form = definition.statements["table" if kind == "COMP" else "lost_motion_table"].form
+    head = print_form(form, {**named, "entries": str(len(entries)), "length": str(table.length)})
+    rows = (entries[at : at + _ON_A_LINE] for at in range(0, len(entries), _ON_A_LINE))
+    return [head, *(" ".join(str(entry) for entry in row) for row in rows)]
+
+
+def _setting_lines(
+    definition: Definition, table: MotorTable, rate: int, names: Iterable[str]
+) -> list[str]:
+    values = {TAKE_UP: rate, "backlash": table.constant}
+    return [
+        print_form(
+            definition.statements[definition.bindings[name].statement].form,
+            {"axis": str(table.motor), "value": str(values[name])},
+        )
+        for name in names
+        if name == "backlash" or table.takes_up
+    ]
+
+
+def patched_scripts(
+    definition: Definition,
+    files: Sequence[ControlFile],
+    tables: Sequence[MotorTable],
+    rates: Mapping[int, int],
+    faults: list[Fault],
+) -> tuple[ControlFile, ...]:
+    """Return the user's own scripts with ``tables`` in them; what stands in the way goes to
+    ``faults``.
+    """
+    patcher = _Patcher(definition, files, tables)
+    for table in sorted(tables, key=lambda table: -table.motor):
+        patcher.put(table, rates[table.motor])
+    patcher.switch_on()
+    faults.extend(patcher.faults)
+    written = patcher.patches.patched(range(len(files)))
+    if not patcher.faults:
+        faults.extend(_read_otherwise(patcher.script, read_script(definition, written), tables))
+    return written
+
+
+class _Patcher:
+    def __init__(
+        self, definition: Definition, files: Sequence[ControlFile], tables: Sequence[MotorTable]
+    ) -> None:
+        self.definition = definition
+        self.motors = {table.motor for table in tables}
+        self.script = read_script(definition, files)
+        self.patches = Patches(definition.dialect, files)
+        self.faults: list[Fault] = []
+
+    def put(self, table: MotorTable, rate: int) -> None:
+        """Put the tables and settings of a motor in their places."""
+        own = over_itself(self.script, table.motor)
+        if own:
+            first = next((one for one in own if one.motor == table.motor), own[0])
+            self._replace(first, table.entries, table.length)
+            for other in own:
+                if other is not first:
+                    self._replace(other, (0,) * other.needed, other.counts)
+        elif ("COMP", table.motor) in self.script.tables:
+            self._occupied(self.script.tables["COMP", table.motor])
+        else:
+            self._define("COMP", table)
+        lost = self.script.tables.get(("BLCOMP", table.motor))
+        if lost is not None:
+            self._replace(lost, table.lost, table.length)
+        elif table.varies:
+            self._define("BLCOMP", table)
+        self._set(table, rate)
+
+    def _occupied(self, other: Table) -> None:
+        message = (
+            f"motor {other.motor} holds a table of its own no more: {other.says} corrects"
+            f" #{other.target} by #{other.source}, and a motor holds one table"
+        )
+        expected = "that table defined at a motor without one, by hand, and the script of that"
+        self.faults.append(other.word.fault(message, expected=expected))
+
+    def _replace(self, place: Table, entries: Sequence[int], length: int) -> None:
+        """Put other numbers into a table; a number that stays the same keeps its bytes."""
+        for word, value in ((place.entries, len(entries)), (place.length, length)):
+            if word is not None:
+                self._number(word, value)
+        for word, value in zip(place.values, entries, strict=False):
+            self._number(word, value)
+        for word in place.values[len(entries) :]:
+            self.patches.replace(word.number, Change(word.start, word.end, b""))
+        more = entries[len(place.values) :]
+        if more:
+            last = place.values[-1]
+            text = "".join(f" {value}" for value in more)
+            self.patches.insert(last.number, last.end, text)
+
+    def _number(self, word: Word, value: int) -> None:
+        if number_of(word.text) != value:
+            self.patches.replace(word.number, Change(word.start, word.end, str(value).encode()))
+
+    def _define(self, kind: str, table: MotorTable) -> None:
+        """Define a table that the scripts have not, where the card takes it."""
+        lines = definition_lines(self.definition, kind, table)
+        behind = (kind,) if kind == "BLCOMP" else (kind, *_BEHIND)
+        for name, motor, word in self.script.commands:
+            defined = name.removeprefix("DEFINE ")
+            if name != defined and defined in behind and (defined != kind or motor < table.motor):
+                self._before(word, lines)
+                return
+        kinds = ("COMP",) if kind == "COMP" else ("COMP", "TCOMP", "BLCOMP")
+        last = [one.values[-1] for name in kinds for one in self.script.of(name)]  # type: ignore[arg-type]
+        if last:
+            self._behind(max(last, key=lambda word: (word.number, word.start)), lines)
+        else:
+            self._at_the_end(lines)
+
+    def _before(self, word: Word, lines: Sequence[str]) -> None:
+        """Put lines before a command and the motor that is addressed for it on its line."""
+        line = self.patches.line(word.number, word.start)
+        content = self.patches.files[word.number].content
+        if re.fullmatch(rb"\s*(#\s*\d+)?\s*", content[line.start : word.start]):
+            self.patches.add_lines(word.number, word.start, lines, before=True)
+        else:
+            motor = next((of for _, of, each in self.script.commands if each == word), 0)
+            again = f"\n#{motor} " if motor else "\n"
+            self.patches.insert(word.number, word.start, "\n" + "\n".join(lines) + again)
+
+    def _behind(self, word: Word, lines: Sequence[str]) -> None:
+        """Put lines behind the last number of a table; the motor that was addressed then is
+        addressed again where the next command leaves it to that.
+        """
+        content = self.patches.files[word.number].content
+        line = self.patches.line(word.number, word.start)
+        following = re.sub(rb";[^\r\n]*", b"", content[word.end :]).lstrip()
+        motor = self._addressed(word)
+        again = [] if following[:1] in (b"#", b"I", b"i", b"") else [f"#{motor}"]
+        if re.fullmatch(rb"[ \t]*(;.*)?", content[word.end : line.end], re.DOTALL):
+            self.patches.add_lines(word.number, word.start, [*lines, *again])
+        else:
+            text = "\n".join(["", *lines, *again, ""])
+            self.patches.insert(word.number, word.end, text)
+
+    def _addressed(self, word: Word) -> int:
+        return next(one.motor for one in self.script.tables.values() if word in one.values)
+
+    def _at_the_end(self, lines: Sequence[str]) -> None:
+        number = len(self.patches.files) - 1
+        content = self.patches.files[number].content.removesuffix(b"\x1a")
+        if content.strip():
+            self.patches.add_lines(number, len(content.rstrip()) - 1, lines)
+        else:
+            self.patches.insert(number, len(content), "".join(f"{line}\n" for line in lines))
+
+    def _set(self, table: MotorTable, rate: int) -> None:
+        missing = []
+        constant = self.script.said("backlash", table.motor)
+        if constant is not None:
+            self._number(constant, table.constant)
+        elif table.takes_up or ("BLCOMP", table.motor) in self.script.tables:
+            missing.append("backlash")
+        taking = self.script.said(TAKE_UP, table.motor)
+        if taking is None:
+            missing.append(TAKE_UP)
+        elif table.takes_up and number_of(taking.text) == 0:
+            self._number(taking, rate)
+        lines = _setting_lines(self.definition, table, rate, missing)
+        if lines:
+            self._at_the_end(lines)
+
+    def switch_on(self) -> None:
+        """Let tables act where the scripts end with all of them off; that must wake no other."""
+        switch = self.script.said("enabled")
+        binding = self.definition.bindings["enabled"]
+        if switch is None or not isinstance(binding, Choice):
+            return
+        if binding.values.get(str(number_of(switch.text))) != "no":
+            return
+        sleeping = [
+            table.says
+            for table in (*self.script.of("COMP"), *self.script.of("BLCOMP"))
+            if any(table.numbers) and not self._ours(table)
+        ]
+        if sleeping:
+            message = (
+                "the scripts end with all tables switched off (I51 = 0); switching on for this"
+                f" table would wake those of other motors: {', '.join(sleeping)}"
+            )
+            expected = "scripts without them or with zeros in them, or with I51 = 1 if they act"
+            self.faults.append(switch.fault(message, expected=expected))
+            return
+        self._number(switch, int(str(binding.writes)))
+
+    def _ours(self, table: Table) -> bool:
+        alone = table.kind == "BLCOMP" or table.source == table.target
+        return alone and (table.target or table.motor) in self.motors
+
+
+_BEHIND = ("TCOMP", "BLCOMP", "TBUF", "ROT", "ROTARY", "LOOK", "LOOKAHEAD", "GAT", "GATHER")
+
+
+def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable]) -> list[Fault]:
+    """Return what the patched scripts say otherwise than they should."""
+    if after.faults:
+        help_ = "the tables of these motors defined once, deletions before definitions"
+        return [
+            Fault(
+                message=f"the new table has no place in this script: {fault.message}",
+                file=fault.file,
+                expected=help_,
+            )
+            for fault in after.faults[:1]
+        ]
+    own = {table.motor: table for table in tables}
+    faults = []
+    for motor, table in own.items():
+        found = [one for one in over_itself(after, motor) if any(one.numbers)]
+        right = [(table.entries, table.length)] if any(table.entries) else []
+        lost = after.tables.get(("BLCOMP", motor))
+        if [(one.numbers, one.counts) for one in found] != right or (
+            table.varies
+            and (lost is None or (lost.numbers, lost.counts) != (table.lost, table.length))
+        ):
+            message = f"motor {motor}: the new table has no place in this script"
+            faults.append(Fault(message=message))
+    for key, old in before.tables.items():
+        new = after.tables.get(key)
+        mine = old.motor in own or old.target in own
+        if not mine and (new is None or new.numbers != old.numbers or new.counts != old.counts):
+            faults.append(Fault(message=f"{old.says} of another motor would change"))
+    return faults
