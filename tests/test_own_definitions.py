@@ -14,6 +14,7 @@ import pytest
 from compwright.cli import run as compwright
 from compwright.controllers.virtual import KNOWN
 from compwright.documents.plan import read_plan
+from compwright.formats.definition.extends import found_in, merged, texts_of
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlState, CrossCompensation
 from compwright.workflow.commands.formats import list_formats
@@ -241,7 +242,7 @@ def test_an_id_that_ships_cannot_be_taken(
     assert compwright(["run", str(job(tmp_path, "mine.yaml"))]) == 2
     (line,) = told(capsys)
     assert "line 2, id: is the id of a control that ships" in line
-    assert f"my-{taken}" in line
+    assert "such as my-linuxcnc; or linuxcnc itself" in line
     assert not (tmp_path / "job").exists()
 
 
@@ -512,6 +513,32 @@ def test_what_is_wrong_with_extends(
     (tmp_path / "mine.yaml").write_text(f"{text}id: mine\n")
     assert compwright(["formats", "check", str(tmp_path / "mine.yaml")]) == 3
     assert says in told(capsys)[0]
+
+
+def test_mappings_are_merged_and_all_else_is_replaced_whole() -> None:
+    base = (
+        b"a:\n  kept: 1\n  said: [1, 2]\n  deep: {x: 1, y: 2}\nb: {p: 1, q: 2}\nc: 3\nd: [{e: 1}]\n"
+    )
+    over = (
+        b"extends: base\nwithout: [b, c, a.kept]\n"
+        b"a:\n  said: [3]\n  deep: {y: {z: 4}}\nb: {q: 5}\nd: []\n"
+    )
+    texts = texts_of(over, "over", found_in({"base.yaml": base}))
+    assert texts == (("over", over), ("base.yaml", base))
+    whole = merged(texts)
+    assert whole.data == {
+        "a": {"said": [3], "deep": {"x": 1, "y": {"z": 4}}},
+        "d": [],
+        "b": {"q": 5},
+    }
+    places = {path: file for path, (file, _) in whole.places.items()}
+    assert places["a", "deep", "x"] == "base.yaml"
+    assert places["a", "deep", "y", "z"] == places["b", "q"] == "over"
+    gone = {("a", "kept"), ("a", "said", 1), ("b", "p"), ("c",), ("d", 0), ("d", 0, "e")}
+    assert not gone & set(places)
+    assert whole.places["a", "said", 0] == ("over", 4)
+    assert whole.fault(("a", "deep", "x", "no"), "m").place == "line 4, a.deep.x.no"
+    assert whole.fault(("f",), "m").file == "over"
 
 
 # --- those that ship

@@ -52,14 +52,15 @@ def own_definition(path: Path) -> Definition:
     that ships: results and folders are named by it.
     """
     definition = load_definition(_content(path), str(path), _beside(path.parent), own=True)
-    shipped = {Path(name).stem.casefold() for name, _ in storage.definition_files()}
-    if definition.id.casefold() in shipped:
+    stems = (Path(name).stem for name, _ in storage.definition_files())
+    shipped = {stem.casefold(): stem for stem in stems}.get(definition.id.casefold())
+    if shipped is not None:
         raise InputError(
             definition.text.fault(
                 ("id",),
                 "is the id of a control that ships, which no file can take",
-                expected=f"an id of its own, such as my-{definition.id}; or {definition.id} itself"
-                " in the place of the file's name",
+                expected=f"an id of its own, such as my-{shipped}; or {shipped} itself in the"
+                " place of the file's name",
                 found=definition.id,
             )
         )
