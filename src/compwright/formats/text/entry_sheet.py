@@ -53,6 +53,7 @@ class EntrySheet:
         )
 
 
+@lru_cache(maxsize=KEPT_SHEETS)
 def is_entry_sheet(file: ControlFile) -> bool:
     """Return whether a file is a typed-entry sheet: its first line that is no comment is the
     sheet's header.
