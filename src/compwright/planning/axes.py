@@ -182,11 +182,7 @@ def fit_all(
             one_curve = work.planned.request.mode == "single"
             capacities[name] = capacity_of(work.planned.axis, one_curve=one_curve)
         except CapacityError as error:
-            errors.append(
-                CapacityError(
-                    *(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)
-                )
-            )
+            errors.append(_of_axis(error, name, job_file))
     capacities = shared_fairly(
         capacities,
         {name: work.planned for name, work in works.items() if work.planned.active is not None},
@@ -206,17 +202,17 @@ def fit_all(
             capacity = capacities[name]
             table = fit_within(wanted, capacity, planned.request, address=planned.axis.address)
         except CapacityError as error:
-            errors.append(
-                CapacityError(
-                    *(fault.within(f"axis {name}").in_file(job_file) for fault in error.faults)
-                )
-            )
+            errors.append(_of_axis(error, name, job_file))
             continue
         fitted[name] = replace(
             work, capacity=capacity, planned=replace(planned, wanted=wanted, fitted=table)
         )
     raise_all(CapacityError, collect(errors))
     return fitted
+
+
+def _of_axis(error: CapacityError, name: str, file: str) -> CapacityError:
+    return CapacityError(*(fault.within(f"axis {name}").in_file(file) for fault in error.faults))
 
 
 def fit_within(
