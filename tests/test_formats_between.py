@@ -18,7 +18,7 @@ from compwright.formats.control_format import control_format
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.family import PairsFamily
-from compwright.foundations.errors import CompwrightError
+from compwright.foundations.errors import CompwrightError, UsageError
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.correction import (
     AxisCompensation,
@@ -232,7 +232,13 @@ def test_a_kinematic_matrix_takes_the_angle_and_says_what_it_moves() -> None:
 
 @pytest.mark.parametrize("format_id", DEFINITIONS)
 def test_every_control_answers(format_id: str) -> None:
-    """Without any option a control types a column in, or says what would help."""
+    """Without any option a control types a column in, says what would help, or asks for the sign
+    of the values that it would write.
+    """
+    if format_id == "isg-kernel":
+        with pytest.raises(UsageError, match="is said nowhere"):
+            ask(family(format_id))
+        return
     ((severity, said),) = ask(family(format_id)).remarks
     assert said.startswith("squareness of Y over X (+40.0 µm/m) is ")
     assert severity == ("warning" if "is in no file" in said else "error")

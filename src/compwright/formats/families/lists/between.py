@@ -45,7 +45,7 @@ def lists_between(family: Family, asked: Asked) -> Between:
 
 
 def _values(family: Family, asked: Asked, entry: PlannedCross) -> object:
-    return family.options_of(asked.axes[entry.output])[CROSS_VALUES]
+    return family.options_of(asked.axes.get(entry.output))[CROSS_VALUES]
 
 
 def _sign(family: Family, asked: Asked, entry: PlannedCross) -> int:
