@@ -64,7 +64,9 @@ def write_planned(
 
     @cache  # the family reads what is compared here
     def read(files: tuple[ControlFile, ...], *, written: bool = False) -> DecodedState:
-        return decode(control, files, list(axes.values()), written=written)
+        # Of a control without files only the axes are known whose tables were written just now.
+        named = axes if as_found.files or written else tabled
+        return decode(control, files, [axes[name] for name in named], written=written)
 
     def state(files: tuple[ControlFile, ...], *, written: bool = False) -> ControlState:
         return read(files, written=written).state

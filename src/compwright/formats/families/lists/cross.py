@@ -38,15 +38,6 @@ def read_cross(lists: AxisLists, kind_of: Callable[[str], AxisKind]) -> CrossCom
     if not entries or master is None or all(value == 0 for _, value in entries):
         return None
     label = f"{lists.label}: its table over axis {int(master.text)}"
-    if not lists.acts("cross_switch", "cross_manual", zero=False, label=label):
-        return None
-    unit = lists.one("cross_unit")
-    if unit is not None and not same_value(unit.text, "1"):
-        message = "a table between axes that counts in increments is not understood"
-        lists.notes.refuse(lists.label, message, unit, expected="1 (0.1 µm, 0.0001 deg)")
-    if str(int(master.text)) == lists.address:
-        message = "the axis is its own master"
-        lists.notes.refuse(lists.label, message, master, expected="another axis")
     sign = {"error": -1, "correction": 1}.get(str(lists.options.get(CROSS_VALUES)))
     if sign is None:
         left_out(
@@ -56,6 +47,15 @@ def read_cross(lists: AxisLists, kind_of: Callable[[str], AxisKind]) -> CrossCom
             " the card",
         )
         return None
+    if not lists.acts("cross_switch", "cross_manual", zero=False, label=label):
+        return None
+    unit = lists.one("cross_unit")
+    if unit is not None and not same_value(unit.text, "1"):
+        message = "a table between axes that counts in increments is not understood"
+        lists.notes.refuse(lists.label, message, unit, expected="1 (0.1 µm, 0.0001 deg)")
+    if str(int(master.text)) == lists.address:
+        message = "the axis is its own master"
+        lists.notes.refuse(lists.label, message, master, expected="another axis")
     tenth = Decimal(str(TENTH))
     curve = np.array([float(sign * value * tenth) for _, value in entries])
     return CrossCompensation(

@@ -19,6 +19,7 @@ from compwright.records.correction import ControlFile
 
 #: Statements of the header, and those of the start-up list.
 AXIS_NUMBER = "axis_number"
+_HEADERS = (AXIS_NUMBER, "logical_axis_number")
 LISTED_COUNT, LISTED_AXIS, LISTED_FILE = "listed_count", "listed_axis", "listed_file"
 _START_UP = (LISTED_COUNT, LISTED_AXIS, LISTED_FILE)
 #: How every statement of a value list begins.
@@ -149,7 +150,7 @@ class _Sorter:
         headers = [
             Found(each.tokens["axis"].text, each, text.number)
             for each in own
-            if each.statement == AXIS_NUMBER
+            if each.statement in _HEADERS
         ]
         listed = [self.axes[index] for index in indices if index in self.axes]
         numbers = {int(found.text) for found in (*headers, *listed)}
