@@ -30,6 +30,13 @@ from test_run_circles import CEC, Bent, write_circle
 MACHINE = Machine()
 FANUC = ', address: "1"'
 UNIT = "{detection_unit: 0.001, first_point: 0}"
+MACHINE_FILE = """\
+virtual_machine: 1
+machine: {name: m}
+controller: {format: nc7.yaml}
+axes:
+  X: {travel: [0, 100], error: {noise_um: 0.1}, test: {targets: 5, runs: 2}}
+"""
 JUDGED = "not independently judged"
 
 
@@ -229,6 +236,31 @@ def test_new_writes_a_job_that_finds_the_definition(
     assert "../forms/nc 7.yaml" in text
     assert compwright(["run", "jobs/job.yaml"]) == 2  # travel and tests are still open, no more
     assert not any("format" in line for line in told(capsys))
+
+
+def test_the_card_says_where_a_definition_was_proven(tmp_path: Path) -> None:
+    path = tutorial(tmp_path / "nc7.yaml")
+    proof = '{control: NC-7 V4, machine: hall 2, date: "2025-03-14", how: verify}'
+    change(path, f"-proven: []\n+proven: [{proof}]")
+    ran(job(tmp_path))
+    card = (tmp_path / "job/card/card.md").read_text(encoding="utf-8")
+    assert "## Proven\n\nNC-7 V4, hall 2, 2025-03-14, verify\n" in card
+
+
+def test_a_virtual_machine_loads_tables_by_a_definition_beside_its_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tutorial(tmp_path / "machines" / "nc7.yaml")
+    (tmp_path / "tables").mkdir()
+    (tmp_path / "tables" / "X.PIT").write_text(
+        "PITCH X 0 = 0\nPITCH X 1 = 900\nPITCHSTART X = 0\nPITCHEND X = 100\n"
+        "PITCHSTEP X = 100\nBACKLASH X = 0\nEND\n"
+    )
+    (tmp_path / "machines" / "m.yaml").write_text(MACHINE_FILE)
+    monkeypatch.chdir(tmp_path)
+    words = ["simulate", "machines/m.yaml", "--out", "out", "--with-tables", "tables"]
+    assert compwright(words) == 0
+    assert list((tmp_path / "out").glob("*.csv"))
 
 
 # --- what is refused
