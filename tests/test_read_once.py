@@ -22,13 +22,7 @@ from format_samples import DEFINITIONS, SIEMENS, axis_of, table
 from loop import Machine, csv_of
 
 MACHINE = Machine()
-ADDRESSES = {
-    "siemens-840d-sl": "AX1",
-    "linuxcnc": "0",
-    "fanuc-30i": "1",
-    "fanuc-0i-16i": "1",
-    "pmac": "1",
-}
+ADDRESSES = {name: one.expect[0].axis for name, one in DEFINITIONS.items()}
 PULSE: dict[str, object] = {"detection_unit": 0.001, "first_point": 0}
 OPTIONS: dict[str, dict[str, object]] = {
     "fanuc-30i": PULSE,
@@ -48,7 +42,7 @@ def old_files(format_id: str) -> dict[str, bytes]:
     if format_id == "heidenhain-itnc530":
         return {name: text.encode() for name, text in COLUMNS.items()}
     nodes = [MACHINE.low + (MACHINE.high - MACHINE.low) / 8 * index for index in range(9)]
-    address = ADDRESSES.get(format_id, "X")
+    address = ADDRESSES[format_id]
     control = control_format(DEFINITIONS[format_id], OPTIONS.get(format_id, {}))
     old = table(address, nodes, [0.0, *[0.001] * 7, 0.0])
     files = control.write([old], [axis_of(address)])
@@ -106,7 +100,7 @@ def test_a_run_compiles_each_form_once_and_reads_each_text_once(
         [
             *("run", str(tmp_path / "x.csv"), "--format", format_id, "--axis", "X", *states),
             *("--travel", f"{MACHINE.low}:{MACHINE.high}", "--out", str(tmp_path / "out")),
-            *("--option", f"address={ADDRESSES.get(format_id, 'X')}"),
+            *("--option", f"address={ADDRESSES[format_id]}"),
             *(word for option in options for word in ("--option", option)),
         ]
     )
