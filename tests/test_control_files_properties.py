@@ -19,7 +19,7 @@ TRIALS = {"fanuc-30i": 2_000, "fanuc-0i-16i": 2_000}
 TRIALS_ELSE = 1_000
 #: Files without an end mark: a cut behind a whole line cannot be seen. An archive may hold one
 #: program or several, and of an empty file nothing is missed where another one speaks of the axis.
-NO_END_MARK = ("linuxcnc", "heidenhain-itnc530", "pmac")
+NO_END_MARK = ("linuxcnc", "heidenhain-itnc530", "pmac", "isg-kernel")
 
 
 FORMATS = sorted({sample.format_id for sample in SAMPLES})

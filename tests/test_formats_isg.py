@@ -197,12 +197,13 @@ def test_a_backlash_beside_two_columns_is_refused_and_one_that_is_off_is_nothing
 
 @pytest.mark.parametrize("where", ["kw.ssfk.manual_activation 1", "lr_param.ssfk 0"])
 def test_a_table_that_is_switched_off_acts_only_where_the_job_says_so(where: str) -> None:
-    texts = {"a": SAMPLE, "b": f"kopf.achs_nr 1\n{where}\n"}
+    off = f"kopf.achs_nr 1\n{where}\n"
     with pytest.raises(UsageError, match="did it act"):
-        read(X, **texts)
-    assert read(**texts).axes["1"].positions.size == 0
-    assert at(read(X, active=True, **texts), "1", 75.0) == pytest.approx(WORKED[75.0], abs=1e-9)
-    assert read(X, active=False, **texts).axes["1"].positions.size == 0
+        read(X, a=SAMPLE, b=off)
+    assert read(a=SAMPLE, b=off).axes["1"].positions.size == 0
+    acting = read(X, active=True, a=SAMPLE, b=off)
+    assert at(acting, "1", 75.0) == pytest.approx(WORKED[75.0], abs=1e-9)
+    assert read(X, active=False, a=SAMPLE, b=off).axes["1"].positions.size == 0
 
 
 def test_the_start_up_list_says_what_is_loaded_and_whose_it_is() -> None:

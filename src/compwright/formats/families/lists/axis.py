@@ -434,7 +434,9 @@ class AxisLists:
                 expected = "the axis parameter list with it too"
                 self.notes.refuse(self.label, message, switch, expected=expected)
             else:
-                self.values.absent("backlash")
+                value = self.values.absent("backlash", tell=False)
+                evidence = "unconfirmed: in no list that was given"
+                self.notes.assume(f"{self.label}: {self._lose()}", str(value), evidence)
         for gear, found in gears.items():
             if (
                 gear
