@@ -262,6 +262,14 @@ def test_a_table_between_axes_that_is_not_clear_is_refused(old: str, new: str, s
     assert said in str(error.value)
 
 
+def test_what_is_odd_about_an_axis_that_nobody_asks_for_stops_nothing() -> None:
+    odd = SLAVE + "getriebe[0].lose 50\nkw.temp.gain 3\n"
+    state = read(X, a=SAMPLE, b=odd, options={"cross_values": "error"})
+    assert at(state, "1", 75.0) == pytest.approx(WORKED[75.0], abs=1e-9)
+    assert not state.cross
+    assert "CW-S050" in codes(state)
+
+
 # --- writing
 
 NEW = table("1", [-200.0, 0.0, 150.0, 300.0], [0.0, -0.001, 0.002, 0.0034], [0.0, 0.001, 0.0, 0.01])

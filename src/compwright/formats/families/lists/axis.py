@@ -489,8 +489,7 @@ class AxisLists:
         if switch is not None and same_value(switch.text, "0"):
             return
         for found in self.lists.places(self.address, "plane"):
-            name = found.occurrence.tokens["name"].text.casefold()
-            if name.startswith("table") and not _is_zero(found.text):
+            if not _is_zero(found.text):
                 message = (
                     "a compensation over two other axes (kw.crosscomp2) acts, which is not read"
                 )

@@ -129,7 +129,7 @@ class _Sorter:
         own = [each for each in text.occurrences if each.statement not in _START_UP]
         values = any(_in_value_list(self.lists.definition, each.statement) for each in own)
         indices = [i for i, name in self.names.items() if base_name(name.text) == _low(text)]
-        if values and not indices and (self.axes or self.names):
+        if values and not indices and self.lists.start_up:
             self.notes.idle_file(
                 f"{text.file} is not named by the start-up list: the control does not load it"
             )

@@ -114,7 +114,7 @@ class _StateReader:
 
     def _axis(self, lists: Lists, address: str, axis: Axis | None) -> None:
         """Read an axis that is asked for."""
-        reader = self._reader(lists, address, axis, self.notes)
+        reader = self._reader(lists, address, axis, self.notes, self.activity)
         self.compensations[address] = reader.read()
         reader.check_others()
         between = read_cross(reader, self._kind)
@@ -130,18 +130,24 @@ class _StateReader:
         """Read what another axis does to one that nobody asks for; where it is odd it is left out,
         and said.
         """
-        notes = Notes()
-        between = read_cross(self._reader(lists, address, None, notes), self._kind)
-        if notes.faults or notes.questions:
-            why = str((notes.faults or notes.questions)[0])
-            left_out(self.notes, f"axis {address}: its table over another axis", why)
+        own, notes = Notes(), Notes()
+        activity = Activity(said=self.activity.said)
+        reader = self._reader(lists, address, None, own, activity)
+        reader.read()
+        reader.check_others()
+        between = read_cross(self._reader(lists, address, None, notes, activity), self._kind)
+        odd = [*own.faults, *notes.faults, *own.questions, *notes.questions]
+        if odd:
+            left_out(self.notes, f"axis {address}: its list", str(odd[0]))
             return
         self.notes.take(notes)
         self.cross.extend([between] if between is not None else [])
 
-    def _reader(self, lists: Lists, address: str, axis: Axis | None, notes: Notes) -> AxisLists:
+    def _reader(
+        self, lists: Lists, address: str, axis: Axis | None, notes: Notes, activity: Activity
+    ) -> AxisLists:
         options = axis_options(self.definition, self.family.options, axis)
-        return AxisLists(lists, address, axis, options, notes, self.activity)
+        return AxisLists(lists, address, axis, options, notes, activity)
 
     def _kind(self, address: str) -> AxisKind:
         axis = self.wanted.get(address)
