@@ -226,6 +226,20 @@ def test_what_no_list_says_of_an_axis_is_refused() -> None:
         read(axis_of("7"), a=SAMPLE)
 
 
+def test_the_axes_of_a_gantry_get_one_table_and_twins_are_told() -> None:
+    second = SAMPLE.replace("achs_nr                      1", "achs_nr 2")
+    assert "CW-S031" in codes(read(X, a=SAMPLE, b=second))
+    leading = replace(X, gantry="2")
+    assert not codes(read(leading, a=SAMPLE, b=second)) & {"CW-S030", "CW-S031"}
+    other = second.replace("[0].pos              -40", "[0].pos 5")
+    assert "CW-S030" in codes(read(leading, a=SAMPLE, b=other))
+    made = written(NEW, *files(a=SAMPLE, b=other), axis=leading)
+    assert (
+        made["a.lis"].split("\n")[5:]
+        == made["b.lis"].replace("[0].pos 0", "[0].pos              0").split("\n")[5:]
+    )
+
+
 # --- tables between axes
 
 

@@ -24,6 +24,7 @@ MACHINE = Machine()
         ("heidenhain-itnc530", "X", "Y", "{}", ["entry_X.csv", "entry_Y.csv", "MP710"]),
         ("heidenhain-nck", "X", "V", "{}", ["entry_X.csv", "entry_V.csv"]),
         ("siemens-840d-sl", "AX1", "AX5", "{}", ["synchronised axis AX5"]),
+        ("isg-kernel", "1", "5", "{}", ["synchronised axis 5", "achs_kw_log_ax_nr"]),
     ],
 )
 def test_the_card_names_both_axes(

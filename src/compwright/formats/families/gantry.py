@@ -43,6 +43,21 @@ def find_partners(
     ``partners``: synchronised axis by leading axis; ``read``: what was read, by address; ``asked``:
     a job names these axes.
     """
+    compare_partners(partners, read, notes)
+    if not asked:
+        return
+    for address, compensation in read.items():
+        if compensation.positions.size == 0 or address in (*partners, *partners.values()):
+            continue
+        for other in gathered.addresses():
+            if other not in read and _table(gathered, address) & _table(gathered, other):
+                note_twin(address, other, notes)
+
+
+def compare_partners(
+    partners: Mapping[str, str], read: Mapping[str, AxisCompensation], notes: Notes
+) -> None:
+    """Note where the two axes of a gantry differ; arguments as `find_partners`."""
     for leading, partner in partners.items():
         if leading in read and partner in read and not _same(read[leading], read[partner]):
             notes.find(
@@ -51,20 +66,17 @@ def find_partners(
                 f"axis {partner} does not do the same as {leading}, with which it forms a gantry;"
                 " both get the new table",
             )
-    if not asked:
-        return
-    for address, compensation in read.items():
-        if compensation.positions.size == 0 or address in (*partners, *partners.values()):
-            continue
-        for other in gathered.addresses():
-            if other not in read and _table(gathered, address) & _table(gathered, other):
-                notes.find(
-                    "CW-S031",
-                    "warning",
-                    f"axes {address} and {other} hold the same table: are they a gantry? Then name"
-                    f" {other} in the job (gantry), so that both get the new one; a table on one of"
-                    " them alone racks the bridge",
-                )
+
+
+def note_twin(address: str, other: str, notes: Notes) -> None:
+    """Note that an axis of the job and another one hold the same table."""
+    notes.find(
+        "CW-S031",
+        "warning",
+        f"axes {address} and {other} hold the same table: are they a gantry? Then name"
+        f" {other} in the job (gantry), so that both get the new one; a table on one of"
+        " them alone racks the bridge",
+    )
 
 
 def _same(one: AxisCompensation, other: AxisCompensation) -> bool:

@@ -23,7 +23,10 @@ from compwright.records.facts import Fact
 #: What a whole number counts where the list does not count in increments, mm or deg.
 TENTH = 0.0001
 #: What such a count and an increment are called, as people read it.
-COUNTS = {"tenths": "0.1 µm (rotary 0.0001 deg)", "increments": "encoder increments"}
+COUNTS = {
+    "tenths": "0.1 µm (rotary 0.0001 deg)",
+    "increments": "encoder increments (kw.ssfk.unit 0)",
+}
 #: Type of a value -> the largest number that it holds.
 VALUE_TYPES = {"sgn16": 32767, "sgn32": 2147483647}
 _SIGNED_16 = 32767
@@ -118,7 +121,6 @@ class AxisLists:
         A switch in no list counts as on; one that is off is asked about where readings hang on
         the answer. ``zero``: it holds nothing but zeros.
         """
-        names = f"{self.lists.name(switch)}, {self.lists.name(manual)}"
         on, by_hand = self.one(switch), self.one(manual)
         off = [
             place
@@ -134,9 +136,11 @@ class AxisLists:
         word = "no" if off else "yes" if on is not None else None
         if word is not None or self.activity.said is not None:
             place = off[0] if off else on
-            said = self.activity.settle(label, names, word, place, self.notes)
+            by_switch = not off or off[0] is on
+            name = self.lists.name(switch) if by_switch else f"{self.lists.name(manual)} not"
+            said = self.activity.settle(label, name, word, place, self.notes)
             if said is None:
-                self.notes.switched_off(label, f"it is switched off in the lists ({names})")
+                self.notes.switched_off(label, f"it is switched off in the lists ({name} = 0)")
             elif not said:
                 self.notes.switched_off(label, "it did not act, as the job says")
             return bool(said)

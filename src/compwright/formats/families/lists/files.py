@@ -162,12 +162,14 @@ class _Sorter:
             )
             message = "header and start-up list name different axes"
             first = (*headers, *listed)[0]
-            self.notes.refuse(text.file, message, second, expected=f"{first.text} ({first.where})")
+            self.notes.refuse(
+                "this list", message, second, expected=f"{first.text} ({first.where})"
+            )
         elif not numbers and own:
-            message = "nothing says to which axis this list belongs"
+            message = "nothing says to which axis it belongs"
             place = Found(own[0].statement, own[0], text.number)
             expected = f"a line {self.lists.name(AXIS_NUMBER)} <number>"
-            self.notes.refuse(text.file, message, place, expected=expected, found="none")
+            self.notes.refuse("this list", message, place, expected=expected, found="none")
         return str(numbers.pop()) if len(numbers) == 1 else None
 
     def find_missing(self) -> None:

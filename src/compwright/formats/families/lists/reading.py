@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, axis_options
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
-from compwright.formats.families.gantry import partner_of
+from compwright.formats.families.gantry import compare_partners, note_twin, partner_of
 from compwright.formats.families.lists.axis import AxisLists
 from compwright.formats.families.lists.cross import left_out, read_cross
 from compwright.formats.families.lists.files import Lists, read_lists
@@ -48,13 +50,14 @@ class _StateReader:
         self.activity = activity
         self.notes = Notes()
         self.wanted: dict[str, Axis | None] = {}
+        self.partners: dict[str, str] = {}
         if address is not None:
             self.wanted[normal_text(self.definition, address)] = None
         for axis in axes:
             name, _ = normal_address(self.definition, axis)
             self.wanted[name] = axis
             if axis.gantry is not None:
-                partner = normal_text(self.definition, axis.gantry)
+                partner = self.partners[name] = normal_text(self.definition, axis.gantry)
                 self.wanted.setdefault(partner, partner_of(axis, partner))
         self.compensations: dict[str, AxisCompensation] = {}
         self.facts: dict[str, AxisFacts] = {}
@@ -92,6 +95,7 @@ class _StateReader:
                 self._unasked(lists, address)
         raise_all(InputError, self.notes.faults)
         raise_all(UsageError, self.notes.questions)
+        compare_partners(self.partners, self.compensations, self.notes)
         if any(axis is None for axis in asked.values()):
             options = self.family.options
             self.notes.assume(REFERENCE, f"{options[REFERENCE]:g}", "option or its default")
@@ -133,7 +137,7 @@ class _StateReader:
         own, notes = Notes(), Notes()
         activity = Activity(said=self.activity.said)
         reader = self._reader(lists, address, None, own, activity)
-        reader.read()
+        self._twins(address, reader.read())
         reader.check_others()
         between = read_cross(self._reader(lists, address, None, notes, activity), self._kind)
         odd = [*own.faults, *notes.faults, *own.questions, *notes.questions]
@@ -142,6 +146,21 @@ class _StateReader:
             return
         self.notes.take(notes)
         self.cross.extend([between] if between is not None else [])
+
+    def _twins(self, other: str, table: AxisCompensation) -> None:
+        """Note an axis that nobody asks for with the same table as one of the job."""
+        if not np.any(table.positive) and not np.any(table.negative):
+            return
+        for address, mine in self.compensations.items():
+            pairs = (
+                (table.positions, mine.positions),
+                (table.positive, mine.positive),
+                (table.negative, mine.negative),
+            )
+            if address not in (*self.partners, *self.partners.values()) and all(
+                np.array_equal(one, same) for one, same in pairs
+            ):
+                note_twin(address, other, self.notes)
 
     def _reader(
         self, lists: Lists, address: str, axis: Axis | None, notes: Notes, activity: Activity
