@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from compwright.formats.control_format import control_format
-from compwright.formats.definition.reading import definitions_from
+from compwright.formats.definitions import definitions_from
 from compwright.foundations.storage import definition_files
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState

@@ -19,7 +19,7 @@ from compwright.controllers.virtual import virtual_control
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import found_in, texts_of
 from compwright.formats.definition.options import resolve_options
-from compwright.formats.definition.reading import definition_of
+from compwright.formats.definitions import definition_of
 from compwright.foundations import storage
 from compwright.foundations.errors import CapacityError, CompwrightError
 from compwright.records.axis import Axis, AxisKind, Direction

@@ -14,7 +14,7 @@ from compwright.formats.card import card_steps
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import found_in, merged, texts_of
 from compwright.formats.definition.options import describe_options, resolve_options
-from compwright.formats.definition.reading import definition_in, definitions_from, load_definition
+from compwright.formats.definitions import definition_in, definitions_from, load_definition
 from compwright.formats.families.card_words import UNKNOWN
 from compwright.formats.gate.gate import check_definition
 from compwright.formats.text.patching import Change, apply_changes, set_field

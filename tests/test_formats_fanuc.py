@@ -19,7 +19,7 @@ from compwright.controllers.virtual import virtual_control
 from compwright.formats.control_format import control_format
 from compwright.formats.definition.extends import found_in
 from compwright.formats.definition.options import resolve_options
-from compwright.formats.definition.reading import load_definition
+from compwright.formats.definitions import load_definition
 from compwright.formats.families.increments.numbering import NoRoom, Place, find_place, longest_gap
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import CapacityError, CompwrightError, InputError, UsageError

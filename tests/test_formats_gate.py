@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from compwright.formats.definition.extends import found_in
-from compwright.formats.definition.reading import load_definition
+from compwright.formats.definitions import load_definition
 from compwright.formats.families.family import Family
 from compwright.formats.gate import gate
 from compwright.formats.gate import limits as gate_limits

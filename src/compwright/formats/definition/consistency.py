@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from compwright.formats.definition.schema import (
     CHOICES,
@@ -18,6 +18,7 @@ from compwright.formats.definition.schema import (
     OptionRule,
     OptionValue,
 )
+from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.definition.statements import field_names
 from compwright.foundations.errors import Fault
 from compwright.foundations.yaml_reader import KeyPath
@@ -43,12 +44,6 @@ _SIGNS = {
     "value_negative": {"error", "correction", "actual_position"},
     "cross_value": {"error", "correction"},
 }
-#: Shapes in which a quantity has one sign whatever the definition says: it may say no other. That
-#: of increments is turned by the options pitch_sign and offset_sign.
-_ONE_SIGN = {
-    "section_increments": {"value": {"correction"}, "backlash": {"lost_motion"}},
-    "user_tables": {"backlash": {"lost_motion"}},
-}
 _NUMBERED = (
     "min_points",
     "max_points",
@@ -72,17 +67,6 @@ def curves(definition: Definition) -> tuple[str, ...]:
     )
 
 
-def grid(definition: Definition) -> tuple[str, ...]:
-    """Return the quantities that say where the nodes are."""
-    if definition.layout.shape == "values_by_index":
-        return ("table_start", "table_end", "table_spacing")
-    if definition.layout.shape == "section_increments":
-        return ("table_spacing",)
-    if definition.layout.shape == "wrapped_counts":
-        return ("table_end",)
-    return ("node_position",)
-
-
 def has_cross(definition: Definition) -> bool:
     """Return whether the control has tables by which one axis corrects another, or itself in one
     direction only.
@@ -90,22 +74,31 @@ def has_cross(definition: Definition) -> bool:
     return any(name in definition.bindings for name in CROSS)
 
 
-def contradictions(definition: Definition) -> tuple[Fault, ...]:
-    """Return what does not fit together in a definition whose keys are all well formed."""
+def contradictions(definition: Definition, shapes: Mapping[str, ShapeRules]) -> tuple[Fault, ...]:
+    """Return what does not fit together in a definition whose keys are all well formed.
+
+    ``shapes``: what tables of each shape need that a family brings.
+    """
+    rules = shapes.get(definition.layout.shape)
+    if rules is None:
+        expected, found = f"one of {', '.join(shapes)}", definition.layout.shape
+        path: KeyPath = ("layout", "shape")
+        message = "is not known here"
+        return (definition.text.fault(path, message, expected=expected, found=found),)
     return tuple(
         definition.text.fault(path, message)
-        for check in (
-            _id,
-            _texts,
-            _statements,
-            _layout,
-            _between_axes,
-            _bindings,
-            _options,
-            _limits,
-            _writing,
+        for found_by in (
+            _id(definition),
+            _texts(definition),
+            _statements(definition),
+            _layout(definition, rules),
+            _between_axes(definition, rules),
+            _bindings(definition, rules),
+            _options(definition),
+            _limits(definition, rules),
+            _writing(definition, rules),
         )
-        for path, message in check(definition)
+        for path, message in found_by
     )
 
 
@@ -161,7 +154,7 @@ def _statements(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
             yield (*path, "fields"), "the field axis must have the type of the addresses"
 
 
-def _layout(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+def _layout(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath, str]]:
     singles = definition.layout.singles
     for single in singles:
         if single not in SINGLES:
@@ -172,7 +165,7 @@ def _layout(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
                 ),
                 f"{single} cannot stand alone; known are {', '.join(SINGLES)}",
             )
-    needed = {*grid(definition), *curves(definition), *singles}
+    needed = {*rules.grid, *curves(definition), *singles}
     if has_cross(definition):  # tables between axes come with all that they need, or not at all
         needed |= set(CROSS)
     for name in sorted(needed - set(definition.bindings)):
@@ -184,28 +177,24 @@ def _layout(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
         for name in curves(definition)
         if name in definition.bindings
     ]
-    if definition.layout.shape == "rows_by_position" and "node_position" in definition.bindings:
+    if rules.row == "position" and "node_position" in definition.bindings:
         parts.append(definition.bindings["node_position"].statement)
-    if len(set(parts)) > 1 and definition.layout.shape != "lists_by_axis":
+    if len(set(parts)) > 1 and rules.row is not None:
         yield ("bindings",), "position and values of a row must stand in one statement"
     row = definition.statements.get(parts[0]) if parts else None
-    if (
-        definition.layout.shape == "values_by_index"
-        and row is not None
-        and row.fields.get("index") != "integer"
-    ):
+    if rules.row == "index" and row is not None and row.fields.get("index") != "integer":
         yield ("statements", row.name, "fields"), "a value by index needs the field index: integer"
 
 
-def _between_axes(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
-    if not definition.between_axes.instead and definition.layout.shape != "user_tables":
+def _between_axes(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath, str]]:
+    if not definition.between_axes.instead and not rules.columns:
         yield (
             ("between_axes", "instead"),
             "only where every table has columns for other axes nothing else is needed",
         )
 
 
-def _bindings(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+def _bindings(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath, str]]:
     for name, binding in definition.bindings.items():
         path = ("bindings", name)
         statement = definition.statements.get(binding.statement)
@@ -214,7 +203,7 @@ def _bindings(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
         elif binding.field not in statement.fields:
             yield (*path, "field"), f"the statement {statement.name} has no field {binding.field}"
         if isinstance(binding, Measure):
-            yield from _measure(definition, binding, path)
+            yield from _measure(definition, rules, binding, path)
         if isinstance(binding, Choice):
             yield from _choice(definition, binding, path)
 
@@ -244,15 +233,15 @@ def _choice(
 
 
 def _measure(
-    definition: Definition, binding: Measure, path: KeyPath
+    definition: Definition, rules: ShapeRules, binding: Measure, path: KeyPath
 ) -> Iterator[tuple[KeyPath, str]]:
     if (
         isinstance(binding.linear_unit, OptionValue)
         and binding.linear_unit.option not in definition.options
     ):
         yield (*path, "unit"), f"no option is called {binding.linear_unit.option}"
-    allowed = _ONE_SIGN.get(definition.layout.shape, {}).get(
-        binding.quantity, _SIGNS.get(binding.quantity, {"position"})
+    allowed = rules.signs.get(
+        binding.quantity, _SIGNS.get(binding.quantity, frozenset({"position"}))
     )
     signs: list[str] = [binding.sign] if binding.sign is not None else list(binding.signs.values())
     if binding.sign_option is not None:
@@ -312,8 +301,8 @@ def _default_suits(option: OptionRule) -> bool:
     )
 
 
-def _limits(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
-    if definition.layout.shape == "rows_by_position" and definition.limit("no_patching") is None:
+def _limits(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath, str]]:
+    if rules.afresh and definition.limit("no_patching") is None:
         yield ("limits",), "rows by position are written afresh: this needs no_patching"
     for predicate, count in Counter(rule.predicate for rule in definition.limits).items():
         if count > 1:
@@ -334,7 +323,7 @@ def _limits(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
             yield ("limits", index), "needs an option that is settled by max_points"
 
 
-def _writing(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
+def _writing(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath, str]]:
     table = definition.bindings.get(curves(definition)[0])
     tables = [
         file
@@ -364,8 +353,7 @@ def _writing(definition: Definition) -> Iterator[tuple[KeyPath, str]]:
         path = ("writing", index)
         if file.text not in definition.texts:
             yield (*path, "text"), f"no kind of text is called {file.text}"
-        shared = definition.layout.shape == "wrapped_counts"
-        if not (shared or "{axis}" in file.name) or not _FILE_NAME.fullmatch(file.name):
+        if (rules.by_axis and "{axis}" not in file.name) or not _FILE_NAME.fullmatch(file.name):
             yield (*path, "name"), "must be a plain file name that contains {axis}"
         for line in (file.name, *file.header, *file.footer):
             if set(field_names(line)) - {"axis", "system", "program"}:

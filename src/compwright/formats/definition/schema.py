@@ -112,14 +112,6 @@ FieldType = Literal[
     "system_word",
 ]
 Rest = Literal["none", "after_blank", "anything"]
-Shape = Literal[
-    "values_by_index",
-    "rows_by_position",
-    "section_increments",
-    "user_tables",
-    "lists_by_axis",
-    "wrapped_counts",
-]
 Pairing = Literal["none", "two_columns"]
 Sign = Literal["position", "error", "correction", "actual_position", "lost_motion", "half_each_way"]
 Repeated = Literal["first", "last", "same"]
@@ -300,11 +292,11 @@ class Plain(Binding):
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """The shape of the table, from a closed list. ``singles``: quantities that stand alone, one
-    value each.
+    """The shape of the table, as a family brings it. ``singles``: quantities that stand alone,
+    one value each.
     """
 
-    shape: Shape
+    shape: str
     pairing: Pairing
     below: Beyond
     above: Beyond

@@ -39,7 +39,6 @@ from compwright.formats.definition.schema import (
     Repeated,
     Rest,
     Say,
-    Shape,
     Sign,
     Statement,
     TextKind,
@@ -202,7 +201,7 @@ def _layout(node: Node) -> Layout:
     part = node.keys("shape", "pairing", "ends", "singles", "evidence")
     ends = part["ends"].keys("below", "above")
     return Layout(
-        shape=part["shape"].literal(Shape),
+        shape=part["shape"].text(),
         pairing=part["pairing"].literal(Pairing),
         below=ends["below"].literal(Beyond),
         above=ends["above"].literal(Beyond),

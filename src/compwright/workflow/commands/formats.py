@@ -9,14 +9,8 @@ from functools import partial
 from pathlib import Path
 
 from compwright.controllers.virtual import KNOWN, virtual_control
-from compwright.formats.control_format import shape_words
 from compwright.formats.definition.extends import Find, found_in
 from compwright.formats.definition.options import describe_options, resolve_options
-from compwright.formats.definition.reading import (
-    definitions_from,
-    given_twice,
-    load_definition,
-)
 from compwright.formats.definition.schema import (
     Choice,
     Definition,
@@ -24,6 +18,12 @@ from compwright.formats.definition.schema import (
     Measure,
     OptionValue,
 )
+from compwright.formats.definitions import (
+    definitions_from,
+    given_twice,
+    load_definition,
+)
+from compwright.formats.families.shapes import RULES
 from compwright.formats.gate.gate import check_definition, disagreements
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, raise_all
@@ -174,7 +174,7 @@ def _contents(paths: Sequence[Path]) -> Iterator[tuple[str, bytes, Find]]:
 def _table(definition: Definition) -> Iterator[str]:
     layout = definition.layout
     ends = {"hold": "the end value stays", "zero": "nothing is corrected"}
-    yield f"{shape_words(definition)}; {_PAIRINGS[layout.pairing]}"
+    yield f"{RULES[layout.shape].words}; {_PAIRINGS[layout.pairing]}"
     yield f"below the table {ends[layout.below]}, above it {ends[layout.above]} [{layout.evidence}]"
     letters = definition.addresses.letters
     named = "a number" if definition.addresses.type == "integer" else "a name"

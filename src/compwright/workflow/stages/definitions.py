@@ -8,12 +8,12 @@ from functools import cache
 from pathlib import Path
 
 from compwright.formats.definition.extends import BASE_ENDING, Find, found_in
-from compwright.formats.definition.reading import (
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definitions import (
     definition_of,
     definitions_from,
     load_definition,
 )
-from compwright.formats.definition.schema import Definition
 from compwright.formats.gate.gate import check_definition
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all

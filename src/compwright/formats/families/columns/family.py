@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from copy import copy
 from typing import Self
 
+from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import table_values
@@ -24,6 +25,13 @@ from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
+
+RULES = ShapeRules(
+    words="rows in tables that the control exports, or typed in from a sheet",
+    grid=("node_position",),
+    signs={"backlash": frozenset({"lost_motion"})},
+    columns=True,
+)
 
 
 class ColumnsFamily(Family):

@@ -11,7 +11,6 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.definition.consistency import grid
 from compwright.formats.definition.options import ENCODER_SYSTEM, REFERENCE, REFERENCE_RETURN
 from compwright.formats.definition.schema import Choice
 from compwright.formats.families.activity import Activity
@@ -88,7 +87,7 @@ class AxisReader:
         kind = self._kind()
         said, max_points = self._settling(), self.values.single("max_points")
         has_table = bool(self.rows) or any(
-            self.values.single(name) for name in grid(self.definition)
+            self.values.single(name) for name in shape_of(self.definition).rules.grid
         )
         enabled = self._enabled(has_table=has_table, max_points=max_points)
         facts = self._facts(kind, said, enabled=enabled)
@@ -258,7 +257,7 @@ class AxisReader:
     def _table(self, scale: Scale, max_points: Found | None) -> Table | None:
         singles = {
             name: found
-            for name in grid(self.definition)
+            for name in shape_of(self.definition).rules.grid
             if (found := self.values.single(name, quiet=False)) is not None
             and name != "node_position"
         }

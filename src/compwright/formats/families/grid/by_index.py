@@ -7,6 +7,7 @@ from decimal import Decimal
 
 import numpy as np
 
+from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.grid.tables import (
     Table,
     TableShape,
@@ -26,6 +27,11 @@ _GRID = ("table_start", "table_end", "table_spacing")
 class ByIndex(TableShape):
     """Values by index, from 0."""
 
+    rules = ShapeRules(
+        words="values by index on an equally spaced grid",
+        grid=("table_start", "table_end", "table_spacing"),
+        row="index",
+    )
     spacing = "equidistant"
     repeats = True
 

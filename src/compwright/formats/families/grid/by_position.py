@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 
+from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.grid.tables import (
     Table,
     TableShape,
@@ -17,6 +18,12 @@ from compwright.formats.families.grid.tables import (
 class ByPosition(TableShape):
     """Rows of position and values, ascending."""
 
+    rules = ShapeRules(
+        words="rows by position, freely spaced",
+        grid=("node_position",),
+        row="position",
+        afresh=True,
+    )
     spacing = "free"
     repeats = False
 

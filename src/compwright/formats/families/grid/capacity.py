@@ -4,7 +4,7 @@ files.
 
 from __future__ import annotations
 
-from compwright.formats.definition.consistency import curves, grid
+from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.options import settled_number
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.beside import MODULO_START
@@ -35,7 +35,7 @@ class AxisLimits:
         assumed = [self.assumption] if self.assumption is not None else []
         assumed += self._turn_unsaid()
         max_points = self._max_points(assumed)
-        value, quantum = curves(definition)[0], scale.quantum(grid(definition)[0])
+        value, quantum = curves(definition)[0], scale.quantum(self.shape.rules.grid[0])
         beside = (
             "backlash" in definition.bindings
             and definition.limit("no_backlash_beside_table") is None

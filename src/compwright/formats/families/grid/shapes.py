@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from compwright.formats.definition.schema import Definition, Shape
+from compwright.formats.definition.schema import Definition
 from compwright.formats.families.grid.by_index import ByIndex
 from compwright.formats.families.grid.by_position import ByPosition
 from compwright.formats.families.grid.tables import TableShape
 
-_SHAPES: Mapping[Shape, TableShape] = {
+SHAPES: Mapping[str, TableShape] = {
     "values_by_index": ByIndex(),
     "rows_by_position": ByPosition(),
 }
@@ -17,4 +17,4 @@ _SHAPES: Mapping[Shape, TableShape] = {
 
 def shape_of(definition: Definition) -> TableShape:
     """Return the shape of a control's tables."""
-    return _SHAPES[definition.layout.shape]
+    return SHAPES[definition.layout.shape]

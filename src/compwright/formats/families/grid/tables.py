@@ -17,6 +17,7 @@ import numpy as np
 
 from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.text.gathering import Found
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import NotHeld, Scale, in_range
@@ -144,6 +145,7 @@ class TableShape(ABC):
     ``spacing``: which nodes it can hold. ``repeats``: the table of an endless axis can repeat.
     """
 
+    rules: ClassVar[ShapeRules]
     spacing: ClassVar[Literal["equidistant", "free"]]
     repeats: ClassVar[bool]
 

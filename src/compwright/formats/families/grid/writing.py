@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from compwright.formats.definition.consistency import curves, grid
+from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.schema import Choice, When, WrittenFile
 from compwright.formats.definition.statements import print_form
 from compwright.formats.families.axis_names import gathered_files
@@ -214,7 +214,11 @@ class GridWriter:
             # beside a backlash that stays in its place no file is made for the switch alone
             placed.add("enabled")
         value = curves(self.definition)[0]
-        names = [name for name in (*grid(self.definition), "repeats") if name in text.singles]
+        names = [
+            name
+            for name in (*shape_of(self.definition).rules.grid, "repeats")
+            if name in text.singles
+        ]
         rows = rows_by_index(self.own.gathered.rows.get((text.address, text.named["system"]), ()))
         singles = {name: said[name] for name in names if name in said}
         spelled = _spelled(rows, singles, text.address)

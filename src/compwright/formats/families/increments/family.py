@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import sign_check
@@ -22,6 +23,14 @@ from compwright.records.facts import AxisFacts
 
 #: No control numbers more axes than this.
 _MOST_AXES = 40
+
+
+RULES = ShapeRules(
+    words="whole increments by section, numbered in one array for all axes",
+    grid=("table_spacing",),
+    # that of increments is turned by the options pitch_sign and offset_sign
+    signs={"value": frozenset({"correction"}), "backlash": frozenset({"lost_motion"})},
+)
 
 
 class IncrementsFamily(Family):

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from copy import copy
 from typing import Self
 
+from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
@@ -23,6 +24,12 @@ from compwright.records.axis import Axis, AxisKind, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
+
+RULES = ShapeRules(
+    words="entries by index, at equal or at any spacing, in one list per axis",
+    grid=("node_position",),
+    row=None,
+)
 
 
 class ListsFamily(Family):

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between, instead
@@ -27,6 +28,12 @@ from compwright.records.correction import (
     ControlState,
 )
 from compwright.records.facts import AxisFacts
+
+RULES = ShapeRules(
+    words="parts of a count over a length that repeats, defined by a script",
+    grid=("table_end",),
+    by_axis=False,
+)
 
 
 class WrappedFamily(Family):

@@ -22,6 +22,7 @@ from compwright.formats.definition.extends import (
 from compwright.formats.definition.schema import SCHEMA_VERSION, Definition
 from compwright.formats.definition.sections import definition_of_sections
 from compwright.formats.definition.yaml_fields import Node
+from compwright.formats.families.shapes import RULES
 from compwright.foundations.errors import Fault, InputError, collect, raise_all
 from compwright.records.plan import Texts
 
@@ -81,7 +82,7 @@ def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
     part["compwright_format"].integer(1, SCHEMA_VERSION)
     definition = definition_of_sections(part, text, own)
     raise_all(InputError, faults)
-    raise_all(InputError, contradictions(definition))
+    raise_all(InputError, contradictions(definition, RULES))
     return definition
 
 

@@ -1,0 +1,40 @@
+"""The families that there are, by the shape of their tables: a new one is entered here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from compwright.formats.definition.consistency import has_cross
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.shape_rules import ShapeRules
+from compwright.formats.families.columns import family as columns
+from compwright.formats.families.family import Family
+from compwright.formats.families.grid.family import GridFamily
+from compwright.formats.families.grid.shapes import SHAPES as GRIDS
+from compwright.formats.families.increments import family as increments
+from compwright.formats.families.lists import family as lists
+from compwright.formats.families.pairs.family import PairsFamily
+from compwright.formats.families.wrapped import family as wrapped
+
+_FAMILIES: Mapping[str, type[Family]] = {
+    **dict.fromkeys(GRIDS, GridFamily),
+    "section_increments": increments.IncrementsFamily,
+    "user_tables": columns.ColumnsFamily,
+    "lists_by_axis": lists.ListsFamily,
+    "wrapped_counts": wrapped.WrappedFamily,
+}
+#: What a definition has to bind, by the shape of its tables.
+RULES: Mapping[str, ShapeRules] = {
+    **{name: shape.rules for name, shape in GRIDS.items()},
+    "section_increments": increments.RULES,
+    "user_tables": columns.RULES,
+    "lists_by_axis": lists.RULES,
+    "wrapped_counts": wrapped.RULES,
+}
+
+
+def family_of(definition: Definition) -> type[Family]:
+    """Return the family of a control: that of its shape, with tables between axes where it binds
+    them.
+    """
+    return PairsFamily if has_cross(definition) else _FAMILIES[definition.layout.shape]
