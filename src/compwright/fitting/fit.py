@@ -357,7 +357,12 @@ def _limits(fit: _Fit, best: _Best, table: AxisCompensation, grid: Grid) -> tupl
         with_constant = fit.unlimited(reversal="free")
         costs.append(("one table for both directions", added(with_constant, all_shapes)))
         costs.append(("no backlash value", added(this_shape, with_constant)))
-    costs.append(("value range", added(fit.rms(fit.expected().x), this_shape)))
+    held = fit.rms(fit.expected().x)
+    if capacity.zero is not None:
+        any_reversal = fit.rms(fit.expected(("backlash range",)).x)
+        costs.append(("backlash range", added(held, any_reversal)))
+        held = any_reversal
+    costs.append(("value range", added(held, this_shape)))
     shift = _as_unknowns(table, layout) - best.x
     zero = replace(
         fit.data, wanted={direction: np.zeros_like(fit.data.points) for direction in BOTH}

@@ -4,6 +4,7 @@ much stays as it is.
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -100,16 +101,23 @@ def _entries(
                 )
             continue
         text = reader.read(file, faults)
+        rows: Counter[str] = Counter()
         for occurrence in text.occurrences if text else ():
-            yield from _values(definition, occurrence)
+            rows[occurrence.statement] += 1
+            yield from _values(definition, occurrence, rows[occurrence.statement])
 
 
 def _values(
-    definition: Definition, occurrence: Occurrence
+    definition: Definition, occurrence: Occurrence, row: int
 ) -> Iterator[tuple[tuple[str, ...], _Entry]]:
+    """Yield the values of a statement, the ``row``-th of its kind in its file: a bare number is
+    known by that alone.
+    """
     statement = definition.statements[occurrence.statement]
     tokens = occurrence.tokens
     identity = [tokens[name].text for name in _IDENTITY if name in tokens]
+    if statement.form.startswith("({"):
+        identity = [str(row)]
     named = tokens.get("axis")
     address = normal_text(definition, named.text) if named is not None else None
     # A line that names neither axis nor number belongs to its file: the same row in another file is
@@ -120,7 +128,12 @@ def _values(
             continue
         yield (
             (scope, statement.name, *identity, field),
-            _Entry(_label(statement, occurrence, field), address, token.text),
+            _Entry(
+                _label(statement, occurrence, field)
+                or f"{occurrence.file}: {statement.name} {row}",
+                address,
+                token.text,
+            ),
         )
 
 
@@ -131,9 +144,9 @@ def _label(statement: Statement, occurrence: Occurrence, field: str) -> str:
     text = print_form(
         statement.form, {name: marked.get(name, "") for name in (*statement.fields, *marked)}
     )
-    label = text.split("\0")[0].rstrip('PMI=( "')
+    label = re.sub(r'(?:(?<![A-Za-z])[PMI]|[=( "])+$', "", text.split("\0")[0])
     kind = statement.fields.get(field)
     if kind == "bit":
         return f"{label} bit {field[1:]}"
     several = sum(name not in _IDENTITY and name != "key" for name in statement.fields) > 1
-    return f"{label or statement.name} {field}" if several else label or statement.name
+    return f"{label or statement.name} {field}" if several else label

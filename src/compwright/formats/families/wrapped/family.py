@@ -135,8 +135,7 @@ class WrappedFamily(Family):
         check_at: FloatArray,
     ) -> dict[str, str]:
         """See `Family.card_values`."""
-        del facts
-        rate = str(self.options_of(axis)[TAKE_UP])
+        rate = str(facts.said.get(TAKE_UP, self.options_of(axis)[TAKE_UP]))
         words = table_words(axis, self._motor_table(axis, compensation), self._counts(axis), rate)
         return words | sign_check(compensation, check_at)
 

@@ -143,7 +143,10 @@ class _StateReader:
         return Fault(
             message=f"no file says anything about motor {address}; missing is not zero",
             file=", ".join(file.name for file in self.files),
-            expected=f"a table or a backlash of #{address}, or the state `none`",
+            expected=(
+                f"a table of #{address}, or I{address}86 as it is (I{address}86=0 alone: it has"
+                " neither), or the state `none`"
+            ),
             found=f"motors {', '.join(named)}" if named else "no motor at all",
         )
 
@@ -181,7 +184,9 @@ class _StateReader:
         for table in tables:
             if not table.desired and any(table.numbers):
                 self._by_actual(table)
-        facts = AxisFacts(enabled=on)
+        rate = self.script.said("take_up_rate", motor)
+        said = {} if rate is None else {"take_up_rate": number_of(rate.text)}
+        facts = AxisFacts(enabled=on, said=said)
         grids: dict[tuple[int, int], tuple[FloatArray, FloatArray]] = {}
         if (on and any(any(table.numbers) for table in both)) or (lost and constant):
             try:
