@@ -32,6 +32,7 @@ ADDRESSES = {
     "linuxcnc": ("0", "3"),
     "heidenhain-itnc530": "XYZ",
     "heidenhain-nck": "XYZ",
+    "pmac": ("1", "2", "32"),
     "isg-kernel": ("1", "12"),
 }
 #: Doubles carry 1 m to 1e-13 mm, far below every quantum; LinuxCNC keeps its table in single
@@ -87,6 +88,8 @@ def random_options(format_id: str, rng: np.random.Generator) -> dict[str, object
                 chosen[name] = str(rng.choice(np.array(list(values))))
         chosen["first_point"] = int(rng.integers(0, 900)) if rng.random() < 0.3 else 0
         return chosen
+    if format_id == "pmac":
+        return {"counts_per_unit": float(rng.choice([1000, -2000, 8192, -500, 10000 / 3]))}
     if format_id == "linuxcnc":
         return {
             "units": str(rng.choice(["mm", "inch"])),
@@ -221,8 +224,11 @@ def worst_difference(plan: Plan) -> float:
     assert table is not None
     nodes = table.positions
     between = nodes[:-1] + 0.31 * np.diff(nodes)
+    beyond = 3.0
+    if plan.format_id == "pmac":  # behind one spacing beyond its ends its table repeats
+        beyond = min(beyond, float(nodes[1] - nodes[0]))
     where = (
-        np.concatenate([nodes, between, [nodes[0] - 3.0, nodes[-1] + 3.0]])
+        np.concatenate([nodes, between, [nodes[0] - beyond, nodes[-1] + beyond]])
         if nodes.size
         else np.array(plan.axis.travel)
     )

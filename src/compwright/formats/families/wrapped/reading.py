@@ -282,9 +282,11 @@ class _StateReader:
         name, place = f"I{motor}85", self.script.said("take_up_rate", motor)
         if place is not None:
             rate = self._ranged(place, name)
-            if rate == 0:
+            if rate != 0:
+                return True
+            if not self.activity.said:
                 self.notes.switched_off(label, f"{name} = 0 switches its backlash off")
-            return rate != 0
+                return False
         if self.activity.said is not None:
             answer = "on" if self.activity.said else "off"
             self.notes.assume(f"{name}: backlash is taken up", answer, "the job's answer (active)")
