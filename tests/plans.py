@@ -89,7 +89,7 @@ def random_options(format_id: str, rng: np.random.Generator) -> dict[str, object
         chosen["first_point"] = int(rng.integers(0, 900)) if rng.random() < 0.3 else 0
         return chosen
     if format_id == "pmac":
-        return {"counts_per_unit": float(rng.choice([1000, -2000, 8192, -500, 10000 / 3]))}
+        return {"counts_per_unit": float(rng.choice([1000, -2000, 5000, -500, 64000]))}
     if format_id == "linuxcnc":
         return {
             "units": str(rng.choice(["mm", "inch"])),

@@ -447,7 +447,7 @@ def test_an_axis_without_lost_motion_keeps_no_backlash_below_zero() -> None:
     short = axis(travel=(0.0, 300.0), returns=MINUS)
     capacity = control().capacity(short)
     for mode in ("single", "bidirectional"):
-        fitted = fit_table(wanted, capacity, TableRequest(mode=mode), address="1")  # type: ignore[arg-type]
+        fitted = fit_table(wanted, capacity, TableRequest(mode=mode), address="1")
         assert fitted.compensation.positive[0] == 0.0
         assert fitted.compensation.negative[0] == 0.0
         assert "backlash range" in {limit.cause for limit in fitted.limits}
@@ -466,7 +466,7 @@ def cases(draw: st.DrawFn) -> tuple[AxisCompensation, Axis, float]:
     ahead, back = (np.array(draw(numbers), dtype=float) for _ in range(2))
     ahead[below], back[below] = 0.0, -np.sign(counts) * draw(st.integers(0, 300))
     positive, negative = (ahead, back) if counts > 0 else (back, ahead)
-    nodes = reference + np.arange(-below, above + 1) * step
+    nodes = reference + np.arange(-below, above + 1, dtype=np.float64) * step
     travel = (float(nodes[0]), float(nodes[-1]))
     wish = AxisCompensation(
         address="3",
