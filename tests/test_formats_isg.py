@@ -146,6 +146,11 @@ def test_a_table_that_repeats_goes_on_behind_its_ends() -> None:
         ("kw_nr_max                 4", "kw_nr_max 3", "lies beyond the last entry"),
         ("kw_nr_max                 4", "kw_nr_max 1500", "must be less than"),
         ("kw_nr_max                 4", "kw_nr_max 4\nkw.ssfk.max_points 4", "must be less than"),
+        (
+            "kw_nr_max                 4",
+            "kw_nr_max 999999998\nkw.ssfk.max_points 999999999",
+            "is missing (999999994 of 999999998)",
+        ),
         ("kw_startpos               -2000000", "kw_startpos 1", "is not the first setpoint"),
         ("[2].setpoint         1500000", "[2].setpoint -5", "do not ascend at entry 2"),
         ("[1].pos              0", "[1].pos 0x0", "kw.ssfk.table[1].pos"),

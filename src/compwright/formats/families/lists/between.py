@@ -8,8 +8,8 @@ import numpy as np
 
 from compwright.formats.families.between import Asked, Between, in_turn, label, not_held
 from compwright.formats.families.family import Family
-from compwright.formats.families.lists.axis import TENTH
 from compwright.formats.families.lists.cross import CROSS_ROOM, CROSS_VALUES
+from compwright.formats.families.lists.table import TENTH
 from compwright.formats.families.lists.writing import ListsWriter
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.foundations.units import outside_factor, shown_unit

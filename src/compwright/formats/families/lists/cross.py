@@ -7,7 +7,8 @@ from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.families.lists.axis import TENTH, AxisLists
+from compwright.formats.families.lists.said import AxisSaid
+from compwright.formats.families.lists.table import TENTH
 from compwright.formats.text.gathering import same_value
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind
@@ -29,7 +30,7 @@ CROSS_STATEMENTS = (
 )
 
 
-def read_cross(lists: AxisLists, kind_of: Callable[[str], AxisKind]) -> CrossCompensation | None:
+def read_cross(lists: AxisSaid, kind_of: Callable[[str], AxisKind]) -> CrossCompensation | None:
     """Return what another axis does to this one, mm or deg; None without an acting table, and
     where nobody says what its values are, which is told. What is wrong goes to the notes.
     """
@@ -74,7 +75,7 @@ def left_out(notes: Notes, label: str, why: str) -> None:
     notes.find("CW-S050", "warning", f"{label} is left as it is and not shown: {why}")
 
 
-def _entries(lists: AxisLists) -> list[tuple[Decimal, Decimal]]:
+def _entries(lists: AxisSaid) -> list[tuple[Decimal, Decimal]]:
     """Return position and value of every entry, as they stand; empty without a table, and where
     something is wrong with it, which goes to the notes.
     """
@@ -90,6 +91,7 @@ def _entries(lists: AxisLists) -> list[tuple[Decimal, Decimal]]:
     if count > room:
         message = f"{lists.lists.name('cross_last')} must be less than the room for entries"
         lists.notes.refuse(lists.label, message, last, expected=f"less than {room}")
+        return []
     for column, rows in (("cross_setpoint", setpoints), ("cross_correction", values)):
         lists.complete(rows, count, column, last)
     if len(lists.notes.faults) > before:

@@ -14,9 +14,9 @@ from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import sign_check, typed
 from compwright.formats.families.family import AxisTable, Family, sound
-from compwright.formats.families.lists.axis import COUNTS, TENTH, VALUE_TYPES, counted
 from compwright.formats.families.lists.between import lists_between
 from compwright.formats.families.lists.reading import read_state
+from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, counted
 from compwright.formats.families.lists.writing import ListsWriter
 from compwright.formats.text.scale import Scale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all

@@ -14,9 +14,11 @@ from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, a
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
 from compwright.formats.families.gantry import compare_partners, note_twin, partner_of
-from compwright.formats.families.lists.axis import AxisLists
+from compwright.formats.families.lists.axis import read_axis
+from compwright.formats.families.lists.beside import check_others
 from compwright.formats.families.lists.cross import left_out, read_cross
 from compwright.formats.families.lists.files import Lists, read_lists
+from compwright.formats.families.lists.said import AxisSaid
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.notes import Notes
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
@@ -119,13 +121,13 @@ class _StateReader:
     def _axis(self, lists: Lists, address: str, axis: Axis | None) -> None:
         """Read an axis that is asked for."""
         reader = self._reader(lists, address, axis, self.notes, self.activity)
-        self.compensations[address] = reader.read()
-        reader.check_others()
+        self.compensations[address], enabled = read_axis(reader)
+        check_others(reader)
         between = read_cross(reader, self._kind)
         self.cross.extend([between] if between is not None else [])
         name = reader.one("axis_name")
         self.facts[address] = AxisFacts(
-            name=None if name is None else name.text, enabled=reader.enabled, said=reader.said
+            name=None if name is None else name.text, enabled=enabled, said=reader.said
         )
         if axis is not None:
             self._check_turn(axis, self.compensations[address])
@@ -137,8 +139,8 @@ class _StateReader:
         own, notes = Notes(), Notes()
         activity = Activity(said=self.activity.said)
         reader = self._reader(lists, address, None, own, activity)
-        self._twins(address, reader.read())
-        reader.check_others()
+        self._twins(address, read_axis(reader)[0])
+        check_others(reader)
         between = read_cross(self._reader(lists, address, None, notes, activity), self._kind)
         odd = [*own.faults, *notes.faults, *own.questions, *notes.questions]
         if odd:
@@ -164,9 +166,9 @@ class _StateReader:
 
     def _reader(
         self, lists: Lists, address: str, axis: Axis | None, notes: Notes, activity: Activity
-    ) -> AxisLists:
+    ) -> AxisSaid:
         options = axis_options(self.definition, self.family.options, axis)
-        return AxisLists(lists, address, axis, options, notes, activity)
+        return AxisSaid(lists, address, axis, options, notes, activity)
 
     def _kind(self, address: str) -> AxisKind:
         axis = self.wanted.get(address)

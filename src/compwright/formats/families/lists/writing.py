@@ -23,6 +23,7 @@ from compwright.formats.families.lists.files import (
     read_lists,
     without_remarks,
 )
+from compwright.formats.families.lists.table import COLUMNS
 from compwright.formats.text.gathering import Found, same_value
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.patching import Change, Patches, fresh_file, set_field
@@ -33,7 +34,6 @@ from compwright.records.correction import AxisCompensation, ControlFile
 
 #: An entry: its statement and its index.
 Entry = tuple[str, int]
-_COLUMNS = ("setpoint", "positive", "negative")
 _CROSS_COLUMNS = ("cross_setpoint", "cross_correction")
 
 
@@ -78,7 +78,7 @@ class ListsWriter:
                 "modulo": "0" if table.period is None else "1",
             },
             columns,
-            _COLUMNS,
+            COLUMNS,
         )
         self._make_act(address, "table_switch", "manual")
         switch = self.lists.places(address, "backlash_switch")

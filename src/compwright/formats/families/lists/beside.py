@@ -1,0 +1,101 @@
+"""What acts on an axis beside its table: the backlash, and what nobody here understands."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from decimal import Decimal, InvalidOperation
+
+from compwright.formats.families.lists.said import AxisSaid
+from compwright.formats.families.lists.table import TENTH
+from compwright.formats.text.gathering import Found, same_value
+from compwright.records.axis import Direction
+
+#: A backlash holds numbers up to this one.
+_MOST = 32767
+
+
+def backlash_of(of: AxisSaid, *, two: bool) -> float:
+    """Return the backlash, mm or deg; ``two``: a table with two columns acts."""
+    switch = of.one("backlash_switch")
+    gears = of.rows("backlash")
+    lose = gears.get(0)
+    on = switch is not None and not same_value(switch.text, "0")
+    if switch is not None and switch.text.strip("0") not in ("", "1", "2"):
+        message = "the switch of the backlash has a value that is not known"
+        of.notes.refuse(of.label, message, switch, expected="0, 1 or 2")
+    if lose is None:
+        if switch is not None and on:
+            message = f"the backlash is switched on, but {_name(of)} is missing"
+            expected = "the axis parameter list with it too"
+            of.notes.refuse(of.label, message, switch, expected=expected)
+        else:
+            value = of.values.absent("backlash", tell=False)
+            evidence = "unconfirmed: in no list that was given"
+            of.notes.assume(f"{of.label}: {_name(of)}", str(value), evidence)
+    _check_gears(of, gears)
+    if lose is None or Decimal(lose.text) == 0:
+        return 0.0
+    if switch is None:
+        message = f"{_name(of)} is not 0, but no list says whether it acts"
+        expected = f"{of.lists.name('backlash_switch')} in the lists too"
+        of.notes.refuse(of.label, message, lose, expected=expected)
+    return _acting(of, Decimal(lose.text), lose, two=two) if on else 0.0
+
+
+def _name(of: AxisSaid) -> str:
+    return of.lists.name("backlash").replace("..", "0")
+
+
+def _acting(of: AxisSaid, number: Decimal, place: Found, *, two: bool) -> float:
+    if number != int(number) or abs(number) > _MOST:
+        expected = f"a whole number, {-_MOST} to {_MOST}"
+        of.notes.refuse(of.label, "a backlash must be whole", place, expected=expected)
+    elif number < 0:
+        message = "a backlash less than 0 (play before the measuring system) is not understood"
+        of.notes.refuse(of.label, message, place, expected="0 or more, or switched off")
+    elif two:
+        message = "a backlash acts beside a table with two columns, which holds the reversal"
+        of.notes.refuse(of.label, message, place, expected="0, or switched off")
+    other = "-" if of.returns is Direction.POSITIVE else "+"
+    of.notes.assume(
+        f"{of.label}: direction in which {_name(of)} acts",
+        f"arriving in {other}",
+        "unconfirmed: no page says which direction gets the backlash",
+    )
+    return float(number * Decimal(str(TENTH)))
+
+
+def _check_gears(of: AxisSaid, gears: Mapping[int, Found]) -> None:
+    """Every gear must have the backlash of the first one, or none."""
+    first = gears.get(0)
+    for gear, found in gears.items():
+        same = first is not None and same_value(found.text, first.text)
+        if Decimal(found.text) and not same:
+            message = f"gear {gear} has another backlash than gear 0"
+            of.notes.refuse(of.label, message, found, expected="the same, or 0")
+
+
+def check_others(of: AxisSaid) -> None:
+    """Refuse, by name, what would act on the axis beside table, backlash and one table from
+    another axis.
+    """
+    for found in of.lists.places(of.address, "other"):
+        if not _is_zero(found.text):
+            name = found.occurrence.tokens["name"].text
+            message = f"kw.{name} is not known, and whether it acts neither"
+            of.notes.refuse(of.label, message, found, expected="0, or a list without it")
+    switch = of.one("plane_switch")
+    if switch is not None and same_value(switch.text, "0"):
+        return
+    for found in of.lists.places(of.address, "plane"):
+        if not _is_zero(found.text):
+            message = "a compensation over two other axes (kw.crosscomp2) acts, which is not read"
+            expected = f"{of.lists.name('plane_switch')} 0, or values of 0"
+            of.notes.refuse(of.label, message, found, expected=expected)
+
+
+def _is_zero(text: str) -> bool:
+    try:
+        return Decimal(text) == 0
+    except InvalidOperation:
+        return False

@@ -1,0 +1,161 @@
+"""What the lists say of one axis, statement by statement; every contradiction is noted once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from decimal import Decimal
+
+from compwright.formats.families.activity import Activity
+from compwright.formats.families.lists.files import Lists, entries
+from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.notes import Notes
+from compwright.formats.text.values import Values
+from compwright.records.axis import Axis, AxisKind, Direction
+from compwright.records.facts import Fact
+
+
+class AxisSaid:
+    """The statements of one axis. ``axis``: that of a job, None without one; ``said``: what later
+    readers of the lists need of it, by neutral name. What is wrong goes to ``notes``.
+    """
+
+    def __init__(
+        self,
+        lists: Lists,
+        address: str,
+        axis: Axis | None,
+        options: Mapping[str, object],
+        notes: Notes,
+        activity: Activity,
+    ) -> None:
+        self.lists = lists
+        self.definition = lists.definition
+        self.address = address
+        self.axis = axis
+        self.options = options
+        self.notes = notes
+        self.activity = activity
+        self.label = f"axis {address}"
+        self.kind = axis.kind if axis is not None else AxisKind.LINEAR
+        self.returns = (
+            axis.reference_return
+            if axis is not None
+            else Direction(str(options["reference_return"]))
+        )
+        self.values = Values(self.definition, self.label, notes)
+        self.said: dict[str, Fact] = {}
+
+    def one(self, statement: str) -> Found | None:
+        """Return what a statement says; said twice with two values it is a fault."""
+        return self._agreed(statement, self.lists.places(self.address, statement))
+
+    def _agreed(self, what: str, places: Sequence[Found]) -> Found | None:
+        for place in places[1:]:
+            if not same_value(place.text, places[0].text):
+                message = f"{self.lists.name(what)} contradicts {places[0].where}"
+                self.notes.refuse(self.label, message, place, expected=places[0].text)
+                return None
+        return places[0] if places else None
+
+    def needed(self, statement: str, beside: Found | None) -> Found | None:
+        """Return what a statement says; it must be there, because ``beside`` is."""
+        found = self.one(statement)
+        if found is None and not self.lists.places(self.address, statement):
+            name = self.lists.name(statement)
+            message = f"{name} is missing; missing is not zero"
+            self.notes.refuse(self.label, message, beside, expected=name, found="none")
+        return found
+
+    def word(self, quantity: str) -> str | None:
+        """Return the neutral word of a choice, with what counts where the lists do not say it."""
+        found = self.one(self.definition.bindings[quantity].statement)
+        return self.values.word(quantity, found) if found else self.values.absent(quantity)
+
+    def acts(self, switch: str, manual: str, *, zero: bool, label: str) -> bool:
+        """Return whether a table acts by the switch of the axis and its own manual activation.
+
+        A switch in no list counts as on; one that is off is asked about where readings hang on
+        the answer. ``zero``: it holds nothing but zeros.
+        """
+        on, by_hand = self.one(switch), self.one(manual)
+        off = [
+            place
+            for place, means_off in ((on, "0"), (by_hand, "1"))
+            if place is not None and same_value(place.text, means_off)
+        ]
+        for said_at in (on, by_hand):
+            if said_at is not None and said_at.text.strip("0") not in ("", "1"):
+                message = "a switch has a value that is not known"
+                self.notes.refuse(self.label, message, said_at, expected="0 or 1")
+        if off and zero:
+            return False
+        word = "no" if off else "yes" if on is not None else None
+        if word is not None or self.activity.said is not None:
+            place = off[0] if off else on
+            by_switch = not off or off[0] is on
+            name = self.lists.name(switch) if by_switch else f"{self.lists.name(manual)} not"
+            said = self.activity.settle(label, name, word, place, self.notes)
+            if said is None:
+                self.notes.switched_off(label, f"it is switched off in the lists ({name} = 0)")
+            elif not said:
+                self.notes.switched_off(label, "it did not act, as the job says")
+            return bool(said)
+        name = self.lists.name(switch)
+        self.notes.assume(f"{label}: {name}", "1", "unconfirmed: in no list that was given")
+        return True
+
+    def any_place(self) -> Found | None:
+        """Return some statement of the axis, for messages."""
+        said = self.lists.said.get(self.address, {})
+        return next((found for places in said.values() for found in places), None)
+
+    def rows(self, column: str) -> dict[int, Found]:
+        """Return the entries of one column by index; two that differ are a fault."""
+        by_index: dict[int, list[Found]] = {}
+        for index, found in entries(self.lists.places(self.address, column)):
+            by_index.setdefault(index, []).append(found)
+        agreed = {index: self._agreed(column, found) for index, found in by_index.items()}
+        return {index: found for index, found in agreed.items() if found is not None}
+
+    def room(self, statement: str, default: int) -> int:
+        """Return how many entries there is room for; 0 means the default."""
+        found = self.one(statement)
+        said = int(found.text) if found is not None else 0
+        if said:
+            self.said[statement] = said
+        return said or default
+
+    def complete(
+        self,
+        rows: Mapping[int, Found],
+        count: int,
+        column: str,
+        place: Found | None,
+        *,
+        needed: bool = True,
+    ) -> None:
+        """Every entry must be there, and none beyond the last one."""
+        name = self.lists.name(column)
+        missing = count - sum(index < count for index in rows) if needed else 0
+        if missing:
+            first = next(index for index in range(count) if index not in rows)
+            message = f"{name.replace('..', str(first))} is missing ({missing} of {count})"
+            message += "; missing is not zero"
+            self.notes.refuse(self.label, message, place, expected=f"indices 0 to {count - 1}")
+        beyond = [index for index in sorted(rows) if index >= count]
+        if beyond and count:
+            message = f"{name.replace('..', str(beyond[0]))} lies beyond the last entry"
+            expected = f"indices 0 to {count - 1}, or {self.lists.name('count')} as it should be"
+            self.notes.refuse(self.label, message, rows[beyond[0]], expected=expected)
+
+    def check_ascending(
+        self, places: Sequence[Decimal], setpoints: Mapping[int, Found], otherwise: Found
+    ) -> None:
+        """Refuse the first of some positions that does not lie above the one before it."""
+        for index in range(1, len(places)):
+            if places[index] <= places[index - 1]:
+                message = f"the positions do not ascend at entry {index}"
+                at, found = setpoints.get(index, otherwise), str(places[index])
+                expected = f"more than {places[index - 1]}"
+                self.notes.refuse(self.label, message, at, expected=expected, found=found)
+                return

@@ -1,0 +1,260 @@
+"""The table of an axis as its list holds it -> corrections by position."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+
+import numpy as np
+
+from compwright.formats.definition.options import DETECTION_UNIT
+from compwright.formats.families.lists.said import AxisSaid
+from compwright.formats.text.gathering import Found, same_value
+from compwright.formats.text.scale import Scale, in_range
+from compwright.foundations.errors import Fault
+from compwright.records.axis import FloatArray
+
+#: What a whole number counts where the list does not count in increments, mm or deg.
+TENTH = 0.0001
+#: What such a count and an increment are called, as people read it.
+COUNTS = {
+    "tenths": "0.1 µm (rotary 0.0001 deg)",
+    "increments": "encoder increments (kw.ssfk.unit 0)",
+}
+#: Type of a value -> the largest number that it holds.
+VALUE_TYPES = {"sgn16": 32767, "sgn32": 2147483647}
+#: The columns of a table.
+COLUMNS = ("setpoint", "positive", "negative")
+
+
+def counted(definition_scale: Scale, options: Mapping[str, object], increment: float) -> Scale:
+    """Return a scale in which one count is ``increment`` mm or deg."""
+    return Scale(
+        definition_scale.definition,
+        definition_scale.kind,
+        {**options, DETECTION_UNIT: increment},
+        {},
+    )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ListTable:
+    """A table in mm or deg: ``positions`` (k,) ascending, ``positive``, ``negative`` (k,)
+    corrections, ``period`` of one that repeats.
+    """
+
+    positions: FloatArray
+    positive: FloatArray
+    negative: FloatArray
+    two: bool = False
+    period: float | None = None
+
+
+class TableReader:
+    """Reads the table of one axis; what is wrong goes to its notes."""
+
+    def __init__(self, of: AxisSaid) -> None:
+        self.of = of
+
+    def read(self) -> ListTable | None:
+        """Return the table of the list, whether it acts or not; None where there is none, or
+        where it cannot be read.
+        """
+        of, before = self.of, len(self.of.notes.faults)
+        rows = {column: of.rows(column) for column in COLUMNS}
+        names = ("count", "unit", "interval", "start", "bilateral", "modulo", "manual")
+        if not any(rows.values()) and not any(of.lists.places(of.address, n) for n in names):
+            return None
+        count_at = of.needed("count", of.any_place())
+        count = int(count_at.text) if count_at is not None else 0
+        if count_at is not None and count == 0 and not any(rows.values()):
+            return None
+        unit, two = (
+            self._needed_word("table_form", count_at),
+            self._needed_word("bidirectional", count_at),
+        )
+        interval = of.needed("interval", count_at)
+        self._check_count(count, count_at)
+        for column in ("positive", "negative"):
+            needed = column == "positive" or two == "yes"
+            of.complete(rows[column], count, column, count_at, needed=needed)
+        scale = self.scale(unit, of.one("unit"))
+        if len(of.notes.faults) > before or interval is None:
+            return None
+        places = self._places(rows["setpoint"], count, interval, count_at)
+        if len(of.notes.faults) > before or scale is None:
+            return None
+        if two == "no":
+            self._one_column(rows)
+            rows["negative"] = rows["positive"]
+        table = self._corrections(scale, places, rows, two=two == "yes")
+        return None if len(of.notes.faults) > before else table
+
+    def _needed_word(self, quantity: str, beside: Found | None) -> str | None:
+        """Return the word of a choice that must be there."""
+        statement = self.of.definition.bindings[quantity].statement
+        return None if self.of.needed(statement, beside) is None else self.of.word(quantity)
+
+    def _corrections(
+        self,
+        scale: Scale,
+        places: Sequence[Decimal],
+        rows: Mapping[str, Mapping[int, Found]],
+        *,
+        two: bool,
+    ) -> ListTable:
+        positive, negative = (
+            [
+                self._value(scale, f"value_{column}", rows[column][index])
+                for index in range(len(places))
+            ]
+            for column in ("positive", "negative")
+        )
+        positions = [scale.read("node_position", str(place)) for place in places]
+        count = float(scale.factor("node_position"))
+        return ListTable(
+            positions=np.array([float(place) for place in positions]),
+            positive=np.array([float(value) for value in positive]),
+            negative=np.array([float(value) for value in negative]),
+            two=two,
+            period=self._period(positions, (positive, negative), count),
+        )
+
+    def scale(self, word: str | None, place: Found | None) -> Scale | None:
+        """Return how the numbers of a table are read, by the word of its unit; None where nobody
+        says how long an increment is, which is asked.
+        """
+        increment: object = TENTH
+        if word == "increments":
+            increment = self.of.options.get("encoder_increment")
+            if not isinstance(increment, (int, float)) or increment <= 0:
+                self.of.notes.ask(
+                    Fault(
+                        message=(
+                            f"{self.of.label}: its list counts in encoder increments"
+                            f" ({self.of.lists.name('unit')} 0): how long is one?"
+                        ),
+                        file=place.occurrence.file if place is not None else "",
+                        place=place.occurrence.place if place is not None else "",
+                        expected="option encoder_increment: mm or deg per increment, more than 0",
+                        found="nothing" if increment is None else str(increment),
+                    )
+                )
+                return None
+        elif word is None:
+            return None
+        self.of.said["table_form"] = word
+        base = Scale(self.of.definition, self.of.kind, self.of.options, {})
+        return counted(base, self.of.options, float(str(increment)))
+
+    def _check_count(self, count: int, place: Found | None) -> None:
+        room = self.of.room("max_points", int(self.of.values.absent("max_points", tell=False) or 0))
+        if count >= room:
+            name = self.of.lists.name("count")
+            message = f"{name} must be less than {self.of.lists.name('max_points')}"
+            self.of.notes.refuse(self.of.label, message, place, expected=f"at most {room - 1}")
+        elif count == 0:
+            message = f"{self.of.lists.name('count')} is 0, but the list holds entries"
+            self.of.notes.refuse(self.of.label, message, place, expected="their number")
+
+    def _places(
+        self,
+        setpoints: Mapping[int, Found],
+        count: int,
+        interval: Found | None,
+        place: Found | None,
+    ) -> list[Decimal]:
+        """Return the positions of the entries, as counts; they must ascend."""
+        if interval is None:
+            return []
+        step = Decimal(interval.text)
+        result = (
+            self._even(setpoints, count, step, interval)
+            if step
+            else self._listed(setpoints, count, place)
+        )
+        self.of.check_ascending(result, setpoints, interval)
+        low, high = self.of.definition.measure("node_position").range
+        for value in (result[0], result[-1]) if result else ():
+            if not low <= value <= high:
+                message = "a position is beyond the range of the control"
+                self.of.notes.refuse(
+                    self.of.label, message, place, expected="32 bits", found=str(value)
+                )
+        return result
+
+    def _listed(
+        self, setpoints: Mapping[int, Found], count: int, place: Found | None
+    ) -> list[Decimal]:
+        """Return the positions where every entry has its setpoint."""
+        self.of.complete(setpoints, count, "setpoint", place)
+        result = [Decimal(setpoints[index].text) for index in range(count) if index in setpoints]
+        start = self.of.one("start")
+        if start is not None and result and Decimal(start.text) != result[0]:
+            message = f"{self.of.lists.name('start')} is not the first setpoint"
+            self.of.notes.refuse(self.of.label, message, start, expected=str(result[0]))
+        return result
+
+    def _even(
+        self, setpoints: Mapping[int, Found], count: int, step: Decimal, interval: Found
+    ) -> list[Decimal]:
+        """Return the positions at equal spacing; setpoints beside it must say the same."""
+        start = self.of.needed("start", interval)
+        if start is None:
+            return []
+        result = [Decimal(start.text) + index * step for index in range(count)]
+        self.of.complete(setpoints, count, "setpoint", interval, needed=False)
+        for index, found in setpoints.items():
+            if index < count and Decimal(found.text) != result[index]:
+                message = "a setpoint does not lie where start and interval put it"
+                self.of.notes.refuse(self.of.label, message, found, expected=str(result[index]))
+        return result
+
+    def _one_column(self, rows: Mapping[str, Mapping[int, Found]]) -> None:
+        """A table for both directions uses the column of +; another one beside it must be the
+        same.
+        """
+        for index, found in rows["negative"].items():
+            first = rows["positive"].get(index)
+            if first is not None and not same_value(first.text, found.text):
+                message = "bilateral is 0, but the column for - holds another value"
+                self.of.notes.refuse(self.of.label, message, found, expected=first.text)
+
+    def _value(self, scale: Scale, quantity: str, found: Found) -> Decimal:
+        self._check_type(found)
+        value = scale.read(quantity, found.text)
+        if not in_range(self.of.definition.measure(quantity), scale, value):
+            message = "a value is beyond the range of the control"
+            self.of.notes.refuse(self.of.label, message, found, expected="32 bits")
+        return value
+
+    def _check_type(self, found: Found) -> None:
+        """Hold a number against the type of the values, where somebody says it."""
+        kind = str(self.of.options.get("value_type"))
+        most = VALUE_TYPES.get(kind)
+        number = Decimal(found.text)
+        if most is not None and (abs(number) > most or number != int(number)):
+            message = f"a value does not fit the type {kind} (option value_type)"
+            expected = f"a whole number, {-most} to {most}"
+            self.of.notes.refuse(self.of.label, message, found, expected=expected)
+
+    def _period(
+        self, positions: Sequence[Decimal], curves: Sequence[Sequence[Decimal]], count: float
+    ) -> float | None:
+        """Return the turn of a table that repeats: first and last entry are one place."""
+        place = self.of.one("modulo")
+        if self.of.word("repeats") != "yes" or place is None:
+            return None
+        span = float(positions[-1] - positions[0])
+        if any(curve[0] != curve[-1] for curve in curves) or not span:
+            message = "the table repeats, so first and last entry must be equal"
+            expected = "two entries or more, the same values at both ends"
+            self.of.notes.refuse(self.of.label, message, place, expected=expected)
+        turn = self.of.axis.modulo if self.of.axis is not None else None
+        if turn is not None and abs(turn - span) > 1.01 * count:
+            message = "the table repeats, but not after the modulo of the job"
+            self.of.notes.refuse(
+                self.of.label, message, place, expected=f"{turn:g}", found=f"{span:g}"
+            )
+        return span
