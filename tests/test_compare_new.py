@@ -467,6 +467,35 @@ def test_a_new_job_is_filled_in_and_runs(tmp_path: Path) -> None:
     assert (tmp_path / "job" / "tables" / "fanuc-30i" / "CNC-PARA.TXT").exists()
 
 
+@pytest.mark.parametrize(
+    ("name", "options", "modulo"),
+    [("siemens-840d-sl", [], 360.0), ("pmac", ["--option", "counts_per_unit=1000"], None)],
+)
+def test_a_table_that_repeats_is_an_axis_without_ends_where_a_file_says_that(
+    name: str, options: list[str], modulo: float | None, tmp_path: Path
+) -> None:
+    """The tables of a PMAC all repeat, those of linear motors too; in both files nothing says
+    whether the axis is linear or rotary.
+    """
+    texts = {
+        "siemens-840d-sl": [
+            *(f"$AA_ENC_COMP[0,{index},AX4]={value}" for index, value in enumerate((0, 0.01, 0))),
+            "$AA_ENC_COMP_STEP[0,AX4]=180",
+            "$AA_ENC_COMP_MIN[0,AX4]=0",
+            "$AA_ENC_COMP_MAX[0,AX4]=360",
+            "$AA_ENC_COMP_IS_MODULO[0,AX4]=1",
+            "M17",
+        ],
+        "pmac": ["#1", "DEFINE COMP 4, #1, 800000", "16 32 16 0"],
+    }
+    (tmp_path / "own.txt").write_text("\n".join(texts[name]) + "\n")
+    job = tmp_path / "job.yaml"
+    words = ["--from", str(tmp_path / "own.txt"), "--format", name, *options, "--out", str(job)]
+    assert compwright(["new", *words]) == 0
+    (axis,) = yaml.safe_load(job.read_text())["axes"].values()
+    assert (axis["kind"], axis.get("modulo")) == ("linear", modulo)
+
+
 def test_a_new_job_where_the_unit_was_given(tmp_path: Path) -> None:
     state = backup(tmp_path / "control", lines=50)
     words = [word for path in state for word in ("--from", str(path))]

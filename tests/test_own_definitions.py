@@ -109,7 +109,8 @@ def test_a_definition_of_ones_own_runs_and_everything_says_that_nobody_judged_it
     assert JUDGED in card[: card.index("## Steps")]
     for page in ("job/card/card.html", "job/report.html"):
         text = (tmp_path / page).read_text(encoding="utf-8")
-        assert 0 < text.index(JUDGED) < text.index("<h2", text.index(JUDGED) - 200) + 4000
+        first = text.index(">Settle first")
+        assert 0 < first < text.index(JUDGED) < text.index("<table")
     assert JUDGED in " ".join(capsys.readouterr().out.split())
     assert (tmp_path / "job/tables/nc7/NC7_X.PIT").is_file()
     # lost motion of 5 µm: the card tells it in the unit in which BACKLASH counts
@@ -276,6 +277,38 @@ def test_an_id_that_ships_cannot_be_taken(
     assert "line 2, id: is the id of a control that ships" in line
     assert "such as my-linuxcnc; or linuxcnc itself" in line
     assert not (tmp_path / "job").exists()
+
+
+def test_the_check_refuses_what_no_command_would_take(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    mine = tmp_path / "mine.yaml"
+    mine.write_bytes(CONTENT["linuxcnc.yaml"] + b"# mine\n")
+    assert compwright(["formats", "check", str(mine)]) == 3
+    assert "id: is the id of a control that ships" in told(capsys)[0]
+    mine.write_bytes(CONTENT["linuxcnc.yaml"])  # the very one that ships
+    assert compwright(["formats", "check", str(mine)]) == 0
+    copied(mine, "linuxcnc", "mine")
+    copied(tmp_path / "more.yaml", "linuxcnc", "MINE")  # one folder for both on some disks
+    capsys.readouterr()
+    assert compwright(["formats", "check", str(tmp_path)]) == 3
+    assert "more.yaml: line 2, id: the id is given twice" in told(capsys)[0]
+
+
+def test_corrections_worked_by_hand_for_another_control_are_called_that(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    copied(tmp_path / "mine.yaml", "linuxcnc", "mine")
+    assert compwright(["formats", "check", str(tmp_path / "mine.yaml")]) == 0
+    said = capsys.readouterr().out
+    assert "they are those of linuxcnc.yaml, none of its own" in said
+    (doubt,) = ran(job(tmp_path, "mine.yaml", ', address: "0"'))["doubts"]
+    assert doubt["message"].endswith("those of linuxcnc.yaml: nobody worked one out for mine")
+    card = (tmp_path / "job/card/card.md").read_text(encoding="utf-8")
+    assert doubt["message"] in card[: card.index("## Steps")]
+    tutorial(tmp_path / "nc7.yaml")
+    assert compwright(["formats", "check", str(tmp_path / "nc7.yaml")]) == 0
+    assert "none of its own" not in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("wrong", ["a/b", "..", "con", "LPT1", "nc 7", "größe", "x" * 65, ".nc7"])

@@ -458,6 +458,14 @@ class Definition:
         """
         return "read_back" if self.own else "independent"
 
+    @property
+    def worked_for(self) -> str:
+        """The file that a definition takes its hand-worked corrections over from; empty where it
+        has its own.
+        """
+        file, _ = self.text.places["expect",]
+        return "" if file == self.text.file else PurePath(file).name
+
     def measure(self, quantity: str) -> Measure:
         """Return the binding of a length or an angle. Raises KeyError where the definition has
         none.

@@ -34,6 +34,7 @@ from compwright.workflow.stages.definitions import (
     is_base,
     is_path,
     own_definition,
+    taken,
 )
 
 NOT_JUDGED = "not independently judged: there is no virtual control for it"
@@ -93,6 +94,7 @@ def check_formats(paths: Sequence[Path]) -> tuple[str, ...]:
     lines: list[str] = []
     faults: list[Fault] = []
     ids: dict[str, str] = {}
+    ships = set(dict(storage.definition_files()).values())
     for file, content, find in _contents(paths):
         try:
             definition = load_definition(content, file, find)
@@ -103,13 +105,18 @@ def check_formats(paths: Sequence[Path]) -> tuple[str, ...]:
         judged = definition.id in KNOWN
         if not found and judged:
             found = tuple(_judge(definition))
+        if content not in ships:
+            found = (*found, *taken(definition))
         faults.extend(found)
-        if definition.id in ids:
-            faults.append(given_twice(definition, ids[definition.id]))
-        ids[definition.id] = file
+        name = definition.id.casefold()  # of folders, on some disks one
+        if name in ids:
+            faults.append(given_twice(definition, ids[name]))
+        ids[name] = file
         if not found:
             positions = sum(len(expectation.at) for expectation in definition.expect)
             says = "by the virtual control too" if judged else NOT_JUDGED
+            if definition.worked_for and not judged:
+                says += f"; they are those of {definition.worked_for}, none of its own"
             lines.append(
                 f"{file}: {definition.id}: {positions} positions worked by hand agree, {says}; the"
                 " sample is read back as written; every limit is kept"

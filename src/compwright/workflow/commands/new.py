@@ -115,6 +115,8 @@ def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[A
         for address, axis in state.axes.items()
         if axis.positions.size or axis.backlash or axis.slope or axis.others
     ]
+    # A control whose every table repeats says nothing of an axis without ends by it.
+    turns = "repeats" in control.definition.bindings
     names: set[str] = set()
     for address in acting or list(state.axes):
         facts = state.facts_of(address)
@@ -125,7 +127,7 @@ def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[A
         if name in names:
             raise UsageError(Fault(message=f"two axes would be called {name}", found=address))
         names.add(name)
-        values = dict(_values(address, state.axes[address], facts))
+        values = dict(_values(address, state.axes[address], facts, turns=turns))
         if units and DETECTION_UNIT in facts.said:
             values["options"] = Prefilled(
                 {DETECTION_UNIT: facts.said[DETECTION_UNIT]},
@@ -196,7 +198,7 @@ def _returning(facts: AxisFacts, said: str) -> Prefilled:
 
 
 def _values(
-    address: str, axis: AxisCompensation, facts: AxisFacts
+    address: str, axis: AxisCompensation, facts: AxisFacts, *, turns: bool
 ) -> Iterator[tuple[str, Prefilled]]:
     said = "the control's files"
     known = facts.kind is not None
@@ -207,7 +209,7 @@ def _values(
             f"from {said}" if known else "CHECK: linear or rotary; the files do not say it",
         ),
     )
-    yield from _travel(address, axis, facts, said)
+    yield from _travel(address, axis, facts, said, turns=turns)
     reference = facts.said.get("reference_coordinate")
     if isinstance(reference, (int, float)):
         yield "reference", Prefilled(float(reference), f"from {said}")
@@ -230,9 +232,12 @@ def _values(
 
 
 def _travel(
-    address: str, axis: AxisCompensation, facts: AxisFacts, said: str
+    address: str, axis: AxisCompensation, facts: AxisFacts, said: str, *, turns: bool
 ) -> Iterator[tuple[str, Prefilled]]:
-    """Yield how far the axis goes, its address between, and the turn of one without ends."""
+    """Yield how far the axis goes, its address between, and the turn of one without ends.
+
+    ``turns``: a table that repeats says that its axis has none, whatever else the files say.
+    """
     low, high = facts.limits or (0.0, 0.0)
     turn = (
         axis.period
@@ -249,7 +254,7 @@ def _travel(
         unit = "deg" if axis.kind is AxisKind.ROTARY else "mm"
         yield "travel", Prefilled(None, f"[low, high] in machine coordinates, {unit}")
     yield "address", Prefilled(address, "the control's own name of the axis")
-    if axis.period is not None and axis.kind is AxisKind.ROTARY:
+    if axis.period is not None and (turns or axis.kind is AxisKind.ROTARY):
         yield "modulo", Prefilled(axis.period, f"the table in {said} repeats")
     elif isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
         yield "modulo", Prefilled(float(turn), f"from {said}: the axis has no ends")

@@ -41,6 +41,7 @@ READ_BACK = (
     " sign or a unit that is wrong in it is wrong in all of this. Prove it on the machine, at one"
     " position and from both sides, before the whole table acts"
 )
+NOT_WORKED = "The corrections worked by hand are those of {}: nobody worked one out for {}"
 #: Options of decode that the axes of a job say themselves, and that the reading of files without a
 #: job lists itself.
 _SAID_ELSEWHERE = frozenset({"reference", "reference_return"})
@@ -129,7 +130,10 @@ class Control:
         """What has to be known of results for this control: whether they were judged."""
         if self.definition.judged == "independent":
             return self.notes
-        return (Finding("CW-S060", "warning", READ_BACK.format(self.id)), *self.notes)
+        said = READ_BACK.format(self.id)
+        if self.definition.worked_for:
+            said += f". {NOT_WORKED.format(self.definition.worked_for, self.id)}"
+        return (Finding("CW-S060", "warning", said), *self.notes)
 
     def in_state(self, state: ControlState) -> Control:
         """Return the control with the options that its own files answer (such as the machine's

@@ -52,19 +52,25 @@ def own_definition(path: Path) -> Definition:
     that ships: results and folders are named by it.
     """
     definition = load_definition(_content(path), str(path), _beside(path.parent), own=True)
+    raise_all(InputError, taken(definition))
+    return definition
+
+
+def taken(definition: Definition) -> tuple[Fault, ...]:
+    """Return the fault of a definition under the id of a control that ships, whatever its case."""
     stems = (Path(name).stem for name, _ in storage.definition_files())
     shipped = {stem.casefold(): stem for stem in stems}.get(definition.id.casefold())
-    if shipped is not None:
-        raise InputError(
-            definition.text.fault(
-                ("id",),
-                "is the id of a control that ships, which no file can take",
-                expected=f"an id of its own, such as my-{shipped}; or {shipped} itself in the"
-                " place of the file's name",
-                found=definition.id,
-            )
-        )
-    return definition
+    if shipped is None:
+        return ()
+    return (
+        definition.text.fault(
+            ("id",),
+            "is the id of a control that ships, which no file can take",
+            expected=f"an id of its own, such as my-{shipped}; or {shipped} itself in the"
+            " place of the file's name",
+            found=definition.id,
+        ),
+    )
 
 
 def carried_definition(texts: Texts) -> Definition:
