@@ -521,3 +521,38 @@ def test_a_new_job_where_the_unit_was_given(tmp_path: Path) -> None:
     assert (
         compwright(["new", *words, "--format", "fanuc-30i", "--out", str(job)]) == 5
     )  # it is there already
+
+
+REPEATING = """\
+CHANDATA(1)
+$MA_MM_ENC_COMP_MAX_POINTS[0,AX4]=3
+$AA_ENC_COMP[0,0,AX4]=0
+$AA_ENC_COMP[0,1,AX4]=0.002
+$AA_ENC_COMP[0,2,AX4]=0
+$AA_ENC_COMP_STEP[0,AX4]=180
+$AA_ENC_COMP_MIN[0,AX4]=0
+$AA_ENC_COMP_MAX[0,AX4]=360
+$AA_ENC_COMP_IS_MODULO[0,AX4]=1
+M17
+"""
+SCRIPT = "I51=0\n#1 DEFINE COMP 4,#1D,400000\n-32 -48 16 0\nI185=0 I186=0\nI51=1\n"
+
+
+@pytest.mark.parametrize(
+    ("control", "text", "option", "turn"),
+    [
+        # The table repeats, and no file says that the axis is rotary: the turn stays a question.
+        ("siemens-840d-sl", REPEATING, "points=3", 360.0),
+        # Here the length is that of the table, 400 mm, and no turn of the axis.
+        ("pmac", SCRIPT, "counts_per_unit=1000", None),
+    ],
+)
+def test_the_turn_of_a_table_that_repeats_goes_into_the_job(
+    control: str, text: str, option: str, turn: float | None, tmp_path: Path
+) -> None:
+    own, job = tmp_path / "OWN.TXT", tmp_path / "job.yaml"
+    own.write_text(text)
+    words = ["--from", str(own), "--format", control, "--option", option, "--out", str(job)]
+    assert compwright(["new", *words]) == 0
+    (axis,) = yaml.safe_load(job.read_text(encoding="utf-8"))["axes"].values()
+    assert axis.get("modulo") == turn
