@@ -225,8 +225,8 @@ def worst_difference(plan: Plan) -> float:
     nodes = table.positions
     between = nodes[:-1] + 0.31 * np.diff(nodes)
     beyond = 3.0
-    if plan.format_id == "pmac":  # behind one spacing beyond its ends its table repeats
-        beyond = min(beyond, float(nodes[1] - nodes[0]))
+    if plan.format_id == "pmac":  # behind three spacings beyond its ends its table repeats
+        beyond = min(beyond, 3 * float(nodes[1] - nodes[0]))
     where = (
         np.concatenate([nodes, between, [nodes[0] - beyond, nodes[-1] + beyond]])
         if nodes.size

@@ -258,14 +258,16 @@ def test_missing_is_not_zero() -> None:
 def test_a_fresh_script_worked_by_hand() -> None:
     wish = table([-100, 0, 100, 200], [1, 0, -2, -3], [-4.75, -6, -8.5, -9.75])
     (file,) = control().write([wish], [axis()])
-    # Spacing 100 mm, travel -100 to 200: the end values are held at -200 and 300, so six entries
-    # over 600 mm: 100, 200, 300, then -200, -100, 0.
+    # Spacing 100 mm, travel -100 to 200: the end values are held from -400 and to 500, so ten
+    # entries over 1000 mm: 100 to 500, then -400 to 0.
     assert file.content.decode().splitlines() == [
         "I51=0",
-        "#1 DEFINE COMP 6,#1D,600000",
-        "-32 -48 -48 16 16 0",
-        "#1 DEFINE BLCOMP 6,600000",
-        "8 12 12 -4 -4 0",
+        "#1 DEFINE COMP 10,#1D,1000000",
+        "-32 -48 -48 -48 -48 16 16 16",
+        "16 0",
+        "#1 DEFINE BLCOMP 10,1000000",
+        "8 12 12 12 12 -4 -4 -4",
+        "-4 0",
         "I185=32",
         "I186=96",
         "I51=1",
@@ -278,7 +280,8 @@ def test_a_motor_that_counts_against_its_axis_worked_by_hand() -> None:
     (file,) = control(-1000.0).write([wish], [axis()])
     lines = file.content.decode().splitlines()
     # Entry 1 is the motor's 100 mm, -100 mm of the axis: +2 µm is -2 counts, -32/16.
-    assert lines[1:3] == ["#1 DEFINE COMP 6,#1D,600000", "-32 -32 48 48 32 0"]
+    assert lines[1] == "#1 DEFINE COMP 10,#1D,1000000"
+    assert lines[2:4] == ["-32 -32 -32 -32 48 48 48 48", "32 0"]
     assert "I186=96" in lines
     assert not any("BLCOMP" in line for line in lines)
 
@@ -345,7 +348,7 @@ def test_the_gap_lies_behind_the_travel() -> None:
     state = control().read([file], [axis(travel=(-5, 93))])
     assert state.axes["1"].period is not None
     assert state.axes["1"].period >= 98 + 10
-    for x, right in ((10, 1.0), (93, 1.0), (103, 1.0), (-5, 0.0), (-15, 0.0)):
+    for x, right in ((10, 1.0), (93, 1.0), (123, 1.0), (-5, 0.0), (-35, 0.0)):
         assert at(state, "1", x, PLUS) == pytest.approx(right)
 
 
@@ -377,9 +380,9 @@ def test_only_the_numbers_of_our_motor_change() -> None:
     new = patched(OTHERS, wish).splitlines(keepends=True)
     old = OTHERS.splitlines(keepends=True)
     assert [line for line in new if line not in old] == [
-        "#1 DEF COMP 6,#1D,600000 ; X\r\n",
+        "#1 DEF COMP 10,#1D,1000000 ; X\r\n",
         " -32  -48 -48\r\n",
-        "16 16 0\r\n",
+        "-48 -48 16 16 16 16 0\r\n",
         "I130=2000 I185=16 I186=96 I485=8 I486=32\r\n",
     ]
 
@@ -494,7 +497,7 @@ def test_written_and_read_back_the_same_by_both_readers(
     )
     step = wish.positions[1] - wish.positions[0]
     where = np.concatenate(
-        [wish.positions, wish.positions + 0.37 * step, wish.positions[:1] - 0.9 * step]
+        [wish.positions, wish.positions + 0.37 * step, wish.positions[:1] - 2.9 * step]
     )
     for direction in Direction:
         right = wish.at(where, direction)

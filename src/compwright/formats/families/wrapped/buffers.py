@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-#: What must not exist while a table of corrections is defined.
-_AFTER_COMP = ("TCOMP", "BLCOMP", "TBUF", "ROTARY", "LOOKAHEAD", "GATHER")
+#: What must not exist while a table is defined.
+BEHIND = {
+    "COMP": ("TCOMP", "BLCOMP", "TBUF", "ROTARY", "LOOKAHEAD", "GATHER"),
+    "BLCOMP": ("TBUF", "ROTARY", "LOOKAHEAD", "GATHER"),
+    "TCOMP": (),
+}
 _SHORT = {"ROT": "ROTARY", "LOOK": "LOOKAHEAD", "GAT": "GATHER"}
 
 
@@ -15,11 +19,11 @@ class Buffers:
 
     def define(self, name: str, motor: int = 0) -> None:
         """Note a buffer."""
-        self.motors.setdefault(_long(name), set()).add(motor)
+        self.motors.setdefault(long_name(name), set()).add(motor)
 
     def delete(self, name: str, motor: int) -> None:
         """Take a buffer out; one that is not there is no fault."""
-        found = self.motors.get(_long(name), set())
+        found = self.motors.get(long_name(name), set())
         found -= {motor, 0}
 
     def refuses(self, kind: str, motor: int) -> str:
@@ -29,7 +33,7 @@ class Buffers:
             return f"#{motor} has a {kind} already; delete it first"
         if any(other < motor for other in mine):
             return f"#{min(mine)}, a lower motor, has a {kind}"
-        there = [name for name in _AFTER_COMP if self.motors.get(name)] if kind == "COMP" else []
+        there = [name for name in BEHIND[kind] if self.motors.get(name)]
         return f"{', '.join(there)} was defined before it" if there else ""
 
     def keeps(self, kind: str, motor: int) -> str:
@@ -40,5 +44,6 @@ class Buffers:
         return ""
 
 
-def _long(name: str) -> str:
+def long_name(name: str) -> str:
+    """Return the whole name of a buffer."""
     return _SHORT.get(name.upper(), name.upper())

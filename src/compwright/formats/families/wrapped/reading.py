@@ -86,10 +86,12 @@ class _StateReader:
         for file in files:
             text = text_reader(definition).read(file, self.notes.faults)
             self.notes.findings.extend(text.findings if text is not None else ())
+        raise_all(InputError, self.notes.faults)  # no text at all
         self.script = read_script(definition, files)
         self.notes.faults.extend(self.script.faults)
 
     def read(self) -> ControlState:
+        """Return the state; raises as `read_wrapped`."""
         raise_all(InputError, self.notes.faults)
         self._check_tables()
         raise_all(InputError, self.notes.faults)

@@ -39,7 +39,7 @@ _COMMAND = re.compile(
     r"|\#[ \t]*(?P<motor>[0-9]+)"
     r"|DEF(?:INE)?[ \t]*(?P<table>COMP|BLCOMP|TCOMP)[ \t]+"
     r"(?P<arguments>[^\s,]+(?:[ \t]*,[ \t]*[^\s,]+)*)"
-    rf"|DEF(?:INE)?[ \t]*(?P<buffer>{_BUFFER})(?![A-Z])[0-9, \t]*"
+    rf"|DEF(?:INE)?[ \t]*(?P<buffer>{_BUFFER})(?![A-Z])(?:[ \t]*[0-9]+(?:[ \t]*,[ \t]*[0-9]+)*)?"
     rf"|DEL(?:ETE)?[ \t]*(?P<deleted>COMP|BLCOMP|TCOMP|{_BUFFER})(?![A-Z])"
     r"|(?P<open>OPEN)(?![A-Z])"
     rf"|(?P<setting>{_RANGE}[ \t]*(?P<value>{_VALUE}))",
@@ -215,9 +215,9 @@ class _Reader:
     def _unknown(self, place: int) -> int:
         end = re.compile(r"[\r\n]|$").search(self.text, place)
         word = self._word(place, len(self.text) if end is None else end.start())
-        message = "is no command that compwright knows, and it may act"
+        message = "this is no command that compwright knows, and it may act"
         if self.open is not None and len(self.open.values) < self.open.needed:
-            message = f"{self.open.says}: is no whole number"
+            message = f"{self.open.says}: this is no whole number"
         self._fault(word, message, "DEFINE, DELETE, I..=.. and the like; docs/controllers/pmac.md")
         return word.end
 

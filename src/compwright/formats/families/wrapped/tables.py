@@ -3,8 +3,8 @@ against the counting direction.
 
 Entry i stands at i * length / entries from motor zero; the table repeats after the length. The
 length is more than the whole travel, so that no place of the table serves two places of the axis:
-between the end of the travel and its beginning, one turn further, lies a gap that nobody uses. Up
-to one spacing beyond the travel the end values are held.
+between the end of the travel and its beginning, one turn further, lies a gap that nobody uses. For
+`HELD` spacings beyond the travel the end values are held.
 """
 
 from __future__ import annotations
@@ -18,6 +18,10 @@ from compwright.formats.text.scale import EXACTNESS, NotHeld
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
+
+#: Spacings beyond the travel for which the end values are held: an axis that runs a little further
+#: than its job says meets no jump.
+HELD = 3
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,8 +145,8 @@ def _nodes(
         return None, [*faults, Fault(message=message, expected=expected, found=found)]
     if compensation.period is not None:
         return (None if faults else _Nodes(step, first, last - 1, first, last - 1)), faults
-    low = min(first, int(np.floor((axis.travel[0] - axis.reference) / step + EXACTNESS))) - 1
-    high = max(last, int(np.ceil((axis.travel[1] - axis.reference) / step - EXACTNESS))) + 1
+    low = min(first, int(np.floor((axis.travel[0] - axis.reference) / step + EXACTNESS))) - HELD
+    high = max(last, int(np.ceil((axis.travel[1] - axis.reference) / step - EXACTNESS))) + HELD
     return (None if faults else _Nodes(step, first, last, low, high)), faults
 
 

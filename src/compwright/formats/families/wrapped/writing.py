@@ -12,6 +12,7 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.definition.statements import print_form
+from compwright.formats.families.wrapped.buffers import BEHIND, long_name
 from compwright.formats.families.wrapped.reading import number_of, over_itself
 from compwright.formats.families.wrapped.script import Script, Table, Word, read_script
 from compwright.formats.families.wrapped.tables import MotorTable
@@ -146,10 +147,14 @@ class _Patcher:
     def _define(self, kind: str, table: MotorTable) -> None:
         """Define a table that the scripts have not, where the card takes it."""
         lines = definition_lines(self.definition, kind, table)
-        behind = (kind,) if kind == "BLCOMP" else (kind, *_BEHIND)
+        behind = (kind, *BEHIND[kind])
         for name, motor, word in self.script.commands:
-            defined = name.removeprefix("DEFINE ")
-            if name != defined and defined in behind and (defined != kind or motor < table.motor):
+            defined = long_name(name.removeprefix("DEFINE "))
+            if (
+                name.startswith("DEFINE ")
+                and defined in behind
+                and (defined != kind or motor < table.motor)
+            ):
                 self._before(word, lines)
                 return
         kinds = ("COMP",) if kind == "COMP" else ("COMP", "TCOMP", "BLCOMP")
@@ -238,9 +243,6 @@ class _Patcher:
     def _ours(self, table: Table) -> bool:
         alone = table.kind == "BLCOMP" or table.source == table.target
         return alone and (table.target or table.motor) in self.motors
-
-
-_BEHIND = ("TCOMP", "BLCOMP", "TBUF", "ROT", "ROTARY", "LOOK", "LOOKAHEAD", "GAT", "GATHER")
 
 
 def _read_otherwise(before: Script, after: Script, tables: Sequence[MotorTable]) -> list[Fault]:
