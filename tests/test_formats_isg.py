@@ -443,6 +443,22 @@ def test_a_list_in_increments_stays_in_increments() -> None:
     assert "table[0].pos         -2\n" in text
 
 
+def test_unit_and_room_of_an_empty_list_hold_for_what_is_written_into_it() -> None:
+    own = ControlFile(
+        "a.lis",
+        b"kopf.achs_nr 1\nkw.ssfk.unit 0\nkw.ssfk.interval 0\nkw.ssfk.kw_nr_max 0\n"
+        b"kw.ssfk.max_points 4\nkw.ssfk.bilateral 0\n",
+    )
+    short = table("1", [0.0, 10.0], [0.001, 0.0])
+    with pytest.raises(UsageError, match="how long is one"):
+        written(short, own)
+    text = written(short, own, encoder_increment=0.0005)["a.lis"]
+    assert "table[1].setpoint    20000\n" in text
+    assert "table[0].pos         -2\n" in text
+    with pytest.raises(CapacityError, match="at most 3"):
+        written(NEW, own, encoder_increment=0.0005)
+
+
 counts = st.lists(st.integers(-5_000_000, 5_000_000), min_size=2, max_size=12, unique=True)
 
 

@@ -66,6 +66,7 @@ class TableReader:
         names = ("count", "unit", "interval", "start", "bilateral", "modulo", "manual")
         if not any(rows.values()) and not any(of.lists.places(of.address, n) for n in names):
             return None
+        self._note_limits()
         count_at = of.needed("count", of.any_place())
         count = int(count_at.text) if count_at is not None else 0
         if count_at is not None and count == 0 and not any(rows.values()):
@@ -90,6 +91,14 @@ class TableReader:
             rows["negative"] = rows["positive"]
         table = self._corrections(scale, places, rows, two=two == "yes")
         return None if len(of.notes.faults) > before else table
+
+    def _note_limits(self) -> None:
+        """Note what the list counts in and its room for entries: they hold for an empty table
+        too.
+        """
+        if self.of.one("unit") is not None and (word := self.of.word("table_form")) is not None:
+            self.of.said["table_form"] = word
+        self.of.room("max_points", 0)
 
     def _needed_word(self, quantity: str, beside: Found | None) -> str | None:
         """Return the word of a choice that must be there."""
@@ -144,7 +153,6 @@ class TableReader:
                 return None
         elif word is None:
             return None
-        self.of.said["table_form"] = word
         base = Scale(self.of.definition, self.of.kind, self.of.options, {})
         return counted(base, self.of.options, float(str(increment)))
 
