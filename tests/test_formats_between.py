@@ -26,7 +26,7 @@ from compwright.records.correction import (
     ControlState,
     CrossCompensation,
 )
-from compwright.records.facts import AxisFacts
+from compwright.records.facts import AxisFacts, IncrementFacts
 from compwright.records.plan import PlannedCross
 from compwright.workflow.stages.control import Control, decode
 from compwright.workflow.stages.cross_tables import CrossOutcome, write_planned
@@ -172,7 +172,7 @@ def line_of(address: str = "1") -> ControlState:
     table = AxisCompensation(
         address=address, kind=AxisKind.LINEAR, positions=nodes, positive=zero, negative=zero
     )
-    facts = {address: AxisFacts(said={"first_number": 10, "last_number": 26})}
+    facts = {address: AxisFacts(increments=IncrementFacts(first_number=10, last_number=26))}
     return ControlState(format="fanuc-30i", axes={address: table}, facts=facts)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-from compwright.records.axis import AxisKind
+from compwright.records.axis import AxisKind, Direction
 
 #: One fact that a control's files say: a number, a word, a yes or no.
 Fact = float | int | str | bool
@@ -39,13 +39,58 @@ class PairFacts:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class IncrementFacts:
+    """What whole steps by section mean for one axis; None: no file says it.
+
+    ``reference_number``, ``first_number``, ``last_number``: the numbers of its sections in the
+    array that all axes share, ``negative_first`` that of the set for travel in -, which counts with
+    ``two_sets``. ``negative_offset``, ``backlash``, ``backlash_rapid``: detection units.
+    ``separate_rapid``: rapid traverse has a backlash of its own. ``inch``: the machine counts in
+    inches. ``rapid_feed``: mm/min or deg/min. ``unread``: numbers of which no file says what they
+    hold.
+    """
+
+    reference_number: int | None = None
+    first_number: int | None = None
+    last_number: int | None = None
+    magnification: int | None = None
+    negative_first: int | None = None
+    negative_offset: int | None = None
+    two_sets: bool = False
+    backlash: int | None = None
+    backlash_rapid: int | None = None
+    separate_rapid: bool | None = None
+    inch: bool | None = None
+    rapid_feed: float | None = None
+    unread: frozenset[int] = frozenset()
+
+    @property
+    def claimed(self) -> tuple[range, ...]:
+        """The numbers that the axis claims: one set, or two of the same length; none where its
+        first is its last. A full turn that leaves the reference's own number out keeps it.
+        """
+        first, last = self.first_number, self.last_number
+        if first is None or last is None or first >= last:
+            return ()
+        if self.reference_number == first - 1:
+            return (range(first - 1, last + 1),)
+        own, second = range(first, last + 1), self.negative_first
+        if not self.two_sets or second is None:
+            return (own,)
+        return own, range(second, second + len(own))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class AxisFacts:
     """What a control's files say of one axis; None or empty: they do not say it.
 
     ``name``: what they call it; ``letters``: the axes of all joints, one letter each. ``limits``:
     the software limits or, of an endless axis, its ``turn``, mm or deg. ``encoder_system``: the
     measuring system whose table was read. ``enabled``: its table acts. ``beside``: what else acts
-    on it, in words. ``said``: further quantities by neutral name, which settle options.
+    on it, in words. ``endless``: the turn of an axis without ends, deg. ``reference``: machine
+    coordinate of the reference position, mm or deg, approached in ``reference_return``.
+    ``diameter``: positions are programmed in diameter. ``unit_evidence``: what says its detection
+    unit. ``said``: further quantities by neutral name, which settle options.
     """
 
     name: str | None = None
@@ -56,7 +101,14 @@ class AxisFacts:
     encoder_system: int | None = None
     enabled: bool | None = None
     beside: str = ""
+    endless: float | None = None
+    reference: float | None = None
+    reference_return: Direction | None = None
+    absolute_encoder: bool | None = None
+    diameter: bool | None = None
+    unit_evidence: str = ""
     pairs: PairFacts = PairFacts()
+    increments: IncrementFacts = IncrementFacts()
     said: Mapping[str, Fact] = field(default_factory=dict)
 
 

@@ -85,8 +85,8 @@ def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState,
         left_out: list[str] = []
         state: ControlState | None = None
         for address in control.format.one_by_one:
-            said = {} if state is None else state.facts_of(address).said
-            if state is not None and not (said.get("enabled") or said.get("backlash_count")):
+            facts = None if state is None else state.facts_of(address)
+            if facts is not None and not (facts.enabled or facts.increments.backlash):
                 continue
             try:
                 read = decode(control, files, address=address).state
@@ -131,7 +131,7 @@ def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[A
         if units and DETECTION_UNIT in facts.said:
             values["options"] = Prefilled(
                 {DETECTION_UNIT: facts.said[DETECTION_UNIT]},
-                f"read from the control's files: {facts.said.get('detection_unit_evidence', '')}",
+                f"read from the control's files: {facts.unit_evidence}",
             )
         if partners:
             values["gantry"] = Prefilled(
@@ -189,11 +189,11 @@ def _name(definition: Definition, address: str, facts: AxisFacts) -> str:
 
 
 def _returning(facts: AxisFacts, said: str) -> Prefilled:
-    home = facts.said.get("reference_return")
+    home = facts.reference_return
     return (
         Prefilled("+", "CHECK: direction in which the reference is approached")
         if home is None
-        else Prefilled(home, f"from {said}")
+        else Prefilled(home.value, f"from {said}")
     )
 
 
@@ -210,23 +210,22 @@ def _values(
         ),
     )
     yield from _travel(address, axis, facts, said, turns=turns)
-    reference = facts.said.get("reference_coordinate")
-    if isinstance(reference, (int, float)):
-        yield "reference", Prefilled(float(reference), f"from {said}")
+    if facts.reference is not None:
+        yield "reference", Prefilled(facts.reference, f"from {said}")
     else:
         yield "reference", Prefilled(0.0, "CHECK: machine coordinate of the reference position")
     yield "reference_return", _returning(facts, said)
     encoder: dict[str, object] = {}
-    if facts.said.get("absolute_encoder") in ("yes", "no"):
-        encoder["type"] = "absolute" if facts.said["absolute_encoder"] == "yes" else "incremental"
+    if facts.absolute_encoder is not None:
+        encoder["type"] = "absolute" if facts.absolute_encoder else "incremental"
     if facts.encoder_system is not None:
         encoder["system"] = facts.encoder_system
     if encoder:
         yield "encoder", Prefilled(encoder, f"from {said}")
-    if axis.kind is AxisKind.LINEAR and facts.said.get("diameter") in ("yes", "no"):
+    if axis.kind is AxisKind.LINEAR and facts.diameter is not None:
         yield (
             "programmed",
-            Prefilled("diameter" if facts.said["diameter"] == "yes" else "radius", f"from {said}"),
+            Prefilled("diameter" if facts.diameter else "radius", f"from {said}"),
         )
     yield "before", Prefilled(None, "[path of the measurement]")
 
@@ -239,14 +238,8 @@ def _travel(
     ``turns``: a table that repeats says that its axis has none, whatever else the files say.
     """
     low, high = facts.limits or (0.0, 0.0)
-    turn = (
-        axis.period
-        if axis.period is not None
-        else facts.said.get("turn")
-        if facts.said.get("endless") == "yes"
-        else None
-    )
-    if isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
+    turn = facts.endless if axis.period is None else axis.period
+    if turn is not None and axis.kind is AxisKind.ROTARY:
         yield "travel", Prefilled([0.0, float(turn)], f"one turn of an endless axis, by {said}")
     elif low < high and abs(low) < 99999 and abs(high) < 99999:
         yield "travel", Prefilled([low, high], f"software limits in {said}")
@@ -256,5 +249,5 @@ def _travel(
     yield "address", Prefilled(address, "the control's own name of the axis")
     if axis.period is not None and (turns or axis.kind is AxisKind.ROTARY):
         yield "modulo", Prefilled(axis.period, f"the table in {said} repeats")
-    elif isinstance(turn, (int, float)) and axis.kind is AxisKind.ROTARY:
-        yield "modulo", Prefilled(float(turn), f"from {said}: the axis has no ends")
+    elif turn is not None and axis.kind is AxisKind.ROTARY:
+        yield "modulo", Prefilled(turn, f"from {said}: the axis has no ends")

@@ -58,8 +58,8 @@ def _rows(
         or not isinstance(unit, float)
     ):
         return None
-    facts = state.facts_of(added.input).said
-    first, last = (facts.get(name) for name in ("first_number", "last_number"))
+    facts = state.facts_of(added.input).increments
+    first, last = facts.first_number, facts.last_number
     low, high = added.at(table.positions[[1, -1]], Direction.POSITIVE) / unit
     return [
         ("5711", added.input, "moving axis"),

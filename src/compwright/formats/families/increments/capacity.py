@@ -2,155 +2,138 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from compwright.formats.definition.options import axis_options
-from compwright.formats.definition.schema import Definition
-from compwright.formats.families.increments.axis import increment_limit
+from compwright.formats.families.family import Family
+from compwright.formats.families.increments.axis_reading import increment_limit
 from compwright.formats.families.increments.entries import OFFSETS, first_point, length_step
-from compwright.formats.families.increments.numbering import longest_gap
-from compwright.formats.families.increments.reading import used_numbers
-from compwright.formats.text.addresses import normal_address
-from compwright.formats.text.scale import Scale
+from compwright.formats.families.increments.numbering import longest_gap, used_numbers
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis
 from compwright.records.capacity import Capacity, Lattice
-from compwright.records.correction import Assumption, ControlState
-from compwright.records.facts import Fact
+from compwright.records.correction import Assumption
 
 #: A table has two sections or more.
 MIN_SECTIONS = 2
 
 
-def increments_capacity(
-    definition: Definition, axis: Axis, options: Mapping[str, object], state: ControlState | None
-) -> Capacity:
-    """Return the limits of one axis' table in mm or deg; ``options`` are the controller's,
-    resolved.
+class AxisLimits:
+    """The limits of one axis' table. ``assumed``: what they rest on."""
 
-    Raises UsageError for a wrong option of the axis, or where nobody says its detection unit or
-    which numbers are free.
-    """
-    own = axis_options(definition, options, axis)
-    address, assumption = normal_address(definition, axis)
-    scale = Scale(definition, axis.kind, own, {})
-    unit = scale.quantum("value")
-    limit = increment_limit(own)
-    highest = definition.limit_number("max_number") or 0
-    said = state.facts_of(address).said if state is not None else {}
-    gap = longest_gap(highest, used_numbers(state, [address]), first_point(own))
-    assumed = [assumption] if assumption is not None else []
-    unread = said.get("unread_numbers")
-    if unread:
-        _check_free(axis, gap, str(unread), assumed)
-    least, reason = _least_spacing(definition, axis, own, said, assumed)
-    bound = 10.0 if axis.kind.unit == "mm" else 1.0
-    return Capacity(
-        format=definition.id,
-        curves=2 if axis.modulo is None else 1,
-        second_curve="asked",
-        spacing="equidistant",
-        quantum=unit,
-        position_quantum=float(length_step(axis.kind, said)),
-        value_range=(-bound, bound),
-        backlash_quantum=scale.quantum("backlash"),
-        backlash_range=scale.range("backlash"),
-        min_points=definition.limit_number("min_points") or 2,
-        # sections, not nodes, have numbers; one more is needed where the table starts or ends at
-        # the reference
-        max_points=max(2, gap + (axis.travel[0] < axis.reference < axis.travel[1])),
-        shared_points=True,
-        lattice=Lattice(
-            unit=unit,
-            increments=(-limit, limit),
-            magnifications=tuple(range(1, (definition.limit_number("max_magnification") or 1) + 1)),
-            offset_range=OFFSETS,
-            offset_magnified=own.get("offset_magnified") == "yes",
-        ),
-        interpolation="linear" if own.get("output") == "ramp" else "step",
-        anchored=True,
-        min_spacing=least,
-        min_spacing_reason=reason,
-        period=axis.modulo,
-        below=definition.layout.below,
-        above=definition.layout.above,
-        assumed=tuple(assumed),
-    )
+    def __init__(self, family: Family, axis: Axis) -> None:
+        self.definition = family.definition
+        self.axis = axis
+        self.scale = family.scale_of(axis)
+        self.options = self.scale.options
+        address, assumption = family.address(axis)
+        self.facts = family.facts_of(address).increments
+        self.used = used_numbers(family.state, [address])
+        self.assumed = [assumption] if assumption is not None else []
 
+    def capacity(self) -> Capacity:
+        """Return them in mm or deg.
 
-def _check_free(axis: Axis, gap: int, unread: str, assumed: list[Assumption]) -> None:
-    """Numbers of which no file says what they hold are not free: say how many are left, or ask
-    where there are none.
+        Raises UsageError for a wrong option of the axis, or where nobody says its detection unit or
+        which numbers are free.
+        """
+        definition, axis, scale = self.definition, self.axis, self.scale
+        limit, gap = increment_limit(self.options), self._free_numbers()
+        least, reason = self._least_spacing()
+        bound = 10.0 if axis.kind.unit == "mm" else 1.0
+        return Capacity(
+            format=definition.id,
+            curves=2 if axis.modulo is None else 1,
+            second_curve="asked",
+            spacing="equidistant",
+            quantum=scale.quantum("value"),
+            position_quantum=float(length_step(axis.kind, self.facts)),
+            value_range=(-bound, bound),
+            backlash_quantum=scale.quantum("backlash"),
+            backlash_range=scale.range("backlash"),
+            min_points=definition.limit_number("min_points") or 2,
+            # sections, not nodes, have numbers; one more is needed where the table starts or ends
+            # at the reference
+            max_points=max(2, gap + (axis.travel[0] < axis.reference < axis.travel[1])),
+            shared_points=True,
+            lattice=Lattice(
+                unit=scale.quantum("value"),
+                increments=(-limit, limit),
+                magnifications=tuple(
+                    range(1, (definition.limit_number("max_magnification") or 1) + 1)
+                ),
+                offset_range=OFFSETS,
+                offset_magnified=self.options.get("offset_magnified") == "yes",
+            ),
+            interpolation="linear" if self.options.get("output") == "ramp" else "step",
+            anchored=True,
+            min_spacing=least,
+            min_spacing_reason=reason,
+            period=axis.modulo,
+            below=definition.layout.below,
+            above=definition.layout.above,
+            assumed=tuple(self.assumed),
+        )
 
-    Raises UsageError.
-    """
-    if gap >= MIN_SECTIONS:
+    def _assume(self, fact: str, value: str, evidence: str) -> None:
+        self.assumed.append(Assumption(f"axis {self.axis.name}: {fact}", value, evidence))
+
+    def _free_numbers(self) -> int:
+        """Return how many numbers in a row are free. Those of which no file says what they hold are
+        not: say how many are left, or ask where there are none.
+        """
+        highest = self.definition.limit_number("max_number") or 0
+        gap = longest_gap(highest, self.used, first_point(self.options))
+        if not self.facts.unread:
+            return gap
+        unread = sorted(self.facts.unread)
+        told = f"{unread[0]} to {unread[-1]} ({len(unread)} of them)"
+        if gap < MIN_SECTIONS:
+            raise UsageError(
+                Fault(
+                    message=(
+                        f"axis {self.axis.name}: no file says which point numbers are free for its"
+                        f" table; nobody knows what the numbers {told} hold"
+                    ),
+                    place="first_point",
+                    expected=(
+                        "the control's whole pitch data among the files of the state, or the first"
+                        " free number (look at 3621 and 3622 of all axes)"
+                    ),
+                    found="nothing",
+                )
+            )
         evidence = (
-            f"no file says what the numbers {unread} hold; give all of the control's pitch data, or"
+            f"no file says what the numbers {told} hold; give all of the control's pitch data, or"
             " first_point"
         )
-        assumed.append(
-            Assumption(
-                f"axis {axis.name}: point numbers for its table",
-                f"at most {gap} in a row",
-                evidence,
-            )
-        )
-        return
-    raise UsageError(
-        Fault(
-            message=(
-                f"axis {axis.name}: no file says which point numbers are free for its table; nobody"
-                f" knows what the numbers {unread} hold"
-            ),
-            place="first_point",
-            expected=(
-                "the control's whole pitch data among the files of the state, or the first free"
-                " number (look at 3621 and 3622 of all axes)"
-            ),
-            found="nothing",
-        )
-    )
+        self._assume("point numbers for its table", f"at most {gap} in a row", evidence)
+        return gap
 
-
-def _least_spacing(
-    definition: Definition,
-    axis: Axis,
-    options: Mapping[str, object],
-    said: Mapping[str, Fact],
-    assumed: list[Assumption],
-) -> tuple[float, str]:
-    """Return the smallest interval for the largest feed: that of the option, and the rapid traverse
-    of the control's files.
-    """
-    rule = definition.limit("feed_per_spacing")
-    if rule is None or rule.number is None:
-        return 0.0, ""
-    named = {
-        "option max_feed": options.get("max_feed"),
-        "rapid traverse 1420": said.get("rapid_feed"),
-    }
-    feeds = {
-        name: float(feed)
-        for name, feed in named.items()
-        if isinstance(feed, (int, float)) and feed > 0
-    }
-    if not feeds:
-        assumed.append(
-            Assumption(
-                fact=f"axis {axis.name}: smallest interval for its feed",
-                value=(
-                    "not checked: the option max_feed is not given, and no file says the rapid"
-                    " traverse (1420)"
-                ),
-                evidence=str(rule.evidence),
+    def _least_spacing(self) -> tuple[float, str]:
+        """Return the smallest interval for the largest feed: that of the option, and the rapid
+        traverse of the control's files.
+        """
+        rule = self.definition.limit("feed_per_spacing")
+        if rule is None or rule.number is None:
+            return 0.0, ""
+        named = {
+            "option max_feed": self.options.get("max_feed"),
+            "rapid traverse 1420": self.facts.rapid_feed,
+        }
+        feeds = {
+            name: float(feed)
+            for name, feed in named.items()
+            if isinstance(feed, (int, float)) and feed > 0
+        }
+        if not feeds:
+            why = (
+                "not checked: the option max_feed is not given, and no file says the rapid traverse"
+                " (1420)"
             )
+            self._assume("smallest interval for its feed", why, str(rule.evidence))
+            return 0.0, ""
+        name = max(feeds, key=lambda one: feeds[one])
+        least = feeds[name] / rule.number
+        reason = (
+            f"at {feeds[name]:g} {self.axis.kind.unit}/min ({name}) the control needs at least"
+            f" {least:g}: feed / {rule.number} ({rule.evidence.state})"
         )
-        return 0.0, ""
-    name = max(feeds, key=lambda one: feeds[one])
-    least = feeds[name] / rule.number
-    reason = (
-        f"at {feeds[name]:g} {axis.kind.unit}/min ({name}) the control needs at least {least:g}:"
-        f" feed / {rule.number} ({rule.evidence.state})"
-    )
-    return least, reason
+        return least, reason

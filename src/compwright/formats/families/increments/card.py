@@ -2,57 +2,46 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from compwright.formats.definition.schema import Definition
 from compwright.formats.families.card_words import REFERENCING, UNKNOWN
-from compwright.formats.text.scale import Scale
+from compwright.formats.families.family import Family
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation
-from compwright.records.facts import Fact
+from compwright.records.facts import AxisFacts, IncrementFacts
 
 
 def increment_values(
-    axis: Axis,
-    compensation: AxisCompensation,
-    definition: Definition,
-    options: Mapping[str, object],
-    facts: Mapping[str, Fact],
+    family: Family, axis: Axis, compensation: AxisCompensation, facts: AxisFacts
 ) -> dict[str, str]:
-    """Return the values of the card of one axis; ``options``: those of the axis."""
-    scale = Scale(definition, axis.kind, options, {})
-    unit = axis.kind.unit
+    """Return the values of the card of one axis; ``facts``: what the written files say of it."""
+    scale = family.scale_of(axis)
+    names = ("reference_number", "first_number", "last_number", "magnification")
+    said = {name: getattr(facts.increments, name) for name in names}
     values = {
-        name: str(facts[name])
-        for name in ("reference_number", "first_number", "last_number", "magnification")
-        if name in facts
+        **{name: str(number) for name, number in said.items() if number is not None},
+        "unit": axis.kind.unit,
+        "detection_unit": f"{scale.quantum('value'):g} {axis.kind.unit}",
+        "backlash": scale.write("backlash", compensation.backlash),
+        "further": _further(axis, facts.increments),
+        "other_sign": "'+'" if scale.options.get("pitch_sign") == "-" else "'-'",
     }
-    values["unit"] = unit
-    values["detection_unit"] = f"{scale.quantum('value'):g} {unit}"
-    values["backlash"] = scale.write("backlash", compensation.backlash)
-    values["further"] = _further(axis, facts)
-    if facts.get("absolute_encoder") == "yes":  # by 1815#5, whatever the job takes it for
+    if facts.absolute_encoder:  # by 1815#5, whatever the job takes it for
         values["referencing"] = REFERENCING["absolute"]
-    values["other_sign"] = "'+'" if options.get("pitch_sign") == "-" else "'-'"
     positions = compensation.positions
     if positions.size > 1:
         values["spacing"] = f"{(positions[-1] - positions[0]) / (positions.size - 1):.10g}"
     return values
 
 
-def _further(axis: Axis, facts: Mapping[str, Fact]) -> str:
+def _further(axis: Axis, facts: IncrementFacts) -> str:
     """Return what has to be set beside the grid and 1851: second set, turn, backlash at rapid
     traverse.
     """
-    two = facts.get("bidirectional") == "yes"
-    said = [f"3605#0 = {int(two)}"]
-    if two:
-        said += [
-            f"3626 = {facts.get('negative_first', UNKNOWN)}",
-            f"3627 = {facts.get('negative_offset', UNKNOWN)}",
-        ]
+    said = {"3605#0": str(int(facts.two_sets))}
+    if facts.two_sets:
+        pair = {"3626": facts.negative_first, "3627": facts.negative_offset}
+        said |= {name: UNKNOWN if value is None else str(value) for name, value in pair.items()}
     if axis.modulo is not None:
-        said.append(f"3625 = {axis.modulo:g}")
-    if facts.get("separate_rapid") == "yes" and "backlash_rapid" in facts:
-        said.append(f"1852 = {facts['backlash_rapid']}")
-    return ", ".join(said)
+        said["3625"] = f"{axis.modulo:g}"
+    if facts.separate_rapid and facts.backlash_rapid is not None:
+        said["1852"] = str(facts.backlash_rapid)
+    return ", ".join(f"{name} = {value}" for name, value in said.items())

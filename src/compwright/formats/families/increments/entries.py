@@ -4,22 +4,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
 
 import numpy as np
 
-from compwright.formats.definition.options import axis_options
-from compwright.formats.definition.schema import Definition
-from compwright.formats.families.increments.axis import increment_limit, thousandths
-from compwright.formats.families.increments.numbering import NoRoom, Place, find_place
-from compwright.formats.families.increments.reading import claimed_numbers, used_numbers
-from compwright.formats.text.scale import NotHeld, Scale
+from compwright.formats.families.family import AxisTable, Family
+from compwright.formats.families.increments.axis_reading import increment_limit
+from compwright.formats.families.increments.axis_values import thousandths
+from compwright.formats.families.increments.numbering import (
+    NoRoom,
+    Place,
+    find_place,
+    used_numbers,
+)
+from compwright.formats.text.scale import NotHeld
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
-from compwright.records.correction import AxisCompensation, ControlState
-from compwright.records.facts import Fact
+from compwright.records.correction import AxisCompensation
+from compwright.records.facts import IncrementFacts
 
 #: How far a node may be from its place on the grid, in spacings: arithmetic dust, not a wrong grid.
 _ON_GRID = 1e-6
@@ -33,8 +37,8 @@ class Entries:
     point number.
 
     ``cleared``: numbers that the axis no longer uses. ``kind`` decides the letter of a length.
-    ``switches``: whether 3605#0 has to change for it, as far as the control's files say.
-    ``unit_known``, ``inch``: what the control's files say of its unit (1001#0).
+    ``switches``: whether 3605#0 has to change for it, as far as the control's files say. ``inch``:
+    what they say of its unit (1001#0).
     """
 
     address: str
@@ -47,82 +51,64 @@ class Entries:
     reference: float
     place: Place
     switches: bool
-    unit_known: bool = False
-    inch: bool = False
+    inch: bool | None
 
 
-def all_entries(
-    definition: Definition,
-    pairs: Sequence[tuple[str, Axis, AxisCompensation]],
-    options: Mapping[str, object],
-    state: ControlState | None,
-) -> tuple[Entries, ...]:
+def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, ...]:
     """Return what has to be entered for each axis; the axes get point numbers apart from each other
     and from all others'.
 
     Raises UsageError where nobody says which numbers are free, CapacityError with everything that
     the control cannot hold.
     """
-    facts = {} if state is None else {one: said.said for one, said in state.facts.items()}
-    others = used_numbers(state, [address for address, _, _ in pairs])
-    given: list[range] = []
-    stated = [
-        first_point(axis.options)
-        for _, axis, _ in pairs
-        if axis.options.get("first_point") is not None
-    ]
-    start = (
-        first_point(options) if options.get("first_point") is not None else min(stated, default=0)
-    )
-    ask_first_point(definition, [axis for _, axis, _ in pairs], options, state)
+    start = _first_point(family, tables)
     faults: list[Fault] = []
+    given: list[range] = []
     entries: list[Entries] = []
-    for address, axis, compensation in pairs:
+    for address, axis, compensation in tables:
+        # The old numbers of another axis of the job stay its own: tables may be loaded one by one.
+        used = [*used_numbers(family.state, [address]), *given]
         try:
-            own = axis_options(definition, options, axis)
-            # The old numbers of another axis of the job stay its own: tables may be loaded one by
-            # one.
-            used = [*used_numbers(state, [address]), *given]
-            entry = _Axis(definition, address, axis, compensation, own, facts).entries(used, start)
+            entry = _Axis(family, address, axis, compensation).entries(used, start)
         except NotHeld as error:
             faults.append(Fault(message=f"axis {axis.name} ({address}): {error}"))
-            continue
-        except CapacityError as error:
-            faults.extend(error.faults)
             continue
         given.extend(entry.place.ranges)
         entries.append(entry)
     raise_all(CapacityError, faults)
-    taken = {number for entry in entries for number in entry.points}
+    others = used_numbers(family.state, [address for address, _, _ in tables])
+    taken = {
+        number for numbers in (*others, *(entry.points for entry in entries)) for number in numbers
+    }
     cleared = []
     for entry in entries:
-        cleared.append(
-            replace(entry, cleared=_cleared(facts.get(entry.address, {}), taken, others))
+        own = (
+            number
+            for numbers in family.facts_of(entry.address).increments.claimed
+            for number in numbers
         )
-        taken |= set(cleared[-1].cleared)
+        left = tuple(number for number in own if number not in taken)
+        taken.update(left)
+        cleared.append(replace(entry, cleared=left))
     return tuple(cleared)
 
 
-def ask_first_point(
-    definition: Definition,
-    axes: Sequence[Axis],
-    options: Mapping[str, object],
-    state: ControlState | None,
-) -> None:
-    """Raise UsageError where neither the control's files nor the job say which point numbers are
-    free.
+def _first_point(family: Family, tables: Sequence[AxisTable]) -> int:
+    """Return the lowest point number for axes that say none themselves: the controller's option,
+    else the lowest of the axes'. One axis' is enough: the others follow on from it.
 
-    One axis' ``first_point`` is enough: the others follow on from it.
+    Raises UsageError where neither the control's files nor the job say which numbers are free.
     """
-    if (state is not None and state.facts) or options.get("first_point") is not None or not axes:
-        return
-    if any(axis.options.get("first_point") is not None for axis in axes):
-        return
+    if family.options.get("first_point") is not None:
+        return first_point(family.options)
+    own = [axis.options for _, axis, _ in tables if axis.options.get("first_point") is not None]
+    if own or not tables or (family.state is not None and family.state.facts):
+        return min(map(first_point, own), default=0)
     raise UsageError(
         Fault(
             message=(
-                f"{definition.id}: nobody says which point numbers are free; all axes share one"
-                " array, and a number that another axis uses would change that axis"
+                f"{family.definition.id}: nobody says which point numbers are free; all axes share"
+                " one array, and a number that another axis uses would change that axis"
             ),
             place="first_point",
             expected=(
@@ -134,88 +120,41 @@ def ask_first_point(
     )
 
 
-def _cleared(
-    said: Mapping[str, Fact], taken: Collection[int], others: Sequence[range]
-) -> tuple[int, ...]:
-    """Return the numbers that an axis had and nobody uses any more."""
-    return tuple(
-        number
-        for numbers in claimed_numbers(said)
-        for number in numbers
-        if number not in taken and not any(number in other for other in others)
-    )
-
-
 class _Axis:
     """One axis' table as whole numbers."""
 
     def __init__(
-        self,
-        definition: Definition,
-        address: str,
-        axis: Axis,
-        compensation: AxisCompensation,
-        options: Mapping[str, object],
-        facts: Mapping[str, Mapping[str, Fact]],
+        self, family: Family, address: str, axis: Axis, compensation: AxisCompensation
     ) -> None:
-        self.definition = definition
+        self.definition = family.definition
         self.address = address
         self.axis = axis
         self.compensation = compensation
-        self.options = options
-        self.facts = facts.get(address, {})
-        self.scale = Scale(definition, axis.kind, options, {})
+        self.said = family.facts_of(address)
+        self.facts = self.said.increments
+        self.scale = family.scale_of(axis)
+        self.options = self.scale.options
         self.unit = self.scale.quantum("value")
 
     def entries(self, used: Sequence[range], start: int) -> Entries:
         """Return what is entered; ``start``: the lowest number for an axis that has none and says
-        none itself.
+        none itself. Raises NotHeld.
         """
         steps, interval = self._grid()
         home = self.compensation.reference_return
         own, other = (self._counts(self.compensation.curve(side)) for side in (home, home.opposite))
         two = not np.array_equal(own, other)
         self._check_pair(own, steps, two=two)
-        said = self.facts.get("reference_return")
-        if two and said is not None and said != home.value:
-            raise NotHeld(
-                "two tables need the direction of the reference return, which decides what 3627"
-                f" means: the control's files say {said} (1006#5), the job {home.value}"
-            )
-        sets = [own, other] if two else [own]
+        # The positive set comes first in the numbers, whichever direction is the zero state's.
+        sets = [own] if not two else [own, other] if home is Direction.POSITIVE else [other, own]
         magnification = self._magnification([np.diff(counts) for counts in sets])
         place = self._place(int(steps[0]), int(steps[-1]), used, start, two=two)
-        # The positive set comes first in the numbers, whichever direction is the zero state's.
-        positive, negative = (own, other) if home is Direction.POSITIVE else (other, own)
-        points = self._points(positive, steps, place.first, place.reference, magnification)
-        if two and place.negative_first is not None:
-            shift = place.negative_first - place.first
-            points |= {
-                number + shift: value
-                for number, value in self._points(
-                    negative, steps, place.first, place.reference, magnification
-                ).items()
-            }
-        parameters = {
-            "reference_number": str(place.reference),
-            "first_number": str(place.first),
-            "last_number": str(place.last),
-            "magnification": str(magnification),
-            "table_spacing": self._length(interval),
-            "backlash": self.scale.write("backlash", self.compensation.backlash),
-            "bidirectional": "1" if two else "0",
-        }
-        rapid, backlash = self.facts.get("backlash_rapid"), self.facts.get("backlash_count", 0)
-        if (
-            isinstance(rapid, int)
-            and isinstance(backlash, int)
-            and self.facts.get("separate_rapid") != "no"
-        ):
-            parameters["backlash_rapid"] = self._rapid(
-                rapid + int(parameters["backlash"]) - backlash
-            )
-        if self.axis.modulo is not None:
-            parameters["turn"] = self._length(float(self.axis.modulo))
+        points: dict[int, int] = {}
+        for counts, numbers in zip(sets, place.ranges, strict=True):
+            shift = numbers.start - place.first
+            each = self._points(counts, steps, place, magnification)
+            points |= {number + shift: value for number, value in each.items()}
+        parameters = self._parameters(place, magnification, interval)
         if two:
             parameters["negative_first"] = str(place.negative_first)
             parameters["negative_offset"] = self._offset(other[steps == 0][0], magnification)
@@ -229,10 +168,26 @@ class _Axis:
             interval=interval,
             reference=self.axis.reference,
             place=place,
-            switches=two or self.facts.get("bidirectional") == "yes",
-            unit_known="length_unit" in self.facts,
-            inch=self.facts.get("length_unit") == "inch",
+            switches=two or self.facts.two_sets,
+            inch=self.facts.inch,
         )
+
+    def _parameters(self, place: Place, magnification: int, interval: float) -> dict[str, str]:
+        parameters = {
+            "reference_number": str(place.reference),
+            "first_number": str(place.first),
+            "last_number": str(place.last),
+            "magnification": str(magnification),
+            "table_spacing": self._length(interval),
+            "backlash": self.scale.write("backlash", self.compensation.backlash),
+            "bidirectional": "0" if place.negative_first is None else "1",
+        }
+        rapid, before = self.facts.backlash_rapid, self.facts.backlash or 0
+        if rapid is not None and self.facts.separate_rapid is not False:
+            parameters["backlash_rapid"] = self._rapid(rapid + int(parameters["backlash"]) - before)
+        if self.axis.modulo is not None:
+            parameters["turn"] = self._length(float(self.axis.modulo))
+        return parameters
 
     def _rapid(self, count: int) -> str:
         """Return 1852, which acts at rapid traverse where 1800#4 is 1: it changes as 1851 does, so
@@ -285,17 +240,22 @@ class _Axis:
             raise NotHeld(
                 "two tables and a backlash value at once would compensate the reversal twice"
             )
-        if self.axis.modulo is not None:
-            if two:
-                raise NotHeld(
-                    "two tables on an endless axis: nothing confirmed is known about how the"
-                    " control closes them"
-                )
-            if own[0] != own[-1]:
-                raise NotHeld(
-                    f"the table of an endless axis must close: it creeps by {own[-1] - own[0]:g}"
-                    " detection units each turn"
-                )
+        if two and self.axis.modulo is not None:
+            raise NotHeld(
+                "two tables on an endless axis: nothing confirmed is known about how the control"
+                " closes them"
+            )
+        if self.axis.modulo is not None and own[0] != own[-1]:
+            raise NotHeld(
+                f"the table of an endless axis must close: it creeps by {own[-1] - own[0]:g}"
+                " detection units each turn"
+            )
+        said, home = self.said.reference_return, self.compensation.reference_return
+        if two and said is not None and said is not home:
+            raise NotHeld(
+                "two tables need the direction of the reference return, which decides what 3627"
+                f" means: the control's files say {said.value} (1006#5), the job {home.value}"
+            )
 
     def _magnification(self, differences: Sequence[FloatArray]) -> int:
         """Return the smallest magnification that divides every increment and keeps it within the
@@ -316,7 +276,7 @@ class _Axis:
         )
 
     def _place(self, low: int, high: int, used: Sequence[range], start: int, *, two: bool) -> Place:
-        own = self.facts.get("reference_number")
+        stated = self.axis.options.get("first_point") is not None
         try:
             return find_place(
                 low,
@@ -324,19 +284,17 @@ class _Axis:
                 highest=self.definition.limit_number("max_number") or 0,
                 used=used,
                 two=two,
-                reference=own if isinstance(own, int) and claimed_numbers(self.facts) else None,
-                start=(
-                    start
-                    if self.axis.options.get("first_point") is None
-                    else first_point(self.options)
-                ),
+                reference=self.facts.reference_number if self.facts.claimed else None,
+                start=first_point(self.options) if stated else start,
             )
         except NoRoom as error:
             raise NotHeld(str(error)) from error
 
     def _points(
-        self, counts: FloatArray, steps: FloatArray, first: int, reference: int, magnification: int
+        self, counts: FloatArray, steps: FloatArray, place: Place, magnification: int
     ) -> dict[int, int]:
+        """Return the increments by number, those of the second set as if it were the first."""
+        reference = place.reference
         sign = -1 if self.options.get("pitch_sign") == "-" else 1
         increments = (np.diff(counts) / magnification).astype(np.int64) * sign
         points = {
@@ -346,7 +304,7 @@ class _Axis:
         if self.axis.modulo is not None:
             points[reference] = points[reference + int(steps[-1])]
         elif steps[0] == 0:  # travel that starts at the reference: 3621 must not lie above 3620
-            points[first] = 0
+            points[place.first] = 0
         if steps[-1] == 0:  # travel that ends at the reference: 3622 must lie above 3620
             points[reference + 1] = 0
         return points
@@ -386,15 +344,11 @@ class _Axis:
         return real_text(count)
 
 
-def length_step(kind: AxisKind, facts: Mapping[str, Fact]) -> Decimal:
+def length_step(kind: AxisKind, facts: IncrementFacts) -> Decimal:
     """Return the smallest step of a length, mm or deg: 0.001, and 0.0001 inch for the linear axes
     of a control in inches.
     """
-    return (
-        Decimal("0.00254")
-        if kind is AxisKind.LINEAR and facts.get("length_unit") == "inch"
-        else Decimal("0.001")
-    )
+    return Decimal("0.00254" if kind is AxisKind.LINEAR and facts.inch else "0.001")
 
 
 def first_point(options: Mapping[str, object]) -> int:

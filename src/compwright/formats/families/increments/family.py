@@ -10,9 +10,9 @@ from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import sign_check
 from compwright.formats.families.family import AxisTable, Family, sound
 from compwright.formats.families.increments.between import straightness_between
-from compwright.formats.families.increments.capacity import increments_capacity
+from compwright.formats.families.increments.capacity import AxisLimits
 from compwright.formats.families.increments.card import increment_values
-from compwright.formats.families.increments.reading import read_increments
+from compwright.formats.families.increments.reading import StateReader
 from compwright.formats.families.increments.sheets import increment_sheets
 from compwright.formats.families.increments.writing import write_increments
 from compwright.foundations.errors import CapacityError, Fault, raise_all
@@ -46,19 +46,19 @@ class IncrementsFamily(Family):
     ) -> ControlState:
         """See `Family.read`. No file of these controls switches a table off."""
         del activity
-        return read_increments(self.definition, files, self.options, axes, address=address)
+        return StateReader(self, files, axes, address).read()
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`."""
         del one_curve
-        return increments_capacity(self.definition, axis, self.options, self.state)
+        return AxisLimits(self, axis).capacity()
 
     def files_of(
         self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
     ) -> tuple[ControlFile, ...]:
         """See `Family.files_of`."""
         raise_all(CapacityError, faults)
-        return write_increments(self.definition, sound(tables), self.options, self.state, files)
+        return write_increments(self, sound(tables), files)
 
     def card_values(
         self,
@@ -68,8 +68,7 @@ class IncrementsFamily(Family):
         check_at: FloatArray,
     ) -> dict[str, str]:
         """See `Family.card_values`."""
-        own = self.options_of(axis)
-        values = increment_values(axis, compensation, self.definition, own, facts.said)
+        values = increment_values(self, axis, compensation, facts)
         return values | sign_check(compensation, check_at)
 
     def between(self, asked: Asked) -> Between:
@@ -91,5 +90,4 @@ class IncrementsFamily(Family):
             (self.address(axis)[0], axis, table)
             for axis, table in zip(axes, compensations, strict=True)
         ]
-        pairs = self.with_partners(own)
-        return increment_sheets(self.definition, own, pairs, self.options, self.state)
+        return increment_sheets(self, own)

@@ -4,8 +4,10 @@ that is free.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+
+from compwright.records.correction import ControlState
 
 
 class NoRoom(ValueError):  # noqa: N818 - it says what is the matter, and never leaves the room
@@ -76,6 +78,26 @@ def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
         longest = max(longest, min(taken.start, highest + 1) - place)
         place = max(place, taken.stop)
     return max(longest, highest + 1 - place)
+
+
+def used_numbers(state: ControlState | None, without: Iterable[str]) -> list[range]:
+    """Return the point numbers that are not free for the axes ``without``.
+
+    Those that other axes claim, a table that is switched off included; those that hold data or to
+    which another function points, whoever they belong to, unless the axes have them now.
+    """
+    if state is None:
+        return []
+    left_out = set(without)
+    claims = {address: facts.increments.claimed for address, facts in state.facts.items()}
+    own = [numbers for address in left_out for numbers in claims.get(address, ())]
+    others = sorted(
+        number for number in state.reserved if not any(number in numbers for numbers in own)
+    )
+    return [
+        *(numbers for one, each in claims.items() if one not in left_out for numbers in each),
+        *(range(number, number + 1) for number in others),
+    ]
 
 
 def _at(reference: int, first: int, last: int, *, two: bool) -> Place:

@@ -81,6 +81,11 @@ class Value:
     line: int
 
     @property
+    def whose(self) -> tuple[str, int]:
+        """The kind and the number of what it belongs to."""
+        return self.owner, self.index
+
+    @property
     def acts(self) -> bool:
         """Whether it is anything but zero."""
         return bool(self.text.strip("-0."))
@@ -95,10 +100,6 @@ class Value:
     def whole(self) -> int:
         """The value without decimals."""
         return int(Decimal(self.text))
-
-    def same(self, other: Value) -> bool:
-        """Whether another value of the parameter says the same."""
-        return self.text == other.text or Decimal(self.text) == Decimal(other.text)
 
     def bit(self, bit: int) -> bool:
         """Return one bit of eight, 0 the rightmost; a value that is no eight bits has none."""
@@ -128,82 +129,6 @@ class Parameters:
         """Return all values of some parameters, whoever they belong to."""
         return [value for number in numbers for value in self.values.get(number, ())]
 
-    def axis(self, number: int, address: str) -> Value | None:
-        """Return the value that holds for an axis: its own, else that of its path, else the
-        machine's; None where nothing says it.
-
-        Without 981 the axis is taken to be in the first path, as in a control that has only one;
-        where the paths differ in what an axis' table hangs on, `rivals` tells it and the axis is
-        refused.
-        """
-        values = self.values.get(number, [])
-        for owner, index in (("A", _index(address)), ("L", self.path(address) or 1), ("", 0)):
-            found = [value for value in values if value.owner == owner and value.index == index]
-            if found:
-                return found[-1]
-        return None
-
-    def contradictions(self, address: str) -> Iterator[Fault]:
-        """Yield a fault for each parameter that holds for an axis and stands in the files twice
-        with different values.
-        """
-        owners = {("A", _index(address)), ("L", self.path(address) or 1), ("", 0)}
-        for values in self.values.values():
-            first: dict[tuple[str, int], Value] = {}
-            for value in values:
-                known = first.setdefault((value.owner, value.index), value)
-                if (value.owner, value.index) in owners and not value.same(known):
-                    yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
-
-    def rivals(self, number: int, bits: Sequence[int], address: str) -> list[Value]:
-        """Return the values of paths that could hold for an axis whose path nobody says (981) and
-        whose ``bits`` differ.
-        """
-        values = {value.index: value for value in self.values.get(number, []) if value.owner == "L"}
-        own = any(
-            value.owner == "A" and value.index == _index(address)
-            for value in self.values.get(number, [])
-        )
-        if (
-            own
-            or self.path(address) is not None
-            or len({tuple(map(value.bit, bits)) for value in values.values()}) < 2
-        ):
-            return []
-        return [values[index] for index in sorted(values)]
-
-    def path(self, address: str) -> int | None:
-        """Return the path that an axis belongs to (981); None where the files do not say it."""
-        values = [
-            value
-            for value in self.values.get(PATH_OF_AXIS, [])
-            if value.owner == "A" and value.index == _index(address)
-        ]
-        return (values[-1].whole or None) if values else None
-
-    def names(self, value: Value, address: str) -> bool:
-        """Whether an axis number that stands in ``value`` means the axis: counted over the machine,
-        or within its own path.
-
-        Whose path a further one is stands in 981 only: without it what the path says may mean any
-        axis.
-        """
-        if value.whole == _index(address):
-            return True
-        path = value.index if value.owner == "L" else None
-        if path is not None and path > 1 and PATH_OF_AXIS not in self.values:
-            return True
-        mates = sorted(
-            one.index
-            for one in self.values.get(PATH_OF_AXIS, [])
-            if one.owner == "A" and one.whole == path
-        )
-        return (
-            path is not None
-            and 0 < value.whole <= len(mates)
-            and mates[value.whole - 1] == _index(address)
-        )
-
     def _read(self, file: ControlFile) -> None:
         for number, line in enumerate(
             file.content.decode("latin-1").replace("\r", "").split("\n"), start=1
@@ -215,8 +140,95 @@ class Parameters:
                 self.values.setdefault(value.number, []).append(value)
 
 
-def _index(address: str) -> int:
-    return int(address) if address.isdigit() else 0
+@dataclass(frozen=True, slots=True)
+class AxisParameters:
+    """The watched parameters as they hold for one axis."""
+
+    all: Parameters
+    address: str
+
+    @property
+    def label(self) -> str:
+        """The axis as messages name it."""
+        return f"axis {self.address}"
+
+    @property
+    def index(self) -> int:
+        """The number of the axis; 0 where its address is none."""
+        return int(self.address) if self.address.isdigit() else 0
+
+    @property
+    def path(self) -> int | None:
+        """The path that the axis belongs to (981); None where the files do not say it."""
+        paths = [
+            value.whole for value in self.all.of([PATH_OF_AXIS]) if value.whose == ("A", self.index)
+        ]
+        return paths[-1] or None if paths else None
+
+    @property
+    def system(self) -> Value | None:
+        """The increment system: by axis (1013), on older series of the machine (1004)."""
+        return self.get(SYSTEM) or self.get(SYSTEM_OF_MACHINE)
+
+    def get(self, number: int) -> Value | None:
+        """Return the value that holds for the axis: its own, else that of its path, else the
+        machine's; None where nothing says it.
+
+        Without 981 the axis is taken to be in the first path, as in a control that has only one;
+        where the paths differ in what an axis' table hangs on, `rivals` tells it and the axis is
+        refused.
+        """
+        values = {value.whose: value for value in self.all.of([number])}
+        return next((values[whose] for whose in self._owners() if whose in values), None)
+
+    def bit(self, number: int, bit: int) -> bool | None:
+        """Return one bit; None where nothing says it."""
+        value = self.get(number)
+        return None if value is None else value.bit(bit)
+
+    def contradictions(self) -> Iterator[Fault]:
+        """Yield a fault for each parameter that holds for the axis and stands in the files twice
+        with different values.
+        """
+        owners = self._owners()
+        for values in self.all.values.values():
+            first: dict[tuple[str, int], Value] = {}
+            for value in values:
+                known = first.setdefault(value.whose, value)
+                if value.whose in owners and Decimal(value.text) != Decimal(known.text):
+                    yield value.fault(f"contradicts {known.file}, line {known.line}", known.label)
+
+    def rivals(self, number: int, bits: Sequence[int]) -> list[Value]:
+        """Return the values of paths that could hold for an axis whose path nobody says (981) and
+        whose ``bits`` differ.
+        """
+        values = self.all.of([number])
+        if self.path is not None or any(value.whose == ("A", self.index) for value in values):
+            return []
+        paths = {value.index: value for value in values if value.owner == "L"}
+        differ = len({tuple(map(value.bit, bits)) for value in paths.values()}) > 1
+        return [paths[index] for index in sorted(paths)] if differ else []
+
+    def named_by(self, value: Value) -> bool:
+        """Whether an axis number that stands in ``value`` means the axis: counted over the machine,
+        or within its own path.
+
+        Whose path a further one is stands in 981 only: without it what the path says may mean any
+        axis.
+        """
+        paths = self.all.of([PATH_OF_AXIS])
+        further = value.owner == "L" and value.index > 1 and not paths
+        if value.whole == self.index or further:
+            return True
+        mates = sorted(
+            one.index
+            for one in paths
+            if one.owner == "A" and value.owner == "L" and one.whole == value.index
+        )
+        return value.whole > 0 and mates[value.whole - 1 : value.whole] == [self.index]
+
+    def _owners(self) -> list[tuple[str, int]]:
+        return [("A", self.index), ("L", self.path or 1), ("", 0)]
 
 
 def _values(number: int, rest: str, file: str, line: int) -> list[Value]:

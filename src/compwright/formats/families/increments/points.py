@@ -5,7 +5,7 @@ what.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.text.gathering import Found, Gathered, same_value
@@ -94,17 +94,16 @@ def points_by_number(
         text = row.occurrence.tokens["value"].text
         if number > highest:
             message = f"point number {number} does not exist in this control"
-            notes.faults.append(fault_at(row, message, f"0 .. {highest}", str(number)))
+            notes.faults.append(_fault(row, message, f"0 .. {highest}", str(number)))
             continue
         first = points.setdefault(number, row)
         if not same_value(text, first.occurrence.tokens["value"].text):
             message = f"point {number} contradicts {first.where}"
-            notes.faults.append(fault_at(row, message, first.occurrence.tokens["value"].text, text))
+            notes.faults.append(_fault(row, message, first.occurrence.tokens["value"].text, text))
     return points
 
 
-def fault_at(found: Found, message: str, expected: str = "", what: str = "") -> Fault:
-    """Return a fault at the line of a value."""
+def _fault(found: Found, message: str, expected: str, what: str) -> Fault:
     return Fault(
         message=message,
         file=found.occurrence.file,
@@ -112,9 +111,3 @@ def fault_at(found: Found, message: str, expected: str = "", what: str = "") -> 
         expected=expected,
         found=what,
     )
-
-
-def number_list(numbers: Iterable[int]) -> str:
-    """Return numbers with commas; long lists end in dots."""
-    chosen = list(numbers)
-    return ", ".join(map(str, chosen[:8])) + (" .." if len(chosen) > 8 else "")

@@ -13,7 +13,8 @@ from decimal import Decimal
 
 from compwright.formats.definition.schema import Choice, Definition, WrittenFile
 from compwright.formats.definition.statements import print_form
-from compwright.formats.families.increments.axis import thousandths
+from compwright.formats.families.family import AxisTable, Family
+from compwright.formats.families.increments.axis_values import INCH, thousandths
 from compwright.formats.families.increments.entries import Entries, all_entries, real_text
 from compwright.formats.families.increments.points import POINTS_FROM, point_number, point_rows
 from compwright.formats.families.increments.reading import read_texts
@@ -22,23 +23,19 @@ from compwright.formats.text.gathering import Found, Gathered, gather
 from compwright.formats.text.patching import Patches, fresh_file, set_field
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
-from compwright.records.axis import Axis, AxisKind
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.axis import AxisKind
+from compwright.records.correction import ControlFile
 
 
 def write_increments(
-    definition: Definition,
-    pairs: Sequence[tuple[str, Axis, AxisCompensation]],
-    options: Mapping[str, object],
-    state: ControlState | None,
-    files: Sequence[ControlFile],
+    family: Family, tables: Sequence[AxisTable], files: Sequence[ControlFile]
 ) -> tuple[ControlFile, ...]:
-    """Return the files that put the compensations (address, axis, table) into the control;
-    ``files``: its own, to be patched.
+    """Return the files that put ``tables`` into the control; ``files``: its own, to be patched.
 
     Raises CapacityError with everything that the control cannot hold.
     """
-    entries = all_entries(definition, pairs, options, state)
+    definition = family.definition
+    entries = all_entries(family, tables)
     faults: list[Fault] = []
     own = [file for file in files if not is_entry_sheet(file)]
     patched = _OwnFiles(definition, own)
@@ -121,7 +118,7 @@ class _OwnFiles(Patches):
         key = place.occurrence.tokens["key"].text.upper()
         inch = entry.kind is AxisKind.LINEAR and (key == "I" or (key == "P" and entry.inch))
         if inch:
-            value /= Decimal("25.4")
+            value /= INCH
         if thousandths(self.definition) and "." not in place.text:
             return str(int(value / (Decimal("0.0001") if inch else Decimal("0.001"))))
         return real_text(value)
@@ -212,10 +209,12 @@ def _parameter_line(definition: Definition, quantity: str, entry: Entries, text:
     # Where the control's own files say its unit, a fresh line has the letter that they have; else M
     # says that it is in mm.
     key = (
-        "P" if thousandths(definition) or entry.kind is AxisKind.ROTARY or entry.unit_known else "M"
+        "P"
+        if thousandths(definition) or entry.kind is AxisKind.ROTARY or entry.inch is not None
+        else "M"
     )
     if quantity in ("table_spacing", "turn") and entry.inch and entry.kind is AxisKind.LINEAR:
-        value = millimetres(text) / Decimal("25.4")
+        value = millimetres(text) / INCH
         text = str(int(value / Decimal("0.0001"))) if thousandths(definition) else real_text(value)
     return print_form(
         definition.statements[binding.statement].form,

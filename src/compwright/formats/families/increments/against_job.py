@@ -1,0 +1,134 @@
+"""What the files say of an axis against what the job says of it."""
+
+from __future__ import annotations
+
+from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.axis_values import AxisValues, thousandths
+from compwright.formats.families.travel_limits import check_travel
+from compwright.foundations.errors import Fault, UsageError
+from compwright.records.axis import AxisKind
+
+#: Two positions are the same below this many mm or deg: a control counts in 0.0001 at the finest.
+SAME_PLACE = 1e-6
+
+
+def check_wrapping(values: AxisValues, kind: AxisKind) -> None:
+    """Whether the axis is endless, and its turn: the job and the files must say the same."""
+    wraps, bits = values.wraps(), values.own.get(known.KIND)
+    if kind is not AxisKind.ROTARY or values.axis is None or wraps is None or bits is None:
+        return
+    modulo, turn = values.axis.modulo, values.turn(kind)
+    if (modulo is not None) != wraps:
+        says, expected = (
+            ("endless (1006#0 = 1, 1006#1 = 0)", f"modulo: {turn:g} in the job")
+            if wraps
+            else ("one with ends (1006#0 = 1, 1006#1 = 1)", "no modulo in the job")
+        )
+        message = f"the control takes the rotary axis for {says}, the job does not"
+    elif modulo is not None and abs(turn - modulo) > SAME_PLACE:
+        message = "the turn of the control's files (3625, else 1260) is not the modulo of the job"
+        expected = f"modulo: {turn:g}"
+    else:
+        return
+    values.notes.faults.append(bits.fault(f"{values.label}: {message}", expected))
+
+
+def check_travel_limits(values: AxisValues, kind: AxisKind) -> None:
+    """Hold 1321 and 1320, the limits of the stroke, against the job's travel; where 1320 is not
+    above 1321 none are set.
+    """
+    if values.axis is None or (kind is AxisKind.ROTARY and values.wraps() is not False):
+        return
+    told = [values.found(name) for name in ("limit_low", "limit_high")]
+    if any(one is None or "." not in one.text for one in told):
+        return
+    low, high = (values.length(name, kind) for name in ("limit_low", "limit_high"))
+    check_travel(
+        values.axis,
+        (float(low or 0), float(high or 0)),
+        values.label,
+        "1320, 1321",
+        values.notes,
+        lambda *words: values.wrong("limit_high", *words),
+    )
+
+
+def check_reference(
+    values: AxisValues, kind: AxisKind, reference: float, *, has_table: bool
+) -> None:
+    """Hold 1240 against the job's reference, and say what a reference beside zero rests on.
+
+    ``reference``: the position from which the points are counted, mm or deg.
+    """
+    told = values.found("reference_coordinate")
+    where = None
+    if told is not None and ("." in told.text or thousandths(values.definition)):
+        where = values.length("reference_coordinate", kind)
+    differs = where is not None and abs(float(where) - reference) > SAME_PLACE
+    if values.axis is not None and told is not None and differs:
+        message = "the job and the control's files disagree about the reference position (1240)"
+        values.wrong("reference_coordinate", message, f"{reference:g}, as the job says", told.text)
+    if has_table and (reference != 0 or where):
+        values.notes.find(
+            "CW-S018",
+            "warning",
+            f"{values.label}: the reference position is not machine zero (1240); the points are"
+            f" counted from the position {reference:g} (reference), which is"
+            " unconfirmed: check the correction at two positions",
+        )
+
+
+def check_return(values: AxisValues, *, two: bool) -> None:
+    """Hold 1006#5 against the job. It decides the sign of 3627, so two sets are refused; one set
+    differs by a constant only.
+    """
+    home, bits, axis = values.home(), values.own.get(known.KIND), values.axis
+    if home is None or bits is None or axis is None or home is axis.reference_return:
+        return
+    message = (
+        f"{values.label}: the reference return is towards {home.value} by 1006#5, towards"
+        f" {axis.reference_return.value} in the job"
+    )
+    if two:
+        why = "with two sets it decides what 3627 means"
+        expected = f'reference_return: "{home.value}" in the job: {why}'
+        values.notes.faults.append(bits.fault(message, expected))
+        return
+    values.notes.find(
+        "CW-S044",
+        "warning",
+        f"{message}; with one set of data it only moves the zero by the backlash, so the job is"
+        " followed; two sets are refused until they agree",
+    )
+
+
+def check_diameter(values: AxisValues, kind: AxisKind) -> None:
+    """An axis in diameter programming: the job and 1006#3 must agree, else everything may be wrong
+    by 2. Raises UsageError where no file says it.
+    """
+    if kind is AxisKind.ROTARY:
+        return
+    said, job = values.yes("diameter"), None if values.axis is None else values.axis.programmed
+    if said is True and job == "radius":
+        message = "1006#3 says diameter programming, the job does not"
+        values.wrong("diameter", message, "programmed: diameter in the job", "radius")
+    if said is False and job == "diameter":
+        message = "1006#3 says radius programming, the job diameter"
+        values.wrong("diameter", message, "programmed: radius in the job", "diameter")
+    if not said and job != "diameter":
+        return
+    if said is None:
+        message = (
+            f"{values.label}: no file says whether the control counts the axis in diameter (1006#3)"
+        )
+        expected = "the parameter file with 1006, or radius, in which everything of a job counts"
+        raise UsageError(
+            Fault(message=message, place="programmed", expected=expected, found="diameter")
+        )
+    values.notes.find(
+        "CW-S019",
+        "warning",
+        f"{values.label}: diameter programming (1006#3): positions, interval and corrections are"
+        " taken in radius (unconfirmed); wrong by 2 is the usual fault, so check one position"
+        " after loading",
+    )

@@ -1,0 +1,79 @@
+"""What the files of a control with increments by section say of one axis, as records."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from decimal import Decimal
+
+from compwright.formats.definition.options import DETECTION_UNIT
+from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.axis_values import INCH, AxisValues
+from compwright.formats.families.increments.detection_unit import detection_unit
+from compwright.records.axis import AxisKind
+from compwright.records.facts import AxisFacts, IncrementFacts
+
+
+def facts_of(values: AxisValues) -> AxisFacts:
+    """Return what the files say of an axis."""
+    increments = _increments(values)
+    kind, wraps = values.kind(quiet=True), values.wraps()
+    unit = detection_unit(values.own, kind)
+    turn = None if wraps is None else values.turn(kind)
+    rotary = values.word("rotary", values.found("rotary"))
+    first, last = increments.first_number, increments.last_number
+    diameter, absolute, two_sets = (
+        values.yes(name) for name in ("diameter", "absolute_encoder", "bidirectional")
+    )
+    code = values.integer("axis_name")
+    low, high, reference = (
+        _coordinate(values, name, kind)
+        for name in ("limit_low", "limit_high", "reference_coordinate")
+    )
+    return AxisFacts(
+        name=chr(code) if code is not None and ord("A") <= code <= ord("Z") else None,
+        kind=None if rotary is None else AxisKind(rotary),
+        limits=None if low is None or high is None else (low, high),
+        enabled=bool(increments.magnification) and first != last,
+        endless=turn if wraps else None,
+        reference=reference,
+        reference_return=values.home(),
+        absolute_encoder=absolute,
+        diameter=diameter,
+        unit_evidence="" if unit is None else unit.evidence,
+        increments=replace(increments, two_sets=bool(two_sets)),
+        said={} if unit is None else {DETECTION_UNIT: unit.size},
+    )
+
+
+def _increments(values: AxisValues) -> IncrementFacts:
+    return IncrementFacts(
+        reference_number=values.integer("reference_number"),
+        first_number=values.integer("first_number"),
+        last_number=values.integer("last_number"),
+        magnification=values.integer("magnification"),
+        negative_first=values.integer("negative_first"),
+        negative_offset=values.integer("negative_offset"),
+        backlash_rapid=values.integer("backlash_rapid"),
+        backlash=values.integer("backlash"),
+        separate_rapid=values.separate_rapid(),
+        inch=values.own.bit(known.INCH, 0),
+        rapid_feed=_rapid_feed(values),
+    )
+
+
+def _rapid_feed(values: AxisValues) -> float | None:
+    rapid = values.own.get(known.RAPID)
+    if rapid is None or not rapid.acts:
+        return None
+    inch = values.in_inches(rapid.key, values.kind(quiet=True))
+    return float(Decimal(rapid.text) * (INCH if inch else 1))
+
+
+def _coordinate(values: AxisValues, quantity: str, kind: AxisKind) -> float | None:
+    """Return a machine coordinate, mm or deg; None where it has no decimal point, which says that
+    its unit is not known.
+    """
+    found = values.found(quantity)
+    if found is None or "." not in found.text:
+        return None
+    return float(values.length(quantity, kind) or 0)

@@ -1,0 +1,262 @@
+"""One axis of a control with increments by section: parameters and points -> its compensation."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from decimal import Decimal
+
+import numpy as np
+
+from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN
+from compwright.formats.families.increments import acting
+from compwright.formats.families.increments.against_job import (
+    check_diameter,
+    check_reference,
+    check_return,
+    check_travel_limits,
+    check_wrapping,
+)
+from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.formats.families.increments.detection_unit import two_systems
+from compwright.formats.families.increments.points import POINTS_FROM
+from compwright.formats.families.increments.sections import Sections, read_sections
+from compwright.formats.text.gathering import Found
+from compwright.formats.text.scale import Scale
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.correction import AxisCompensation
+
+_NO_POINTS = np.empty(0)
+
+
+@dataclass(frozen=True, slots=True)
+class IncrementReader:
+    """Reads one axis. ``points``: the pitch data of all axes by number; ``options``: the axis'."""
+
+    values: AxisValues
+    points: Mapping[int, Found]
+    options: Mapping[str, object]
+
+    def read(self) -> AxisCompensation | None:
+        """Return what acts on the axis; None where something is wrong (then the notes have
+        faults).
+        """
+        values = self.values
+        kind = values.kind()
+        self._beside(kind)
+        check_wrapping(values, kind)
+        check_travel_limits(values, kind)
+        backlash = self._backlash(kind)
+        sections = read_sections(values, kind)
+        check_reference(values, kind, self._reference(), has_table=sections is not None)
+        check_return(values, two=sections is not None and sections.negative is not None)
+        check_diameter(values, kind)
+        if sections is None:
+            curves = (_NO_POINTS, _NO_POINTS, _NO_POINTS)
+            return self._compensation(kind, curves, backlash)
+        values.notes.faults.extend(acting.meets(values.own, sections.numbers))
+        own = self._increments(sections.numbers)
+        other = own if sections.second is None else self._increments(sections.second)
+        if own is None or other is None:
+            return None
+        if self._repeats(kind, sections):
+            return self._endless(kind, sections, own, backlash)
+        steps = np.arange(sections.first - 1, sections.last + 1) - sections.reference
+        positions = np.round(self._reference() + steps * sections.interval, 9)
+        scale = float(self._unit(kind)) * sections.magnification * self._sign("pitch_sign")
+        positive, negative = (totals(each, sections) * scale for each in (own, other))
+        if sections.negative is not None:
+            shift = self._offset(sections, kind)
+            if self._returning() is Direction.POSITIVE:
+                negative = negative + shift
+            else:
+                positive = positive + shift
+        return self._compensation(kind, (positions, positive, negative), backlash)
+
+    def _beside(self, kind: AxisKind) -> None:
+        """Refuse or tell what acts on the axis beside its table, and what its files leave open."""
+        values, own, notes = self.values, self.values.own, self.values.notes
+        notes.faults.extend((*own.contradictions(), *acting.refusals(own)))
+        if values.axis is not None or values.does_anything():
+            notes.faults.extend(acting.unclear_path(own, kind))
+        for remark in acting.remarks(own):
+            notes.find("CW-S040", "warning", remark)
+        systems = two_systems(own)
+        if systems:
+            told = f"{values.label}: {systems}; check the detection unit"
+            notes.find("CW-S043", "warning", told)
+
+    def _compensation(
+        self,
+        kind: AxisKind,
+        curves: tuple[FloatArray, FloatArray, FloatArray],
+        backlash: float,
+        period: float | None = None,
+    ) -> AxisCompensation:
+        """``curves``: positions, and the correction in travel + and -, all (n,) mm or deg."""
+        positions, positive, negative = curves
+        return AxisCompensation(
+            address=self.values.own.address,
+            kind=kind,
+            positions=positions,
+            positive=positive + 0.0,
+            negative=negative + 0.0,
+            backlash=backlash,
+            reference_return=self._returning(),
+            interpolation="linear" if self.options.get("output") == "ramp" else "step",
+            period=period,
+        )
+
+    def _unit(self, kind: AxisKind) -> Decimal:
+        return Scale(self.values.definition, kind, self.options, {}).factor("value")
+
+    def _sign(self, option: str) -> int:
+        return -1 if self.options.get(option) == "-" else 1
+
+    def _reference(self) -> float:
+        axis = self.values.axis
+        return axis.reference if axis else float(str(self.options[REFERENCE]))
+
+    def _returning(self) -> Direction:
+        axis = self.values.axis
+        return axis.reference_return if axis else Direction(str(self.options[REFERENCE_RETURN]))
+
+    def _repeats(self, kind: AxisKind, sections: Sections) -> bool:
+        """Whether the axis is endless: the job says so, or the table of a rotary axis starts at the
+        reference and spans a turn.
+
+        Not where the files say that it has ends (1006#1): there a turn need not close.
+        """
+        values = self.values
+        ends = values.wraps() is False or sections.negative is not None
+        if kind is not AxisKind.ROTARY or ends:
+            return False
+        if values.axis is not None and values.axis.modulo is not None:
+            return True
+        from_reference = sections.first - sections.reference in (0, 1)
+        return from_reference and sections.goes_round(values.turn(kind))
+
+    def _backlash(self, kind: AxisKind) -> float:
+        values = self.values
+        found = values.found("backlash")
+        if found is None:
+            values.absent("backlash", "backlash")
+            return 0.0
+        low, high = values.definition.measure("backlash").range
+        value = int(Decimal(found.text))
+        if not low <= value <= high:
+            message = "a backlash that the control cannot hold"
+            values.notes.refuse(values.label, message, found, expected=f"{low:g} .. {high:g}")
+        rapid, separate = values.integer("backlash_rapid"), values.separate_rapid()
+        if separate is not False and rapid is not None and rapid != value:
+            why = "1800#4 = 1" if separate else "1800#4 is not in the files"
+            values.notes.find(
+                "CW-S015",
+                "warning",
+                f"{values.label}: cutting feed and rapid have different backlash values ({value}"
+                f" and {rapid}; {why}): what is shown here is cutting feed; a new table changes"
+                " both values alike, so that their difference stays",
+            )
+        return float(value * self._unit(kind))
+
+    def _increments(self, numbers: range) -> FloatArray | None:
+        """Return the increments (k,) of some numbers; None where one is missing or too large."""
+        notes, label = self.values.notes, self.values.label
+        missing = [number for number in numbers if number not in self.points]
+        if missing:
+            what = f"{numbers.start} to {numbers.stop - 1}, without {number_list(missing)}"
+            message = (
+                f"point data are missing ({len(missing)} of {len(numbers)}); missing is not zero"
+                if self.points
+                else "its table is on, and no file that was given holds pitch data; the control"
+                " saves them apart from its parameters"
+            )
+            where = self.values.found("last_number")
+            expected = f"the pitch data N{POINTS_FROM + missing[0]} and so on"
+            notes.refuse(label, message, where, expected=expected, found=what)
+            return None
+        limit = increment_limit(self.options)
+        rows = [self.points[number] for number in numbers]
+        counts = [int(row.occurrence.tokens["value"].text) for row in rows]
+        for row, count in zip(rows, counts, strict=True):
+            if abs(count) > limit:
+                message = "an increment that the control cannot hold (option increment_limit)"
+                held = f"-{limit} .. {limit}"
+                notes.refuse(label, message, row, expected=held, found=str(count))
+                return None
+        return np.array(counts, dtype=np.float64)
+
+    def _offset(self, sections: Sections, kind: AxisKind) -> float:
+        """Return 3627, mm or deg: the value at the reference against its return direction, which
+        goes on the curve that is not the zero state's.
+        """
+        values = self.values
+        count = values.integer("negative_offset")
+        if count is None:
+            message = "bidirectional compensation is on (3605#0), but 3627 is missing"
+            values.notes.refuse(
+                values.label, message, values.found("bidirectional"), expected="3627", found=""
+            )
+        values.notes.assume(
+            f"{values.label}: bidirectional compensation",
+            "as 3605#0, 3626 and 3627 are understood",
+            "unconfirmed: no manual page",
+        )
+        magnified = self.options.get("offset_magnified") == "yes"
+        magnification = sections.magnification if magnified else 1
+        shift = float((count or 0) * magnification * self._unit(kind))
+        return shift * self._sign("offset_sign")
+
+    def _endless(
+        self, kind: AxisKind, sections: Sections, counts: FloatArray, backlash: float
+    ) -> AxisCompensation | None:
+        values = self.values
+        turn, where = values.turn(kind), values.found("last_number")
+        spans = sections.last - sections.reference
+        # The number of the reference itself owns no section of its own.
+        skipped = 1 - (sections.first - sections.reference)
+        if skipped not in (0, 1) or not sections.goes_round(turn):
+            message = (
+                "the table of an endless axis must span one turn (3622 = 3620 + turn / interval)"
+            )
+            expected = f"{turn:g} deg in whole sections"
+            found = f"{spans} sections of {sections.interval:g} deg"
+            values.notes.refuse(values.label, message, where, expected=expected, found=found)
+            return None
+        creep = float(np.sum(counts[skipped:]))
+        unit = float(self._unit(kind)) * sections.magnification
+        if creep != 0:
+            message = (
+                "the increments of one turn do not add up to zero: the axis creeps by"
+                f" {creep * unit:g} deg each turn"
+            )
+            values.notes.refuse(values.label, message, where, expected="sum 0", found=f"{creep:g}")
+            return None
+        if skipped and counts[0] != counts[-1]:
+            values.notes.find(
+                "CW-S016",
+                "warning",
+                f"{values.label}: point {sections.reference} should hold the same value as point"
+                f" {sections.last} ({counts[-1]:g})",
+            )
+        sums = np.concatenate([[0.0], np.cumsum(counts[skipped:])])
+        curve = sums * unit * self._sign("pitch_sign")
+        positions = np.round(self._reference() + np.arange(spans + 1) * sections.interval, 9)
+        return self._compensation(kind, (positions, curve, curve), backlash, turn)
+
+
+def totals(counts: FloatArray, sections: Sections) -> FloatArray:
+    """Return the sums (k + 1,) of the increments (k,) at the nodes, zero at the reference."""
+    sums = np.concatenate([[0.0], np.cumsum(counts)])
+    zero: FloatArray = sums - sums[sections.reference - sections.first + 1]
+    return zero
+
+
+def increment_limit(options: Mapping[str, object]) -> int:
+    """Return the largest increment of the control."""
+    return int(str(options["increment_limit"]))
+
+
+def number_list(numbers: list[int]) -> str:
+    """Return numbers with commas; long lists end in dots."""
+    return ", ".join(map(str, numbers[:8])) + (" .." if len(numbers) > 8 else "")

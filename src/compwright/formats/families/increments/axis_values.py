@@ -1,0 +1,141 @@
+"""The single values that the files hold of one axis of a control with increments by section."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from decimal import Decimal
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.parameters import AxisParameters
+from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.values import Values
+from compwright.foundations.units import MILLIMETRES_PER_INCH
+from compwright.records.axis import Axis, AxisKind, Direction
+
+#: One inch, mm.
+INCH = Decimal(str(MILLIMETRES_PER_INCH))
+
+
+def thousandths(definition: Definition) -> bool:
+    """Return whether lengths without a decimal point count thousandths (0i-A to C, 16i), or are not
+    allowed (30i).
+    """
+    return definition.measure("table_spacing").linear_unit == "um"
+
+
+@dataclass(frozen=True, slots=True)
+class AxisValues(Values):
+    """``own``: parameters beside those of the table; ``axis``: what the job knows of the axis, None
+    without a job.
+    """
+
+    gathered: Gathered
+    own: AxisParameters
+    axis: Axis | None
+
+    def found(self, quantity: str) -> Found | None:
+        """Return where a quantity stands, for this axis or for the whole machine."""
+        if quantity not in self.definition.bindings:
+            return None
+        return self.one(quantity, self.gathered.found(quantity, self.own.address, None))
+
+    def integer(self, quantity: str) -> int | None:
+        """Return a whole number; None where the files do not hold it."""
+        found = self.found(quantity)
+        return None if found is None else int(Decimal(found.text))
+
+    def yes(self, quantity: str) -> bool | None:
+        """Return a yes or no; None where the files do not hold it."""
+        word = self.word(quantity, self.found(quantity))
+        return None if word is None else word == "yes"
+
+    def length(self, quantity: str, kind: AxisKind) -> Decimal | None:
+        """Return a length in mm or deg: M metric, I inch, P the machine's unit; without a point in
+        the control's own small unit. One that needs a point and has none is a fault.
+        """
+        found = self.found(quantity)
+        if found is None:
+            return None
+        inch = self.in_inches(found.occurrence.tokens["key"].text, kind)
+        number = Decimal(found.text) * (INCH if inch else 1)
+        if "." in found.text or number == 0:
+            return number
+        if not thousandths(self.definition):
+            message = f"parameter {self.name(quantity)} is a length and needs a decimal point"
+            self.notes.refuse(self.label, message, found, expected="a number such as 50.0")
+            return None
+        return number * (Decimal("0.0001") if inch else Decimal("0.001"))
+
+    def in_inches(self, key: str, kind: AxisKind) -> bool:
+        """Whether a length is in inches: M metric, I inch, P the machine's unit; angles never."""
+        machine = bool(self.own.bit(known.INCH, 0))
+        return kind is AxisKind.LINEAR and {"M": False, "I": True}.get(key.upper(), machine)
+
+    def separate_rapid(self) -> bool | None:
+        """Whether rapid traverse has a backlash of its own (1800#4), by the path of the axis."""
+        return self.own.bit(known.BACKLASH_BITS, 4)
+
+    def does_anything(self) -> bool:
+        """Whether the axis has a table that is on, or a backlash value."""
+        first, last = self.integer("first_number"), self.integer("last_number")
+        return bool((self.integer("magnification") and first != last) or self.integer("backlash"))
+
+    def kind(self, *, quiet: bool = False) -> AxisKind:
+        """Return linear or rotary: from the job, else the files, else linear, which is noted unless
+        ``quiet``.
+        """
+        place = self.found("rotary")
+        word = self.word("rotary", place)
+        if self.axis is not None:
+            if word is not None and word != self.axis.kind and not quiet:
+                message = "the job and the control's files disagree about its kind (1006#0)"
+                expected = self.axis.kind.value
+                self.notes.refuse(self.label, message, place, expected=expected, found=word)
+            return self.axis.kind
+        turn = self.found("turn")
+        turns = turn is not None and Decimal(turn.text) != 0
+        guess = "rotary" if turns else "linear"
+        if word is None and not quiet:
+            why = (
+                "inferred: 3625 holds a travel per turn"
+                if turns
+                else "unconfirmed: neither a job nor the files say so"
+            )
+            self.notes.assume(f"{self.label}: kind", guess, why)
+        return AxisKind(word or guess)
+
+    def turn(self, kind: AxisKind) -> float:
+        """Return the travel per turn of a rotary axis, deg: 3625, else 1260, else what the job
+        says, else 360.
+        """
+        turn = self.length("turn", kind)
+        if turn:
+            return float(turn)
+        shown = self.own.get(known.TURN)
+        if shown is not None and shown.acts and "." in shown.text:
+            return float(shown.text)
+        return 360.0 if self.axis is None or self.axis.modulo is None else float(self.axis.modulo)
+
+    def wraps(self) -> bool | None:
+        """Whether a rotary axis is endless: 1006#0 = 1 with 1006#1 = 0; None where 1006 is not in
+        the files or it is linear.
+        """
+        bits = self.own.get(known.KIND)
+        return not bits.bit(1) if bits is not None and bits.bit(0) else None
+
+    def home(self) -> Direction | None:
+        """Return the direction of the reference return that the files say (1006#5); None where 1006
+        is not in them.
+        """
+        negative = self.own.bit(known.KIND, 5)
+        if negative is None:
+            return None
+        return Direction.NEGATIVE if negative else Direction.POSITIVE
+
+    def wrong(self, quantity: str, message: str, expected: str, found: str = "") -> None:
+        """Note a fault at the line of a quantity, which it names."""
+        name = self.name(quantity)
+        named = message if name in f"{message} {expected}" else f"{message} (parameter {name})"
+        place = self.found(quantity)
+        self.notes.refuse(self.label, named, place, expected=expected, found=found)

@@ -1,0 +1,142 @@
+"""The detection unit of an axis, by its files and by the job: the two must not contradict."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from decimal import Decimal
+
+from compwright.formats.definition.options import DETECTION_UNIT, axis_options
+from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.against_job import check_diameter
+from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.formats.families.increments.parameters import AxisParameters, Value
+from compwright.foundations.errors import UsageError
+from compwright.records.axis import AxisKind
+
+#: Largest setting of 1820 whose coding is known: 2 x CMR for a CMR of 1 to 48.
+_LARGEST_MULTIPLIER = 96
+#: Detection units are the same within this part: what the job says in few digits.
+_SAME_UNIT = 1e-4
+
+
+@dataclass(frozen=True, slots=True)
+class DetectionUnit:
+    """Detection unit in mm or deg, the parameters that say it, in words, and the first of them."""
+
+    size: float
+    evidence: str
+    multiplier: Value
+
+
+def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
+    """Return the least command increment / CMR; None where the files do not say it, or in a way
+    that is not known.
+
+    1820 = 2 x CMR for a CMR of 1 and more (B-63943EN-1/02 page 109). The least command increment is
+    0.001 mm or deg by IS-B (0.01 by IS-A, 0.0001 by IS-C), a tenth of that in inches on an inch
+    machine (1001#0). 1013 by axis says the system, on older series 1004. What diameter programming
+    (1006#3) makes of it is not known.
+    """
+    multiplier, system = own.get(known.MULTIPLIER), own.system
+    power = None if system is None else _power(system)
+    if multiplier is None or system is None or power is None or _unread(own, kind) is not None:
+        return None
+    inch = kind is AxisKind.LINEAR and bool(own.bit(known.INCH, 0))
+    least = Decimal(1).scaleb(power) * (Decimal("2.54") if inch else 1)
+    factor = Decimal(multiplier.whole) / 2
+    evidence = (
+        f"1820 = {multiplier.text} (CMR {factor.normalize():f}) and {system.number} = {system.text}"
+        f" (least command increment {least.normalize():f}"
+        f" {kind.unit}{', inch machine by 1001#0' if inch else ''})"
+    )
+    return DetectionUnit(float(least / factor), evidence, multiplier)
+
+
+def _power(system: Value) -> int | None:
+    """Return the power of ten of the least command increment by 1013 or 1004; None for a system
+    that no page at hand explains.
+    """
+    said = tuple(bit for bit in range(4 if system.number == known.SYSTEM else 2) if system.bit(bit))
+    return {(): -3, (0,): -2, (1,): -4}.get(said)
+
+
+def _unread(own: AxisParameters, kind: AxisKind) -> Value | None:
+    """Return the parameter because of which the files do not tell the detection unit although they
+    hold its coding.
+    """
+    multiplier, system, bits = own.get(known.MULTIPLIER), own.system, own.get(known.KIND)
+    if system is not None and _power(system) is None:
+        return system
+    if multiplier is None or not 2 <= multiplier.whole <= _LARGEST_MULTIPLIER:
+        return multiplier
+    diameter = kind is AxisKind.LINEAR and bits is not None and bits.bit(3)
+    return bits if diameter and system is not None else None
+
+
+def two_systems(own: AxisParameters) -> str:
+    """Return in words that 1013 and 1004 name different increment systems; empty where they do not.
+    1013 is the one that counts.
+    """
+    system, older = own.get(known.SYSTEM), own.get(known.SYSTEM_OF_MACHINE)
+    if system is None or older is None or _power(system) == _power(older):
+        return ""
+    said = (
+        f"1004 = {older.text} names another increment system than 1013 = {system.text}; 1013 is"
+        " counted (1004 is that of older series)"
+    )
+    return said if older.bit(0) or older.bit(1) else ""
+
+
+def settled_options(values: AxisValues, options: Mapping[str, object]) -> Mapping[str, object]:
+    """Return the options of an axis over the controller's; its files say the detection unit where
+    the job does not, and must not contradict it.
+
+    Raises UsageError for a wrong option, and where nobody says the unit.
+    """
+    axis, kind = values.axis, values.kind(quiet=True)
+    said = detection_unit(values.own, kind)
+    mine = axis.options if axis is not None else {}
+    given = mine.get(DETECTION_UNIT, options.get(DETECTION_UNIT))
+    taken = dict(options)
+    if said is None and given is None and _silent(values, kind):
+        taken[DETECTION_UNIT] = 1.0
+    elif said is not None and given is None:
+        taken[DETECTION_UNIT] = said.size
+        size = f"{said.size:g} {kind.unit}"
+        values.notes.assume(f"{values.label}: detection unit", size, f"read: {said.evidence}")
+    settled = axis_options(values.definition, taken, axis)
+    if said is not None and given is not None:
+        _check_unit(values, said, float(str(settled[DETECTION_UNIT])), kind.unit)
+    return settled
+
+
+def _silent(values: AxisValues, kind: AxisKind) -> bool:
+    """Whether nothing hangs on a detection unit that nobody says: the axis does nothing, or its
+    files are contradictory, which comes before a question. Raises UsageError.
+    """
+    if values.axis is None:
+        return not values.does_anything()
+    check_diameter(values, kind)
+    odd = _unread(values.own, kind)
+    if odd is not None and not values.notes.faults:
+        raise UsageError(
+            odd.fault(
+                f"{values.label}: the detection unit cannot be told from this value; give the"
+                f" option {DETECTION_UNIT}",
+                "mm or deg, such as 0.001; read are 1820 = 2 to 96 with IS-A, IS-B or IS-C in 1013"
+                " and 1006#3 = 0",
+            )
+        )
+    return bool(values.notes.faults)
+
+
+def _check_unit(values: AxisValues, said: DetectionUnit, size: float, unit: str) -> None:
+    other = abs(size - said.size) > _SAME_UNIT * said.size
+    if other and (values.axis is not None or values.does_anything()):
+        message = (
+            f"{values.label}: the detection unit of the control's files is another than the option"
+            " detection_unit"
+        )
+        fault = said.multiplier.fault(message, f"{said.size:g} {unit} by {said.evidence}")
+        values.notes.faults.append(replace(fault, found=f"detection_unit: {size:g}"))

@@ -1,0 +1,138 @@
+"""Where an axis' table lies, by its files: the numbers of its sections, and how wide they are."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from compwright.formats.families.increments.against_job import SAME_PLACE
+from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.records.axis import AxisKind
+
+#: Quantities that say where an axis' table lies.
+GRID = ("reference_number", "first_number", "last_number", "magnification", "table_spacing")
+
+
+@dataclass(frozen=True, slots=True)
+class Sections:
+    """Numbers of the reference, the first and the last section, interval in mm or deg,
+    magnification.
+
+    ``negative``: first number of the set for travel in -; None: one set for both directions.
+    """
+
+    reference: int
+    first: int
+    last: int
+    interval: float
+    magnification: int
+    negative: int | None
+
+    @property
+    def numbers(self) -> range:
+        """The numbers of the sections, without those of the set for travel in -."""
+        return range(self.first, self.last + 1)
+
+    @property
+    def second(self) -> range | None:
+        """The numbers of the set for travel in -."""
+        negative = self.negative
+        return None if negative is None else range(negative, negative + len(self.numbers))
+
+    def goes_round(self, turn: float) -> bool:
+        """Whether they span a turn, deg, from the reference."""
+        return abs((self.last - self.reference) * self.interval - turn) < SAME_PLACE
+
+
+def read_sections(values: AxisValues, kind: AxisKind) -> Sections | None:
+    """Return where the table lies; None where there is none, or where something is wrong (then the
+    notes have faults).
+    """
+    present = {name: values.found(name) for name in GRID}
+    if not any(present.values()):
+        why = "unconfirmed: no file that was given holds its parameters 3620 to 3624"
+        values.notes.assume(f"{values.label}: table", "none", why)
+        values.notes.no_table(values.label)
+        return None
+    if values.integer("magnification") == 0:
+        values.notes.switched_off(values.label, "3623 is 0, the table is off")
+        return None
+    missing = [values.name(name) for name, found in present.items() if found is None]
+    if missing:
+        first = next(name for name, found in present.items() if found is not None)
+        message, found = "parameters of the table are missing", "no such line in the files"
+        values.wrong(first, message, ", ".join(missing), found)
+        return None
+    return _checked(values, kind)
+
+
+def _checked(values: AxisValues, kind: AxisKind) -> Sections | None:
+    reference, first, last, magnification = (int(values.integer(name) or 0) for name in GRID[:-1])
+    highest = values.definition.limit_number("max_number") or 0
+    most = values.definition.limit_number("max_magnification") or 100
+    before = len(values.notes.faults)
+    round_from_next = kind is AxisKind.ROTARY and first == reference + 1 and first < last
+    if not first <= reference <= last and not round_from_next:
+        said, order = f"{first}, {reference}, {last}", "3621 <= 3620 <= 3622"
+        values.wrong("first_number", "the numbers are not in order", order, said)
+    if last > highest:
+        what = "a number beyond those of the control"
+        values.wrong("last_number", what, f"at most {highest}", str(last))
+    if not 0 <= magnification <= most:
+        what = "the magnification does not exist"
+        values.wrong("magnification", what, f"0 .. {most}", str(magnification))
+    if first == last and len(values.notes.faults) == before:
+        off = f"3621 = 3622 = {first}, the table has no section"
+        values.notes.switched_off(values.label, off)
+        return None
+    interval = values.length("table_spacing", kind)
+    if interval is not None and interval <= 0:
+        what = "the interval is not positive"
+        values.wrong("table_spacing", what, "more than 0", str(interval))
+    negative = _negative_first(values, range(first, last + 1), highest)
+    if len(values.notes.faults) > before or interval is None:
+        return None
+    sections = Sections(reference, first, last, float(interval), magnification, negative)
+    return _next_to_reference(values, kind, sections) if round_from_next else sections
+
+
+def _next_to_reference(values: AxisValues, kind: AxisKind, sections: Sections) -> Sections | None:
+    """A full turn whose first number is that behind the reference's: real controls live with it,
+    the manual has 3621 = 3620.
+    """
+    first, reference, last = sections.first, sections.reference, sections.last
+    turn = values.turn(kind)
+    if not sections.goes_round(turn) or sections.negative is not None:
+        expected = f"3621 <= 3620 <= 3622, or a full turn of {turn:g} deg"
+        found = f"{first}, {reference}, {last}"
+        values.wrong("first_number", "the numbers are not in order", expected, found)
+        return None
+    values.notes.find(
+        "CW-S041",
+        "warning",
+        f"{values.label}: 3621 = {first} is 3620 + 1 on a full turn, where the manual has"
+        f" 3621 = 3620: numbers {first} to {last} are read as its sections, and"
+        f" number {reference} is kept for the axis too",
+    )
+    return sections
+
+
+def _negative_first(values: AxisValues, own: range, highest: int) -> int | None:
+    """Return the first number of the set for travel in -, None with one set (or without its number:
+    then there is a fault).
+    """
+    if not values.yes("bidirectional"):
+        return None
+    negative = values.integer("negative_first")
+    if negative is None:
+        message = "bidirectional compensation is on (3605#0), but 3626 is missing"
+        values.wrong("bidirectional", message, "3626")
+        return None
+    end = negative + own[-1] - own[0]
+    found = f"{negative} .. {end}"
+    if negative < 0 or end > highest:
+        message = "the set for travel in - leaves the control's numbers"
+        values.wrong("negative_first", message, f"0 .. {highest}", found)
+    elif negative <= own[-1] and own[0] <= end:
+        expected = f"clear of {own[0]} .. {own[-1]}"
+        values.wrong("negative_first", "the two sets overlap", expected, found)
+    return negative
