@@ -12,7 +12,6 @@ import numpy as np
 
 from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.families.increments.axis_reading import increment_limit
-from compwright.formats.families.increments.axis_values import thousandths
 from compwright.formats.families.increments.numbering import (
     NoRoom,
     Place,
@@ -33,22 +32,20 @@ OFFSETS = (-32767, 32767)
 
 @dataclass(frozen=True, slots=True)
 class Entries:
-    """What goes into the control for one axis: parameters by quantity, as text, and increments by
-    point number.
+    """What goes into the control for one axis: parameters by quantity, as text, a length as mm or
+    deg, and increments by point number.
 
-    ``cleared``: numbers that the axis no longer uses. ``kind`` decides the letter of a length.
+    ``cleared``: numbers that the axis no longer uses. ``interval``: that of the points, mm or deg.
     ``switches``: whether 3605#0 has to change for it, as far as the control's files say. ``inch``:
     what they say of its unit (1001#0).
     """
 
     address: str
-    name: str
-    kind: AxisKind
-    parameters: Mapping[str, str]
+    axis: Axis
+    parameters: Mapping[str, str | Decimal]
     points: Mapping[int, int]
     cleared: tuple[int, ...]
     interval: float
-    reference: float
     place: Place
     switches: bool
     inch: bool | None
@@ -160,20 +157,20 @@ class _Axis:
             parameters["negative_offset"] = self._offset(other[steps == 0][0], magnification)
         return Entries(
             address=self.address,
-            name=self.axis.name,
-            kind=self.axis.kind,
+            axis=self.axis,
             parameters=parameters,
             points=dict(sorted(points.items())),
             cleared=(),
             interval=interval,
-            reference=self.axis.reference,
             place=place,
             switches=two or self.facts.two_sets,
             inch=self.facts.inch,
         )
 
-    def _parameters(self, place: Place, magnification: int, interval: float) -> dict[str, str]:
-        parameters = {
+    def _parameters(
+        self, place: Place, magnification: int, interval: float
+    ) -> dict[str, str | Decimal]:
+        parameters: dict[str, str | Decimal] = {
             "reference_number": str(place.reference),
             "first_number": str(place.first),
             "last_number": str(place.last),
@@ -325,8 +322,8 @@ class _Axis:
             )
         return str(int(count) * sign)
 
-    def _length(self, value: float) -> str:
-        """Return a length in mm or deg exactly, as the control's text wants it."""
+    def _length(self, value: float) -> Decimal:
+        """Return a length in mm or deg exactly. Raises NotHeld."""
         count = Decimal(repr(round(value, 9)))
         digits = length_step(self.axis.kind, self.facts)
         if count % digits:
@@ -339,9 +336,7 @@ class _Axis:
                 f"{value:.9g} {self.axis.kind.unit} is not a multiple of {digits}"
                 f" {self.axis.kind.unit}{inch}"
             )
-        if thousandths(self.definition) and not count % Decimal("0.001"):
-            return str(int(count / Decimal("0.001")))
-        return real_text(count)
+        return count
 
 
 def length_step(kind: AxisKind, facts: IncrementFacts) -> Decimal:
@@ -357,11 +352,3 @@ def first_point(options: Mapping[str, object]) -> int:
     """
     given = options.get("first_point")
     return 0 if given is None else int(str(given))
-
-
-def real_text(value: Decimal) -> str:
-    """Return a number as the control's own files write it: a decimal point and at least one decimal
-    (``50.0``).
-    """
-    text = f"{value.normalize():f}"
-    return text if "." in text else f"{text}.0"

@@ -32,13 +32,13 @@ def increment_sheets(family: Family, own: Sequence[AxisTable]) -> tuple[ControlF
         write_sheet(
             f"entry_{names[entry.address]}.csv",
             (
-                ("axis", entry.name),
+                ("axis", entry.axis.name),
                 ("address", entry.address),
                 ("format", definition.id),
                 ("value", "correction"),
                 ("unit pulse", _PULSE),
             ),
-            sheet_rows(definition, entry),
+            tuple(sheet_rows(definition, entry)),
         )
         for entry in entries
     ]
