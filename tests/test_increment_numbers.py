@@ -27,7 +27,7 @@ HIGHEST = 1535
 def backup(second: int = 30, other: tuple[int, int, int] = (0, 0, 0)) -> list[ControlFile]:
     """The sample setting on axis 1; ``other``: 3620, 3621 and 3622 of axis 2, which has one set.
 
-    Point n holds n % 5 - 2.
+    Point n holds n % 7 - 3.
     """
     reference, first, last = other
     lines = [
@@ -42,7 +42,7 @@ def backup(second: int = 30, other: tuple[int, int, int] = (0, 0, 0)) -> list[Co
         f"N03626Q1A1P{second}A2P0",
         "N03627Q1A1P-4A2P0",
     ]
-    points = [f"N{10_000 + number}Q0P{number % 5 - 2}" for number in range(HIGHEST + 1)]
+    points = [f"N{10_000 + number}Q0P{number % 7 - 3}" for number in range(HIGHEST + 1)]
     return [
         ControlFile(name, "\n".join(["%", *text, "%", ""]).encode())
         for name, text in (("P.TXT", lines), ("Q.TXT", points))
@@ -68,9 +68,9 @@ def test_the_sample_setting_of_the_control_s_own_report() -> None:
     at_home = table.positions == 0
     assert table.curve(Direction.POSITIVE)[at_home] == pytest.approx(0.0)
     assert table.curve(Direction.NEGATIVE)[at_home] == pytest.approx(-0.004)  # 3627
-    # number 34 is that of the set for travel in - with which 24 goes: 34 % 5 - 2 = 2
+    # number 34 is that of the set for travel in - with which 24 goes: 34 % 7 - 3 = 3
     beside = table.curve(Direction.NEGATIVE)[table.positions == 10.0]
-    assert beside == pytest.approx(-0.004 + 0.002)
+    assert beside == pytest.approx(-0.004 + 0.003)
 
 
 @pytest.mark.parametrize(
@@ -218,4 +218,4 @@ def test_a_number_that_a_neighbour_shares_is_not_cleared() -> None:
     lines = b"".join(file.content for file in written).decode().split()
     values = {line[1:6]: line.split("P")[1] for line in lines if "Q0P" in line}
     assert [values[f"{10_000 + number}"] for number in range(30, 37)] == ["0"] * 7
-    assert values["10037"] == str(37 % 5 - 2)
+    assert values["10037"] == str(37 % 7 - 3)
