@@ -82,7 +82,7 @@ def check_return(values: AxisValues, *, two: bool) -> None:
     """Hold 1006#5 against the job. It decides the sign of 3627, so two sets are refused; one set
     differs by a constant only.
     """
-    home, bits, axis = values.home(), values.own.get(known.KIND), values.axis
+    home, bits, axis = values.returning(), values.own.get(known.KIND), values.axis
     if home is None or bits is None or axis is None or home is axis.reference_return:
         return
     message = (

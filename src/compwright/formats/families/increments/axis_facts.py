@@ -36,7 +36,7 @@ def facts_of(values: AxisValues) -> AxisFacts:
         enabled=bool(increments.magnification) and first != last,
         endless=turn if wraps else None,
         reference=reference,
-        reference_return=values.home(),
+        reference_return=values.returning(),
         absolute_encoder=absolute,
         diameter=diameter,
         unit_evidence="" if unit is None else unit.evidence,

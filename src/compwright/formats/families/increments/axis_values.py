@@ -124,7 +124,7 @@ class AxisValues(Values):
         bits = self.own.get(known.KIND)
         return not bits.bit(1) if bits is not None and bits.bit(0) else None
 
-    def home(self) -> Direction | None:
+    def returning(self) -> Direction | None:
         """Return the direction of the reference return that the files say (1006#5); None where 1006
         is not in them.
         """
