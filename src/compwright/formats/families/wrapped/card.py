@@ -13,7 +13,7 @@ def table_words(axis: Axis, table: MotorTable, counts: Counts, rate: str) -> dic
     """
     unit = axis.kind.unit
     spacing = table.length / len(table.entries) * counts.count
-    gap = "endless axis: the length is one turn, and there is no gap"
+    gap = "the length is one turn, and there is no gap"
     if table.gap is not None:
         turn = table.length * counts.count
         gap = (

@@ -10,7 +10,7 @@ import numpy as np
 from compwright.formats.definition.schema import Definition
 from compwright.formats.text.scale import EXACTNESS, NotHeld
 from compwright.foundations.errors import Fault, UsageError
-from compwright.records.axis import Direction, FloatArray
+from compwright.records.axis import Axis, Direction, FloatArray
 
 #: The option that says how many counts of the motor a mm or a degree has; negative where the motor
 #: counts against its axis.
@@ -83,3 +83,24 @@ def counts_of(definition: Definition, options: Mapping[str, object], name: str) 
             found="nothing" if given is None else f"{given}",
         )
     )
+
+
+def around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
+    """Return the node at which the table is shown from, and its number from motor zero: the last
+    one below the travel of an axis with ends.
+    """
+    if axis is None or axis.modulo is not None:
+        return zero, 0
+    number = int(np.floor((axis.travel[0] - zero) / step + 1e-9))
+    return zero + number * step, number
+
+
+def turned_about(curve: FloatArray, first: int, counts: Counts) -> FloatArray:
+    """Return values (n + 1,) by position of the axis from the node ``first``, by position of the
+    motor from its zero.
+    """
+    size = curve.size - 1
+    along = first + np.arange(size + 1)
+    places = along if counts.forward is Direction.POSITIVE else -along
+    turned: FloatArray = curve[np.mod(places, size)]
+    return turned

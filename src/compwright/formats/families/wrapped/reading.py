@@ -16,8 +16,19 @@ from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, a
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.limits import SAME_TURN
-from compwright.formats.families.wrapped.counts import Counts, counts_of
-from compwright.formats.families.wrapped.script import Script, Table, Word, read_script
+from compwright.formats.families.wrapped.counts import (
+    Counts,
+    around,
+    counts_of,
+    turned_about,
+)
+from compwright.formats.families.wrapped.script import (
+    Table,
+    Word,
+    number_of,
+    over_itself,
+    read_script,
+)
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import text_reader
@@ -42,20 +53,6 @@ def read_wrapped(
 ) -> ControlState:
     """Return what a control does with ``files``; arguments and errors as `Family.read`."""
     return _StateReader(definition, options, files, axes, address, activity).read()
-
-
-def number_of(text: str) -> int:
-    """Return a whole number, decimal or ``$`` and hexadecimal digits."""
-    return int(text[1:], 16) if text.startswith("$") else int(text)
-
-
-def over_itself(script: Script, motor: int) -> list[Table]:
-    """Return the tables by which a motor corrects itself, wherever they are kept."""
-    return [
-        table
-        for table in script.of("COMP")
-        if not table.plane and table.source == table.target == motor
-    ]
 
 
 class _StateReader:
@@ -217,9 +214,9 @@ class _StateReader:
         parts: list[AxisCompensation] = []
         for (needed, length), (ahead, back) in grids.items():
             against = back + (0.0 if parts else step)
-            place, where = _around(axis, self._zero(axis), length / needed * counts.count)
+            place, where = around(axis, self._zero(axis), length / needed * counts.count)
             self._check_turn(motor, axis, length * counts.count)
-            values = [_turned(curve, where, counts) for curve in (ahead, against)]
+            values = [turned_about(curve, where, counts) for curve in (ahead, against)]
             if counts.forward is Direction.NEGATIVE:
                 values.reverse()
             parts.append(
@@ -357,8 +354,8 @@ class _StateReader:
         if not table.desired:
             self._by_actual(table)
         step = float(table.counts / table.needed * source.count)
-        place, where = _around(pair[0], self._zero(pair[0]), step)
-        curve = _turned(target.added("value_positive", _closed(table)), where, source)
+        place, where = around(pair[0], self._zero(pair[0]), step)
+        curve = turned_about(target.added("value_positive", _closed(table)), where, source)
         kinds = [axis.kind if axis else AxisKind.LINEAR for axis in pair]
         return CrossCompensation(
             input=str(table.source),
@@ -388,27 +385,6 @@ def _add(
     none = (np.zeros(table.needed + 1), np.zeros(table.needed + 1))
     ahead, back = grids.get((table.needed, table.counts), none)
     grids[table.needed, table.counts] = (ahead + added if both else ahead, back + added)
-
-
-def _around(axis: Axis | None, zero: float, step: float) -> tuple[float, int]:
-    """Return the node at which the table is shown from, and its number from motor zero: the last
-    one below the travel of an axis with ends.
-    """
-    if axis is None or axis.modulo is not None:
-        return zero, 0
-    number = int(np.floor((axis.travel[0] - zero) / step + 1e-9))
-    return zero + number * step, number
-
-
-def _turned(curve: FloatArray, first: int, counts: Counts) -> FloatArray:
-    """Return values (n + 1,) by position of the axis from the node ``first``, by position of the
-    motor from its zero.
-    """
-    size = curve.size - 1
-    along = first + np.arange(size + 1)
-    places = along if counts.forward is Direction.POSITIVE else -along
-    turned: FloatArray = curve[np.mod(places, size)]
-    return turned
 
 
 def _empty(motor: int, axis: Axis | None) -> AxisCompensation:

@@ -159,6 +159,20 @@ def read_script(definition: Definition, files: Sequence[ControlFile]) -> Script:
     return reader.script
 
 
+def number_of(text: str) -> int:
+    """Return a whole number, decimal or ``$`` and hexadecimal digits."""
+    return int(text[1:], 16) if text.startswith("$") else int(text)
+
+
+def over_itself(script: Script, motor: int) -> list[Table]:
+    """Return the tables by which a motor corrects itself, wherever they are kept."""
+    return [
+        table
+        for table in script.of("COMP")
+        if not table.plane and table.source == table.target == motor
+    ]
+
+
 class _Reader:
     def __init__(self, definition: Definition, files: Sequence[ControlFile]) -> None:
         self.script = Script(tuple(files))

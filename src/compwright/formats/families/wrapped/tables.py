@@ -76,50 +76,46 @@ def motor_table(
     size = nodes.high - nodes.low + 1
     length = nodes.step * size * abs(counts.per_unit)
     if abs(length - round(length)) > EXACTNESS:
+        message = "the length of the table is no whole number of counts; a spacing of whole counts"
         faults.append(
             Fault(
-                message=(
-                    f"{label}: the length of the table is no whole number of counts; a spacing of"
-                    " whole counts would help"
-                ),
+                message=f"{label}: {message} would help",
                 expected=f"a spacing that is a multiple of {counts.count:.9g} {axis.kind.unit}",
                 found=f"{nodes.step:.10g} {axis.kind.unit}, {length:.6f} counts",
             )
         )
         return None
+    try:
+        entries, lost, constant = _numbers(compensation, nodes, counts, label)
+    except NotHeld as error:
+        faults.append(Fault(message=str(error)))
+        return None
+    ends = (axis.reference + nodes.high * nodes.step, axis.reference + nodes.low * nodes.step)
+    gap = None if compensation.period is not None else ends
+    return MotorTable(int(compensation.address), round(length), entries, lost, constant, gap)
+
+
+def _numbers(
+    compensation: AxisCompensation, nodes: _Nodes, counts: Counts, label: str
+) -> tuple[tuple[int, ...], tuple[int, ...], int]:
+    """Return the entries of both tables and the constant. Raises NotHeld."""
     ahead, against = (
         _entries_of(compensation.curve(direction), nodes, counts)
         for direction in (counts.forward, counts.forward.opposite)
     )
     if abs(ahead[-1]) > EXACTNESS * counts.quantum:
-        faults.append(
-            Fault(
-                message=(
-                    f"{label}: the correction at the reference, arriving in {counts.forward}, is"
-                    " not 0; this control holds none at motor zero"
-                ),
-                expected="0",
-                found=f"{ahead[-1]:.9g} {axis.kind.unit}",
-            )
+        raise NotHeld(
+            f"{label}: the correction at the reference, arriving in {counts.forward}, is not 0 but"
+            f" {ahead[-1]:.9g} {compensation.kind.unit}; this control holds none at motor zero"
         )
-        return None
-    try:
-        entries = counts.entries("value_positive", ahead, f"{label}: the table")
-        zero = against[-1] - ahead[-1]
-        constant = counts.entries("backlash", np.array([zero]), f"{label}: backlash at motor zero")
-        lost = counts.entries(
-            "value_negative", against - ahead - zero, f"{label}: the table of backlash"
-        )
-    except NotHeld as error:
-        faults.append(Fault(message=str(error)))
-        return None
-    gap = (
-        None
-        if compensation.period is not None
-        else (axis.reference + nodes.high * nodes.step, axis.reference + nodes.low * nodes.step)
-    )
-    return MotorTable(
-        int(compensation.address), round(length), tuple(entries), tuple(lost), constant[0], gap
+    entries = counts.entries("value_positive", ahead, f"{label}: the table")
+    zero = against[-1] - ahead[-1]
+    constant = counts.entries("backlash", np.array([zero]), f"{label}: backlash at motor zero")
+    lost = against - ahead - zero
+    return (
+        tuple(entries),
+        tuple(counts.entries("value_negative", lost, f"{label}: the table of backlash")),
+        constant[0],
     )
 
 

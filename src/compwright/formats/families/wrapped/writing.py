@@ -13,8 +13,14 @@ from collections.abc import Iterable, Mapping, Sequence
 from compwright.formats.definition.schema import Choice, Definition
 from compwright.formats.definition.statements import print_form
 from compwright.formats.families.wrapped.buffers import BEHIND, long_name
-from compwright.formats.families.wrapped.reading import number_of, over_itself
-from compwright.formats.families.wrapped.script import Script, Table, Word, read_script
+from compwright.formats.families.wrapped.script import (
+    Script,
+    Table,
+    Word,
+    number_of,
+    over_itself,
+    read_script,
+)
 from compwright.formats.families.wrapped.tables import MotorTable
 from compwright.formats.text.patching import Change, Patches, fresh_file
 from compwright.foundations.errors import Fault
