@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.fitting.fit import fit_table
 from compwright.formats.control_format import control_format
@@ -455,6 +457,49 @@ def test_an_axis_without_lost_motion_keeps_no_backlash_below_zero() -> None:
         assert fitted.compensation.negative[0] == 0.0
         assert "backlash range" in {limit.cause for limit in fitted.limits}
         control().write([fitted.compensation], [short])
+
+
+@pytest.mark.parametrize(("counts", "zero"), [(1000.0, PLUS), (-1000.0, MINUS)])
+@pytest.mark.parametrize("returns", list(Direction))
+def test_zero_is_where_the_motor_counts_up_however_it_is_homed(
+    counts: float, zero: Direction, returns: Direction
+) -> None:
+    where = np.linspace(0.0, 300.0, 31)
+    curve = 0.004 * np.sin(where / 60)
+    high, low = (curve, curve - 0.005) if returns is PLUS else (curve + 0.005, curve)
+    wanted = WantedCorrection(
+        kind=AxisKind.LINEAR,
+        positions=where,
+        positive=high,
+        negative=low,
+        reference=0.0,
+        reference_return=returns,
+        noise=0.0005,
+        reversal_log_odds=0.0,
+    )
+    its_axis = axis(travel=(0.0, 300.0), returns=returns)
+    capacity = control(counts).capacity(its_axis)
+    found = fit_table(wanted, capacity, TableRequest(), address="1").compensation
+    assert found.total(zero)[0] == 0.0
+    assert found.positive[0] - found.negative[0] == pytest.approx(0.005, abs=1e-12)
+    control(counts).write([found], [its_axis])
+
+
+def test_tables_of_two_lengths_and_one_constant() -> None:
+    text = EXAMPLE.replace("BLCOMP 4,400000\n8 12 -4 0", "BLCOMP 2,300000\n16 0")
+    state = control().read([script(text)])
+    assert at(state, "1", 100, PLUS) == pytest.approx(-2.0)
+    # 16/16 count at 150 mm, two thirds of it at 100 mm; 6 counts of constant backlash.
+    assert at(state, "1", 100, MINUS) == pytest.approx(-2.0 - 6.0 - 2 / 3)
+    assert at(state, "1", 450, MINUS) == pytest.approx(-1.0 - 6.0 - 1.0)
+
+
+def test_a_new_job_has_no_turn_for_a_linear_axis(tmp_path: Path) -> None:
+    (tmp_path / "a.pmc").write_text(EXAMPLE)
+    job = tmp_path / "job.yaml"
+    words = ["new", "--from", str(tmp_path / "a.pmc"), "--format", "pmac", "--out", str(job)]
+    assert compwright([*words, "--option", "counts_per_unit=1000"]) in (0, 2)
+    assert "modulo" not in job.read_text()
 
 
 @st.composite
