@@ -366,6 +366,12 @@ def test_other_entries_take_the_place_of_the_old_ones_and_foreign_lines_stay() -
         "other.key 7",
         "",
     ]
+    both = EVEN.replace("bilateral 0", "bilateral 1") + "".join(
+        f"kw.ssfk.table[{index}].neg 0\n" for index in range(3)
+    )
+    moved = table("1", [-90.0, -88.0, -86.0], [0.0, 0.001, 0.0])
+    text = written(moved, ControlFile("a.lis", both.encode()))["a.lis"]
+    assert "mm" not in text.replace("# 2 mm", "")  # a remark that names the old place goes
     uneven = table("1", [-90.0, -88.0, -80.0], [0.0, 0.001, 0.0])
     text = written(uneven, ControlFile("a.lis", EVEN.encode()))["a.lis"]
     assert "interval 0   # 2 mm" in text

@@ -83,15 +83,7 @@ class _StateReader:
             elif address in lists.said:
                 self._axis(lists, address, axis)
             elif address not in masters:
-                message = f"no list says anything about axis {address}; missing is not zero"
-                self.notes.faults.append(
-                    Fault(
-                        message=message,
-                        file=", ".join(file.name for file in files),
-                        expected=f"a list of axis {address}, or the state `none`",
-                        found=f"axes {', '.join(lists.said)}" if lists.said else "no axis at all",
-                    )
-                )
+                self._unsaid(lists, address, files)
         for address in lists.said:
             if address not in asked:
                 self._unasked(lists, address)
@@ -112,6 +104,15 @@ class _StateReader:
             assumed=tuple(self.notes.assumed),
             findings=tuple(dict.fromkeys(self.notes.findings)),
         )
+
+    def _unsaid(self, lists: Lists, address: str, files: Sequence[ControlFile]) -> None:
+        fault = Fault(
+            message=f"no list says anything about axis {address}; missing is not zero",
+            file=", ".join(file.name for file in files),
+            expected=f"a list of axis {address}, or the state `none`",
+            found=f"axes {', '.join(lists.said)}" if lists.said else "no axis at all",
+        )
+        self.notes.faults.append(fault)
 
     def _missing(self, lists: Lists, address: str) -> None:
         place = lists.missing[address]

@@ -174,27 +174,18 @@ class ListsWriter:
         known: Sequence[str],
     ) -> None:
         """Set single statements, then the entries: in their lines, or all of them anew."""
-        old = {
-            (column, index): found
-            for column in known
-            for index, found in entries(self.lists.places(address, column))
-        }
         places = [f for column in known for f in self.lists.places(address, column)]
         new: dict[Entry, str] = {
             (column, index): texts[index]
             for index in range(len(next(iter(columns.values()))))
             for column, texts in columns.items()
         }
+        stays = self._stays(address, singles, new, known)
         added = [
             self._line(name, {"value": text})
             for name, text in singles.items()
             if not self._put(self.lists.places(address, name), text)
         ]
-        stays = set(old) == set(new) and all(
-            same_value(found.text, new[entry])
-            for entry, found in old.items()
-            if entry[0] == known[0]
-        )
         if stays:
             for column in columns:
                 for index, found in entries(self.lists.places(address, column)):
@@ -209,6 +200,32 @@ class ListsWriter:
         if not stays:
             for found in places:
                 self._take_out(found)
+
+    def _stays(
+        self,
+        address: str,
+        singles: Mapping[str, str],
+        new: Mapping[Entry, str],
+        known: Sequence[str],
+    ) -> bool:
+        """Return whether the entries of a list stand where the new ones are to stand: then values
+        change in their lines.
+        """
+        old = {
+            (column, index): found
+            for column in known
+            for index, found in entries(self.lists.places(address, column))
+        }
+        places = [
+            (found, new.get(entry, "")) for entry, found in old.items() if entry[0] == known[0]
+        ]
+        places += [
+            (found, singles[name])
+            for name in ("interval", "start")
+            if name in singles
+            for found in self.lists.places(address, name)
+        ]
+        return set(old) == set(new) and all(same_value(found.text, text) for found, text in places)
 
     def _anchor(self, address: str, names: Sequence[str], places: Sequence[Found]) -> Found:
         """Return the line before the first entry of a table, else behind what its list says of it,
