@@ -217,9 +217,16 @@ def _without(data: Any, path: tuple[str, ...]) -> Any:
         (
             "a newer schema",
             "siemens-840d-sl.yaml",
-            "compwright_format: 1",
             "compwright_format: 2",
+            "compwright_format: 3",
             "newer version",
+        ),
+        (
+            "an older schema",
+            "siemens-840d-sl.yaml",
+            "compwright_format: 2",
+            "compwright_format: 1",
+            "older form of definitions",
         ),
         ("no index", "siemens-840d-sl.yaml", "index: integer", "index: decimal", "index: integer"),
         (

@@ -79,7 +79,7 @@ def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
     root = Node(text, faults, (), text.data)
     _check_version(root)
     part = root.keys(*_TOP)
-    part["compwright_format"].integer(1, SCHEMA_VERSION)
+    part["compwright_format"].integer(SCHEMA_VERSION, SCHEMA_VERSION)
     definition = definition_of_sections(part, text, own)
     raise_all(InputError, faults)
     raise_all(InputError, contradictions(definition, RULES))
@@ -117,8 +117,12 @@ def given_twice(definition: Definition, first: str) -> Fault:
 
 def _check_version(root: Node) -> None:
     version = root.data.get("compwright_format") if isinstance(root.data, dict) else None
-    if isinstance(version, int) and not isinstance(version, bool) and version > SCHEMA_VERSION:
-        message = "is written for a newer version of compwright"
+    if isinstance(version, int) and not isinstance(version, bool) and version != SCHEMA_VERSION:
+        message = (
+            "is written for a newer version of compwright"
+            if version > SCHEMA_VERSION
+            else "is written for an older form of definitions; docs/formats.md lists its keys"
+        )
         expected, found = str(SCHEMA_VERSION), str(version)
         path = ("compwright_format",)
         raise InputError(root.source.fault(path, message, expected=expected, found=found))

@@ -14,8 +14,8 @@ from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import Beyond, Evidence, Judged
 from compwright.records.plan import Texts
 
-#: Version of the schema; a definition that names a newer one is refused.
-SCHEMA_VERSION = 1
+#: Version of the schema; a definition that names another one is refused.
+SCHEMA_VERSION = 2
 
 #: The quantities that a definition may bind: lengths and angles, choices between few values, and
 #: what is taken as it stands.
