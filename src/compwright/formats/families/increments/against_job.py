@@ -110,11 +110,19 @@ def check_diameter(values: AxisValues, kind: AxisKind) -> None:
         return
     said, job = values.yes("diameter"), None if values.axis is None else values.axis.programmed
     if said is True and job == "radius":
-        message = "1006#3 says diameter programming, the job does not"
-        values.wrong("diameter", message, "programmed: diameter in the job", "radius")
+        values.wrong(
+            "diameter",
+            "1006#3 says diameter programming, the job does not",
+            "programmed: diameter in the job",
+            "radius",
+        )
     if said is False and job == "diameter":
-        message = "1006#3 says radius programming, the job diameter"
-        values.wrong("diameter", message, "programmed: radius in the job", "diameter")
+        values.wrong(
+            "diameter",
+            "1006#3 says radius programming, the job diameter",
+            "programmed: radius in the job",
+            "diameter",
+        )
     if not said and job != "diameter":
         return
     if said is None:

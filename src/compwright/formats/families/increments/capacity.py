@@ -37,6 +37,7 @@ class AxisLimits:
         definition, axis, scale = self.definition, self.axis, self.scale
         limit, gap = increment_limit(self.options), self._free_numbers()
         least, reason = self._least_spacing()
+        most = definition.limit_number("max_magnification") or 1
         bound = 10.0 if axis.kind.unit == "mm" else 1.0
         return Capacity(
             format=definition.id,
@@ -49,16 +50,13 @@ class AxisLimits:
             backlash_quantum=scale.quantum("backlash"),
             backlash_range=scale.range("backlash"),
             min_points=definition.limit_number("min_points") or 2,
-            # sections, not nodes, have numbers; one more is needed where the table starts or ends
-            # at the reference
+            # sections have numbers; a table that starts or ends at the reference needs one more
             max_points=max(2, gap + (axis.travel[0] < axis.reference < axis.travel[1])),
             shared_points=True,
             lattice=Lattice(
                 unit=scale.quantum("value"),
                 increments=(-limit, limit),
-                magnifications=tuple(
-                    range(1, (definition.limit_number("max_magnification") or 1) + 1)
-                ),
+                magnifications=tuple(range(1, most + 1)),
                 offset_range=OFFSETS,
                 offset_magnified=self.options.get("offset_magnified") == "yes",
             ),

@@ -103,8 +103,11 @@ def settled_options(values: AxisValues, options: Mapping[str, object]) -> Mappin
         taken[DETECTION_UNIT] = 1.0
     elif said is not None and given is None:
         taken[DETECTION_UNIT] = said.size
-        size = f"{said.size:g} {kind.unit}"
-        values.notes.assume(f"{values.label}: detection unit", size, f"read: {said.evidence}")
+        values.notes.assume(
+            f"{values.label}: detection unit",
+            f"{said.size:g} {kind.unit}",
+            f"read: {said.evidence}",
+        )
     settled = axis_options(values.definition, taken, axis)
     if said is not None and given is not None:
         _check_unit(values, said, float(str(settled[DETECTION_UNIT])), kind.unit)

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 
+from compwright.formats.families.increments.points import NUMBERED, POINTS_FROM
 from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -58,9 +59,6 @@ _WATCHED = frozenset(
         *STRAIGHTNESS_MORE,
     }
 )
-#: From here on a number may be that of a point.
-_POINTS_FROM = 10000
-_LINE = re.compile(r"[ \t]*N[ \t]*0*([0-9]{1,6})(?![0-9])(.*)", re.IGNORECASE)
 _WORD = re.compile(r"[ \t]*([A-Z])[ \t]*(-?(?:[0-9]+\.?[0-9]*|\.[0-9]+))", re.IGNORECASE)
 _COMMENT = re.compile(r"\([^()]*\)")
 _BITS = re.compile("[01]{8}")
@@ -133,7 +131,7 @@ class Parameters:
         for number, line in enumerate(
             file.content.decode("latin-1").replace("\r", "").split("\n"), start=1
         ):
-            match = _LINE.match(line)
+            match = NUMBERED.match(line)
             if match is None or int(match[1]) not in _WATCHED:
                 continue
             for value in _values(int(match[1]), _COMMENT.sub(" ", match[2]), file.name, number):
@@ -236,7 +234,7 @@ def _values(number: int, rest: str, file: str, line: int) -> list[Value]:
     and spindles have none here.
     """
     owner, index = "", 0
-    plain = number >= _POINTS_FROM
+    plain = number >= POINTS_FROM
     values = []
     for letter, text in _WORD.findall(rest):
         key = letter.upper()

@@ -15,7 +15,8 @@ from compwright.records.correction import ControlFile
 
 #: Point data stand under their number plus this.
 POINTS_FROM = 10000
-_NUMBERED = re.compile(r"[ \t]*N[ \t]*0*([0-9]{1,6})(?![0-9])(.*)", re.IGNORECASE)
+#: A line with its number: block or parameter, whatever follows.
+NUMBERED = re.compile(r"[ \t]*N[ \t]*0*([0-9]{1,6})(?![0-9])(.*)", re.IGNORECASE)
 _RECORD = re.compile(r"[ \t]*P[ \t]*-?[0-9]{1,4}[ \t]*")
 
 
@@ -53,7 +54,7 @@ def _unmarked(file: ControlFile, *, beside: bool) -> bool:
     """
     found = False
     for line in file.content.decode("latin-1").replace("\r", "\n").split("\n"):
-        match = _NUMBERED.match(line)
+        match = NUMBERED.match(line)
         if match is None or (int(match[1]) < POINTS_FROM and beside):
             continue
         if int(match[1]) < POINTS_FROM or not _RECORD.fullmatch(match[2]):

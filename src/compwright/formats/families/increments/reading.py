@@ -209,10 +209,15 @@ class StateReader:
                 continue
             others = [other for other, said in self.facts.items() if said.name == axis.name]
             if others:
-                message = f"axis {address} of the control is called {own} (1020), not {axis.name}"
-                place, expected = f"axes.{axis.name}.address", " or ".join(others)
                 self.notes.faults.append(
-                    Fault(message=message, place=place, expected=expected, found=address)
+                    Fault(
+                        message=(
+                            f"axis {address} of the control is called {own} (1020), not {axis.name}"
+                        ),
+                        place=f"axes.{axis.name}.address",
+                        expected=" or ".join(others),
+                        found=address,
+                    )
                 )
 
     def _tell_overlaps(self) -> None:

@@ -8,6 +8,7 @@ from compwright.formats.families.increments.against_job import SAME_PLACE
 from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.records.axis import AxisKind
 
+_ORDER, _DISORDER = "3621 <= 3620 <= 3622", "the numbers are not in order"
 #: Quantities that say where an axis' table lies.
 GRID = ("reference_number", "first_number", "last_number", "magnification", "table_spacing")
 
@@ -58,9 +59,12 @@ def read_sections(values: AxisValues, kind: AxisKind) -> Sections | None:
         return None
     missing = [values.name(name) for name, found in present.items() if found is None]
     if missing:
-        first = next(name for name, found in present.items() if found is not None)
-        message, found = "parameters of the table are missing", "no such line in the files"
-        values.wrong(first, message, ", ".join(missing), found)
+        values.wrong(
+            next(name for name, found in present.items() if found is not None),
+            "parameters of the table are missing",
+            ", ".join(missing),
+            "no such line in the files",
+        )
         return None
     return _checked(values, kind)
 
@@ -72,22 +76,21 @@ def _checked(values: AxisValues, kind: AxisKind) -> Sections | None:
     before = len(values.notes.faults)
     round_from_next = kind is AxisKind.ROTARY and first == reference + 1 and first < last
     if not first <= reference <= last and not round_from_next:
-        said, order = f"{first}, {reference}, {last}", "3621 <= 3620 <= 3622"
-        values.wrong("first_number", "the numbers are not in order", order, said)
+        values.wrong("first_number", _DISORDER, _ORDER, f"{first}, {reference}, {last}")
     if last > highest:
-        what = "a number beyond those of the control"
-        values.wrong("last_number", what, f"at most {highest}", str(last))
+        values.wrong(
+            "last_number", "a number beyond those of the control", f"at most {highest}", str(last)
+        )
     if not 0 <= magnification <= most:
-        what = "the magnification does not exist"
-        values.wrong("magnification", what, f"0 .. {most}", str(magnification))
+        values.wrong(
+            "magnification", "the magnification does not exist", f"0 .. {most}", str(magnification)
+        )
     if first == last and len(values.notes.faults) == before:
-        off = f"3621 = 3622 = {first}, the table has no section"
-        values.notes.switched_off(values.label, off)
+        values.notes.switched_off(values.label, f"3621 = 3622 = {first}, the table has no section")
         return None
     interval = values.length("table_spacing", kind)
     if interval is not None and interval <= 0:
-        what = "the interval is not positive"
-        values.wrong("table_spacing", what, "more than 0", str(interval))
+        values.wrong("table_spacing", "the interval is not positive", "more than 0", str(interval))
     negative = _negative_first(values, range(first, last + 1), highest)
     if len(values.notes.faults) > before or interval is None:
         return None
@@ -102,9 +105,8 @@ def _next_to_reference(values: AxisValues, kind: AxisKind, sections: Sections) -
     first, reference, last = sections.first, sections.reference, sections.last
     turn = values.turn(kind)
     if not sections.goes_round(turn) or sections.negative is not None:
-        expected = f"3621 <= 3620 <= 3622, or a full turn of {turn:g} deg"
-        found = f"{first}, {reference}, {last}"
-        values.wrong("first_number", "the numbers are not in order", expected, found)
+        expected = f"{_ORDER}, or a full turn of {turn:g} deg"
+        values.wrong("first_number", _DISORDER, expected, f"{first}, {reference}, {last}")
         return None
     values.notes.find(
         "CW-S041",
