@@ -281,6 +281,40 @@ def test_what_is_written_comes_back_with_its_sign(sign: str) -> None:
     assert "must be at least 2 for table 4. Set" in outcome.steps[0]["text"]
 
 
+#: A table over X that bends Y, on: 0 and 10 µm at 0 and 800 mm. Table 4 is off.
+BENT_BEFORE = """\
+$AN_CEC[3,0]=0
+$AN_CEC[3,1]=0.01
+$AN_CEC_INPUT_AXIS[3]=(AX1)
+$AN_CEC_OUTPUT_AXIS[3]=(AX2)
+$AN_CEC_STEP[3]=800
+$AN_CEC_MIN[3]=0
+$AN_CEC_MAX[3]=800
+$AN_CEC_DIRECTION[3]=0
+$AN_CEC_MULT_BY_TABLE[3]=0
+$AN_CEC_IS_MODULO[3]=0
+N32710 $MA_CEC_ENABLE[AX2]=1
+$SN_CEC_TABLE_ENABLE[3]=1
+$SN_CEC_TABLE_ENABLE[4]=0
+M17
+"""
+
+
+def test_own_files_keep_their_names_and_tables_that_were_there_are_none_of_ours() -> None:
+    own = ControlFile("CEC.MPF", BENT_BEFORE.encode())
+    axes = {"X": axis("X", "AX1"), "Y": axis("Y", "AX2")}
+    control = Control(family(SIEMENS, **CEC))
+    found = decode(control, (own,), list(axes.values()))
+    planned = [follows(addresses=("AX1", "AX2"))]
+    outcome = write_planned(control.in_state(found.state), planned, (), found, axes)
+    assert [file.name for file in outcome.files] == ["CEC.MPF", "AX2_CROSS.INI"]
+    (total,) = outcome.totals
+    assert total.positive[[0, -1]] == pytest.approx([0.0, 0.042], abs=1e-6)
+    steps = " ".join(step["text"] for step in outcome.steps)
+    assert "for table 4" in steps
+    assert "tables 3" not in steps
+
+
 @pytest.mark.parametrize("factor", [-1.0, 0.0, 1.001])
 def test_something_else_in_the_files_is_a_fault_of_our_own(
     factor: float, monkeypatch: pytest.MonkeyPatch

@@ -424,6 +424,8 @@ def test_limits_of_points_and_types() -> None:
     high = table("1", [0.0, 10.0], [3.2767, 3.2768], [0.0, 0.0])
     with pytest.raises(CapacityError, match="type"):
         written(high, value_type="sgn16")
+    with pytest.raises(CapacityError, match="type"):
+        written(replace(high, positive=-high.positive), value_type="sgn16")
     assert "-32768" in written(high)["achskw1.lis"]
     with pytest.raises(CapacityError, match="not a multiple"):
         written(table("1", [0.0, 10.0], [0.00005, 0.0]))
@@ -586,6 +588,27 @@ def test_squareness_goes_into_a_new_list_of_the_slave(
     assert (made / "achskw2.lis").read_text().count("].setpoint") == 2  # a straight line
     # 40 µm/m over 0.8 m, the end held
     assert cross_acting(made, values, 0, 400, 800, 900) == pytest.approx([0, 16, 32, 32], abs=0.8)
+
+
+@pytest.mark.parametrize(("own", "first"), [("error", "-"), ("correction", "")])
+def test_the_values_mean_what_the_slaves_own_option_says(
+    own: str, first: str, bent: Path, tmp_path: Path
+) -> None:
+    """The bent axis says it for itself; that of the controller and of the master are others."""
+    other = {"error": "correction", "correction": "error"}[own]
+    assert squareness(tmp_path, bent, "none", options=f"cross_values: {other}") == 0
+    text = (tmp_path / "job.yaml").read_text()
+    (tmp_path / "job.yaml").write_text(
+        text.replace(
+            "before: [x.csv]", f"before: [x.csv], options: {{cross_values: {other}}}"
+        ).replace("before: []", f"before: [], options: {{cross_values: {own}}}")
+    )
+    assert compwright(["run", str(tmp_path / "job.yaml"), "--force"]) == 0
+    rows = (tmp_path / "job" / "tables" / ISG / "achskw2.lis").read_text().splitlines()
+    (last,) = (row.split()[-1] for row in rows if "table[1].correction" in row)
+    # Y follows X by 40 µm/m, 32 µm at 800 mm: 320 tenths, less what the fit of the circle misses
+    assert last.startswith(first)
+    assert abs(int(last)) == pytest.approx(320, abs=8)
 
 
 def test_squareness_is_added_to_what_the_slaves_list_does(bent: Path, tmp_path: Path) -> None:

@@ -27,6 +27,7 @@ from compwright.foundations.errors import CapacityError, CompwrightError, InputE
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.estimate import WantedCorrection
+from compwright.records.facts import AxisFacts
 from compwright.records.fitted import TableRequest
 from format_samples import DEFINITIONS
 
@@ -352,6 +353,16 @@ def test_the_gap_lies_behind_the_travel() -> None:
     assert state.axes["1"].period >= 98 + 10
     for x, right in ((10, 1.0), (93, 1.0), (123, 1.0), (-5, 0.0), (-35, 0.0)):
         assert at(state, "1", x, PLUS) == pytest.approx(right)
+
+
+def test_the_card_says_between_which_places_the_gap_lies() -> None:
+    """Travel -5 to 93, a point each 10 mm, the end values held for three spacings: from -40 to
+    130, and 10 mm further stands -40 again.
+    """
+    wish, its_axis = table([0, 10], [0, 1]), axis(travel=(-5, 93))
+    words = control().card_values(its_axis, wish, AxisFacts(), np.array([0.0, 50.0]))
+    assert "beyond 130 mm and below -40 mm is the gap" in words["gap"]
+    assert "repeats after 180 mm" in words["gap"]
 
 
 # --- patching

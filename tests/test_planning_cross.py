@@ -147,6 +147,13 @@ def test_beyond_two_diameters_it_is_an_extrapolation(travel: float, *, far: bool
     assert ("CW-P111" in codes(found)) is far
 
 
+def test_a_gantry_that_a_direct_measurement_bends_is_named_too() -> None:
+    bent, moving = (axis_of(), axis_of("Y", gantry="Y2")), (axis_of(gantry="X2"), axis_of("Y"))
+    for axes, named in ((bent, True), (moving, False)):
+        found = plan(axes=axes, cross=(straight((0.0, 0.01, 0.02)),))
+        assert ("CW-P112" in codes(found)) == named
+
+
 def test_a_gantry_is_named() -> None:
     axes = (axis_of(), axis_of("Y", gantry="Y2"))
     assert "CW-P112" in codes(plan(square(30.0), axes=axes, apply=BEND_Y))
