@@ -233,7 +233,6 @@ def test_a_radius_or_feed_that_is_none(key: str, value: str, folder: Path) -> No
     [
         ("heidenhain-nck", "  assignments_begin:", "statements.assignments_begin"),
         ("heidenhain-nck", "  values_begin:", "statements.values_begin"),
-        ("fanuc-30i", "  increment_limit:", "options.increment_limit"),
     ],
 )
 def test_a_definition_that_lacks_an_entry(
@@ -255,6 +254,16 @@ def test_a_definition_that_lacks_an_entry(
     )
     assert compwright(["formats", "check", "mine.yaml"]) == 3
     assert f"{place}: the definition lacks an entry" in capsys.readouterr().err
+
+
+def test_a_definition_that_takes_an_entry_out(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "mine.yaml").write_text(
+        "extends: fanuc-30i.yaml\nid: mine\nwithout: [options.increment_limit]\n"
+    )
+    assert compwright(["formats", "check", "mine.yaml"]) == 3
+    assert "options.increment_limit: the definition lacks an entry" in capsys.readouterr().err
 
 
 # ------------------------------------------------------------------------------------------------------------ plans
