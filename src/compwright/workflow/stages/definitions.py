@@ -76,7 +76,9 @@ def taken(definition: Definition) -> tuple[Fault, ...]:
 def carried_definition(texts: Texts) -> Definition:
     """Return the definition that a plan carries. Raises InputError with every fault."""
     raise_all(InputError, _gate(texts))
-    return definition_of(texts, own=True)
+    definition = definition_of(texts, own=True)
+    raise_all(InputError, taken(definition))
+    return definition
 
 
 def definitions_at(path: Path) -> list[tuple[str, bytes, Find]]:
