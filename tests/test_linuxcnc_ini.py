@@ -151,6 +151,7 @@ def test_a_table_in_inches_is_not_read_as_mm_because_nobody_repeats_the_unit(
     said = capsys.readouterr().err
     assert "controller.options.units" in said
     assert "nobody says the machine's unit" in said
+    assert "mm or inch, or the whole INI file with LINEAR_UNITS among the files" in said
     assert write_job(tmp_path, X, states="[loaded]", options="{units: inch}") == 0
 
 

@@ -8,12 +8,12 @@ tables), never a maker. The single controls differ by their definitions.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Self
 
 from compwright.formats.definition.options import axis_options, resolve_options
-from compwright.formats.definition.schema import Choice, Definition
+from compwright.formats.definition.schema import Choice, Definition, OptionRule
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
@@ -205,6 +205,26 @@ class Family(ABC):
         none may.
         """
         return ()
+
+    def misnamed(self, axis: Axis, facts: AxisFacts, state: str) -> Iterable[Fault]:
+        """Return where the control's files of a ``state`` (its name), which say ``facts``, call an
+        axis otherwise than the job does, or drive it by more than the job says.
+        """
+        del axis, facts, state
+        return ()
+
+    @property
+    def length_unit(self) -> tuple[OptionRule, str] | None:
+        """The option that says the machine's unit of lengths, and the file that would say it
+        instead; None where the definition itself says the unit.
+        """
+        rules = self.definition.options.values()
+        rule = next((rule for rule in rules if rule.settled_by == "length_unit"), None)
+        if rule is None:
+            return None
+        statement = self.definition.statements[self.definition.bindings["length_unit"].statement]
+        key = statement.form.partition("{")[0].rstrip(" =")
+        return rule, f"the whole {statement.text.upper()} file with {key} among the files"
 
     def for_a_view(self) -> Self:
         """Return the control as it reads files that are only shown: what no readings hang on may

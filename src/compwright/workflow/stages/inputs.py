@@ -28,9 +28,6 @@ from compwright.records.positioning import PositioningTest, merge, to_machine
 from compwright.workflow.stages.control import Control, DecodedState, decode, read_files
 from compwright.workflow.stages.measurement_files import measurement_files
 
-#: Letters of axes: an axis of the job that bears another name says nothing of the control's own
-#: letters.
-_LETTERS = "XYZABCUVW"
 #: A table over the travel, read in the wrong unit, is 25.4 times too short or long; it may reach
 #: over 0.8 of the travel only.
 _SAME_RANGE = 1.25
@@ -81,7 +78,7 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
             *_missing_axes(job, states),
             *_other_neighbours(job, states),
             *_other_tables_between(job, control.format, states),
-            *_other_joints(job, states),
+            *_misnamed(job, control.format, states),
         ],
     )
     raise_all(UsageError, list(_unsaid_units(job, control, states)))
@@ -215,46 +212,15 @@ def _other_tables_between(
                 )
 
 
-def _other_joints(job: Job, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
-    """Yield where the control's files name the joint of an axis by another letter, or drive the
-    axis by a second joint.
+def _misnamed(job: Job, family: Family, states: Mapping[str, DecodedState]) -> Iterator[Fault]:
+    """Yield where the control's files name an axis otherwise than the job, or drive it by more than
+    the job says.
     """
     for name, decoded in states.items():
         for entry in job.axes.values():
-            axis, facts = entry.axis, decoded.state.facts_of(entry.axis.address)
-            letters, letter = facts.letters, facts.name
-            if not letters:
-                continue
-            place, said = f"axes.{axis.name}", f"{letters}: joint {axis.address} is {letter}"
-            if (
-                len(axis.name) == 1
-                and axis.name.upper() in _LETTERS
-                and axis.name.upper() != letter
-            ):
-                message = f"the files of the state {name} call this joint by another letter"
-                yield Fault(
-                    message=message,
-                    file=job.file,
-                    place=f"{place}.address",
-                    expected=f"a joint of {axis.name}",
-                    found=said,
-                )
-                continue
-            others = [
-                str(index)
-                for index, other in enumerate(letters)
-                if other == letter and str(index) != axis.address
-            ]
-            if others and axis.gantry not in others:
-                yield Fault(
-                    message=(
-                        "a second joint drives this axis: a table on one of them alone racks it"
-                    ),
-                    file=job.file,
-                    place=f"{place}.gantry",
-                    expected=" or ".join(f'gantry: "{other}"' for other in others),
-                    found=said,
-                )
+            facts = decoded.state.facts_of(entry.axis.address)
+            for fault in family.misnamed(entry.axis, facts, name):
+                yield fault.in_file(job.file)
 
 
 def _unsaid_units(
@@ -263,9 +229,10 @@ def _unsaid_units(
     """Yield where nobody says the machine's unit, and a table as read is as much too short or long
     as inches read as mm are.
     """
-    rule = control.definition.options.get("units")
-    if rule is None or "units" in control.given:
+    asked = control.format.length_unit
+    if asked is None or asked[0].name in control.given:
         return
+    rule, whole_file = asked
     for name, decoded in states.items():
         for entry in job.axes.values():
             axis, found = entry.axis, decoded.state.axes.get(entry.axis.address)
@@ -284,13 +251,12 @@ def _unsaid_units(
                 yield Fault(
                     message=(
                         f"axis {axis.name}: nobody says the machine's unit, and its table in the"
-                        f" state {name}, read in {control.options['units']}, does not fit the"
+                        f" state {name}, read in {control.options[rule.name]}, does not fit the"
                         " travel"
                     ),
                     file=job.file,
-                    place="controller.options.units",
-                    expected=" or ".join(rule.choices)
-                    + ", or the whole INI file with LINEAR_UNITS among the files",
+                    place=f"controller.options.{rule.name}",
+                    expected=f"{' or '.join(rule.choices)}, or {whole_file}",
                     found=(
                         f"a table from {found.positions[0]:g} to {found.positions[-1]:g} mm, a"
                         f" travel from {axis.travel[0]:g} to {axis.travel[1]:g} mm"

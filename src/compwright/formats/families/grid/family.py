@@ -6,7 +6,7 @@ this family by tables between axes; nothing here knows of it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
@@ -14,6 +14,7 @@ from compwright.formats.families.between import Asked, Between, instead
 from compwright.formats.families.card_words import table_values
 from compwright.formats.families.family import AxisTable, Family, sound
 from compwright.formats.families.grid.capacity import AxisLimits
+from compwright.formats.families.grid.joints import other_joints
 from compwright.formats.families.grid.loading import loading_order
 from compwright.formats.families.grid.reading import GridReader
 from compwright.formats.families.grid.shapes import shape_of
@@ -50,6 +51,10 @@ class GridFamily(Family):
     def loading_order(self, files: Sequence[ControlFile]) -> list[str]:
         """See `Family.loading_order`."""
         return loading_order(self.definition, files)
+
+    def misnamed(self, axis: Axis, facts: AxisFacts, state: str) -> Iterable[Fault]:
+        """See `Family.misnamed`: another joint, or a second one."""
+        return other_joints(axis, facts, state)
 
     def between(self, asked: Asked) -> Between:
         """See `Family.between`: no such table."""
