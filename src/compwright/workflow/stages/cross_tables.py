@@ -19,7 +19,7 @@ from compwright.workflow.stages.control import Control, DecodedState, decode
 
 #: Reading back may differ from what was planned by half a step of the value at either node, mm or
 #: deg.
-READ_BACK = 2e-6
+READ_BACK_WITHIN = 2e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -115,7 +115,7 @@ def _wrong(
             worst = float(
                 np.max(np.abs(_sum(found, where, direction) - _sum(wanted, where, direction)))
             )
-            if worst > READ_BACK + 0.5 * quantum:
+            if worst > READ_BACK_WITHIN + 0.5 * quantum:
                 message = (
                     f"what {pair[0]} does to {pair[1]} does not come back as it was written; please"
                     " report this"
