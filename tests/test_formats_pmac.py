@@ -228,6 +228,9 @@ def test_a_table_between_motors_in_counts_of_both() -> None:
         ("I51=1", "I51=1\n#1J/", "no command"),
         ("I51=1", "I51=1\nOPEN PLC 3\nI51=0\nCLOSE", "a program sets I51"),
         ("I51=1", "I51=1\nOPEN PLC 3 CLEAR\nI185..187=0\nCLOSE", "a program sets I185..187"),
+        ("I51=1", 'I51=1\nOPEN PLC 3\nCMD"#1DELETE COMP"\nCLOSE', "a program sets DELETE COMP"),
+        ("I51=1", "P1=3I51=0", "no command"),
+        ("I51=1", "M162->D:$2BI51=0", "no command"),
         ("I51=1", "I51=1\nOPEN PROG 3\nX1", "does not end"),
         ("#1 DEFINE BL", "#2 DEFINE COMP 2,9\n0 0\n#1 DEFINE BL", "ERR003.*#1, a lower motor"),
         ("#1 DEFINE COMP", "DEFINE GATHER\n#1 DEFINE COMP", "ERR003.*GATHER"),
@@ -255,7 +258,32 @@ def test_missing_is_not_zero() -> None:
     assert "say nothing" in refused("I130=2000\n")
 
 
+@pytest.mark.parametrize(
+    "before",
+    ["#1->1000X", "#2->8660.25X - 5000Y", "#4->I", "#1->1000X#2->1000Y", "M162->D:$2B",
+     "M1->Y:$FFC2, 8,1", "P1=3", "ENABLE PLC 1..3", "ENA PLC 1,2", "M5,10,1=0"],
+)  # fmt: skip
+def test_a_command_behind_another_on_its_line_acts(before: str) -> None:
+    files = [script(f"{EXAMPLE}I51=0\nI186=0\n{before} I186=96 I51=1\n")]
+    assert at(control().read(files), "1", 0.0, MINUS) == -6.0
+    judge = virtual_control("pmac", files, options={"counts_per_unit": 1000.0})
+    assert 1000 * judge.correction("1", np.zeros(1), MINUS)[0] == -6.0
+
+
 # --- writing
+
+
+@pytest.mark.parametrize("several", ["I100..199=0", "I186,3,100=0 I185,3,100=0", "I50..290=0"])
+def test_an_assignment_to_several_variables_stays_and_ours_follow(several: str) -> None:
+    own = f"{several}\n{EXAMPLE.replace('I185=32 I186=96', '').replace('I51=1', '')}"
+    files = [script(own.replace("I51=0\n", ""))]
+    wish = table([-100, 0, 100, 200], [1, 0, -2, -3], [-5, -6, -8, -9])
+    new = control(take_up_rate=16).write([wish], [axis()], files)
+    text = new[0].content.decode("latin-1")
+    assert f"{several}\n" in text
+    assert "I186=96" in text
+    assert "I185=16" in text
+    assert at(control().read(new), "1", 100.0, MINUS) == pytest.approx(-8.0)
 
 
 def test_a_fresh_script_worked_by_hand() -> None:

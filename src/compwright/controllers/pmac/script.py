@@ -23,7 +23,7 @@ HIGHEST_MOTOR = 32
 ENABLE, TAKE_UP, SIZE = 51, 85, 86
 
 _NUMBER = re.compile(r"[+-]?\d+(?![\d.$])")
-_MOTOR = re.compile(r"#\s*(\d+)(\s*->.*)?")
+_MOTOR = re.compile(r"#\s*(\d+)(\s*->\s*(?:I(?![0-9A-Z])|(?:[-+.\d\s]|[ABCUVWXYZ](?![A-Z]))*))?")
 _LINE = r"(\d{1,9})\s*,\s*(?:#\s*(\d+)\s*(D?)\s*,\s*(?:#\s*(\d+)\s*,\s*)?)?(\d{1,15})"
 _COMP = re.compile(rf"DEF(?:INE)?\s*COMP\s*{_LINE}(?![\d.,])")
 _PLANE = re.compile(
@@ -31,16 +31,18 @@ _PLANE = re.compile(
 )
 _OWN = re.compile(r"DEF(?:INE)?\s*(BLCOMP|TCOMP)\s*(\d{1,9})\s*,\s*(\d{1,15})(?![\d.,])")
 _BUFFER = re.compile(
-    r"(DEF|DEL)(?:INE|ETE)?\s*(GATHER|TBUF|ROT(?:ARY)?|LOOKAHEAD|CCBUF|UBUF(?:FER)?)\b"
+    r"(DEF|DEL)(?:INE|ETE)?\s*(GAT(?:HER)?|TBUF|ROT(?:ARY)?|LOOK(?:AHEAD)?|CCBUF|UBUF(?:FER)?)\b"
     r"(?:\s*\d+(?:\s*,\s*\d+)*)?"
 )
 _DELETE = re.compile(r"DEL(?:ETE)?\s*(COMP|BLCOMP|TCOMP)\b")
 _VARIABLE = re.compile(
-    r"I(\d{1,4})(?:\s*\.\.\s*(\d{1,4}))?\s*=\s*(\$[0-9A-F]+|[+-]?\d+(?:\.\d*)?|[^\s;]*)"
+    r"I(\d{1,4})(?:\s*\.\.\s*(\d{1,4})|\s*,\s*(\d{1,4})\s*,\s*(\d{1,4}))?\s*="
+    r"\s*(\$[0-9A-F]+|[+-]?\d+(?:\.\d*)?|[^\s;]*)"
 )
 _HARMLESS = re.compile(
-    r"[MPQ]\d+(?:\.\.\d+)?\s*(?:=|->)\s*\S+|&\s*\d+|SAVE\b|CLOSE\b|UNDEFINE(?:\s*ALL)?\b"
-    r"|ENDG(?:ATHER)?\b|(?:EN|DIS)(?:ABLE)?\s*PLCC?\s*\d*(?:(?:,|\.\.)\d+)*"
+    r"[MPQ]\d+(?:\.\.\d+|\s*,\s*\d+\s*,\s*\d+)?\s*(?:=\s*[^\s=]+|->\s*[^\s=,]+(?:\s*,\s*[^\s=,]+)*)"
+    r"(?!\S)|&\s*\d+|SAVE\b|CLOSE\b|UNDEFINE(?:\s*ALL)?\b"
+    r"|ENDG(?:ATHER)?\b|(?:ENA(?:BLE)?|DIS(?:ABLE)?)\s*PLCC?\s*\d*(?:(?:,|\.\.)\d+)*"
 )
 _OPEN = re.compile(r"OPEN\b(.*)")
 _POWER = re.compile(r"(?:COMPTABLE|MOTOR|SYS|COORD)\s*[\[.]")
@@ -121,6 +123,7 @@ def run_scripts(files: Sequence[ControlFile]) -> Card:
     card = Card()
     for file in files:
         text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf").upper()
+        text = text.removesuffix("\x1a")  # the end of a file of DOS
         if "\x00" in text:
             card.faults.append(Fault(message="a NUL byte: no script in plain text", file=file.name))
             continue
@@ -289,7 +292,7 @@ class _Script:
 
     def _buffer(self, match: re.Match[str], place: Place) -> None:  # noqa: ARG002
         what, kind = match.group(1), match.group(2)
-        kind = "ROT" if kind.startswith("ROT") else kind
+        kind = {"ROTARY": "ROT", "GAT": "GATHER", "LOOK": "LOOKAHEAD"}.get(kind, kind)
         if what == "DEF":
             self.card.buffers.add(kind)
         else:
@@ -311,13 +314,14 @@ class _Script:
         self.card.tables.pop((kind, motor), None)
 
     def _variable(self, match: re.Match[str], place: Place) -> None:
-        first, last, text = match.groups()
+        first, last, count, step, text = match.groups()
         value = None
         if re.fullmatch(r"\$[0-9A-F]{1,12}", text):
             value = float(int(text[1:], 16))
         elif re.fullmatch(r"[+-]?\d+\.?\d*", text):
             value = float(text)
-        for number in range(int(first), int(last or first) + 1):
+        end = int(last or first) if count is None else int(first) + (int(count) - 1) * int(step)
+        for number in range(int(first), end + 1, max(1, int(step or 1))):
             if acts(number):
                 self.card.variables[number] = Setting(value, text, place)
 

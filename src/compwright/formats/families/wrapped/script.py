@@ -30,12 +30,16 @@ _RANGE = (
     r"I(?P<first>[0-9]+)[ \t]*(?:\.\.[ \t]*(?P<last>[0-9]+)"
     r"|,[ \t]*(?P<count>[0-9]+)[ \t]*,[ \t]*(?P<step>[0-9]+))?[ \t]*="
 )
+_MANY = r"(?:[ \t]*\.\.[ \t]*[0-9]+|,[ \t]*[0-9]+[ \t]*,[ \t]*[0-9]+)?"
+#: What may stand behind the arrow of a motor's axis, or of a pointer: the next command may follow.
+_OF_AXIS = r"(?:I(?![0-9A-Z])|(?:[-+.0-9 \t]|[ABCUVWXYZ](?![A-Z]))*)"
+_POINTER = r"[^\s=:,]+(?:[ \t]*[:,][ \t]*[^\s=:,]+)*(?!\S)"
 _COMMAND = re.compile(
     r"(?P<number>[+-]?[0-9]+)(?=\s|$)"
-    r"|(?P<idle>[#&][ \t]*[0-9]+[ \t]*->[^\r\n]*|M[0-9]+[ \t]*->[^\r\n]*|&[ \t]*[0-9]+"
-    r"|UNDEFINE(?:[ \t]*ALL)?(?![A-Z])|(?:SAVE|CLOSE)(?![A-Z])"
-    r"|(?:ENA|DIS)(?:ABLE)?[ \t]*PLCC?[ \t]*[0-9][0-9., \t]*"
-    r"|[MPQ][0-9]+[ \t]*(?:\.\.[ \t]*[0-9]+|,[ \t]*[0-9]+[ \t]*,[ \t]*[0-9]+)?[ \t]*=[ \t]*\S+)"
+    rf"|(?P<idle>[#&][ \t]*[0-9]+[ \t]*->[ \t]*{_OF_AXIS}|M[0-9]+{_MANY}[ \t]*->[ \t]*{_POINTER}"
+    r"|&[ \t]*[0-9]+|UNDEFINE(?:[ \t]*ALL)?(?![A-Z])|(?:SAVE|CLOSE)(?![A-Z])"
+    r"|(?:ENA(?:BLE)?|DIS(?:ABLE)?)[ \t]*PLCC?[ \t]*[0-9][0-9., \t]*"
+    rf"|[MPQ][0-9]+{_MANY}[ \t]*=[ \t]*[^\s=]+(?!\S))"
     r"|\#[ \t]*(?P<motor>[0-9]+)"
     r"|DEF(?:INE)?[ \t]*(?P<table>COMP|BLCOMP|TCOMP)[ \t]+"
     r"(?P<arguments>[^\s,]+(?:[ \t]*,[ \t]*[^\s,]+)*)"
@@ -54,6 +58,7 @@ _PLAIN = re.compile(r"(?P<entries>[0-9]{1,9})[ \t]*,[ \t]*(?P<length>[0-9]{1,12}
 _PLANE = re.compile(r"(?P<rows>[0-9]{1,6})\.(?P<columns>[0-9]{1,6})[ \t]*,(?P<rest>.*)")
 _END = re.compile(r"(?<![A-Z])CLOSE(?![A-Z])", re.IGNORECASE)
 _SET = re.compile(rf"(?<![A-Z(0-9]){_RANGE}", re.IGNORECASE)
+_TABLE = re.compile(r"(?:DEF(?:INE)?|DEL(?:ETE)?)[ \t]*(?:BL)?COMP(?![A-Z])", re.IGNORECASE)
 _REMARK = re.compile(r";[^\r\n]*")
 
 
@@ -128,7 +133,8 @@ class Script:
 
     ``tables``: by kind and motor; ``settings``: all assignments to one of our quantities, by
     quantity and motor (0: all motors), the last one counts; ``programs``: those in programs.
-    ``commands``: every definition, deletion and setting in the order of the files.
+    ``commands``: every definition, deletion and setting in the order of the files. ``shared``:
+    values of assignments to more than one variable.
     """
 
     files: tuple[ControlFile, ...]
@@ -136,6 +142,7 @@ class Script:
     settings: dict[tuple[str, int], list[Word]] = field(default_factory=dict)
     programs: dict[tuple[str, int], Word] = field(default_factory=dict)
     commands: list[tuple[str, int, Word]] = field(default_factory=list)
+    shared: set[Word] = field(default_factory=set)
     faults: list[Fault] = field(default_factory=list)
 
     def of(self, kind: Kind) -> list[Table]:
@@ -332,6 +339,8 @@ class _Reader:
 
     def _set(self, match: re.Match[str]) -> None:
         value = self._word(match.start("value"), match.end("value"))
+        if match["last"] or match["count"]:
+            self.script.shared.add(value)
         for quantity, motor in self._meant(match):
             if re.fullmatch(r"\$[0-9A-Fa-f]+|[+-]?[0-9]+", value.text) is None:
                 name = match["setting"].split("=")[0].strip()
@@ -365,6 +374,8 @@ class _Reader:
         for match in _SET.finditer(self.text, place, end.start()):
             for meant in self._meant(match):
                 self.script.programs[meant] = self._word(*match.span())
+        for match in _TABLE.finditer(self.text, place, end.start()):
+            self.script.programs["enabled", 0] = self._word(*match.span())
         return end.end()
 
 

@@ -150,6 +150,13 @@ class _Patcher:
         if number_of(word.text) != value:
             self.patches.replace(word.number, Change(word.start, word.end, str(value).encode()))
 
+    def _assigned(self, word: Word, value: int) -> bool:
+        """Let an assignment say ``value``; False where it would say so of other variables too."""
+        if word in self.script.shared and number_of(word.text) != value:
+            return False
+        self._number(word, value)
+        return True
+
     def _define(self, kind: str, table: MotorTable) -> None:
         """Define a table that the scripts have not, where the card takes it."""
         lines = definition_lines(self.definition, kind, table)
@@ -210,15 +217,16 @@ class _Patcher:
     def _set(self, table: MotorTable, rate: int) -> None:
         missing = []
         constant = self.script.said("backlash", table.motor)
-        if constant is not None:
-            self._number(constant, table.constant)
-        elif table.takes_up or ("BLCOMP", table.motor) in self.script.tables:
+        if constant is None:
+            needed = table.takes_up or ("BLCOMP", table.motor) in self.script.tables
+        else:
+            needed = not self._assigned(constant, table.constant)
+        if needed:
             missing.append("backlash")
         taking = self.script.said(TAKE_UP, table.motor)
-        if taking is None:
+        off = taking is not None and table.takes_up and number_of(taking.text) == 0
+        if taking is None or (off and not self._assigned(taking, rate)):
             missing.append(TAKE_UP)
-        elif table.takes_up and number_of(taking.text) == 0:
-            self._number(taking, rate)
         lines = _setting_lines(self.definition, table, rate, missing)
         if lines:
             self._at_the_end(lines)
@@ -244,7 +252,9 @@ class _Patcher:
             expected = "scripts without them or with zeros in them, or with I51 = 1 if they act"
             self.faults.append(switch.fault(message, expected=expected))
             return
-        self._number(switch, int(str(binding.writes)))
+        if not self._assigned(switch, int(str(binding.writes))):
+            form = self.definition.statements[binding.statement].form
+            self._at_the_end([print_form(form, {"value": str(binding.writes)})])
 
     def _ours(self, table: Table) -> bool:
         alone = table.kind == "BLCOMP" or table.source == table.target
