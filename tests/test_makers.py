@@ -31,7 +31,7 @@ NAMES = re.compile(
 )
 #: Machine and setting data, variables, machine parameters, and tables by their makers' words.
 PARAMETERS = re.compile(
-    r"(?<![A-Za-z])(?:MD|SD)\d{5}(?!\d)|(?<![A-Za-z])N0?[1-9]\d{3}(?!\d)|(?<![A-Za-z])MP ?\d{3,4}"
+    r"(?<![A-Za-z])(?:MD|SD) ?\d{5}(?!\d)|(?<![A-Za-z])N0?[1-9]\d{3}(?!\d)|(?<![A-Za-z])MP ?\d{3,4}"
     r"|\$(?:M|S|A)[NACM]+_[A-Z]|(?<![A-Za-z])(?:CEC|EEC|ENC_COMP|BLCOMP|CROSSCOMP|ssfk|cec_)"
 )
 #: A number of four or five digits in text is a parameter, unless it is one of these.
@@ -40,7 +40,10 @@ EXPLAINED = re.compile(
     r"|\b(?:19|20)\d\d\b(?!#)"  # years
     r"|\b\d*(?:[05]00|[27]50)\b|\b65536\b"  # round
 )
-NUMBER = re.compile(r"(?<![\w.,:+/-])\d{4,5}(?![\w.]|-\d)")
+#: Not a part of a word, a decimal number or a date; the second of a list or a range is one too.
+NUMBER = re.compile(
+    r"(?:(?<![\w.,:+-])|(?<=\b\d{4}[,-])|(?<=\b\d{5}[,-]))\d{4,5}(?!\w|\.\d|-\d\d?(?!\d))"
+)
 
 
 def _numbers_of_controls() -> frozenset[str]:
@@ -53,18 +56,33 @@ def _numbers_of_controls() -> frozenset[str]:
 
 def leaks(source: str, numbers: frozenset[str] = frozenset()) -> Iterator[tuple[int, str]]:
     """Yield line and word of everything in Python source that only a control knows."""
-    for line, text in enumerate(source.splitlines(), start=1):
-        for pattern in (NAMES, PARAMETERS):
-            yield from ((line, found[0]) for found in pattern.finditer(text))
+    yield from named(source)
     for token in tokenize.generate_tokens(io.StringIO(source).readline):
         line = token.start[0]
         if token.type == tokenize.NUMBER:
             if token.string in numbers:
                 yield line, token.string
         elif token.type not in (tokenize.NAME, tokenize.OP):
-            text = EXPLAINED.sub(lambda found: re.sub(r"\d", " ", found[0]), token.string)
-            for found in NUMBER.finditer(text):
-                yield line + text.count("\n", 0, found.start()), found[0]
+            yield from numbered(token.string, line)
+
+
+def named(text: str) -> Iterator[tuple[int, str]]:
+    """Yield line and word of every name and parameter that only a control knows."""
+    for line, row in enumerate(text.splitlines(), start=1):
+        for pattern in (NAMES, PARAMETERS):
+            yield from ((line, found[0]) for found in pattern.finditer(row))
+
+
+def numbered(text: str, first: int = 1) -> Iterator[tuple[int, str]]:
+    """Yield line and number of what may be a parameter; ``first``: the line where text begins."""
+    text = EXPLAINED.sub(lambda found: re.sub(r"\d", " ", found[0]), text)
+    for found in NUMBER.finditer(text):
+        yield first + text.count("\n", 0, found.start()), found[0]
+
+
+def template_leaks(text: str) -> list[tuple[int, str]]:
+    """Return line and word of everything in a template that only a control knows."""
+    return [*named(text), *numbered(text)]
 
 
 def all_leaks(source: Path) -> list[str]:
@@ -80,6 +98,19 @@ def all_leaks(source: Path) -> list[str]:
 
 def test_only_the_rooms_of_controls_know_controls() -> None:
     assert all_leaks(SOURCE) == []
+
+
+def test_templates_know_no_controls() -> None:
+    files = sorted((SOURCE / "reporting" / "templates").iterdir())
+    assert files
+    found = [
+        (file.name, *leak) for file in files for leak in template_leaks(file.read_text("utf-8"))
+    ]
+    assert found == []
+
+
+def test_a_leak_in_a_template_is_found() -> None:
+    assert template_leaks("<p>\nset 1851 in the FANUC") == [(2, "FANUC"), (2, "1851")]
 
 
 def test_shapes_of_tables_are_asked_for_where_families_are_chosen() -> None:
@@ -112,6 +143,9 @@ def test_shapes_of_tables_are_asked_for_where_families_are_chosen() -> None:
         'switch = "SD41300"',
         '# "N03620Q1A1P0"',
         '"MP 730 selects"',
+        '"The backlash is 1851."',
+        '"""What 3620-3627 say."""',
+        '"MD 38000 reserves"',
         "MP720 = 1",
         "from compwright.formats.families.pairs.reading import CEC_TABLES",
         'options["cec_sign"]',
@@ -119,6 +153,20 @@ def test_shapes_of_tables_are_asked_for_where_families_are_chosen() -> None:
 )
 def test_what_leaked_before_is_found(line: str) -> None:
     assert list(leaks(line + "\n", _numbers_of_controls()))
+
+
+@pytest.mark.parametrize(
+    ("text", "numbers"),
+    [
+        ("1851/1852", ["1851", "1852"]),
+        ("3620-3627.", ["3620", "3627"]),
+        ("5711,5712, 5713", ["5711", "5712", "5713"]),
+        ("38010-38020", ["38010", "38020"]),
+        ("on 1851-05-12, 1851.5, -1851, +1851, 0,1851, 0.1851, a1851, 1851st", []),
+    ],
+)
+def test_each_number_of_a_list_or_a_range_is_found(text: str, numbers: list[str]) -> None:
+    assert [number for _, number in numbered(text)] == numbers
 
 
 @pytest.mark.parametrize(
