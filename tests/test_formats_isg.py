@@ -544,7 +544,12 @@ def test_a_run_patches_the_lists_that_were_given(tmp_path: Path) -> None:
     made = tmp_path / "out" / "tables" / ISG
     assert sorted(path.name for path in made.iterdir()) == ["kw.lis", "mds.lis"]
     text = (tmp_path / "out" / "card" / "card.md").read_text(encoding="utf-8")
-    for words_of_card in ("Check the sign first", "COMP OFF LEAD", "achs_kw_log_ax_nr", "lose"):
+    for words_of_card in (
+        "Check the sign before anything",
+        "COMP OFF LEAD",
+        "achs_kw_log_ax_nr",
+        "lose",
+    ):
         assert words_of_card in text
     assert "(not known)" not in text
 
