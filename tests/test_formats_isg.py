@@ -226,6 +226,21 @@ def test_the_start_up_list_says_what_is_loaded_and_whose_it_is() -> None:
         read(a=SAMPLE, start=start)
 
 
+@pytest.mark.parametrize(
+    ("start", "says"),
+    [
+        ("zahl_kw 0\nachs_kw_log_ax_nr[0] 1\nachs_kw[0] a.lis\n", "beyond zahl_kw 0"),
+        ("zahl_kw 1\nachs_kw_log_ax_nr[1] 1\nachs_kw[1] a.lis\n", "beyond zahl_kw 1.*zahl_kw 2"),
+        ("zahl_kw 1\nzahl_kw 2\nachs_kw_log_ax_nr[0] 1\nachs_kw[0] a.lis\n", "contradicts"),
+    ],
+)
+def test_a_list_beyond_the_number_of_the_start_up_list_is_refused(start: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        read(a=SAMPLE, start=start)
+    with pytest.raises(InputError, match="zahl_kw"):
+        virtual_control(ISG, files(a=SAMPLE, start=start))
+
+
 def test_what_no_list_says_of_an_axis_is_refused() -> None:
     with pytest.raises(InputError, match="missing is not zero"):
         read(axis_of("7"), a=SAMPLE)

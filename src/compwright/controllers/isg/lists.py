@@ -220,10 +220,14 @@ def _start_up(statements: Iterable[Statement], lists: Lists) -> dict[str, str] |
     if not found:
         return None
     loaded = {}
+    count = found["zahl_kw"].number() if "zahl_kw" in found else None
     for name, statement in found.items():
         index = name.removeprefix("achs_kw")
         if not index.startswith("["):
             continue
+        if count is not None and int(index[1:-1]) >= count:
+            expected = f"zahl_kw {int(index[1:-1]) + 1}, or no such line"
+            lists.faults.append(statement.fault("a list beyond zahl_kw", expected=expected))
         axis = found.get(f"achs_kw_log_ax_nr{index}")
         number = None if axis is None else _axis_number(axis, lists)
         if axis is None:

@@ -112,6 +112,24 @@ class _Sorter:
                 message = "names an axis without a list"
                 notes.refuse("start-up list", message, found, expected=f"achs_kw[{index}]")
 
+        self._check_count()
+
+    def _check_count(self) -> None:
+        """Refuse what the start-up list names beyond its own number of lists: it is not loaded."""
+        counts = self.lists.start_up.get(LISTED_COUNT, ())
+        name = self.lists.name(LISTED_COUNT)
+        for other in counts[1:]:
+            if int(other.text) != int(counts[0].text):
+                message = f"{name} contradicts {counts[0].where}"
+                self.notes.refuse("start-up list", message, other, expected=counts[0].text)
+        for index, found in {**self.axes, **self.names}.items():
+            if counts and index >= int(counts[0].text):
+                message = (
+                    f"an entry beyond {name} {counts[0].text}: whether it is loaded is not clear"
+                )
+                expected = f"{name} {index + 1}, or no such entry"
+                self.notes.refuse("start-up list", message, found, expected=expected)
+
     def _by_index(self, statement: str) -> Mapping[int, Found]:
         """Return the entries of the start-up list; two that differ are a fault."""
         entries: dict[int, Found] = {}
