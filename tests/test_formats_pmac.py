@@ -273,6 +273,14 @@ def test_a_command_behind_another_on_its_line_acts(before: str) -> None:
 # --- writing
 
 
+@pytest.mark.parametrize("end", ["SAVE", "\r\n save ; all\r\n\r\n\x1a"])
+def test_what_is_assigned_anew_stands_before_the_save_that_ends_the_script(end: str) -> None:
+    files = [script(f"#1 DEFINE COMP 1,9\n0\nI51=1\n{end}")]
+    wish = table([-100, 0, 100, 200], [1, 0, -2, -3], [-5, -6, -8, -9])
+    text = control().write([wish], [axis()], files)[0].content.decode("latin-1")
+    assert 0 < text.index("I185=32") < text.index("I186=96") < text.casefold().index("save")
+
+
 @pytest.mark.parametrize("several", ["I100..199=0", "I186,3,100=0 I185,3,100=0", "I50..290=0"])
 def test_an_assignment_to_several_variables_stays_and_ours_follow(several: str) -> None:
     own = f"{several}\n{EXAMPLE.replace('I185=32 I186=96', '').replace('I51=1', '')}"

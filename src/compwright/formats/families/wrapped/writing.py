@@ -28,6 +28,8 @@ from compwright.records.correction import ControlFile
 
 #: Entries on a line of a script.
 _ON_A_LINE = 8
+#: A SAVE that ends a script, on a line of its own.
+_SAVE = re.compile(rb"(?:^|[\r\n])[ \t]*(SAVE)[ \t]*(?:;[^\r\n]*)?\s*\Z", re.IGNORECASE)
 #: The option with the take-up rate that is written where a script says none.
 TAKE_UP = "take_up_rate"
 
@@ -207,9 +209,12 @@ class _Patcher:
         return next(one.motor for one in self.script.tables.values() if word in one.values)
 
     def _at_the_end(self, lines: Sequence[str]) -> None:
+        """Put lines behind everything, but before the SAVE that would not hold them."""
         number = len(self.patches.files) - 1
         content = self.patches.files[number].content.removesuffix(b"\x1a")
-        if content.strip():
+        if (saved := _SAVE.search(content)) is not None:
+            self.patches.add_lines(number, saved.start(1), lines, before=True)
+        elif content.strip():
             self.patches.add_lines(number, len(content.rstrip()) - 1, lines)
         else:
             self.patches.insert(number, len(content), "".join(f"{line}\n" for line in lines))
