@@ -17,7 +17,7 @@ from compwright.documents.plan import read_plan
 from compwright.formats.definition.extends import found_in, merged, texts_of
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlState, CrossCompensation
-from compwright.workflow.commands.formats import list_formats
+from compwright.workflow.commands.formats import list_formats, show_format
 from compwright.workflow.stages import definitions
 from compwright.workflow.stages.control import open_control
 from compwright.workflow.stages.read_once import ReadOnce
@@ -397,6 +397,14 @@ def test_what_is_no_definition_is_refused(
     if content is not None:
         assert compwright(["formats", "show", str(path)]) == 3
         assert says in told(capsys)[0]
+
+
+def test_what_is_shown_of_a_definition_says_first_that_nobody_judges_it(tmp_path: Path) -> None:
+    path = tutorial(tmp_path / "nc7.yaml")
+    first = "Read back, not independently judged: only your own definition of nc7"
+    assert show_format(str(path))[1] == f"{first} says what its files do"
+    shipped = "\n".join(show_format("linuxcnc"))
+    assert JUDGED not in shipped
 
 
 def test_a_name_that_is_no_id_says_how_a_file_is_named(capsys: pytest.CaptureFixture[str]) -> None:

@@ -28,6 +28,7 @@ from compwright.formats.gate.gate import check_definition, disagreements
 from compwright.foundations import storage
 from compwright.foundations.errors import CompwrightError, Fault, InputError, raise_all
 from compwright.records.correction import ControlFile
+from compwright.workflow.stages.control import READ_BACK
 from compwright.workflow.stages.definitions import (
     definition_named,
     definitions_at,
@@ -69,7 +70,10 @@ def show_format(name: str) -> tuple[str, ...]:
     definition.
     """
     definition = own_definition(Path(name)) if is_path(name) else definition_named(name, Path())
-    lines = [f"{definition.id}: {definition.title}", ""]
+    lines = [f"{definition.id}: {definition.title}"]
+    if definition.judged != "independent":
+        lines.append(READ_BACK.format(definition.id))
+    lines.append("")
     for heading, section in (
         ("The table", _table(definition)),
         ("What stands where", _quantities(definition)),

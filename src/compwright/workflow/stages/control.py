@@ -36,9 +36,12 @@ from compwright.workflow.stages.definitions import (
 from compwright.workflow.stages.read_once import ReadOnce
 from compwright.workflow.stages.two_readers import disagreements, judges
 
+#: What has to be known of everything that a definition of one's own, by its id, says.
 READ_BACK = (
-    "Read back, not independently judged: only your own definition of {} says what its files do. A"
-    " sign or a unit that is wrong in it is wrong in all of this. Prove it on the machine, at one"
+    "Read back, not independently judged: only your own definition of {} says what its files do"
+)
+_PROVE_IT = (
+    "A sign or a unit that is wrong in it is wrong in all of this. Prove it on the machine, at one"
     " position and from both sides, before the whole table acts"
 )
 NOT_WORKED = "The corrections worked by hand are those of {}: nobody worked one out for {}"
@@ -130,7 +133,7 @@ class Control:
         """What has to be known of results for this control: whether they were judged."""
         if self.definition.judged == "independent":
             return self.notes
-        said = READ_BACK.format(self.id)
+        said = f"{READ_BACK.format(self.id)}. {_PROVE_IT}"
         if self.definition.worked_for:
             said += f". {NOT_WORKED.format(self.definition.worked_for, self.id)}"
         return (Finding("CW-S060", "warning", said), *self.notes)
