@@ -708,6 +708,43 @@ def test_reserved_memory_takes_cross_tables_too() -> None:
     assert agreed([file]).cross[0].positive.tolist() == [0, -0.016]
 
 
+def blank(index: int) -> str:
+    """A table that was never used, as an archive holds it."""
+    return cec(index, [0.0, 0.0], (0, 0, 0), ("", ""))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        blank(3),
+        blank(3) + blank(3),
+        "$AN_CEC_INPUT_AXIS[3]=()\n$AN_CEC_OUTPUT_AXIS[3]=()\n",
+        blank(3).replace("OUTPUT_AXIS[3]=()", "OUTPUT_AXIS[3]=(AX2)"),
+        blank(3).replace("AN_CEC_INPUT_AXIS[3]=()", "an_cec_input_axis[3]=() '1f2e"),
+    ],
+    ids=["blank", "twice", "nothing else", "half", "checksum"],
+)
+def test_the_empty_brackets_of_a_blank_table_take_the_axes(text: str) -> None:
+    given = files(A__INI=text + MD + "$MA_CEC_ENABLE[AX2]=1\nM17\n")
+    state = control_format(SIEMENS, {"cec_sign": "correction"}).read(given)
+    options = {"cec": "available", "cec_tables": [3], "cec_sign": "correction"}
+    (file,) = write_cross(SIEMENS, [cross([0.0, -0.016])], options, state, given)
+    lines = file.content.decode().upper().splitlines()
+    for line in ("$AN_CEC_INPUT_AXIS[3]=(AX1)", "$AN_CEC_OUTPUT_AXIS[3]=(AX2)"):
+        key = line.partition("=")[0]
+        assert {each for each in lines if each.startswith(key)} == {line}
+        assert sum(each.startswith(key) for each in lines) == text.upper().count(key)
+    (entry,) = agreed([file]).cross
+    assert (entry.input, entry.output) == ("AX1", "AX2")
+    assert entry.positive.tolist() == [0, -0.016]
+
+
+def test_the_empty_brackets_of_a_blank_table_take_an_axis_over_itself() -> None:
+    written = patch(blank(4) + blank(7) + MD + "M17\n", TWO, CEC)["A.INI"]
+    assert written.count("AXIS[4]=(AX1)\n") == written.count("AXIS[7]=(AX1)\n") == 2
+    assert "()" not in written
+
+
 @pytest.mark.parametrize(
     ("entry", "says"),
     [

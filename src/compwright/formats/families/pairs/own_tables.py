@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from compwright.formats.definition.statements import name_in_form
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.options import allowed_tables
 from compwright.formats.families.pairs.places import (
+    BETWEEN,
     DATA,
     Pair,
     Places,
@@ -65,6 +67,18 @@ class OwnTables:
         """Return the places of a quantity of one table."""
         return self.places.get(index, {}).get(quantity, ())
 
+    def unnamed(self, index: int, quantity: str) -> list[Found]:
+        """Return the places of one table where ``()`` stands in the place of the axis."""
+        statements, bindings = self.definition.statements, self.definition.bindings
+        own = name_in_form(statements[bindings[quantity].statement].form)
+        before = statements[bindings["cross_other"].statement].form.partition("{")[0]
+        return [
+            found
+            for found in self.said(index, "cross_other")
+            if found.text == "()"
+            and (before + found.occurrence.tokens["key"].text).upper() == own.upper()
+        ]
+
     def said_of_axis(self, output: str, quantity: str) -> Sequence[Found]:
         """Return the places of a quantity of all tables on one axis together."""
         return () if self.own is None else of_axis(self.own.gathered, output).get(quantity, ())
@@ -85,9 +99,11 @@ class OwnTables:
     def table_places(self, index: int) -> TablePlaces:
         """Return where a table stands."""
         places = self.places.get(index, {})
+        singles = {name: places[name] for name in DATA if name in places and name != "cross_value"}
+        unnamed = [found for name in BETWEEN for found in self.unnamed(index, name)]
         return TablePlaces(
             rows_by_index(places.get("cross_value", ())),
-            {name: places[name] for name in DATA if name in places and name != "cross_value"},
+            {**singles, "cross_other": unnamed},
             "cross_value",
             {"table": str(index)},
         )

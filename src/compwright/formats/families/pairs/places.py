@@ -17,9 +17,11 @@ AS_TABLE = {
     "cross_end": "table_end",
     "cross_spacing": "table_spacing",
 }
+#: Quantities that name the two axes of a table.
+BETWEEN = ("cross_input", "cross_output")
 #: Quantities without which a table is none; those behind them count as a default where they are
 #: absent.
-NEEDED = ("cross_input", "cross_output", *AS_TABLE, "cross_direction")
+NEEDED = (*BETWEEN, *AS_TABLE, "cross_direction")
 DATA = (*NEEDED, "cross_multiplier", "cross_repeats")
 
 #: Input and output axis.

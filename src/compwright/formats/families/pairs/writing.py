@@ -23,7 +23,7 @@ from compwright.formats.families.pairs.options import (
     too_few,
 )
 from compwright.formats.families.pairs.own_tables import OwnTables
-from compwright.formats.families.pairs.places import AS_TABLE, Pair
+from compwright.formats.families.pairs.places import AS_TABLE, BETWEEN, Pair
 from compwright.formats.families.pairs.switching import Switches
 from compwright.formats.text.gathering import same_value
 from compwright.formats.text.own_files import OwnFiles, TablePlaces
@@ -192,14 +192,21 @@ class CecWriter:
         held = self.own is not None and places.anywhere
         if self.own is not None and held:
             self.tables.check_protected(entry.index, pair[1], faults)
-            self.own.put_table(places, entry.rows, self._spelled(entry, places))
+            singles = self._spelled(entry, places)
+            for name in BETWEEN:
+                axis = self._line(name, entry.index, singles[name]).partition("=")[2]
+                for found in self.tables.unnamed(entry.index, name):
+                    self.own.put("cross_other", [found], axis)
+                    if name not in places.singles:
+                        singles.pop(name, None)
+            self.own.put_table(places, entry.rows, singles)
         self.switches.table_on(entry.index)
         return held
 
     def _spelled(self, entry: Entry, places: TablePlaces) -> dict[str, str]:
         """Return the single values; an axis that the file names already keeps its spelling."""
         singles, axis = dict(entry.singles), self.tables.axis
-        for name in ("cross_input", "cross_output"):
+        for name in BETWEEN:
             for place in places.singles.get(name, ()):
                 if axis(place.text) == axis(singles[name]):
                     singles[name] = place.text
