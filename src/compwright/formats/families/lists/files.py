@@ -116,7 +116,7 @@ class _Sorter:
 
     def _check_count(self) -> None:
         """Refuse what the start-up list names beyond its own number of lists: it is not loaded."""
-        counts = self.lists.start_up.get(LISTED_COUNT, ())
+        counts: Sequence[Found] = self.lists.start_up.get(LISTED_COUNT, ())
         name = self.lists.name(LISTED_COUNT)
         for other in counts[1:]:
             if int(other.text) != int(counts[0].text):
