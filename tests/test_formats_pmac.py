@@ -438,6 +438,14 @@ def test_only_the_numbers_of_our_motor_change() -> None:
     ]
 
 
+def test_the_card_keeps_a_save_of_the_scripts_back_until_the_sign_was_checked() -> None:
+    steps = [(step.title, step.text) for step in PMAC.card]
+    titles = [title for title, _ in steps]
+    load = titles.index("Load the script")
+    assert "A line SAVE in them" in steps[load][1]
+    assert load < titles.index("Check the sign") < titles.index("Keep it")
+
+
 def test_new_tables_stand_where_the_card_takes_them() -> None:
     wish = table([0, 100], [0, 1], [-1, -1], address="2")
     new = patched(OTHERS, wish, axes=[axis("2", (0, 100))])
