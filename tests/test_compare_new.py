@@ -496,6 +496,58 @@ def test_a_table_that_repeats_is_an_axis_without_ends_where_a_file_says_that(
     assert (axis["kind"], axis.get("modulo")) == ("linear", modulo)
 
 
+IN_INCREMENTS = """\
+kopf.achs_nr 1
+kw.ssfk.unit 0
+kw.ssfk.modulo 0
+kw.ssfk.interval 20000
+kw.ssfk.kw_startpos 0
+kw.ssfk.kw_nr_max 3
+kw.ssfk.bilateral 0
+kw.ssfk.table[0].pos 0
+kw.ssfk.table[1].pos 10
+kw.ssfk.table[2].pos 0
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "option", "modulo"),
+    [
+        ("pmac", "#1\nDEFINE COMP 4, #1, 800000\n16 32 16 0\n", "counts_per_unit", False),
+        ("isg-kernel", IN_INCREMENTS, "encoder_increment", False),
+        ("isg-kernel", IN_INCREMENTS.replace("modulo 0", "modulo 1"), "encoder_increment", True),
+    ],
+)
+def test_a_number_that_no_file_says_is_left_open_in_a_new_job(
+    name: str,
+    text: str,
+    option: str,
+    modulo: bool,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    (tmp_path / "own.txt").write_text(text)
+    job = tmp_path / "job.yaml"
+    words = ["--from", str(tmp_path / "own.txt"), "--format", name, "--out", str(job)]
+    assert compwright(["new", *words]) == 0
+    assert f"fill in: controller.options.{option}: " in capsys.readouterr().err
+    draft = yaml.safe_load(job.read_text())
+    assert draft["controller"]["options"] == {option: None}
+    (axis,) = draft["axes"].values()
+    assert (axis["travel"], axis.get("modulo")) == (None, None)  # no length by a number assumed
+    assert ("modulo" in axis) == modulo
+    assert compwright(["run", str(job)]) == 2  # what is open is asked for
+    assert option in capsys.readouterr().err
+
+
+def test_a_number_that_no_table_needs_is_not_left_open(tmp_path: Path) -> None:
+    (tmp_path / "own.txt").write_text(IN_INCREMENTS.replace("unit 0", "unit 1"))
+    job = tmp_path / "job.yaml"
+    words = ["--from", str(tmp_path / "own.txt"), "--format", "isg-kernel", "--out", str(job)]
+    assert compwright(["new", *words]) == 0
+    assert "options" not in yaml.safe_load(job.read_text())["controller"]
+
+
 def test_a_new_job_where_the_unit_was_given(tmp_path: Path) -> None:
     state = backup(tmp_path / "control", lines=50)
     words = [word for path in state for word in ("--from", str(path))]

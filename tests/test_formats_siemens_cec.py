@@ -729,6 +729,7 @@ def test_the_empty_brackets_of_a_blank_table_take_the_axes(text: str) -> None:
     state = control_format(SIEMENS, {"cec_sign": "correction"}).read(given)
     options = {"cec": "available", "cec_tables": [3], "cec_sign": "correction"}
     (file,) = write_cross(SIEMENS, [cross([0.0, -0.016])], options, state, given)
+    assert file.name == "A.INI"
     lines = file.content.decode().upper().splitlines()
     for line in ("$AN_CEC_INPUT_AXIS[3]=(AX1)", "$AN_CEC_OUTPUT_AXIS[3]=(AX2)"):
         key = line.partition("=")[0]

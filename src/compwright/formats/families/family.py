@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Self
 
 from compwright.formats.definition.options import axis_options, resolve_options
@@ -35,6 +35,20 @@ from compwright.records.facts import AxisFacts
 AxisTable = tuple[str, Axis, AxisCompensation]
 
 
+@dataclass(frozen=True, slots=True)
+class LeftOpen:
+    """An option that a prefilled job leaves to the user where no file says it.
+
+    ``words``: what is expected; ``stand_in``: a value with which the files tell their axes all the
+    same. ``lengths``: the positions of a table count in it.
+    """
+
+    name: str
+    words: str
+    stand_in: float
+    lengths: bool
+
+
 class Family(ABC):
     """One control's compensation. ``state``: what its own files said; None before they are read.
 
@@ -43,6 +57,8 @@ class Family(ABC):
 
     #: What would let tables be counted with of which nobody knows what they do.
     untold_help = ""
+    #: The number without which tables cannot be read, where their control has one.
+    left_open: LeftOpen | None = None
 
     def __init__(
         self,

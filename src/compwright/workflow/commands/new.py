@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.definition.schema import Definition
+from compwright.formats.families.family import LeftOpen
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.foundations.utf8 import encoded
@@ -44,33 +44,57 @@ def new_job(
     UsageError, InputError (files that contradict themselves) and StorageError.
     """
     control = open_control(format_id, options)
-    unsaid = (
-        DETECTION_UNIT in control.definition.options and control.options.get(DETECTION_UNIT) is None
-    )
+    unsaid = _unsaid(control)
+    stands_in = False
     own = read_files(files)
     try:
         state, left_out = _read(control, own)
     except UsageError:
-        if not unsaid:
+        if unsaid is None:
             raise
-        # Which axes there are does not depend on the length of a pulse.
-        state, left_out = _read(open_control(format_id, {**options, DETECTION_UNIT: 0.001}), own)
-    drafts = list(_drafts(control, state, units=unsaid))
+        # Which axes there are does not depend on it.
+        stands_in = True
+        whole = open_control(format_id, {**options, unsaid.name: unsaid.stand_in})
+        state, left_out = _read(whole, own)
+    drafts = list(_drafts(control, state, unsaid))
+    if unsaid is not None and stands_in and unsaid.lengths:
+        drafts = [_without_lengths(draft, unsaid) for draft in drafts]
     if not drafts:
         raise InputError(Fault(message="the files name no axis", file=", ".join(map(str, files))))
     given = {
         name: Prefilled(value, "as given on the command line") for name, value in options.items()
     }
-    if unsaid and any("options" not in draft.values for draft in drafts):
-        given[DETECTION_UNIT] = Prefilled(
-            None, "mm or deg per pulse, such as 0.001; nothing in the files says it"
-        )
+    if (
+        unsaid is not None
+        and (stands_in or control.definition.options[unsaid.name].asked is not None)
+        and any("options" not in draft.values for draft in drafts)
+    ):
+        words = f"{unsaid.words}; nothing in the files says it"
+        given[unsaid.name] = Prefilled(None, words)
     named = storage.relative(Path(format_id), out.parent) if is_path(format_id) else format_id
     text = job_text(named, given, [storage.relative(path, out.parent) for path in files], drafts)
     storage.write_file(out, encoded(text), force=force)
     said = (finding.message for finding in control.findings)
     told = (*left_out, *_idle(control, state, drafts), *said)
     return NewOutcome(out, tuple(_open(given, drafts)), told)
+
+
+def _unsaid(control: Control) -> LeftOpen | None:
+    """Return the option that is left open where the files do not say it; None where it is given."""
+    asked = control.format.left_open
+    if asked is None or asked.name not in control.definition.options:
+        return None
+    return asked if control.options[asked.name] is None else None
+
+
+def _without_lengths(draft: AxisDraft, unsaid: LeftOpen) -> AxisDraft:
+    """Return a draft without the lengths that were read with a number standing in."""
+    hanging = {
+        key: Prefilled(None, f"mm or deg, by {unsaid.name}; {entry.source}")
+        for key, entry in draft.values.items()
+        if key in ("travel", "modulo") and entry.value is not None
+    }
+    return replace(draft, values={**draft.values, **hanging})
 
 
 def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState, tuple[str, ...]]:
@@ -109,7 +133,7 @@ def _open(options: Mapping[str, Prefilled], drafts: Sequence[AxisDraft]) -> Iter
                 yield f"axes.{draft.name}.{key}: {entry.source}"
 
 
-def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[AxisDraft]:
+def _drafts(control: Control, state: ControlState, unsaid: LeftOpen | None) -> Iterator[AxisDraft]:
     acting = [
         address
         for address, axis in state.axes.items()
@@ -128,9 +152,9 @@ def _drafts(control: Control, state: ControlState, *, units: bool) -> Iterator[A
             raise UsageError(Fault(message=f"two axes would be called {name}", found=address))
         names.add(name)
         values = dict(_values(address, state.axes[address], facts, turns=turns))
-        if units and DETECTION_UNIT in facts.said:
+        if unsaid is not None and unsaid.name in facts.said:
             values["options"] = Prefilled(
-                {DETECTION_UNIT: facts.said[DETECTION_UNIT]},
+                {unsaid.name: facts.said[unsaid.name]},
                 f"read from the control's files: {facts.unit_evidence}",
             )
         if partners:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.definition.shape_rules import ShapeRules
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import sign_check
-from compwright.formats.families.family import AxisTable, Family, sound
+from compwright.formats.families.family import AxisTable, Family, LeftOpen, sound
 from compwright.formats.families.increments.between import straightness_between
 from compwright.formats.families.increments.capacity import AxisLimits
 from compwright.formats.families.increments.card import increment_values
@@ -35,6 +36,10 @@ RULES = ShapeRules(
 
 class IncrementsFamily(Family):
     """Whole steps by section."""
+
+    left_open = LeftOpen(
+        DETECTION_UNIT, "mm or deg per pulse, such as 0.001", stand_in=0.001, lengths=False
+    )
 
     def read(
         self,

@@ -13,7 +13,7 @@ from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import sign_check, typed
-from compwright.formats.families.family import AxisTable, Family, sound
+from compwright.formats.families.family import AxisTable, Family, LeftOpen, sound
 from compwright.formats.families.lists.between import lists_between
 from compwright.formats.families.lists.reading import read_state
 from compwright.formats.families.lists.table import COUNTS, TENTH, VALUE_TYPES, counted
@@ -34,6 +34,13 @@ RULES = ShapeRules(
 
 class ListsFamily(Family):
     """Entries by index in one list per axis."""
+
+    left_open = LeftOpen(
+        "encoder_increment",
+        "mm or deg per encoder increment, such as 0.0001",
+        stand_in=0.0001,
+        lengths=True,
+    )
 
     def read(
         self,

@@ -11,9 +11,9 @@ from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between, instead
 from compwright.formats.families.card_words import sign_check
-from compwright.formats.families.family import AxisTable, Family, sound
+from compwright.formats.families.family import AxisTable, Family, LeftOpen, sound
 from compwright.formats.families.wrapped.card import table_words
-from compwright.formats.families.wrapped.counts import Counts, counts_of
+from compwright.formats.families.wrapped.counts import COUNTS, Counts, counts_of
 from compwright.formats.families.wrapped.reading import read_wrapped
 from compwright.formats.families.wrapped.script import MOST_MOTORS
 from compwright.formats.families.wrapped.tables import MotorTable, motor_table
@@ -38,6 +38,13 @@ RULES = ShapeRules(
 
 class WrappedFamily(Family):
     """Parts of a count over a length that repeats."""
+
+    left_open = LeftOpen(
+        COUNTS,
+        "counts of the motor per mm or deg, such as 1000 (negative against the axis)",
+        stand_in=1000.0,
+        lengths=True,
+    )
 
     def address(self, axis: Axis) -> tuple[str, Assumption | None]:
         """See `Family.address`: the number of the motor."""
