@@ -57,20 +57,17 @@ def new_job(
         whole = open_control(format_id, {**options, unsaid.name: unsaid.stand_in})
         state, left_out = _read(whole, own)
     drafts = list(_drafts(control, state, unsaid))
-    if unsaid is not None and stands_in and unsaid.lengths:
-        drafts = [_without_lengths(draft, unsaid) for draft in drafts]
     if not drafts:
         raise InputError(Fault(message="the files name no axis", file=", ".join(map(str, files))))
     given = {
         name: Prefilled(value, "as given on the command line") for name, value in options.items()
     }
-    if (
-        unsaid is not None
-        and (stands_in or control.definition.options[unsaid.name].asked is not None)
-        and any("options" not in draft.values for draft in drafts)
-    ):
-        words = f"{unsaid.words}; nothing in the files says it"
-        given[unsaid.name] = Prefilled(None, words)
+    if unsaid is not None:
+        if stands_in and unsaid.lengths:
+            drafts = [_without_lengths(draft, unsaid) for draft in drafts]
+        every_axis = control.definition.options[unsaid.name].asked is not None
+        if stands_in or every_axis:
+            given |= _left_open(unsaid, drafts)
     named = storage.relative(Path(format_id), out.parent) if is_path(format_id) else format_id
     text = job_text(named, given, [storage.relative(path, out.parent) for path in files], drafts)
     storage.write_file(out, encoded(text), force=force)
@@ -85,6 +82,13 @@ def _unsaid(control: Control) -> LeftOpen | None:
     if asked is None or asked.name not in control.definition.options:
         return None
     return asked if control.options[asked.name] is None else None
+
+
+def _left_open(unsaid: LeftOpen, drafts: Sequence[AxisDraft]) -> dict[str, Prefilled]:
+    """Return the option of the controller that the user fills in; none where every axis has it."""
+    if all("options" in draft.values for draft in drafts):
+        return {}
+    return {unsaid.name: Prefilled(None, f"{unsaid.words}; nothing in the files says it")}
 
 
 def _without_lengths(draft: AxisDraft, unsaid: LeftOpen) -> AxisDraft:
