@@ -559,6 +559,13 @@ def test_too_few_points() -> None:
         fit(SMOOTH, replace(COARSE, min_points=5), spacing=400.0)
 
 
+def test_a_turn_has_no_more_points_than_the_control_can_ever_be_set_to() -> None:
+    """Where nobody knows how many points are set, the most that there can be still count."""
+    turn = replace(COARSE, period=800.0, max_points=None, most_points=100)
+    with pytest.raises(CapacityError, match="at most 100 points, found 401 points"):
+        fit(SMOOTH, turn, spacing=2.0)
+
+
 def test_free_spacing_may_cut_the_last_section() -> None:
     result = fit(SMOOTH, replace(COARSE, spacing="free"), spacing=30.0)
     assert result.compensation.positions[[0, 1, -2, -1]].tolist() == [-800.0, -770.0, -20.0, 0.0]

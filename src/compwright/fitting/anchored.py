@@ -206,7 +206,7 @@ def _end_faults(
 
 
 def _count_faults(count: int, capacity: Capacity, wanted: WantedCorrection) -> list[Fault]:
-    least, most = max(2, capacity.min_points), capacity.max_points
+    least, most = max(2, capacity.min_points), capacity.at_most
     if count >= least and (most is None or count <= most):
         return []
     many = most is not None and count > most

@@ -251,10 +251,7 @@ def _freely_spaced(span: _Span, spacing: float, capacity: Capacity, unit: str) -
 
 def _check_count(count: int, span: _Span, capacity: Capacity, unit: str) -> None:
     length = (span.high - span.low) * capacity.position_quantum
-    most = min(
-        (limit for limit in (capacity.max_points, capacity.most_points) if limit is not None),
-        default=None,
-    )
+    most = capacity.at_most
     if most is not None and count > most:
         least = _nearest_steps(span, 0.0, capacity)[1]
         fits = f"; from {least:.10g} {unit} on a spacing fits" if least else ""
@@ -303,9 +300,7 @@ def _nearest_steps(
     keeps the number of points.
     """
     length = span.high - span.low
-    most = min(
-        limit for limit in (capacity.max_points, capacity.most_points, 100_000) if limit is not None
-    )
+    most = min(capacity.at_most or 100_000, 100_000)
     fitting = [
         length // pieces
         for pieces in range(max(1, capacity.min_points - 1), min(most, length + 1))

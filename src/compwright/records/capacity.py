@@ -80,3 +80,9 @@ class Capacity:
     below: Beyond = "hold"
     above: Beyond = "hold"
     assumed: tuple[Assumption, ...] = ()
+
+    @property
+    def at_most(self) -> int | None:
+        """The largest number of points, set or ever to be set; None: no limit is known."""
+        limits = (self.max_points, self.most_points)
+        return min((limit for limit in limits if limit is not None), default=None)
