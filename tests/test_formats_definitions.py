@@ -270,7 +270,7 @@ def test_all_faults_at_once() -> None:
         ("flipped sign", "siemens-840d-sl.yaml", "    sign: error", "    sign: correction"),
         ("other end", "siemens-840d-sl.yaml", "below: hold, above: hold", "below: hold, above: zero"),
         ("start and end exchanged", "siemens-840d-sl.yaml", "_COMP_MIN[{system},{axis}]={v", "_COMP_MAX[{system},{axis}]={v"),
-        ("unit inch", "siemens-840d-sl.yaml", "mm, rotary: deg}\n    sign: error", "inch, rotary: deg}\n    sign: error"),
+        ("unit inch", "siemens-840d-sl.yaml", "{option: units}, rotary: deg}\n    sign: error", "inch, rotary: deg}\n    sign: error"),
         ("first value counts", "siemens-840d-sl.yaml", 'writes: "1"\n    repeated: last', 'writes: "1"\n    repeated: first'),
         ("wrong hand-worked number", "siemens-840d-sl.yaml", "positive: -2, negative", "positive: -2.001, negative"),
         ("broken sample", "siemens-840d-sl.yaml", "$AA_ENC_COMP[0,2,AX1]=0.0\n", "\n"),

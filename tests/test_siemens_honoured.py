@@ -155,20 +155,6 @@ def test_another_name_that_acts_says_the_way_out(acting: str) -> None:
         both_readers(f"{eec()}{acting}\n", axis_of("AX1"))
 
 
-# Units
-# --------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("line", ["$MN_SCALING_SYSTEM_IS_METRIC=0", "INCH"])
-def test_an_inch_control_is_refused_for_lengths_alone(line: str) -> None:
-    with pytest.raises(InputError, match="MD10240"):
-        both_readers(f"{line}\n{eec()}", axis_of("AX1"))
-    turning = replace(axis_of("AX1"), kind=AxisKind.ROTARY)
-    assert both_readers(f"{line}\n{eec()}", turning).axes["AX1"].positive.tolist() == [0, -0.004, 0]
-    with pytest.raises(InputError, match="one place says inch"):
-        both_readers(f"METRIC\n{line}\n{eec()}", axis_of("AX1"))
-
-
 # Two measuring systems
 # --------------------------------------------------------------------------------------------------
 
@@ -489,12 +475,15 @@ def test_a_mask_that_cannot_be_read_is_no_zero(word: str) -> None:
 
 
 def test_a_basic_system_that_no_file_says_is_listed() -> None:
-    noted = {note.fact: note for note in both_readers(eec(), axis_of("AX1")).assumed}
-    assert "AX1" in noted["basic system (MD10240)"].evidence
+    control = open_control("siemens-840d-sl", {})
+
+    def noted(text: str) -> dict[str, str]:
+        state = both_readers(text, axis_of("AX1"))
+        return {note.fact: note.evidence for note in control.in_state(state).assumed(state)}
+
+    assert "MD10240" in noted(eec())["option units"]
     for line in ("METRIC\n", "$MN_SCALING_SYSTEM_IS_METRIC=1\n"):
-        assert "basic system (MD10240)" not in {
-            note.fact for note in both_readers(line + eec(), axis_of("AX1")).assumed
-        }
+        assert "option units" not in noted(line + eec())
 
 
 def test_the_limit_of_the_sum_is_listed_where_no_file_says_it() -> None:

@@ -29,11 +29,12 @@ SINGLES = tuple(name for name in ("backlash", "slope", *CHOICES, *PLAIN) if name
 WORDS = {
     "rotary": {"linear", "rotary"},
     "length_unit": {"mm", "inch"},
+    "unit_word": {"mm", "inch"},
     "angle_unit": {"deg"},
     **{
         name: {"yes", "no"}
         for name in CHOICES
-        if name not in ("rotary", "length_unit", "angle_unit", "table_form")
+        if name not in ("rotary", "length_unit", "unit_word", "angle_unit", "table_form")
     },
 }
 _SIGNS = {

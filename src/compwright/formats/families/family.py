@@ -240,7 +240,9 @@ class Family(ABC):
             return None
         statement = self.definition.statements[self.definition.bindings["length_unit"].statement]
         key = statement.form.partition("{")[0].rstrip(" =")
-        return rule, f"the whole {statement.text.upper()} file with {key} among the files"
+        one = len(self.definition.texts) == 1
+        file = "a file" if one else f"the whole {statement.text.upper()} file"
+        return rule, f"{file} with {key} among the files"
 
     def for_a_view(self) -> Self:
         """Return the control as it reads files that are only shown: what no readings hang on may

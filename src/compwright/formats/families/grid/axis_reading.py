@@ -16,6 +16,7 @@ from compwright.formats.definition.schema import Choice
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.axis_values import AxisValues
+from compwright.formats.families.grid.basic_system import SAYING
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.systems import SystemChoice
 from compwright.formats.families.grid.tables import Table, TableSource, value_fields
@@ -28,6 +29,9 @@ from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import AxisCompensation
 from compwright.records.facts import AxisFacts, Fact
+
+#: Software limits further away than this are none, in the unit of the files.
+_NO_LIMIT = 99999.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -126,7 +130,7 @@ class AxisReader:
 
     def _settling(self) -> dict[str, Fact]:
         """Return what the files say of quantities that settle options."""
-        unit, points = self.values.said("length_unit"), self.values.single("max_points")
+        unit, points = self._unit(), self.values.single("max_points")
         said: dict[str, Fact] = {} if unit is None else {"length_unit": unit}
         return said if points is None else {**said, "max_points": int(points.text)}
 
@@ -148,7 +152,7 @@ class AxisReader:
             name=letters[int(self.address)] if listed else None,
             letters=letters if listed else "",
             kind=None if word is None else AxisKind(word),
-            limits=self._limits(kind) if "units" in self.definition.options else None,
+            limits=self._limits(kind),
             encoder_system=self.system,
             enabled=enabled,
             said=said,
@@ -160,7 +164,14 @@ class AxisReader:
         factor = MILLIMETRES_PER_INCH if inch else 1.0
         if low is None or high is None:
             return None
-        return float(low.text) * factor, float(high.text) * factor
+        limits = float(low.text), float(high.text)
+        if not all(abs(limit) < _NO_LIMIT for limit in limits):
+            return None
+        return limits[0] * factor, limits[1] * factor
+
+    def _unit(self) -> str | None:
+        """Return in what the files say that lengths stand, mm or inch."""
+        return next((word for word in map(self.values.said, SAYING) if word is not None), None)
 
     def _measuring_system(self, options: Mapping[str, object]) -> str | None:
         if not self.gathered.systems(self.address):
@@ -179,7 +190,8 @@ class AxisReader:
             if rule.settled_by is not None and isinstance(
                 self.definition.bindings[rule.settled_by], Choice
             ):
-                word = self.values.said(rule.settled_by)
+                unit = rule.settled_by == "length_unit"
+                word = self._unit() if unit else self.values.said(rule.settled_by)
                 if word is not None:
                     settled[name] = word
                 elif self.axis is None:

@@ -1,5 +1,5 @@
-"""What acts on an axis beside its tables, and what decides how they are read: units, gantries,
-modulo ranges, further functions.
+"""What acts on an axis beside its tables, and what decides how they are read: gantries, modulo
+ranges, limits, further functions.
 
 What keeps its place and acts alike during the test and afterwards is left alone and named; what
 would make a table wrong is refused with the parameter.
@@ -13,71 +13,13 @@ from decimal import Decimal
 
 from compwright.formats.text.gathering import Found, Gathered
 from compwright.formats.text.notes import Notes
-from compwright.records.axis import Axis, AxisKind
+from compwright.records.axis import Axis
 from compwright.records.facts import AxisFacts, Turn
 
 #: Where the range of a modulo axis begins when no file says it, deg.
 MODULO_START = 0.0
 #: Its length when no file says it, deg.
 _WHOLE_TURN = 360.0
-#: Software limits further away than this are none, mm or deg.
-_NO_LIMIT = 99999.0
-
-
-def check_unit(gathered: Gathered, wanted: Mapping[str, Axis | None], notes: Notes) -> None:
-    """Refuse files of a control whose basic system is the inch, and files that say both, where a
-    linear axis is read.
-    """
-    _tell_unsaid(gathered, wanted, notes)
-    metric = gathered.singles.get((None, None), {}).get("metric_system", [])
-    words = gathered.singles.get((None, None), {}).get("unit_word", [])
-    inch = [found for found in metric if Decimal(found.text) == 0] + [
-        found for found in words if found.text.upper() == "INCH"
-    ]
-    known = [axis for axis in wanted.values() if axis is not None]
-    if not inch or (
-        wanted and len(known) == len(wanted) and all(axis.kind is AxisKind.ROTARY for axis in known)
-    ):
-        return
-    mm = [found for found in metric if Decimal(found.text) != 0] + [
-        found for found in words if found.text.upper() == "METRIC"
-    ]
-    if mm:
-        notes.refuse(
-            "basic system",
-            f"one place says inch, {mm[0].where} says metric (MD10240, METRIC, INCH)",
-            inch[0],
-            expected="one basic system",
-        )
-        return
-    notes.refuse(
-        "basic system",
-        "the control works in inch (MD10240 = 0, or a line INCH): its tables are in inch, which"
-        " compwright does not write",
-        inch[0],
-        expected="MD10240 = 1 and METRIC: a control with the metric basic system",
-    )
-
-
-def _tell_unsaid(gathered: Gathered, wanted: Mapping[str, Axis | None], notes: Notes) -> None:
-    """List that linear axes are taken as metric where no file says it."""
-    said = gathered.singles.get((None, None), {})
-    if "metric_system" not in gathered.definition.bindings or said.keys() & {
-        "metric_system",
-        "unit_word",
-    }:
-        return
-    linear = [
-        name
-        for name in list(wanted) or gathered.addresses()
-        if (axis := wanted.get(name)) is None or axis.kind is not AxisKind.ROTARY
-    ]
-    if linear:
-        evidence = (
-            "unconfirmed: neither MD10240 nor a line METRIC or INCH; the values of"
-            f" {', '.join(linear)} are taken as mm"
-        )
-        notes.assume("basic system (MD10240)", "metric", evidence)
 
 
 class Beside:
@@ -93,9 +35,7 @@ class Beside:
         the notes. ``partners``: synchronised axis by leading axis.
         """
         turn = self._turn()
-        limits = own.limits or (
-            self._limits() if turn is None else (turn.start, turn.start + turn.length)
-        )
+        limits = own.limits if turn is None else (turn.start, turn.start + turn.length)
         name = own.name or self.gathered.names.machine_name(self.address)
         beside = ""
         if axis is not None:
@@ -109,12 +49,6 @@ class Beside:
         start, length = self.number("modulo_start"), self.number("modulo_range")
         begin = MODULO_START if start is None else start
         return Turn(begin, length or _WHOLE_TURN, start is not None)
-
-    def _limits(self) -> tuple[float, float] | None:
-        low, high = self.number("limit_low"), self.number("limit_high")
-        if low is None or high is None or not all(abs(one) < _NO_LIMIT for one in (low, high)):
-            return None
-        return low, high
 
     def last(self, quantity: str, address: str | None = None) -> Found | None:
         """Return the last place where something is said of an axis as a whole."""

@@ -17,7 +17,8 @@ from compwright.formats.families.axis_names import axis_names
 from compwright.formats.families.family import Family
 from compwright.formats.families.gantry import find_partners, partner_of
 from compwright.formats.families.grid.axis_reading import AskedAxis, AxisReader, AxisReading
-from compwright.formats.families.grid.beside import Beside, check_unit
+from compwright.formats.families.grid.basic_system import basic_system
+from compwright.formats.families.grid.beside import Beside
 from compwright.formats.families.grid.table_files import TableFiles
 from compwright.formats.families.grid.turn_checks import check_turn
 from compwright.formats.families.travel_limits import check_limits
@@ -64,7 +65,8 @@ class GridReader:
         self.texts = self._texts(files)
         names = axis_names(self.definition, self.texts, list(self.wanted))
         self.gathered = gather(self.definition, self.texts, names)
-        check_unit(self.gathered, self.wanted, self.notes)
+        self.unit = basic_system(self.gathered, self.notes) or str(control.options.get("units"))
+        raise_all(InputError, self.notes.faults)
         for text in self.texts:
             self.notes.findings.extend(text.findings)
         self.tables = TableFiles(self.gathered, self.texts, self.notes)

@@ -14,9 +14,10 @@ from compwright.formats.families.pairs.options import (
     free_tables,
     scale_of_pairs,
     too_few,
+    unit_unknown,
 )
 from compwright.formats.text.addresses import normal_text
-from compwright.foundations.errors import CapacityError
+from compwright.foundations.errors import CapacityError, raise_all
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Assumption
 from compwright.records.facts import PairTables
@@ -31,6 +32,8 @@ class PairLimits(AxisLimits):
         """Return the limits in mm or deg. Raises CapacityError when too few indices may be
         written.
         """
+        unknown = list(unit_unknown(self.control, f"axis {self.axis.name}", [self.axis.kind]))
+        raise_all(CapacityError, unknown)
         alone = super().capacity()
         addresses = [self.address]
         if self.axis.gantry is not None:

@@ -10,7 +10,7 @@ import numpy as np
 
 from compwright.formats.families.axis_names import gathered_files
 from compwright.formats.families.family import Family
-from compwright.formats.families.pairs.options import available, too_few
+from compwright.formats.families.pairs.options import available, too_few, unit_unknown
 from compwright.formats.families.pairs.writing import CecWriter, Entry
 from compwright.formats.text.own_files import OwnFiles
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
@@ -49,7 +49,9 @@ def write_cross(
     faults: list[Fault] = []
     left: dict[str, list[Entry]] = {}
     for entry in cross:
-        unsound = [*_unsound(entry), *_beyond_sum(writer, entry)]
+        kinds = entry.input_kind, entry.output_kind
+        unknown = unit_unknown(control, f"{entry.input} on {entry.output}", kinds)
+        unsound = [*unknown, *_unsound(entry), *_beyond_sum(writer, entry)]
         faults.extend(unsound)
         if not unsound:
             output = entry.output if own is None else own.gathered.axis(entry.output)

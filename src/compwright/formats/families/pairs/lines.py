@@ -2,19 +2,41 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
 
 from compwright.formats.definition.schema import Choice
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.grid.tables import value_fields
-from compwright.formats.families.pairs.places import Places, is_zero, last, of_axis
+from compwright.formats.families.pairs.places import Pair, Places, is_zero, last, of_axis
 from compwright.formats.text.gathering import Found, Gathered
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.values import Values
 from compwright.foundations.errors import Fault
+from compwright.records.axis import AxisKind
 
+#: Why tables of a control that works in inch are neither read nor written.
+MAYBE_INCH = (
+    "the control works in inch (MD10240 = 0), and no page says in which unit its corrections"
+    " between axes then stand (MD32711 $MA_CEC_SCALING_SYSTEM_METRIC)"
+)
+METRIC_CONTROL = "a control with the metric basic system, or two rotary axes"
 _SWITCHES = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"
+
+
+@dataclass(frozen=True, slots=True)
+class Units:
+    """In what the numbers of tables stand. ``inch``: the basic system; ``kind``: that of an axis by
+    its address.
+    """
+
+    inch: bool
+    kind: Callable[[str], AxisKind]
+
+    def may_be_inch(self, pair: Pair) -> bool:
+        """Return whether nobody knows the unit of a table of these axes."""
+        return self.inch and any(self.kind(one) is not AxisKind.ROTARY for one in pair)
 
 
 class Lines:
@@ -70,11 +92,14 @@ class _Leadscrew:
 class TableLines(Lines):
     """The lines of one table. ``pair``: its input and output axis."""
 
-    def __init__(self, gathered: Gathered, index: int, places: Places, activity: Activity) -> None:
+    def __init__(
+        self, gathered: Gathered, index: int, places: Places, activity: Activity, units: Units
+    ) -> None:
         super().__init__(gathered, Notes())
         self.index = index
         self.places = places
         self.activity = activity
+        self.units = units
         self.label = f"CEC table {index}"
         both = [last(name, places) for name in ("cross_input", "cross_output")]
         base, corrected = (gathered.axis(found.text) if found is not None else "" for found in both)
@@ -123,15 +148,19 @@ class TableLines(Lines):
             for end in ends:
                 if end.word is None:
                     self.word(end.owner, end.quantity, None)
+        if acts is not False:
+            self._check_unit(owner, on_axis)
+        return acts is not False
+
+    def _check_unit(self, owner: str, on_axis: Places) -> None:
+        """Refuse values that are, or may be, in inch."""
         metric = self.values(owner).one("cross_metric", on_axis.get("cross_metric", ()))
-        if (
-            acts is not False
-            and metric is not None
-            and self.word(owner, "cross_metric", metric) == "no"
-        ):
+        if metric is not None and self.word(owner, "cross_metric", metric) == "no":
             message = "corrections between axes in inch are not read (MD32711)"
             self.notes.refuse(owner, message, metric, expected="1: metric")
-        return acts is not False
+        elif self.units.may_be_inch(self.pair):
+            message = f"{self.label}: {MAYBE_INCH}"
+            self.notes.refuse(owner, message, metric, expected=METRIC_CONTROL)
 
     def _switch(self, quantity: str, places: Places, owner: str) -> _Switch:
         found = self.values(owner).one(quantity, places.get(quantity, ()))

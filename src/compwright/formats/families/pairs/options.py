@@ -4,11 +4,12 @@ their values mean.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
 from compwright.formats.families.family import Family
+from compwright.formats.families.pairs.lines import MAYBE_INCH, METRIC_CONTROL
 from compwright.formats.families.pairs.places import Pair, as_table
 from compwright.formats.text.scale import Scale
 from compwright.foundations.errors import Fault, UsageError
@@ -93,6 +94,21 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
             else "none: the option is not given"
         ),
     )
+
+
+def unit_unknown(control: Family, label: str, kinds: Iterable[AxisKind]) -> Iterator[Fault]:
+    """Yield why a table between axes of these ``kinds`` is not written: the control works in inch,
+    and nobody knows the unit of its values.
+    """
+    if control.options.get("units") == "inch" and any(
+        kind is not AxisKind.ROTARY for kind in kinds
+    ):
+        yield Fault(
+            message=f"{label}: a CEC table is not written here: {MAYBE_INCH}",
+            place="option cec",
+            expected=f"absent, or {METRIC_CONTROL}",
+            found="available",
+        )
 
 
 def scale_of_pairs(control: Family, kind: AxisKind) -> Scale:

@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.tables import Table, TableSource
-from compwright.formats.families.pairs.lines import Lines, TableLines
+from compwright.formats.families.pairs.lines import Lines, TableLines, Units
 from compwright.formats.families.pairs.places import (
     AS_TABLE,
     DATA,
@@ -39,9 +39,10 @@ class CecReader(Lines):
     """Reads the tables between axes; what is wrong with them goes to ``notes``.
 
     ``scale``: that of a table on one axis (`places.as_table`). ``wanted``: the axes that are asked
-    for (none: all). A table that cannot be read as a curve (its range no multiple of its step, an
-    output that is no machine axis, a key that is not known, a product with another table) is a
-    fault where it acts on one of them over itself; elsewhere it is left alone and named.
+    for (none: all). ``units``: in what numbers stand. A table that cannot be read as a curve (its
+    range no multiple of its step, an output that is no machine axis, a key that is not known, a
+    product with another table, an unknown unit) is a fault where it acts on one of them over
+    itself; elsewhere it is left alone and named.
     """
 
     def __init__(
@@ -51,8 +52,10 @@ class CecReader(Lines):
         notes: Notes,
         wanted: Mapping[str, Axis | None],
         activity: Activity,
+        units: Units,
     ) -> None:
         super().__init__(gathered, notes)
+        self.units = units
         self.scale = scale
         self.wanted = wanted
         self.activity = activity
@@ -88,7 +91,7 @@ class CecReader(Lines):
         """
         if not any(name in places for name in DATA) or is_unused(places):
             return None
-        one = _TableReader(self.gathered, index, places, self.activity)
+        one = _TableReader(self.gathered, index, places, self.activity, self.units)
         table = one.curve(self.scale, asked=one.pair[1] in self.wanted)
         self.occupied[index] = one.pair
         if not one.notes.faults:

@@ -10,6 +10,7 @@ from compwright.formats.families.activity import Activity
 from compwright.formats.families.family import Family
 from compwright.formats.families.grid.axis_reading import AxisReading
 from compwright.formats.families.grid.reading import GridReader
+from compwright.formats.families.pairs.lines import Units
 from compwright.formats.families.pairs.options import (
     scale_of_pairs,
     sign_known,
@@ -35,7 +36,8 @@ class PairsReader(GridReader):
     ) -> None:
         super().__init__(control, files, axes, address, activity)
         scale = scale_of_pairs(control, AxisKind.LINEAR)
-        self.cec = CecReader(self.gathered, scale, self.notes, self.wanted, activity).read()
+        units = Units(self.unit == "inch", self._kind)
+        self.cec = CecReader(self.gathered, scale, self.notes, self.wanted, activity, units).read()
         self.sign_known = sign_known(control)
         check_sums(self.cec, self.notes, self.wanted)
 

@@ -1,0 +1,58 @@
+"""The basic system of a control, inch or metric, in which all lengths of linear axes stand in its
+files.
+
+A number (SINUMERIK's MD10240, LinuxCNC's LINEAR_UNITS) says it, or a word on a line of its own.
+Where both stand in the files they have to agree.
+"""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from compwright.formats.definition.schema import Choice
+from compwright.formats.text.gathering import Found, Gathered
+from compwright.formats.text.notes import Notes
+from compwright.formats.text.values import Values
+
+#: What says it: by number, by word.
+SAYING = ("length_unit", "unit_word")
+_INCH = Decimal("25.4")
+
+
+def basic_system(gathered: Gathered, notes: Notes) -> str | None:
+    """Return mm or inch, as the files say it; None where they do not. Files that say both are
+    refused, and an inch that is none.
+    """
+    by_word = _places(gathered)
+    if "unit_word" in gathered.definition.bindings and {"mm", "inch"} <= by_word.keys():
+        notes.refuse(
+            "basic system",
+            f"one place says inch, {by_word['mm'].where} says metric (MD10240, METRIC, INCH)",
+            by_word["inch"],
+            expected="one basic system",
+        )
+    lengths = gathered.singles.get((None, None), {}).get("inch_length", [])
+    if "inch" in by_word and lengths and Decimal(lengths[-1].text) != _INCH:
+        notes.refuse(
+            "basic system",
+            "the control works in inch, and its inch has another length (MD10250"
+            " $MN_SCALING_VALUE_INCH)",
+            lengths[-1],
+            expected=f"{_INCH} mm",
+        )
+    return next(iter(by_word), None)
+
+
+def _places(gathered: Gathered) -> dict[str, Found]:
+    """Return the first place that says it, by what it says."""
+    definition = gathered.definition
+    places: dict[str, Found] = {}
+    values = Values(definition, "basic system", Notes())
+    for quantity in SAYING:
+        binding = definition.bindings.get(quantity)
+        if isinstance(binding, Choice):
+            for found in gathered.singles.get((None, None), {}).get(quantity, ()):
+                word = values.known_word(binding, found.text)
+                if word is not None:
+                    places.setdefault(word, found)
+    return places
