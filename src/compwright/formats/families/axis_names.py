@@ -14,6 +14,7 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.axis_names import AxisNames
+from compwright.formats.text.container import unpacked
 from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.formats.text.gathering import Gathered, gather
 from compwright.formats.text.texts import ReadText, text_reader
@@ -72,7 +73,8 @@ def gathered_files(
     InputError too for files that cannot be read.
     """
     reader, faults = text_reader(definition), list[Fault]()
-    read = [reader.read(file, faults, number) for number, file in enumerate(files)]
+    whole = unpacked(files, faults)
+    read = [reader.read(file, faults, number) for number, file in enumerate(whole)]
     raise_all(InputError, faults)
     texts = [text for text in read if text is not None]
     return gather(definition, texts, axis_names(definition, texts, asked))
@@ -87,7 +89,7 @@ def all_names(
     reader, faults = text_reader(definition), list[Fault]()
     texts = [
         text
-        for file in files
+        for file in unpacked(files, faults)
         if not is_entry_sheet(file) and (text := reader.read(file, faults)) is not None
     ]
     names = axis_names(definition, texts, addresses)

@@ -57,6 +57,8 @@ class Family(ABC):
 
     #: What would let tables be counted with of which nobody knows what they do.
     untold_help = ""
+    #: What the user gives instead of a container that cannot be opened.
+    export_instead = "text as the control exports it"
     #: The number without which tables cannot be read, where their control has one.
     left_open: LeftOpen | None = None
 

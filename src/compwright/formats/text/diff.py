@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from compwright.formats.definition.schema import Definition, Statement
 from compwright.formats.definition.statements import Occurrence, print_form
 from compwright.formats.text.addresses import normal_text
+from compwright.formats.text.container import unpacked
 from compwright.formats.text.entry_sheet import is_entry_sheet, read_sheet
 from compwright.formats.text.gathering import same_value
 from compwright.formats.text.texts import text_reader
@@ -90,7 +91,7 @@ def _entries(
 ) -> Iterator[tuple[tuple[str, ...], _Entry]]:
     faults: list[Fault] = []
     reader = text_reader(definition)
-    for file in files:
+    for file in unpacked(files, faults):
         if is_entry_sheet(file):
             sheet = read_sheet(file, faults)
             for row in sheet.rows if sheet else ():

@@ -23,6 +23,12 @@ from compwright.formats.families.grid.table_files import TableFiles
 from compwright.formats.families.grid.turn_checks import check_turn
 from compwright.formats.families.travel_limits import check_limits
 from compwright.formats.text.addresses import normal_text
+from compwright.formats.text.container import (
+    is_container,
+    programs_setting,
+    unknown_container,
+    unpacked,
+)
 from compwright.formats.text.gathering import Found, Gathered, gather
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import ReadText, text_reader
@@ -199,10 +205,13 @@ class GridReader:
             raise UsageError(
                 "no file of the control was given; expected its own files, or the state `none`"
             )
+        self._refuse_unknown(files)
         texts = [
-            self.reader.read(file, self.notes.faults, number) for number, file in enumerate(files)
+            self.reader.read(file, self.notes.faults, number)
+            for number, file in enumerate(unpacked(files, self.notes.faults))
         ]
         raise_all(InputError, self.notes.faults)
+        self._tell_programs(files)
         read = [text for text in texts if text is not None]
         if not any(text.occurrences or text.sections for text in read):
             row = self.definition.bindings[curves(self.definition)[0]].statement
@@ -215,6 +224,35 @@ class GridReader:
                 )
             )
         return read
+
+    def _refuse_unknown(self, files: Sequence[ControlFile]) -> None:
+        """Refuse containers that are known by their first bytes only, and say what helps."""
+        for file in files:
+            what = "" if is_container(file) else unknown_container(file.content)
+            if what:
+                self.notes.faults.append(
+                    Fault(
+                        message=f"is {what}, which cannot be opened",
+                        file=file.name,
+                        expected=self.control.export_instead,
+                    )
+                )
+        raise_all(InputError, self.notes.faults)
+
+    def _tell_programs(self, files: Sequence[ControlFile]) -> None:
+        """Name the programs in archives that load or switch tables: they were not run here."""
+        kinds = self.definition.texts.values()
+        words = sorted({claim for kind in kinds for claim in kind.claims_anywhere})
+        for file in files:
+            named = programs_setting(file, words) if is_container(file) else []
+            if named:
+                self.notes.find(
+                    "CW-S070",
+                    "info",
+                    f"{file.name}: programs in it load or switch compensation when somebody runs"
+                    f" them: {', '.join(named)}; they were not run here, and what counts is the"
+                    " archive's own data",
+                )
 
     def _spoken_of(self) -> list[str]:
         """Return the addresses that lines or sections name."""

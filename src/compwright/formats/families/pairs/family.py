@@ -33,6 +33,10 @@ class PairsFamily(GridFamily):
     reader = PairsReader
     writer = PairsWriter
     untold_help = "cec_sign in controller.options (tables that are curves)"
+    export_instead = (
+        "the tables and the machine data as text (AX_EEC.INI, NC_CEC.INI, INITIAL.INI), or the"
+        " commissioning archive of the NC that begins with @@MMCIBN"
+    )
     sign_assumed = False
 
     def read(

@@ -1,0 +1,222 @@
+"""A commissioning archive in one container -> the texts in it that are the control's state.
+
+The container (``@@MMCIBN.``) is a relative of tar: a header of 512 bytes, the content, zeros up to
+the next multiple of 512, member after member up to the end of the file; the first member is a list
+of all others. Every header of two real archives fits (versions 000 and 002). The texts stand in it
+as the control exports them, uncompressed. What lies in the folder of active data is what the
+control loads; programs, definitions and drive data are no state: nobody knows whether a program
+ran. A checksum over the contents is not understood, and the control refuses an archive that was
+edited, so that none is ever written.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+MAGIC = b"@@MMCIBN."
+#: Containers of other kinds, by their first bytes: what they are.
+OTHERS = {
+    b"@@MMC": "an archive of the operator panel in a container that is not known",
+    b"PK\x03\x04": "a ZIP archive",
+    b"\x1f\x8b": "a gzip archive",
+    b"7z\xbc\xaf\x27\x1c": "a 7z archive",
+    b"SQLite format 3\x00": "a data base",
+    b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1": "a compound document (OLE)",
+}
+_BLOCK = 512
+_NAME, _SHOWN, _KIND, _SIZE, _DATE, _SUM, _FOLDER = (
+    slice(0, 50),
+    slice(50, 100),
+    slice(108, 116),
+    slice(124, 136),
+    slice(136, 148),
+    slice(148, 156),
+    slice(384, 512),
+)
+_FILE, _MARK = b"7", b"0"
+_ACTIVE = b"\\_NC_ACT.DIR\\"
+_LISTED = re.compile(rb"^(\\[^\n]*\\)([^\\\n]+)$", re.MULTILINE)
+_ZEROS = b"\x00"
+#: What was read is kept by content, of as many containers as a job has states.
+_KEPT = 8
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """One member: its folder and name as the container shows them, its kind as it stands there, the
+    seconds of its date, and where its ``size`` bytes begin.
+    """
+
+    folder: str
+    name: str
+    kind: str
+    date: str
+    start: int
+    size: int
+
+    @property
+    def path(self) -> str:
+        """Folder and name."""
+        return self.folder + self.name
+
+
+@dataclass(frozen=True, slots=True)
+class Container:
+    """What a container holds. ``state``: the texts that the control loads, in its order, each named
+    after its container; ``programs``: every other member that is a text.
+    """
+
+    state: tuple[ControlFile, ...]
+    programs: tuple[ControlFile, ...]
+
+
+def is_container(file: ControlFile) -> bool:
+    """Return whether a file is a container that can be opened."""
+    return file.content.startswith(MAGIC)
+
+
+def unpacked(files: Sequence[ControlFile], faults: list[Fault]) -> tuple[ControlFile, ...]:
+    """Return the files with the texts of every container in its place; one that cannot be opened
+    goes to ``faults``.
+    """
+    result: list[ControlFile] = []
+    for file in files:
+        if not is_container(file):
+            result.append(file)
+            continue
+        container, found = opened(file)
+        faults.extend(found)
+        result.extend(container.state if container is not None else ())
+    return tuple(result)
+
+
+def unknown_container(content: bytes) -> str:
+    """Return what a file is whose container is known by its first bytes but cannot be opened; empty
+    where it is none of them.
+    """
+    return next((words for start, words in OTHERS.items() if content.startswith(start)), "")
+
+
+def programs_setting(file: ControlFile, words: Sequence[str]) -> list[str]:
+    """Return the programs in a container that set something whose name holds one of ``words``."""
+    container = opened(file)[0] if words else None
+    named = "|".join(map(re.escape, words))
+    sets = re.compile(rf"^[^;\n]*(?:{named})[^;=\n]*=(?!=)".encode(), re.IGNORECASE | re.MULTILINE)
+    programs = () if container is None else container.programs
+    return [program.name for program in programs if sets.search(program.content)]
+
+
+@lru_cache(maxsize=_KEPT)
+def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
+    """Return what a container holds; None, and why, for one that is damaged, cut short, or in which
+    it cannot be told what counts.
+    """
+    faults: list[Fault] = []
+    members = list(_members(file, faults))
+    if not faults:
+        faults.extend(_not_listed(file, members))
+    state: dict[str, ControlFile] = {}
+    programs = []
+    for member in members[1:]:
+        content = file.content[member.start : member.start + member.size]
+        if member.kind != _FILE.decode() or not content:
+            continue
+        if member.folder.encode("latin-1").upper() != _ACTIVE:
+            if _ZEROS not in content:
+                programs.append(ControlFile(member.path, content))
+            continue
+        one = ControlFile(f"{file.name}: {member.name}", content)
+        first = state.setdefault(member.name.upper(), one)
+        if first.content != content:
+            faults.append(
+                _fault(
+                    file,
+                    member.start - _BLOCK,
+                    f"holds {member.name} twice, and the two differ: which one counts is not known",
+                    expected="an archive made anew by the control",
+                )
+            )
+    if faults:
+        return None, tuple(faults)
+    return Container(tuple(state.values()), tuple(programs)), ()
+
+
+def _members(file: ControlFile, faults: list[Fault]) -> Iterator[Member]:
+    """Yield every member, the list of contents first; stops at the first header that is none."""
+    place, content, behind = 0, file.content, "at its beginning"
+    while place < len(content):
+        header = content[place : place + _BLOCK]
+        size, total = _text(header, _SIZE), _text(header, _SUM)
+        zeros = b"\x00" * (_SUM.stop - _SUM.start)
+        if len(header) < _BLOCK:
+            faults.append(_fault(file, place, "ends inside a header: it was cut short"))
+            return
+        if not (size.isdigit() and total.isdigit()) or int(total) != sum(
+            header[: _SUM.start] + zeros + header[_SUM.stop :]
+        ):
+            message = f"holds no header {behind}: it is damaged, or was edited"
+            faults.append(_fault(file, place, message))
+            return
+        shown = _text(header, _SHOWN) or _text(header, _NAME)
+        member = Member(
+            folder=_text(header, _FOLDER).decode("latin-1"),
+            name=shown.decode("latin-1"),
+            kind=_text(header, _KIND).decode("latin-1"),
+            date=_text(header, _DATE).decode("latin-1"),
+            start=place + _BLOCK,
+            size=int(size),
+        )
+        if member.start + member.size > len(content):
+            message = f"ends inside {member.path}: it was cut short"
+            expected = f"{member.size} bytes from there"
+            faults.append(_fault(file, place, message, expected=expected))
+            return
+        if _text(header, _KIND) not in (_FILE, _MARK) or (place and not member.name):
+            message = f"holds a member of a kind that is not known: {member.path or 'no name'}"
+            found = f"kind {member.kind!r}"
+            faults.append(_fault(file, place, message, expected="kind 7 or 0", found=found))
+            return
+        yield member
+        behind = f"behind {member.path or 'its list of contents'}"
+        place = member.start + -(-member.size // _BLOCK) * _BLOCK
+
+
+def _not_listed(file: ControlFile, members: Sequence[Member]) -> Iterator[Fault]:
+    """Yield what the list of contents names and the container does not hold: it was cut short
+    between two members.
+    """
+    contents, *rest = members
+    text = file.content[contents.start : contents.start + contents.size]
+    listed = Counter(found[0].decode("latin-1") for found in _LISTED.finditer(text))
+    missing = list(listed - Counter(member.path for member in rest))
+    if missing or len(file.content) % _BLOCK:
+        yield _fault(
+            file,
+            len(file.content),
+            "ends before all members that its own list of contents names: it was cut short",
+            expected=", ".join(missing[:3]) or f"a length that is a multiple of {_BLOCK}",
+        )
+
+
+def _text(header: bytes, field: slice) -> bytes:
+    """Return a field of a header without what fills it up."""
+    return header[field].partition(b"\x00")[0].strip(b" ")
+
+
+def _fault(
+    file: ControlFile, place: int, message: str, *, expected: str = "", found: str = ""
+) -> Fault:
+    return Fault(
+        message=f"the archive {message}",
+        file=file.name,
+        place=f"byte {place}",
+        expected=expected or "the archive as the control wrote it",
+        found=found,
+    )
