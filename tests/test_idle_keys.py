@@ -29,7 +29,9 @@ def test_keys_without_effect_are_named(control: str, idle: list[str]) -> None:
     )
     job = read_job(text.encode(), "job.yaml", lambda _: iter(()))
     family = open_control(control, {}).format
-    found = idle_keys(job, systems=family.counts_systems, numbers=family.counts_axes)
+    found = idle_keys(
+        job, systems=family.counts_systems, numbers=family.counts_axes, motions=family.knows_motion
+    )
     assert [finding.message for finding in found] == [
         f"axes.X.{key} has no effect on this control ({control})" for key in idle
     ]

@@ -262,7 +262,13 @@ def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
         "axis": _record_out(axis.axis),
         "unit": axis.axis.kind.unit,
         "tests": [
-            {"measured_in": entry.measured_in, **_test_out(entry.test)} for entry in axis.tests
+            {
+                "measured_in": entry.measured_in,
+                "motion": entry.motion,
+                "backlash_more": entry.backlash_more,
+                **_test_out(entry.test),
+            }
+            for entry in axis.tests
         ],
         "estimate": _arrays_out(axis.estimate),
         "active": _optional(axis.active, _compensation_out),
@@ -291,7 +297,12 @@ def _axis_in(data: Mapping[str, Any]) -> PlannedAxis:
     return PlannedAxis(
         axis=_record_in(data["axis"]),
         tests=tuple(
-            PlannedTest(test=_test_in(entry), measured_in=str(entry["measured_in"]))
+            PlannedTest(
+                test=_test_in(entry),
+                measured_in=str(entry["measured_in"]),
+                motion=entry.get("motion", "feed"),
+                backlash_more=float(entry.get("backlash_more", 0.0)),
+            )
             for entry in data["tests"]
         ),
         estimate=_estimate_in(data["estimate"]),

@@ -6,11 +6,11 @@ from compwright.foundations.findings import Finding
 from compwright.records.job import Job
 
 
-def idle_keys(job: Job, *, systems: bool, numbers: bool) -> list[Finding]:
+def idle_keys(job: Job, *, systems: bool, numbers: bool, motions: bool) -> list[Finding]:
     """Say of every key of an axis that it has no effect on this control.
 
     ``systems``: the control's files count measuring systems; ``numbers``: they count axes otherwise
-    than by address.
+    than by address; ``motions``: backlash at rapid traverse may be another one.
     """
     keys = []
     for name, entry in job.axes.items():
@@ -19,6 +19,11 @@ def idle_keys(job: Job, *, systems: bool, numbers: bool) -> list[Finding]:
             keys.append(f"axes.{name}.encoder.system: {encoder.system}")
         if not numbers and entry.axis.axis_number is not None:
             keys.append(f"axes.{name}.axis_number: {entry.axis.axis_number}")
+        keys += [
+            f"axes.{name}.before, test {request.name}: motion: {request.motion}"
+            for request in entry.before
+            if not motions and request.motion != "feed"
+        ]
     return [
         Finding("CW-J020", "warning", f"{key} has no effect on this control ({job.format})")
         for key in keys

@@ -209,6 +209,7 @@ def _axis_job(name: str, section: AxisSection) -> AxisJob:
         ),
         programmed=section.programmed,
         screw_pitch=tuple(section.screw_pitch or ()),
+        motion=section.before[0].motion if section.before else "feed",
         options=section.options,
     )
     return AxisJob(
@@ -228,6 +229,7 @@ def _test(section: TestSection, of_axis: PositionMapSection) -> TestRequest:
         position_map=PositionMap(
             sense=1 if position_map.sense == 1 else -1, offset=position_map.offset
         ),
+        motion=section.motion,
     )
 
 

@@ -113,7 +113,7 @@ class EncoderSection(Section):
 
 
 class TestSection(Section):
-    """One test: its files, name, state and position map (None: that of the axis)."""
+    """One test: its files, name, state, position map (None: that of the axis) and motion."""
 
     __test__ = False  # not a test class, whatever the name suggests to a collector
 
@@ -121,6 +121,7 @@ class TestSection(Section):
     name: Text | None = None
     measured_in: Text = "as_found"
     position_map: PositionMapSection | None = None
+    motion: Literal["feed", "rapid"] = "feed"
 
 
 class TableSection(Section):

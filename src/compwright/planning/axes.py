@@ -14,6 +14,7 @@ from compwright.fitting.fit import fit_table
 from compwright.foundations.errors import CapacityError, CompwrightError, collect, raise_all
 from compwright.foundations.findings import Finding
 from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
+from compwright.planning.motions import backlash_more, with_backlash, with_motion
 from compwright.planning.outlook import predict, predict_new_targets, why_not_better
 from compwright.planning.sharing import shared_fairly
 from compwright.planning.wanted import (
@@ -121,6 +122,7 @@ def start_axis(
     check_limits(job, entry, results)
     held = {name: held_by(state, axis) for name, state in states.items()}
     active = held.get(tests[0].measured_in)
+    tests = with_backlash(tests, axis, states)
     posterior = measured_error(tests[0].test, axis, active)
     planned = PlannedAxis(
         axis=axis,
@@ -138,30 +140,32 @@ def start_axis(
         posterior=posterior,
         planned=planned,
         as_found=as_found,
-        disagreeing=tuple(_disagreeing(tests, held, posterior)),
+        disagreeing=tuple(_disagreeing(tests, axis, states, posterior)),
     )
 
 
 def _disagreeing(
-    tests: Sequence[PlannedTest], held: Mapping[str, AxisCompensation], posterior: MeasuredError
+    tests: Sequence[PlannedTest],
+    axis: Axis,
+    states: Mapping[str, ControlState],
+    posterior: MeasuredError,
 ) -> Iterator[Finding]:
     """Yield the doubts of tests that contradict the first, each in the state that it was measured
-    in. ``held``: what acts on the axis, by state.
+    in (``states``, by name) and at its motion.
     """
     first, *others = tests
-    before = held.get(first.measured_in)
     for other in others:
-        now = held.get(other.measured_in)
+        now, before = (states.get(each.measured_in) for each in (other, first))
         if other.measured_in != first.measured_in and (now is None or before is None):
             continue
         targets = other.test.targets
         estimate = posterior.summary(targets)
         expected = {direction: estimate.mean(direction) for direction in Direction}
-        if now is not None and before is not None and other.measured_in != first.measured_in:
-            expected = {
-                side: mean + now.at(targets, side) - before.at(targets, side)
-                for side, mean in expected.items()
-            }
+        if now is not None and before is not None:
+            more = backlash_more(axis, other.motion, now)
+            acted = with_motion(held_by(now, axis).at, axis, more)
+            change = difference(acted, held_by(before, axis).at)
+            expected = {side: mean + change(targets, side) for side, mean in expected.items()}
         std = {Direction.POSITIVE: estimate.std_positive, Direction.NEGATIVE: estimate.std_negative}
         finding = disagreeing_test(other.test, expected, std, estimate.noise, first.test.name)
         if finding is not None:
@@ -237,15 +241,17 @@ def predict_axis(
     """
     fitted = work.planned.fitted
     change = difference(new, work.active)
+    axis = work.planned.axis
     tests = tuple(
-        predict(result, work.posterior, change, work.planned.axis) for result in work.results
+        predict(result, work.posterior, with_motion(change, axis, test.backlash_more), axis)
+        for result, test in zip(work.results, work.planned.tests, strict=True)
     )
     folded = any(finding.code == "CW-E010" for finding in work.posterior.findings)
     accept = accept_decisions(work.entry, tests, rule, folded=folded)
     lacking = [
         name for name, entry in accept.items() if entry.rule == "guarded" and entry.U is None
     ]
-    guard = lacking_guard(work.planned.axis, work.results[0].standard, lacking)
+    guard = lacking_guard(axis, work.results[0].standard, lacking)
     return AxisPrediction(
         tests=tests,
         table=table,

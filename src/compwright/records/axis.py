@@ -32,6 +32,11 @@ class Direction(StrEnum):
         return Direction.NEGATIVE if self is Direction.POSITIVE else Direction.POSITIVE
 
 
+#: How the axis was driven while a test was taken: controls may compensate backlash otherwise in
+#: rapid traverse.
+Motion = Literal["feed", "rapid"]
+
+
 class AxisKind(StrEnum):
     """Linear (mm) or rotary (deg)."""
 
@@ -71,7 +76,8 @@ class Axis:
 
     ``address`` is the control's own name of the axis as text (``"1"``, ``"AX1"``, ``"X"``,
     ``"0"``). The correction is zero at ``reference`` approached in ``reference_return``.
-    ``screw_pitch`` holds the known periods, empty when unknown.
+    ``screw_pitch`` holds the known periods, empty when unknown. ``motion``: that of the test from
+    which its table is made; everything that is said of its backlash holds for it.
     """
 
     name: str
@@ -86,4 +92,5 @@ class Axis:
     encoder: Encoder = Encoder()
     programmed: Literal["radius", "diameter"] = "radius"
     screw_pitch: tuple[float, ...] = ()
+    motion: Motion = "feed"
     options: Mapping[str, object] = field(default_factory=dict)

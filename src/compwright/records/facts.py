@@ -90,7 +90,9 @@ class AxisFacts:
     on it, in words. ``endless``: the turn of an axis without ends, deg. ``reference``: machine
     coordinate of the reference position, mm or deg, approached in ``reference_return``.
     ``diameter``: positions are programmed in diameter. ``unit_evidence``: what says its detection
-    unit. ``said``: further quantities by neutral name, which settle options.
+    unit. ``rapid_more``: by how much the backlash at rapid traverse is more than that at cutting
+    feed, mm or deg; None: they leave it open. ``said``: further quantities by neutral name, which
+    settle options.
     """
 
     name: str | None = None
@@ -107,6 +109,7 @@ class AxisFacts:
     absolute_encoder: bool | None = None
     diameter: bool | None = None
     unit_evidence: str = ""
+    rapid_more: float | None = 0.0
     pairs: PairFacts = PairFacts()
     increments: IncrementFacts = IncrementFacts()
     said: Mapping[str, Fact] = field(default_factory=dict)

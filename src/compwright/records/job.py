@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from compwright.foundations.findings import Finding
-from compwright.records.axis import Axis, AxisKind, PositionMap
+from compwright.records.axis import Axis, AxisKind, Motion, PositionMap
 from compwright.records.fitted import TableRequest
 
 #: The value of a state that says "nothing is active in the control".
@@ -20,14 +20,15 @@ AS_FOUND = "as_found"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestRequest:
-    """One test of an axis: its files, its name, the state it was measured in, and how its positions
-    map to the machine's.
+    """One test of an axis: its files, its name, the state it was measured in, how its positions map
+    to the machine's, and how the axis was driven.
     """
 
     files: tuple[str, ...]
     name: str
     measured_in: str = "as_found"
     position_map: PositionMap = PositionMap()
+    motion: Motion = "feed"
 
     __test__ = False  # not a test class, whatever the name suggests to a collector
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from compwright.foundations.provenance import Source
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, Motion
 from compwright.records.circular import CircularTest
 from compwright.records.correction import (
     Assumption,
@@ -28,12 +28,17 @@ Texts = tuple[tuple[str, bytes], ...]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class PlannedTest:
-    """A test as it went into the plan (machine coordinates), and the name of the state that was
-    active.
+    """A test as it went into the plan (machine coordinates), the name of the state that was active,
+    and how the axis was driven.
+
+    ``backlash_more``: by how much the backlash that acted in it is more than at the motion of the
+    axis (``Axis.motion``), mm or deg; a new table leaves that difference.
     """
 
     test: PositioningTest
     measured_in: str
+    motion: Motion = "feed"
+    backlash_more: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -96,6 +96,8 @@ def _tests_differ(
                 request.measured_in,
                 planned.measured_in,
             )
+        if request.motion != planned.motion:
+            yield f"axis {name}, test {request.name}: motion", request.motion, planned.motion
         now = read(mine, request)
         if now is not None and not _same(now, planned.test):
             yield (

@@ -213,6 +213,15 @@ class Family(ABC):
         return any("system" in each.fields for each in self.definition.statements.values())
 
     @property
+    def knows_motion(self) -> bool:
+        """Whether backlash at rapid traverse may be another one than at cutting feed."""
+        return "backlash_rapid" in self.definition.bindings
+
+    def judged_at(self, axis: Axis) -> Mapping[str, str]:
+        """Return the motion at which an axis is judged, where it makes a difference."""
+        return {"motion": axis.motion} if self.knows_motion and axis.motion != "feed" else {}
+
+    @property
     def counts_axes(self) -> bool:
         """Whether the control's files number axes otherwise than by address."""
         return False

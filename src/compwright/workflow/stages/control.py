@@ -325,7 +325,9 @@ def decode(
         active=active,
         modulo={address: axis.modulo for address, axis in named if axis.modulo is not None},
         reference={address: axis.reference for address, axis in named},
-        axis_options={address: axis.options for address, axis in named},
+        axis_options={
+            address: {**axis.options, **control.format.judged_at(axis)} for address, axis in named
+        },
         options={**reading.options, **({"axis": alone} if alone is not None else {})},
         asked=tuple(state.axes),
     )

@@ -21,6 +21,7 @@ from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.plausibility import skipped_finding
 from compwright.instruments.reading import read_positioning
+from compwright.planning.motions import unknown_motions
 from compwright.records.axis import Axis, AxisKind
 from compwright.records.job import AS_FOUND, AxisJob, Job, TestRequest
 from compwright.records.plan import PlannedTest
@@ -53,7 +54,9 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
             try:
                 found.append(
                     PlannedTest(
-                        test=read_test(job, entry, request, folder), measured_in=request.measured_in
+                        test=read_test(job, entry, request, folder),
+                        measured_in=request.measured_in,
+                        motion=request.motion,
                     )
                 )
             except InputError as error:
@@ -79,6 +82,7 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
             *_other_neighbours(job, states),
             *_other_tables_between(job, control.format, states),
             *_misnamed(job, control.format, states),
+            *unknown_motions(job, {name: decoded.state for name, decoded in states.items()}),
         ],
     )
     raise_all(UsageError, list(_unsaid_units(job, control, states)))

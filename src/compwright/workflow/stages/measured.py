@@ -64,7 +64,12 @@ def measured(job: Job, folder: Path, out: Path) -> Measured:
     """
     control = open_control(job.format, job.options, origin_of(job))
     job, named = named_axes(job, control)
-    idle = idle_keys(job, systems=control.format.counts_systems, numbers=control.format.counts_axes)
+    idle = idle_keys(
+        job,
+        systems=control.format.counts_systems,
+        numbers=control.format.counts_axes,
+        motions=control.format.knows_motion,
+    )
     inputs, circles = _inputs(job, control, folder)
     job = settled_by_files(job, inputs.states, AS_FOUND)
     axes = {name: entry.axis for name, entry in job.axes.items()}

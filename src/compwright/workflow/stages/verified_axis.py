@@ -14,6 +14,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import evaluated
 from compwright.planning.limits import lacking_guard, measured_decisions
+from compwright.planning.motions import with_motion
 from compwright.planning.outlook import DRAWS, predict
 from compwright.planning.wanted import MeasuredError, measured_error
 from compwright.prediction.acting import Correction, difference, nothing
@@ -45,15 +46,19 @@ def verified_axis(
     if anything; ``twice``: that the test is a copy of another one.
     """
     axis, guarded = planned.axis, job.decision_rule == "guarded"
-    before_test = next(
-        (entry.test for entry in planned.tests if entry.test.name == after.repeats),
-        planned.tests[0].test,
+    repeated = next(
+        (entry for entry in planned.tests if entry.test.name == after.repeats), planned.tests[0]
     )
+    before_test = repeated.test
     before, result = (evaluated(job, axis, test) for test in (before_test, after.test))
     posterior = measured_error(planned.tests[0].test, axis, planned.active)
     active = nothing if planned.active is None else planned.active.at
-    unchanged = correction_of(as_found, axis)
-    new = unchanged if planned.fitted is None else planned.fitted.compensation.at
+    table = None if planned.fitted is None else planned.fitted.compensation.at
+    # The test after loading was taken at the motion of the one that it repeats.
+    unchanged, new = (
+        with_motion(each, axis, repeated.backlash_more)
+        for each in (correction_of(as_found, axis), table or correction_of(as_found, axis))
+    )
     change = difference(new, active)
     fault = twice or measurement_fault(after.test, before_test, axis.travel)
     loading = (

@@ -18,6 +18,7 @@ from compwright.formats.families.increments.against_job import (
     check_wrapping,
 )
 from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.formats.families.increments.backlash import acting_backlash
 from compwright.formats.families.increments.detection_unit import two_systems
 from compwright.formats.families.increments.points import POINTS_FROM
 from compwright.formats.families.increments.sections import Sections, read_sections
@@ -147,17 +148,17 @@ class IncrementReader:
         if not low <= value <= high:
             message = "a backlash that the control cannot hold"
             values.notes.refuse(values.label, message, found, expected=f"{low:g} .. {high:g}")
-        rapid, separate = values.integer("backlash_rapid"), values.separate_rapid()
-        if separate is not False and rapid is not None and rapid != value:
-            why = "1800#4 = 1" if separate else "1800#4 is not in the files"
-            values.notes.find(
-                "CW-S015",
-                "warning",
-                f"{values.label}: cutting feed and rapid have different backlash values ({value}"
-                f" and {rapid}; {why}): what is shown here is cutting feed; a new table changes"
-                " both values alike, so that their difference stays",
-            )
-        return float(value * self._unit(kind))
+        return float(acting_backlash(values, value) * self._unit(kind))
+
+    def rapid_more(self) -> float | None:
+        """Return by how much the backlash at rapid traverse is more than that at cutting feed, mm
+        or deg; None where the files leave open whether it is.
+        """
+        rapid, separate = self.values.integer("backlash_rapid"), self.values.separate_rapid()
+        more = 0 if rapid is None else rapid - (self.values.integer("backlash") or 0)
+        if separate is None and more:
+            return None
+        return float(more * self._unit(self.values.kind(quiet=True))) if separate else 0.0
 
     def _increments(self, numbers: range) -> FloatArray | None:
         """Return the increments (k,) of some numbers; None where one is missing or too large."""

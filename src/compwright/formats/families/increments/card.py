@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from compwright.formats.families.card_words import REFERENCING, UNKNOWN
 from compwright.formats.families.family import Family
+from compwright.formats.families.increments.backlash import backlash_words
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation
 from compwright.records.facts import AxisFacts, IncrementFacts
@@ -20,7 +21,7 @@ def increment_values(
         **{name: str(number) for name, number in said.items() if number is not None},
         "unit": axis.kind.unit,
         "detection_unit": f"{scale.quantum('value'):g} {axis.kind.unit}",
-        "backlash": scale.write("backlash", compensation.backlash),
+        "backlash": _feed_backlash(scale.write("backlash", compensation.backlash), facts),
         "further": _further(axis, facts.increments),
         "other_sign": "'+'" if scale.options.get("pitch_sign") == "-" else "'-'",
     }
@@ -30,6 +31,12 @@ def increment_values(
     if positions.size > 1:
         values["spacing"] = f"{(positions[-1] - positions[0]) / (positions.size - 1):.10g}"
     return values
+
+
+def _feed_backlash(count: str, facts: AxisFacts) -> str:
+    """Return 1851: what the files hold; ``count``, that of the table, where they say nothing."""
+    held = facts.increments.backlash
+    return count if held is None else str(held)
 
 
 def _further(axis: Axis, facts: IncrementFacts) -> str:
@@ -42,6 +49,5 @@ def _further(axis: Axis, facts: IncrementFacts) -> str:
         said |= {name: UNKNOWN if value is None else str(value) for name, value in pair.items()}
     if axis.modulo is not None:
         said["3625"] = f"{axis.modulo:g}"
-    if facts.separate_rapid and facts.backlash_rapid is not None:
-        said["1852"] = str(facts.backlash_rapid)
-    return ", ".join(f"{name} = {value}" for name, value in said.items())
+    told = [*(f"{name} = {value}" for name, value in said.items()), backlash_words(facts)]
+    return ", ".join(filter(None, told))

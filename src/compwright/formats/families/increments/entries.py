@@ -12,6 +12,7 @@ import numpy as np
 
 from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.families.increments.axis_reading import increment_limit
+from compwright.formats.families.increments.backlash import both_backlashes
 from compwright.formats.families.increments.numbering import (
     NoRoom,
     Place,
@@ -176,25 +177,21 @@ class _Axis:
             "last_number": str(place.last),
             "magnification": str(magnification),
             "table_spacing": self._length(interval),
-            "backlash": self.scale.write("backlash", self.compensation.backlash),
             "bidirectional": "0" if place.negative_first is None else "1",
         }
-        rapid, before = self.facts.backlash_rapid, self.facts.backlash or 0
-        if rapid is not None and self.facts.separate_rapid is not False:
-            parameters["backlash_rapid"] = self._rapid(rapid + int(parameters["backlash"]) - before)
+        count = int(self.scale.write("backlash", self.compensation.backlash))
+        for name, value in both_backlashes(self.axis, self.facts, count).items():
+            parameters[name] = self._backlash(value)
         if self.axis.modulo is not None:
             parameters["turn"] = self._length(float(self.axis.modulo))
         return parameters
 
-    def _rapid(self, count: int) -> str:
-        """Return 1852, which acts at rapid traverse where 1800#4 is 1: it changes as 1851 does, so
-        that their difference stays.
-        """
+    def _backlash(self, count: int) -> str:
         low, high = self.definition.measure("backlash").range
         if not low <= count <= high:
             raise NotHeld(
-                f"the backlash at rapid traverse (1852) would be {count}; the control holds {low:g}"
-                f" to {high:g}"
+                "the backlash at cutting feed or rapid traverse (1851, 1852), whose difference"
+                f" stays, would be {count}; the control holds {low:g} to {high:g}"
             )
         return str(count)
 

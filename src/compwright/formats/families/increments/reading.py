@@ -125,8 +125,9 @@ class StateReader:
     def _read_axis(self, address: str) -> None:
         values = self._values(address, self.notes)
         options = settled_options(values, self.family.options)
-        self.facts[address] = facts_of(values)
-        compensation = IncrementReader(values, self.points, options).read()
+        reader = IncrementReader(values, self.points, options)
+        self.facts[address] = replace(facts_of(values), rapid_more=reader.rapid_more())
+        compensation = reader.read()
         if compensation is not None:
             self.compensations[address] = compensation
 

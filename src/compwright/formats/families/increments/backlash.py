@@ -1,0 +1,68 @@
+"""Backlash at cutting feed (1851) and at rapid traverse (1852, where 1800#4 of the axis' path is
+1): which of them acts, and how both are written.
+
+Source: FANUC B-64120EN/01 page 116, 21i B-63090EN/02 page 97.
+"""
+
+from __future__ import annotations
+
+from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.records.axis import Axis
+from compwright.records.facts import IncrementFacts
+
+
+def acting_backlash(values: AxisValues, feed: int) -> int:
+    """Return the backlash, detection units, that acts at the motion of the axis' test; ``feed``:
+    1851.
+
+    Where the files do not say it there is a fault; where the two differ a finding.
+    """
+    rapid, separate = values.integer("backlash_rapid"), values.separate_rapid()
+    at_rapid = values.axis is not None and values.axis.motion == "rapid"
+    if at_rapid and separate and rapid is None:
+        message = (
+            "its test was taken at rapid traverse (motion: rapid), where 1852 acts (1800#4 = 1)"
+        )
+        values.wrong("separate_rapid", message, "the line of 1852 among the files")
+    if separate is False or rapid is None or rapid == feed:
+        return feed
+    if at_rapid and separate is None:
+        message = (
+            "its test was taken at rapid traverse (motion: rapid), and no file says whether 1852"
+            f" = {rapid} acts there or 1851 = {feed}"
+        )
+        values.wrong("backlash_rapid", message, "the line of 1800 (bit 4) among the files")
+    why = "1800#4 = 1" if separate else "1800#4 is not in the files"
+    shown = "rapid traverse, 1852" if at_rapid else "cutting feed, 1851"
+    values.notes.find(
+        "CW-S015",
+        "warning",
+        f"{values.label}: cutting feed and rapid have different backlash values ({feed} and"
+        f" {rapid}; {why}): what is shown here is {shown}; a new table changes both values"
+        " alike, so that their difference stays",
+    )
+    return rapid if at_rapid else feed
+
+
+def both_backlashes(axis: Axis, facts: IncrementFacts, count: int) -> dict[str, int]:
+    """Return 1851, and 1852 where it may act, for a table whose backlash is ``count`` detection
+    units at the motion of the axis' test; the difference of the two stays as ``facts`` say it.
+    """
+    rapid, feed = facts.backlash_rapid, facts.backlash or 0
+    if rapid is None or facts.separate_rapid is False:
+        return {"backlash": count}
+    if axis.motion == "rapid":
+        return {"backlash": count - (rapid - feed), "backlash_rapid": count}
+    return {"backlash": count, "backlash_rapid": count + rapid - feed}
+
+
+def backlash_words(facts: IncrementFacts) -> str:
+    """Return what a card says of 1852; empty where no file holds it."""
+    if facts.backlash_rapid is None:
+        return ""
+    acts = {
+        True: "at rapid traverse; 1851 acts at cutting feed, because 1800#4 = 1",
+        False: "does not act and stays as it is: 1851 acts at all feeds, because 1800#4 = 0",
+        None: "acts at rapid traverse where 1800#4 = 1, which no file says",
+    }[facts.separate_rapid]
+    return f"1852 = {facts.backlash_rapid} ({acts})"

@@ -1,0 +1,79 @@
+"""Tests of one axis at cutting feed and at rapid traverse, where a control may compensate backlash
+by different values.
+
+A table is made for the motion of the first test (``Axis.motion``). A new one changes both values
+alike, so that in a test at the other motion their difference acts before and afterwards.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from compwright.foundations.errors import Fault
+from compwright.prediction.acting import Correction, added
+from compwright.records.axis import Axis, Direction, FloatArray, Motion
+from compwright.records.correction import ControlState
+from compwright.records.job import AS_FOUND, Job
+from compwright.records.plan import PlannedTest
+
+
+def backlash_more(axis: Axis, motion: Motion, state: ControlState | None) -> float:
+    """Return by how much the backlash that acts in a test is more than at the motion of the axis,
+    mm or deg; 0 where nobody says what is in the control.
+    """
+    if state is None or motion == axis.motion:
+        return 0.0
+    more = state.facts_of(axis.address).rapid_more or 0.0
+    return more if motion == "rapid" else -more
+
+
+def with_motion(correction: Correction, axis: Axis, more: float) -> Correction:
+    """Return a correction with ``more`` backlash, mm or deg, against the reference return."""
+
+    def shift(positions: FloatArray, direction: Direction) -> FloatArray:
+        acts = direction is not axis.reference_return
+        return np.full(np.shape(positions), direction.sign * more if acts else 0.0)
+
+    return correction if more == 0.0 else added(correction, shift)
+
+
+def with_backlash(
+    tests: tuple[PlannedTest, ...], axis: Axis, states: Mapping[str, ControlState]
+) -> tuple[PlannedTest, ...]:
+    """Return the tests with the backlash that acts in each beside that of the axis' motion, by what
+    is in the control now, else by what acted.
+    """
+    return tuple(
+        replace(
+            test,
+            backlash_more=backlash_more(
+                axis, test.motion, states.get(AS_FOUND, states.get(test.measured_in))
+            ),
+        )
+        for test in tests
+    )
+
+
+def unknown_motions(job: Job, states: Mapping[str, ControlState]) -> Iterator[Fault]:
+    """Yield the tests at another motion than the first whose backlash the control's files leave
+    open.
+    """
+    for name, entry in job.axes.items():
+        for request in entry.before:
+            state = states.get(request.measured_in)
+            if state is None or request.motion == entry.axis.motion:
+                continue
+            if state.facts_of(entry.axis.address).rapid_more is None:
+                yield Fault(
+                    message=(
+                        f"axis {name}: its tests were taken at cutting feed and at rapid traverse,"
+                        " and the files do not say whether another backlash acts at rapid traverse"
+                    ),
+                    file=job.file,
+                    place=f"axes.{name}.before, test {request.name}, motion",
+                    expected="the control's whole parameter file, or tests at one motion",
+                    found=request.motion,
+                )
