@@ -268,7 +268,7 @@ MUTATIONS = {
     "siemens-840d-sl": {
         "flipped sign of the table": ("    sign: error", "    sign: correction"),
         "wrong unit of the table": (
-            "unit: {linear: mm, rotary: deg}\n    sign: error",
+            "unit: {linear: {option: units}, rotary: deg}\n    sign: error",
             "unit: {linear: um, rotary: deg}\n    sign: error",
         ),
         "start and end exchanged": (

@@ -157,7 +157,7 @@ def test_an_option_against_the_files_is_refused() -> None:
     assert told.axes["AX1"].positions[-1] == pytest.approx(508.0, abs=PRINTED)
 
 
-# Tables between axes: no page says in which unit they stand then
+# Tables between axes: MD32711 of the output axis says their unit, whatever the basic system is
 # --------------------------------------------------------------------------------------------------
 
 CEC = {"cec": "available", "cec_tables": [20, 21], "cec_sign": "correction"}
@@ -178,6 +178,24 @@ def test_tables_of_others_in_unknown_units_are_kept_and_not_shown() -> None:
     assert "CW-S050" in codes(state)
     assert not state.cross
     assert "CEC table 3" in state.facts["AX1"].pairs.untold
+
+
+METRIC_CEC = "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=1\n$MA_CEC_MAX_SUM[AX1]=0.01\n"
+
+
+def test_md32711_says_their_unit_whatever_the_basic_system_is() -> None:
+    """MD32711 = 1: the table is in mm, and so is a new one; the limit of the sum (MD32720) is
+    machine data, in inch.
+    """
+    md = with_cec(("AX1", "AX1")).replace("M17", METRIC_CEC + "M17")
+    state = read(md, inch(EEC), cec_sign="correction")
+    assert state.axes["AX1"].others[0].positive.tolist() == [0, 0.001, 0]
+    assert state.facts["AX1"].pairs.max_sum == pytest.approx(0.254, abs=1e-12)
+    control = control_format(SIEMENS, {**CEC, "cec_tables": [3, 20, 21]}, state)
+    assert control.capacity(X).curves == 2
+    assert control.capacity(X).quantum == pytest.approx(1e-6, rel=1e-12)
+    with pytest.raises(InputError, match="MD32711"):
+        read(md.replace("METRIC[AX1]=1", "METRIC[AX1]=0"), inch(EEC), cec_sign="correction")
 
 
 def test_rotary_axes_know_no_inch() -> None:

@@ -27,13 +27,15 @@ class PairFacts:
     """What tables between axes, or of the axis over itself, mean for one axis.
 
     ``own``: the indices of its own two tables, + first. ``max_sum``: the control's limit of the sum
-    of all corrections on it, mm or deg; None: not said. ``odd_sum``: what tables that cannot be
+    of all corrections on it, mm or deg; None: not said. ``metric``: their values stand in mm, not
+    in inch; None: no file says it. ``odd_sum``: what tables that cannot be
     read as curves add to it at most, mm or deg. ``untold``: the tables from other axes that act on
     it and cannot be counted with, in words that change with their values.
     """
 
     own: tuple[int, int] | None = None
     max_sum: float | None = None
+    metric: bool | None = None
     odd_sum: float = 0.0
     untold: str = ""
 

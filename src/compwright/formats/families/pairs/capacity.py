@@ -32,8 +32,9 @@ class PairLimits(AxisLimits):
         """Return the limits in mm or deg. Raises CapacityError when too few indices may be
         written.
         """
-        unknown = list(unit_unknown(self.control, f"axis {self.axis.name}", [self.axis.kind]))
-        raise_all(CapacityError, unknown)
+        label, kinds = f"axis {self.axis.name}", [self.axis.kind]
+        unknown = unit_unknown(self.control, label, self.address, kinds)
+        raise_all(CapacityError, list(unknown))
         alone = super().capacity()
         addresses = [self.address]
         if self.axis.gantry is not None:

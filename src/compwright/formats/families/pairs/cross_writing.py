@@ -50,7 +50,8 @@ def write_cross(
     left: dict[str, list[Entry]] = {}
     for entry in cross:
         kinds = entry.input_kind, entry.output_kind
-        unknown = unit_unknown(control, f"{entry.input} on {entry.output}", kinds)
+        label = f"{entry.input} on {entry.output}"
+        unknown = unit_unknown(control, label, writer.tables.axis(entry.output), kinds)
         unsound = [*unknown, *_unsound(entry), *_beyond_sum(writer, entry)]
         faults.extend(unsound)
         if not unsound:

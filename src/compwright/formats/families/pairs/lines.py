@@ -14,25 +14,31 @@ from compwright.formats.text.gathering import Found, Gathered
 from compwright.formats.text.notes import Notes
 from compwright.formats.text.values import Values
 from compwright.foundations.errors import Fault
+from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.axis import AxisKind
 
 #: Why tables of a control that works in inch are neither read nor written.
 MAYBE_INCH = (
-    "the control works in inch (MD10240 = 0), and no page says in which unit its corrections"
-    " between axes then stand (MD32711 $MA_CEC_SCALING_SYSTEM_METRIC)"
+    "the control works in inch (MD10240 = 0), and no file says in which unit its corrections"
+    " between axes stand (MD32711 $MA_CEC_SCALING_SYSTEM_METRIC)"
 )
-METRIC_CONTROL = "a control with the metric basic system, or two rotary axes"
+SAYING_METRIC = "the machine data with MD32711 = 1: metric"
 _SWITCHES = "SD41300 $SN_CEC_TABLE_ENABLE, MD32710 $MA_CEC_ENABLE"
 
 
 @dataclass(frozen=True, slots=True)
 class Units:
-    """In what the numbers of tables stand. ``inch``: the basic system; ``kind``: that of an axis by
-    its address.
+    """In what the numbers of tables and machine data stand. ``inch``: the basic system; ``kind``:
+    that of an axis by its address.
     """
 
     inch: bool
     kind: Callable[[str], AxisKind]
+
+    def basic(self, address: str) -> float:
+        """Return mm or deg in the unit in which the machine data of an axis stand."""
+        linear = self.kind(address) is not AxisKind.ROTARY
+        return MILLIMETRES_PER_INCH if self.inch and linear else 1.0
 
     def may_be_inch(self, pair: Pair) -> bool:
         """Return whether nobody knows the unit of a table of these axes."""
@@ -158,9 +164,13 @@ class TableLines(Lines):
         if metric is not None and self.word(owner, "cross_metric", metric) == "no":
             message = "corrections between axes in inch are not read (MD32711)"
             self.notes.refuse(owner, message, metric, expected="1: metric")
-        elif self.units.may_be_inch(self.pair):
-            message = f"{self.label}: {MAYBE_INCH}"
-            self.notes.refuse(owner, message, metric, expected=METRIC_CONTROL)
+        elif metric is None and self.units.may_be_inch(self.pair):
+            self.notes.refuse(
+                owner,
+                f"{self.label}: {MAYBE_INCH}",
+                last("cross_input", self.places),
+                expected=SAYING_METRIC,
+            )
 
     def _switch(self, quantity: str, places: Places, owner: str) -> _Switch:
         found = self.values(owner).one(quantity, places.get(quantity, ()))

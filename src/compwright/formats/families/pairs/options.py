@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 import numpy as np
 
 from compwright.formats.families.family import Family
-from compwright.formats.families.pairs.lines import MAYBE_INCH, METRIC_CONTROL
+from compwright.formats.families.pairs.lines import MAYBE_INCH, SAYING_METRIC
 from compwright.formats.families.pairs.places import Pair, as_table
 from compwright.formats.text.scale import Scale
 from compwright.foundations.errors import Fault, UsageError
@@ -96,17 +96,21 @@ def too_few(name: str, format_id: str, needed: int, found: int, allowed: tuple[i
     )
 
 
-def unit_unknown(control: Family, label: str, kinds: Iterable[AxisKind]) -> Iterator[Fault]:
-    """Yield why a table between axes of these ``kinds`` is not written: the control works in inch,
-    and nobody knows the unit of its values.
+def unit_unknown(
+    control: Family, label: str, output: str, kinds: Iterable[AxisKind]
+) -> Iterator[Fault]:
+    """Yield why a table between axes of these ``kinds`` that corrects ``output`` is not written:
+    the control works in inch, and no file says the unit of its values.
     """
-    if control.options.get("units") == "inch" and any(
-        kind is not AxisKind.ROTARY for kind in kinds
+    if (
+        control.options.get("units") == "inch"
+        and not control.facts_of(output).pairs.metric
+        and any(kind is not AxisKind.ROTARY for kind in kinds)
     ):
         yield Fault(
             message=f"{label}: a CEC table is not written here: {MAYBE_INCH}",
             place="option cec",
-            expected=f"absent, or {METRIC_CONTROL}",
+            expected=f"absent, or {SAYING_METRIC}",
             found="available",
         )
 

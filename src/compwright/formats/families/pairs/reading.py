@@ -82,6 +82,7 @@ class CecReader(Lines):
                 index: int(found.text) for index, found in reserved.items() if found is not None
             },
             max_sum=self._max_sums(),
+            metric=self._metric(),
             prints={index: print_of(found) for index, found in places.items()},
         )
 
@@ -164,10 +165,21 @@ class CecReader(Lines):
             label = f"axis {address}"
             found = self.values(label).one("cross_max_sum", places.get("cross_max_sum", ()))
             if address is not None and found is not None:
-                sums[address] = float(found.text)
+                sums[address] = float(found.text) * self.units.basic(address)
                 if not sums[address] >= 0:
                     self.notes.refuse(label, "a limit below 0", found, expected="0 or more")
         return sums
+
+    def _metric(self) -> dict[str, bool]:
+        """Return by output axis whether the values of its tables stand in mm, where a file says
+        it.
+        """
+        said = {
+            address: self.word(f"axis {address}", "cross_metric", places["cross_metric"][-1])
+            for (address, _), places in self.gathered.singles.items()
+            if address is not None and places.get("cross_metric")
+        }
+        return {address: word == "yes" for address, word in said.items()}
 
 
 class _TableReader(TableLines):

@@ -54,6 +54,8 @@ class Cec:
     """Everything that the files say about such tables. ``reserved``: points by index; ``max_sum``:
     by output axis, mm or deg.
 
+    ``metric``: by output axis, whether values stand in mm.
+
     ``occupied``: input and output axis by index, of tables that are left out of ``tables`` too.
     ``odd``: those that act, or may act, and cannot be read. ``prints``: by index eight characters
     that change with what the files say of a table.
@@ -64,6 +66,7 @@ class Cec:
     occupied: Mapping[int, Pair] = field(default_factory=dict)
     reserved: Mapping[int, int] = field(default_factory=dict)
     max_sum: Mapping[str, float] = field(default_factory=dict)
+    metric: Mapping[str, bool] = field(default_factory=dict)
     prints: Mapping[int, str] = field(default_factory=dict)
 
     def own_axes(self) -> list[str]:
@@ -83,6 +86,7 @@ class Cec:
         return PairFacts(
             own=(up, down) if len(own) == 2 and up is not None and down is not None else None,
             max_sum=self.max_sum.get(address),
+            metric=self.metric.get(address),
             odd_sum=sum(table.largest for table in self.odd if table.output == address),
             untold=self._untold(address, sign_known=sign_known),
         )
