@@ -7,6 +7,7 @@ systems, foreign CEC tables whose range is no multiple of their step).
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -293,6 +294,57 @@ def test_a_foreign_table_is_kept_and_stops_nothing(foreign: str) -> None:
         [table("AX1", [0.0, 400.0, 800.0], [0.0, 0.001, 0.0])], [axis], files(A__INI=text)
     )
     assert foreign.encode() in new.content
+
+
+SPECIAL = [
+    "$AN_CEC_TYPE[0]=1",
+    "$AN_CEC_INPUT_NCU[0]=2",
+    "$AN_CEC_OUTPUT_NCU[0]=3",
+    "$SN_CEC_0[0]=0.002",
+    "$SN_CEC_1[0]=-0.002",
+]
+
+
+@pytest.mark.parametrize("line", SPECIAL)
+def test_what_makes_a_table_special_is_never_overlooked(line: str) -> None:
+    """A cylinder table, another NCU, setting data that the control adds to points 0 and 1: of
+    others it is left alone, of the axis over itself refused by name.
+    """
+    name = line.partition("[")[0]
+    foreign = cec(0, ("AX2", "AX1"), step=85) + line + "\n"
+    state = both_readers(eec() + foreign, axis_of("AX1"), cec_sign="error")
+    assert "CW-S050" in codes(state)
+    assert not state.cross
+    assert "CEC table 0" in state.facts["AX1"].pairs.untold
+    for value in ("0.1", "0"):
+        own = cec(0, ("AX1", "AX1"), value, step=85) + line + "\n"
+        if value == "0" and not name.startswith("$SN"):
+            continue  # a table of zeros does nothing, whatever it is
+        with pytest.raises(InputError, match=re.escape(name)):
+            both_readers(eec() + own, axis_of("AX1"), cec_sign="error")
+    harmless = cec(0, ("AX2", "AX1"), step=85) + re.sub("=.*", "=0", line) + "\n"
+    assert both_readers(eec() + harmless, axis_of("AX1"), cec_sign="error").cross
+
+
+def test_what_makes_a_table_special_is_taken_back_where_ours_is_written() -> None:
+    blank = "".join(f"$AN_CEC[20,{n}]=0\n" for n in range(15)) + (
+        "$AN_CEC_STEP[20]=0\n$AN_CEC_MIN[20]=0\n$AN_CEC_MAX[20]=0\n$AN_CEC_TYPE[20]=1\n"
+        "$SN_CEC_0[20]=0.003\n$SN_CEC_1[20]=0.004\n"
+    )
+    written = pair_into(eec() + blank + "$MA_CEC_ENABLE[AX1]=0\n")
+    for line in ("$AN_CEC_TYPE[20]=0\n", "$SN_CEC_0[20]=0", "$SN_CEC_1[20]=0"):
+        assert line in written
+    assert "0.003" not in written
+
+
+@pytest.mark.parametrize("mask", ["'H1'", "'H2'", "'H800'", "'B1000000000000'", "WORD"])
+def test_units_of_the_users_own_are_refused(mask: str) -> None:
+    """MD10220: 'H200', the gain of the control loop, stands in a real archive and changes no
+    length.
+    """
+    with pytest.raises(InputError, match="MD10220"):
+        both_readers(f"$MN_SCALING_USER_DEF_MASK={mask}\n{eec()}", axis_of("AX1"))
+    assert both_readers(f"$MN_SCALING_USER_DEF_MASK='H200'\n{eec()}", axis_of("AX1")).axes
 
 
 def test_a_turn_of_another_axis_that_does_not_close_stops_nothing() -> None:

@@ -75,6 +75,7 @@ PLAIN = (
     "channel_axis",
     "channel_machine_axis",
     "inch_length",
+    "unit_mask",
     "encoders",
     "gantry_type",
     "modulo_range",
@@ -88,6 +89,11 @@ PLAIN = (
     "cross_multiplier",
     "cross_weight",
     "cross_max_points",
+    "cross_type",
+    "cross_input_ncu",
+    "cross_output_ncu",
+    "cross_first_added",
+    "cross_second_added",
     "cross_other",
 )
 #: What a control has or has not as a whole: tables by which one axis corrects another, or itself in

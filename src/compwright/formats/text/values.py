@@ -100,3 +100,20 @@ class Values:
         if absent.say == "warning":
             self.notes.counted_as(self.label, name, absent.value)
         return absent.value
+
+
+def bit_mask(text: str) -> int | None:
+    """Return a bit mask as the control writes it (``'H3'``, ``'B11'``, 3); None for anything
+    else.
+    """
+    word = text.strip("'\"").upper()
+    for letter, base in (("H", 16), ("B", 2)):
+        if word.startswith(letter):
+            word, radix = word[1:], base
+            break
+    else:
+        radix = 10
+    try:
+        return int(word, radix)
+    except ValueError:
+        return None

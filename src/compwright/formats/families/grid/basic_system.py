@@ -12,11 +12,13 @@ from decimal import Decimal
 from compwright.formats.definition.schema import Choice
 from compwright.formats.text.gathering import Found, Gathered
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.values import Values
+from compwright.formats.text.values import Values, bit_mask
 
 #: What says it: by number, by word.
 SAYING = ("length_unit", "unit_word")
 _INCH = Decimal("25.4")
+#: Linear and angular positions, and their compensation values, among the units of the user's own.
+_USERS_LENGTHS = 1 << 0 | 1 << 1 | 1 << 11 | 1 << 12
 
 
 def basic_system(gathered: Gathered, notes: Notes) -> str | None:
@@ -39,6 +41,15 @@ def basic_system(gathered: Gathered, notes: Notes) -> str | None:
             " $MN_SCALING_VALUE_INCH)",
             lengths[-1],
             expected=f"{_INCH} mm",
+        )
+    masks = gathered.singles.get((None, None), {}).get("unit_mask", [])
+    if masks and ((bits := bit_mask(masks[-1].text)) is None or bits & _USERS_LENGTHS):
+        notes.refuse(
+            "basic system",
+            "positions or compensation values stand in a unit of the user's own (MD10220"
+            " $MN_SCALING_USER_DEF_MASK)",
+            masks[-1],
+            expected="a mask without the bits 0, 1, 11 and 12",
         )
     return next(iter(by_word), None)
 

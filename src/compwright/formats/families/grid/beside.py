@@ -13,6 +13,7 @@ from decimal import Decimal
 
 from compwright.formats.text.gathering import Found, Gathered
 from compwright.formats.text.notes import Notes
+from compwright.formats.text.values import bit_mask
 from compwright.records.axis import Axis
 from compwright.records.facts import AxisFacts, Turn
 
@@ -139,7 +140,7 @@ class Beside:
 
     def _temperature(self) -> list[str]:
         kind, slope = self.last("temperature_type"), self.number("temperature_slope")
-        bits = _mask(kind.text) if kind is not None else 0
+        bits = bit_mask(kind.text) if kind is not None else 0
         if bits is None:
             self.notes.refuse(
                 f"axis {self.address}",
@@ -150,20 +151,3 @@ class Beside:
         if not (bits and bits & 2 and slope):
             return []
         return [f"temperature compensation with a slope (MD32750, SD43910 = {slope:g})"]
-
-
-def _mask(text: str) -> int | None:
-    """Return a bit mask as the control writes it (``'H3'``, ``'B11'``, 3); None for anything
-    else.
-    """
-    word = text.strip("'\"").upper()
-    for letter, base in (("H", 16), ("B", 2)):
-        if word.startswith(letter):
-            word, radix = word[1:], base
-            break
-    else:
-        radix = 10
-    try:
-        return int(word, radix)
-    except ValueError:
-        return None

@@ -45,7 +45,9 @@ def sign_question(why: str, moved: str = "the axis") -> Fault:
     """
     return Fault(
         message=(
-            f"{why}, and no manual says in which direction a positive value moves {moved}."
+            f"{why}: one wrong answer doubles the error. Siemens' manual (Extended Functions"
+            f" 03/2009, page 372) says that a positive value moves {moved} in -, which is"
+            f" cec_sign: error; what is in a control may have been made the other way round."
             f" {_SIGN_CHECK}"
         ),
         place="option cec_sign",

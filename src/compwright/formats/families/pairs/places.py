@@ -24,6 +24,9 @@ BETWEEN = ("cross_input", "cross_output")
 NEEDED = (*BETWEEN, *AS_TABLE, "cross_direction")
 DATA = (*NEEDED, "cross_multiplier", "cross_repeats")
 
+#: What the control adds to the values of point 0 and point 1.
+ADDED = ("cross_first_added", "cross_second_added")
+
 #: Input and output axis.
 Pair = tuple[str, str]
 #: Every place of one table by quantity.
@@ -82,7 +85,8 @@ def is_zero(places: Places) -> bool:
     """Return whether every value of a table is zero: whatever its grid and its axes, it corrects
     nothing.
     """
-    return all(Decimal(row.text) == 0 for row in places.get("cross_value", ()))
+    added = [found for name in ADDED for found in places.get(name, ())[-1:]]
+    return all(Decimal(row.text) == 0 for row in (*places.get("cross_value", ()), *added))
 
 
 def print_of(places: Places) -> str:
@@ -91,7 +95,7 @@ def print_of(places: Places) -> str:
     """
     said = [
         f"{name} {found.occurrence.tokens.get('index', found).text} {found.text}"
-        for name in (*DATA, "cross_weight")
+        for name in (*DATA, "cross_weight", "cross_type", *ADDED)
         for found in places.get(name, ())
     ]
     return hashlib.sha256("\n".join(said).encode("utf-8", "surrogatepass")).hexdigest()[:8]

@@ -8,6 +8,7 @@ another is not read.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from decimal import Decimal
 
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.grid.shapes import shape_of
@@ -32,6 +33,15 @@ from compwright.formats.text.notes import Notes
 from compwright.formats.text.scale import Scale
 from compwright.records.axis import Axis, Direction
 
+_ZERO = (Decimal(0),)
+#: What a table has beside its curve: quantity, what it does, and the values that do nothing.
+_ODD = (
+    ("cross_type", "makes it a special table", _ZERO),
+    ("cross_input_ncu", "takes its input from another NCU", (Decimal(1), *_ZERO)),
+    ("cross_output_ncu", "gives it to another NCU", (Decimal(1), *_ZERO)),
+    ("cross_first_added", "(SD41320) is added to its point 0", _ZERO),
+    ("cross_second_added", "(SD41321) is added to its point 1", _ZERO),
+)
 _DIRECTIONS = {"0": tuple(Direction), "1": (Direction.POSITIVE,), "-1": (Direction.NEGATIVE,)}
 
 
@@ -194,6 +204,7 @@ class _TableReader(TableLines):
         """Return the table as a curve; what keeps it from being one goes to the notes."""
         singles = {name: self._one(name) for name in DATA if name != "cross_value"}
         self._unknown_keys()
+        self._odd_settings()
         missing = [name for name in NEEDED if name not in self.places]
         unclear = bool(missing) or self.damaged
         first = next(iter(self.places.values()))[0]
@@ -249,6 +260,14 @@ class _TableReader(TableLines):
             key = found.occurrence.tokens["key"].text
             message = f"$AN_CEC_{key} cannot be read: no such key is known"
             self._wrong(message, found, expected="a key that is known")
+
+    def _odd_settings(self) -> None:
+        """Refuse what changes a table in another way than a curve, a weight and a switch do."""
+        for quantity, what, expected in _ODD:
+            found = self._one(quantity)
+            if found is not None and Decimal(found.text) not in expected:
+                name = self.values(self.label).name(quantity)
+                self._wrong(f"{name} {what}", found, expected=str(expected[0]))
 
     def _directions(self, found: Found) -> tuple[Direction, ...] | None:
         for text, directions in _DIRECTIONS.items():

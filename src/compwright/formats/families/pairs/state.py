@@ -74,8 +74,8 @@ class PairsReader(GridReader):
             return cross
         pairs = ", ".join(dict.fromkeys(f"{entry.output} over {entry.input}" for entry in cross))
         message = (
-            f"the tables between axes ({pairs}) are left as they are and not shown: the sign of CEC"
-            " values is not known; give the option cec_sign after the check on the card"
+            f"the tables between axes ({pairs}) are left as they are and not shown: nobody said the"
+            " sign of CEC values; give the option cec_sign after the check on the card"
         )
         self.notes.find("CW-S051", "warning", message)
         return ()

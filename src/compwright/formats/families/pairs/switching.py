@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from compwright.formats.families.pairs.own_tables import OwnTables
+from compwright.formats.families.pairs.places import ADDED
 from compwright.formats.text.gathering import same_value
 from compwright.foundations.errors import Fault
 
@@ -18,9 +19,12 @@ class Switches:
 
     def table_on(self, index: int) -> None:
         """Make a table act with its own values where the files say otherwise: it is ours."""
-        if self.own is not None:
-            for quantity in ("cross_table_enabled", "cross_weight"):
-                self.own.put(quantity, self.tables.said(index, quantity), "1")
+        if self.own is None:
+            return
+        for quantity in ("cross_table_enabled", "cross_weight"):
+            self.own.put(quantity, self.tables.said(index, quantity), "1")
+        for quantity in ("cross_type", *ADDED):
+            self.own.put(quantity, self.tables.said(index, quantity), "0")
 
     def sum_on(self, output: str, faults: list[Fault]) -> None:
         """Switch the sum on an axis on where the files switch it off, unless that would wake tables

