@@ -24,7 +24,8 @@ class Request:
     deg; ``reference``: machine coordinate of the reference position, mm or deg; ``active``: whether
     tables acted that the files switch off or say nothing of (None: not said); ``options``: the
     controller's options by name, as the job gives them; ``axis_options`` go over them. ``asked``:
-    the axes under work, empty for all; what is odd about others stops nothing.
+    the axes under work, empty for all; what is odd about others stops nothing. ``axis_number``: how
+    the control counts an axis, from 1, where the job says it.
     """
 
     reference_return: Mapping[str, Direction] = field(default_factory=dict)
@@ -36,6 +37,7 @@ class Request:
     options: Mapping[str, object] = field(default_factory=dict)
     axis_options: Mapping[str, Mapping[str, object]] = field(default_factory=dict)
     asked: tuple[str, ...] = ()
+    axis_number: Mapping[str, int] = field(default_factory=dict)
 
     def asks_for(self, address: str) -> bool:
         """Return whether the caller wants this axis; without any named he wants all."""

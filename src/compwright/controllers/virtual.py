@@ -101,6 +101,7 @@ def virtual_control(
     active: bool | None = None,
     axis_options: Mapping[str, Mapping[str, object]] | None = None,
     asked: Sequence[str] = (),
+    axis_number: Mapping[str, int] | None = None,
 ) -> VirtualControl:
     """Return the virtual control of ``format_id`` with ``files`` (bare names, raw bytes) loaded.
 
@@ -111,7 +112,8 @@ def virtual_control(
     say nothing of (None: off where they are switched off, else on). ``options`` are the
     controller's options, ``axis_options`` those of single axes, which go over them. ``asked``: the
     axes that matter, empty for all: what is odd about others refuses nothing where the control
-    lives with it. Whatever had to be taken without being told is in ``assumed``.
+    lives with it. ``axis_number``: how the control counts an axis, from 1. Whatever had to be taken
+    without being told is in ``assumed``.
 
     Raises UsageError for an unknown format, InputError for files that the control would refuse or
     that contradict themselves.
@@ -139,5 +141,6 @@ def virtual_control(
         options=dict(options or {}),
         axis_options=dict(axis_options or {}),
         asked=tuple(asked),
+        axis_number=dict(axis_number or {}),
     )
     return maker(files, request)

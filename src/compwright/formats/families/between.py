@@ -10,6 +10,7 @@ from typing import Protocol
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import print_form
+from compwright.formats.text.entry_sheet import EntrySheet, is_entry_sheet, read_sheet
 from compwright.foundations.findings import Severity
 from compwright.records.axis import Axis
 from compwright.records.correction import ControlFile, ControlState
@@ -49,12 +50,14 @@ class Between:
     """What a control does with corrections between axes.
 
     ``files``: those of ``Asked.base`` that change, and new ones; None: no file holds them.
+    ``held``: the corrections that the files hold, as they hold them; None: all, as planned.
     ``sheets``: what is typed in. ``remarks``: what is to be said; ``steps``: title, text and
     evidence of steps of the card. ``quantum``: to what the values in the files are rounded, mm or
     deg; 0: they hold what was planned.
     """
 
     files: tuple[ControlFile, ...] | None = None
+    held: tuple[PlannedCross, ...] | None = None
     sheets: tuple[ControlFile, ...] = ()
     remarks: tuple[tuple[Severity, str], ...] = ()
     steps: tuple[Mapping[str, str], ...] = ()
@@ -70,6 +73,21 @@ def label(entry: PlannedCross) -> str:
 def together(first: Sequence[ControlFile], then: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
     """Return the files of both, those of ``then`` in place of others of their name."""
     return tuple({file.name: file for file in (*first, *then)}.values())
+
+
+def in_place(
+    own: Sequence[ControlFile], tables: Sequence[ControlFile], tabled: Collection[str]
+) -> tuple[ControlFile, ...]:
+    """Return the control's own files with new ``tables`` in their place. Entry sheets that these
+    supersede are left out: of an axis (address) that got a table, or of which a new sheet speaks.
+    """
+    new = {sheet.axis for file in tables if (sheet := _sheet(file)) is not None} | set(tabled)
+    kept = [file for file in own if (sheet := _sheet(file)) is None or sheet.axis not in new]
+    return together(kept, tables)
+
+
+def _sheet(file: ControlFile) -> EntrySheet | None:
+    return read_sheet(file, []) if is_entry_sheet(file) else None
 
 
 def in_turn(answers: Iterable[Between]) -> Between:

@@ -330,6 +330,9 @@ def decode(
         },
         options={**reading.options, **({"axis": alone} if alone is not None else {})},
         asked=tuple(state.axes),
+        axis_number={
+            axis.address: axis.axis_number for axis in axes if axis.axis_number is not None
+        },
     )
     raise_all(CompwrightError if written else InputError, disagreements(state, judge))
     return DecodedState(files=tuple(files), state=state, judge=judge)

@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 
-from compwright.formats.families.between import Asked, together
+from compwright.formats.families.between import Asked, in_place, together
 from compwright.foundations.errors import CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
@@ -60,7 +60,7 @@ def write_planned(
     """
     if not planned:
         return CrossOutcome(files=tables)
-    base = together(as_found.files, tables)
+    base = in_place(as_found.files, tables, [axes[name].address for name in tabled])
 
     @cache  # the family reads what is compared here
     def read(files: tuple[ControlFile, ...], *, written: bool = False) -> DecodedState:
@@ -86,10 +86,13 @@ def write_planned(
     if answer.files is None:
         return outcome
     after = read(together(base, answer.files), written=True)
-    raise_all(CompwrightError, _wrong(planned, read(base), after, answer.quantum))
-    files, totals = together(tables, answer.files), _totals(planned, after, axes)
+    held = tuple(planned) if answer.held is None else answer.held
+    raise_all(CompwrightError, _wrong(held, read(base), after, answer.quantum))
+    files, totals = together(tables, answer.files), _totals(held, after, axes)
+    pairs = {(entry.input, entry.output) for entry in held}
+    rest = [entry for entry in outcome.planned if (entry.input, entry.output) not in pairs]
     return replace(
-        outcome, planned=tuple(planned), written=True, files=files, after=after, totals=totals
+        outcome, planned=(*held, *rest), written=True, files=files, after=after, totals=totals
     )
 
 

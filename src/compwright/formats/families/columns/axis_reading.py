@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from decimal import Decimal
 
 import numpy as np
 
@@ -221,6 +222,7 @@ class AxisReader:
             found is not None
             and found.text == "1"
             and self.curves is None
+            and not self._column_elsewhere()
             and not self.notes.faults
         ):
             message = f"{self._switch} says that a table acts, but no file holds it"
@@ -230,13 +232,18 @@ class AxisReader:
                 self.notes.switched_off(self.label, f"{self._switch} switches the table off")
             return False
         if self.curves is None:
-            if found is None and self._others_act():
+            if found is None and self._others_act() and not self.sources.starred:
                 self._answer(None, None)
+            elif found is None and self.sources.assignments is None:
+                self._unsaid("0: no table acts on it", "no file holds a table of the axis")
             return found is not None and found.text == "1"
         if found is None and self.points:
-            return self.activity.said is not False  # a sheet is what was typed in
+            acts = self.activity.said is not False
+            evidence = "a sheet is what was typed in"
+            self._unsaid(f"{int(acts)}: its table {'acts' if acts else 'sleeps'}", evidence)
+            return acts
         if not (np.any(self.curves[1]) or np.any(self.curves[2]) or self._others_act()):
-            return True  # zeros: nothing hangs on it
+            return self._zeros(found)
         word = (
             "yes"
             if self.sources.starred
@@ -247,6 +254,43 @@ class AxisReader:
             else "no"
         )
         return self._answer(word, found)
+
+    def _zeros(self, found: Found | None) -> bool:
+        """Return whether a table of zeros acts. Nothing hangs on it, but the linear error acts
+        where it does not.
+        """
+        slope = self._found("slope")
+        if found is not None or self.sources.starred:
+            return True
+        if slope is None or Decimal(slope.text) == 0:
+            self._unsaid("1: its table of zeros acts", "zeros correct nothing")
+            return True
+        name = self.parameters.name("slope")
+        if self.activity.said is None and self.activity.asking:
+            self.notes.ask(
+                Fault(
+                    message=(
+                        f"{self.label}: {name} is not zero, and {self._switch} is in no file: with"
+                        " a table selected it is dead, without one it acts"
+                    ),
+                    file=slope.occurrence.file,
+                    place=slope.occurrence.place,
+                    expected=(
+                        f"{self._switch} among the files, or states: {{as_found: {{files: [...],"
+                        " active: yes}} (the table was selected) or active: no"
+                    ),
+                    found=slope.text,
+                )
+            )
+        self.notes.open_answers += 1
+        acts = self.activity.said is not False
+        said = "the job's answer (active)" if self.activity.said is not None else "not in the files"
+        self._unsaid(f"{int(acts)}: {name} {'is dead' if acts else 'acts'}", said)
+        return acts
+
+    def _unsaid(self, value: str, evidence: str) -> None:
+        """List what a switch that no file holds was taken as."""
+        self.notes.assume(f"{self.label}: {self._switch}", value, f"in no file; {evidence}")
 
     @property
     def _switch(self) -> str:
@@ -263,6 +307,16 @@ class AxisReader:
             evidence = f"{self._switch} is not in the files: a table that was given counts"
             self.notes.assume(f"{self.label}: its table", "acts", evidence)
         return acts is not False
+
+    def _column_elsewhere(self) -> bool:
+        """Whether a table that acts for another axis' motion has a column for this one: the bit
+        selects that one too.
+        """
+        column = self.sources.column_of(self.address)
+        return any(
+            moving != self.address and table.column(column) is not None
+            for moving, table in self.sources.tables.items()
+        )
 
     def _others_act(self) -> bool:
         """Whether the motion of another axis corrects this one: the same bit selects such a

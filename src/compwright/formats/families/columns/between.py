@@ -1,5 +1,6 @@
-"""Corrections between axes as columns that the engineer types into the table of the moving axis:
-its text form and sign are unconfirmed.
+"""Corrections between axes as columns of the table of the moving axis: filled in where the user's
+own table has the column and its rows can hold them, else typed in by the engineer. The sign of such
+a table is unconfirmed either way.
 
 A column acts on an axis only while tables are selected for that axis, and then its linear error is
 dead: an axis that the linear error corrects gets no column, and that is said.
@@ -7,46 +8,114 @@ dead: an axis that the linear error corrects gets no column, and that is said.
 
 from __future__ import annotations
 
-from compwright.formats.families.between import Asked, Between, in_turn, label, not_held, typed_in
+from dataclasses import replace
+
+from compwright.formats.families.between import (
+    Asked,
+    Between,
+    in_turn,
+    label,
+    not_held,
+    together,
+    typed_in,
+)
+from compwright.formats.families.columns.crossing import CrossFiller, Filled, values_quantum
 from compwright.formats.families.family import Family
+from compwright.formats.text.entry_sheet import is_entry_sheet
+from compwright.formats.text.scale import NotHeld
 from compwright.formats.text.values import name_of
 from compwright.records.correction import ControlFile
 from compwright.records.plan import PlannedCross
 
 #: More points than these are typed from the sheet.
 _MOST_SHOWN = 8
+_CHECK = (
+    "The sign is unconfirmed: check it with a square or a dial gauge, on and off, before"
+    " production."
+)
 
 
 def columns_between(family: Family, asked: Asked) -> Between:
     """Return the column of every correction, or why it cannot act."""
-    return in_turn(_column(family, asked, entry) for entry in asked.planned)
+    files = tuple(file for file in asked.base if not is_entry_sheet(file))
+    own = files
+    held: list[PlannedCross] = []
+    answers: list[Between] = []
+    for entry in asked.planned:
+        why = _by_line(family, asked, entry)
+        if why:
+            answers.append(not_held(entry, why))
+            continue
+        filler = CrossFiller(family, asked.axes, files)
+        try:
+            filled = filler.fill(entry)
+        except NotHeld as error:
+            answers.append(_typed(family, asked, entry, str(error)))
+        else:
+            files = filler.patched(range(len(files)))
+            held.append(filled.entry)
+            answers.append(_in_the_table(family, asked, filled))
+    if not held:
+        return in_turn(answers)
+    changed = tuple(after for before, after in zip(own, files, strict=True) if after != before)
+    if not asked.tables:  # the set that the control loads is complete, whoever changes it
+        changed = together(asked.base, changed)
+    return replace(
+        in_turn(answers), files=changed, held=tuple(held), quantum=values_quantum(family)
+    )
 
 
-def _column(family: Family, asked: Asked, entry: PlannedCross) -> Between:
-    why = _by_line(family, asked, entry)
-    if why:
-        return not_held(entry, why)
-    # the table is the moving axis' own, and so is what its values mean
-    form = str(family.options_of(asked.axes.get(entry.input))["table_values"])
+def _in_the_table(family: Family, asked: Asked, filled: Filled) -> Between:
+    """Return what is said of a correction that stands in the user's own table."""
+    entry, form = filled.entry, _form(family, asked, filled.entry)
+    rows = _rows(entry, form)
+    where = f"{filled.file}, column {filled.column}"
+    text = (
+        f"{label(entry)} stands in {where}, added to what was there: {_shown(entry, rows)} (values"
+        f" are {form}s). Load that file; no other column of it changes."
+        f" {_selected(family, entry)}{_CHECK}"
+    )
+    return Between(
+        remarks=(("info", f"{label(entry)} is in {where} (values are {form}s)."),),
+        steps=(
+            {
+                "title": f"{entry.output} over {entry.input}: {where}",
+                "text": text,
+                "evidence": "unconfirmed",
+            },
+        ),
+    )
+
+
+def _typed(family: Family, asked: Asked, entry: PlannedCross, why: str) -> Between:
+    """Return the column as it is typed in; ``why``: the reason for which no file can hold it."""
+    form = _form(family, asked, entry)
     rows = _rows(entry, form)
     where = f"the table (.COM) of {entry.input}, column of {entry.output}"
     message = (
-        f"{label(entry)} is in no file: type it into {where}, {_shown(entry, rows)} (values are"
-        f" {form}s), as the card and its sheet say; the sign is unconfirmed."
+        f"{label(entry)} is in no file ({why}): type it into {where}, {_shown(entry, rows)} (values"
+        f" are {form}s), as the card and its sheet say; the sign is unconfirmed."
     )
-    select = _parameter(family, "enabled")
     text = (
         f"{label(entry)}. Add to what stands in {where}, on a straight line between:"
-        f" {_shown(entry, rows)} (values are {form}s). "
-        + (
-            f"It acts on {entry.output} only while the bit of {entry.output} in {select} is 1. "
-            if select
-            else ""
-        )
-        + "The sign is unconfirmed: check it with a square or a dial gauge, on and off, before"
-        " production."
+        f" {_shown(entry, rows)} (values are {form}s). {_selected(family, entry)}{_CHECK}"
     )
     return typed_in(entry, _sheet(entry, form, rows), message, text)
+
+
+def _form(family: Family, asked: Asked, entry: PlannedCross) -> str:
+    """Return what the values of a column are: the table is the moving axis' own, and so is what its
+    values mean.
+    """
+    return str(family.options_of(asked.axes.get(entry.input))["table_values"])
+
+
+def _selected(family: Family, entry: PlannedCross) -> str:
+    """Return the sentence on the parameter that selects tables for the bent axis."""
+    select = _parameter(family, "enabled")
+    if not select:
+        return ""
+    return f"It acts on {entry.output} only while the bit of {entry.output} in {select} is 1. "
 
 
 def _by_line(family: Family, asked: Asked, entry: PlannedCross) -> str:

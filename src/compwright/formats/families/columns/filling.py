@@ -16,6 +16,7 @@ from compwright.formats.families.columns.table import (
     ROW_NUMBER,
     SECOND,
     Row,
+    UserTable,
     cell_changes,
     is_number,
     set_cell,
@@ -171,12 +172,14 @@ class TableFiller:
         characters.
         """
         entry = self.entry
-        cells = {self.column: self._signed(entry.value(float(entry.positive[node])), self.column)}
+        cells = {
+            self.column: signed(self.table, entry.value(float(entry.positive[node])), self.column)
+        }
         if self._two_columns():
-            cells[SECOND] = self._signed(entry.value(float(entry.negative[node])), SECOND)
+            cells[SECOND] = signed(self.table, entry.value(float(entry.negative[node])), SECOND)
         if not self.sources.numbered:
             text = f"{Decimal(entry.scale.write('node_position', position)).normalize():f}"
-            cells[POSITION] = self._signed(text, POSITION)
+            cells[POSITION] = signed(self.table, text, POSITION)
         known = {} if row is None else row.cells
         return {
             name: text
@@ -196,17 +199,20 @@ class TableFiller:
             SECOND in row.cells for row in self.table.rows
         )
 
-    def _signed(self, text: str, column: str) -> str:
-        """Return a number with a plus sign where the table writes one."""
-        if text.startswith("-"):
-            return text
-        texts = [row.cells[column].text for row in self.table.rows if column in row.cells]
-        if not texts and column != POSITION:
-            skipped = (ROW_NUMBER, POSITION)
-            texts = [
-                cell.text
-                for row in self.table.rows
-                for name, cell in row.cells.items()
-                if name not in skipped
-            ]
-        return f"+{text}" if any(one.startswith("+") for one in texts) else text
+
+def signed(table: UserTable, text: str, column: str) -> str:
+    """Return a number with a plus sign where the column writes one, or its table where it is
+    blank.
+    """
+    if text.startswith("-"):
+        return text
+    texts = [row.cells[column].text for row in table.rows if column in row.cells]
+    if not texts and column != POSITION:
+        skipped = (ROW_NUMBER, POSITION)
+        texts = [
+            cell.text
+            for row in table.rows
+            for name, cell in row.cells.items()
+            if name not in skipped
+        ]
+    return f"+{text}" if any(one.startswith("+") for one in texts) else text

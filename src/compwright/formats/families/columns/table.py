@@ -40,12 +40,47 @@ class Row:
 
 
 @dataclass(frozen=True, slots=True)
+class Described:
+    """What is said of one column. ``width`` in characters, without the ``blanks`` behind it that
+    it leaves out; ``decimals`` behind the point; ``least`` and ``most``: the values that it takes,
+    as they stand. None: not said.
+    """
+
+    width: int | None = None
+    blanks: int = 0
+    decimals: int | None = None
+    least: Decimal | None = None
+    most: Decimal | None = None
+    read_only: bool = False
+    inch: bool = False
+
+    def refuses(self, text: str) -> str:
+        """Return why a cell of this column cannot hold ``text``; empty where it can."""
+        if self.read_only:
+            return "is read only by the table's own description"
+        if self.width is not None and len(text) > self.width:
+            return f"is {self.width} characters wide by the table's own description"
+        if not is_number(text):
+            return ""
+        number = Decimal(text)
+        if self.decimals is not None and number != round(number, self.decimals):
+            return f"holds {self.decimals} decimals by the table's own description"
+        if (self.least is not None and number < self.least) or (
+            self.most is not None and number > self.most
+        ):
+            low = "" if self.least is None else f"{self.least:f}"
+            high = "" if self.most is None else f"{self.most:f}"
+            return f"takes {low} .. {high} by the table's own description"
+        return ""
+
+
+@dataclass(frozen=True, slots=True)
 class Column:
     """A column. Cells stand from ``low`` up to ``high`` (characters of the line; None: to its end),
     flush with one of them.
 
     ``edge``: the character at which cells begin (``flush`` left) or behind which they end (right);
-    ``flush`` "free": blanks alone separate the cells.
+    ``flush`` "free": blanks alone separate the cells. ``told``: what the table itself says of it.
     """
 
     name: str
@@ -53,6 +88,13 @@ class Column:
     high: int | None
     flush: Literal["left", "right", "free"]
     edge: int
+    told: Described | None = None
+
+    def check(self, text: str, file: str) -> None:
+        """Raise NotHeld when ``text`` is not what a cell of this column takes."""
+        why = self.told.refuses(text) if self.told is not None and self.name != ROW_NUMBER else ""
+        if why:
+            raise NotHeld(f"{text} does not fit the column {self.name} of {file}, which {why}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,6 +148,7 @@ def set_cell(table: UserTable, line: str, name: str, text: str) -> str:
     column = table.column(name)
     if column is None:
         raise NotHeld(f"{table.file} has no column {name}")
+    column.check(text, table.file)
     if column.flush == "free":
         raise NotHeld(f"{table.file}: the cells of the column {name} do not stand in fixed widths")
     start = column.edge if column.flush == "left" else column.edge - len(text)
@@ -135,12 +178,10 @@ def cell_changes(table: UserTable, row: Row, line: str, cells: Mapping[str, str]
 
     Raises NotHeld when a text does not fit its column.
     """
-    free = [
-        name
-        for name in cells
-        if (column := table.column(name)) is not None and column.flush == "free"
-    ]
-    if free:
+    columns = [column for name in cells if (column := table.column(name)) is not None]
+    if any(column.flush == "free" for column in columns):
+        for column in columns:
+            column.check(cells[column.name], table.file)
         return [
             Change(row.cells[name].start, row.cells[name].end, cells[name].encode("ascii"))
             for name in cells

@@ -6,19 +6,26 @@ every cell with its place.
     0    +0        +0
     END X .COM
 
-No manual shows such a file as text: nothing here is taken for certain that the file itself does not
-show. Cells may be blank, so that a cell belongs to the column over or under which it stands; what
-could stand in either of two columns is refused.
+Newer controls describe the columns before their names (`columns.description`). No manual shows such
+a file as text: nothing here is taken for certain that the file itself does not show. Cells may be
+blank, so that a cell belongs to the column over or under which it stands; what could stand in
+either of two columns is refused.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Token, readable
+from compwright.formats.families.columns.description import (
+    EDITION,
+    Description,
+    read_description,
+)
 from compwright.formats.families.columns.table import (
     ASSIGNMENTS,
     RESERVED,
@@ -80,6 +87,7 @@ class _TableReader:
         self.file = file
         self.faults = faults
         self.known = len(faults)
+        self.description = Description()
 
     def read(self) -> UserTable | None:
         if BINARY.search(self.file.content):
@@ -91,6 +99,12 @@ class _TableReader:
         if opened is None:
             return None
         kind, head = opened
+        self.description = read_description([line.text for line in lines[1:]])
+        if self.description.lines is None:
+            message = "the description of the columns has no end; the table may have been cut short"
+            self._fault(message, lines[1], expected="#STRUCTEND, or the last )")
+            return None
+        del lines[1 : 1 + self.description.lines]
         firsts = [_words(line)[0].text.upper() for line in lines]
         end = next((place for place, word in enumerate(firsts) if place and word in _ENDS), None)
         if end is None:
@@ -121,7 +135,7 @@ class _TableReader:
         for kind, name in kinds:
             statement = self.definition.statements[name]
             for form in self.reader.matchers[name].forms:
-                match = form.fullmatch(line.text)
+                match = form.fullmatch(EDITION.sub("", line.text))
                 if match is not None and match["unit"].upper() in ("MM", "INCH"):
                     fields = {key: match.span(key) for key in statement.fields}
                     return kind, {
@@ -150,13 +164,23 @@ class _TableReader:
 
     def _names(self, line: Line) -> list[str]:
         names = [self._spelling(word.text) for word in _words(line)]
-        if names[0].upper() != ROW_NUMBER or len(names) < 2:
+        key = self.description.key or ROW_NUMBER
+        if names[0].upper() not in (ROW_NUMBER, key) or len(names) < 2:
             self._fault(
                 "the names of the columns are missing",
                 line,
-                expected="NR, then the columns",
+                expected=f"{key}, then the columns",
                 found=line.text.strip(),
             )
+        for name in names:
+            told = self.description.of(name)
+            if told is not None and told.inch:
+                self._fault(
+                    f"the column {name} is described in inch: whether its values are is not known",
+                    line,
+                    expected="a table in mm",
+                    found="unitIsInch:=TRUE",
+                )
         for name in dict.fromkeys(names):
             if names.count(name) > 1:
                 self._fault(f"the column {name} stands twice", line)
@@ -200,7 +224,10 @@ class _TableReader:
             rows.append(Row(line.number, line.start, line.start + len(line.text), cells))
         if len(self.faults) > self.known:
             return None
-        columns = _columns(names, titles, rows, which)
+        columns = tuple(
+            replace(column, told=self.description.of(column.name))
+            for column in _columns(names, titles, rows, which)
+        )
         return UserTable(self.file.name, kind, head, columns, tuple(rows))
 
     def _assigned(
@@ -211,6 +238,7 @@ class _TableReader:
         """
         words = [_words(line) for line in lines]
         tabs = any("\t" in line.text for line in lines)
+        described = self.description.fits([(title.text, title.start) for title in titles])
         left = None if tabs else [_places(row, _left_slots(titles)) for row in words]
         right = None if tabs else [_places(row, _right_slots(titles)) for row in words]
         full = [list(range(len(titles))) for _ in words]
@@ -221,6 +249,8 @@ class _TableReader:
             for side, name in ((left, "left"), (right, "right"))
             if side is not None and None not in side
         ]
+        if described and left is not None and None not in left:
+            return [places or [] for places in left], "left"
         if len(sides) == 2 and left != right:
             place = next(index for index in range(len(lines)) if left[index] != right[index])  # type: ignore[index]
             self._fault(

@@ -1,0 +1,139 @@
+"""A correction between axes -> the column of the bent axis in the user's own table of the moving
+axis: only cells of that column change, on the grid that is there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal
+
+import numpy as np
+
+from compwright.formats.families.columns.filling import signed
+from compwright.formats.families.columns.finding import find_sources
+from compwright.formats.families.columns.table import UserTable, cell_changes, is_number
+from compwright.formats.families.columns.values import TableValues
+from compwright.formats.families.family import Family
+from compwright.formats.text.notes import Notes
+from compwright.formats.text.patching import Patches
+from compwright.formats.text.scale import EXACTNESS, NotHeld, Scale
+from compwright.formats.text.values import name_of
+from compwright.foundations.errors import InputError, raise_all
+from compwright.records.axis import Axis, AxisKind, FloatArray
+from compwright.records.correction import ControlFile, CrossCompensation
+from compwright.records.plan import PlannedCross
+
+
+@dataclass(frozen=True, slots=True)
+class Filled:
+    """What the user's table holds of a correction: ``file`` and ``column`` for people, and the
+    correction as it stands there, over all rows.
+    """
+
+    file: str
+    column: str
+    entry: PlannedCross
+
+
+def values_quantum(family: Family) -> float:
+    """Return to what the values of a column are rounded, mm or deg (the number is the same)."""
+    return float(Decimal(1).scaleb(-family.definition.measure("value").digits))
+
+
+class CrossFiller(Patches):
+    """Fills columns of the tables among ``files``, one correction after the other."""
+
+    def __init__(
+        self, family: Family, axes: Mapping[str, Axis], files: Sequence[ControlFile]
+    ) -> None:
+        super().__init__(family.definition.dialect, files)
+        self.family = family
+        self.by_address = {axis.address: axis for axis in axes.values()}
+        notes = Notes()
+        self.sources = find_sources(family.definition, files, list(axes.values()), notes.faults)
+        raise_all(InputError, notes.faults)
+        self.values = TableValues(family, self.sources, self.by_address, notes)
+
+    def fill(self, entry: PlannedCross) -> Filled:
+        """Note the changes of one correction. Raises NotHeld, with the reason, where the user's
+        files have no place for it.
+        """
+        added = entry.added
+        table, column = self._place(added)
+        exact = self.values.positions(table, added.input) or ()
+        raise_all(InputError, self.values.notes.faults)
+        rows = np.array([float(position) for position in exact])
+        more = _on_rows(added, rows, table.file)
+        old = self.values.values(table, column, exact, added.output, added.input)
+        raise_all(InputError, self.values.notes.faults)
+        total = (np.zeros(rows.size) if old is None else old) + more
+        self._gentle(table, rows, total)
+        self._write(table, column, self.values.scale(added.input, added.output_kind), total)
+        held = replace(added, positions=rows, positive=more, negative=more, period=None)
+        return Filled(table.file, column, replace(entry, added=held))
+
+    def _place(self, added: CrossCompensation) -> tuple[UserTable, str]:
+        """Return the table of the moving axis and its column for the bent one. Raises NotHeld."""
+        table = self.sources.tables.get(added.input)
+        if table is None:
+            raise NotHeld(f"no table (.COM) that acts for {added.input} is among the files")
+        if self._asleep(added.output):
+            bits = name_of(self.family.definition, "enabled")
+            raise NotHeld(f"the bit of {added.output} in {bits} is 0: no table acts on it")
+        column = self.sources.column_of(added.output)
+        if table.column(column) is None:
+            raise NotHeld(f"{table.file} has no column {column}")
+        if added.input_kind is not AxisKind.LINEAR:
+            raise NotHeld(f"{added.input} turns")
+        if table.head["unit"].text.upper() != "MM":
+            raise NotHeld(f"{table.file} is in inch")
+        moving = [address for address, known in self.sources.tables.items() if known is table]
+        if len(moving) > 1:
+            raise NotHeld(f"{table.file} acts for the motion of several axes: {', '.join(moving)}")
+        return table, column
+
+    def _asleep(self, address: str) -> bool:
+        return any(bit.text == "0" for bit in self.sources.given.get((address, "enabled"), []))
+
+    def _gentle(self, table: UserTable, rows: FloatArray, total: FloatArray) -> None:
+        """Raise NotHeld where neighbours would differ by more than the control takes."""
+        rule = self.family.definition.limit_number("spacing_per_step")
+        if rule is not None and np.any(np.abs(np.diff(total)) > np.diff(rows) / rule):
+            raise NotHeld(f"neighbouring values of {table.file} would differ too much")
+
+    def _write(self, table: UserTable, column: str, scale: Scale, total: FloatArray) -> None:
+        quantum = scale.quantum("value")
+        number = [file.name for file in self.files].index(table.file)
+        changes = []
+        for row, value in zip(table.rows, total, strict=True):
+            text = scale.write("value", round(float(value) / quantum) * quantum)
+            cell = row.cells.get(column)
+            if cell is not None and is_number(cell.text) and Decimal(cell.text) == Decimal(text):
+                continue
+            line = self.files[number].content[row.start : row.end].decode("latin-1")
+            cells = {column: signed(table, text, column)}
+            changes += cell_changes(table, row, line, cells)
+        self.replace(number, *changes)
+
+
+def _on_rows(added: CrossCompensation, rows: FloatArray, file: str) -> FloatArray:
+    """Return what is added at the rows of a table, mm or deg (k,). A straight line goes on to the
+    ends of the table; where a curve bends there has to be a row. Raises NotHeld.
+    """
+    if not np.array_equal(added.positive, added.negative):
+        raise NotHeld(f"a column of {file} serves both directions, the correction has one each")
+    if rows[0] > added.positions[0] + EXACTNESS or rows[-1] < added.positions[-1] - EXACTNESS:
+        raise NotHeld(
+            f"{file} reaches from {rows[0]:g} to {rows[-1]:g}, the correction from"
+            f" {added.positions[0]:g} to {added.positions[-1]:g}"
+        )
+    slopes = np.diff(added.positive) / np.diff(added.positions)
+    origin = added.positions[0]
+    straight = added.positive[0] + slopes[0] * (rows - origin)
+    if np.allclose(np.interp(added.positions, rows, straight), added.positive, rtol=0, atol=1e-9):
+        return np.asarray(straight, dtype=float)
+    apart = [float(np.min(np.abs(rows - position))) for position in added.positions]
+    if max(apart) > EXACTNESS:
+        raise NotHeld(f"the rows of {file} are not where the correction bends")
+    return np.interp(rows, added.positions, added.positive)

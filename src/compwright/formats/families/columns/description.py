@@ -1,0 +1,128 @@
+"""What newer controls say of a table's columns between its first line and their names.
+
+    BEGIN X.COM MM Version: 'Update:110.24'       BEGIN X.COM MM
+    #STRUCTBEGIN                                  TableDescription (
+       NAME = X                                     columns:= [
+         TYPE = N                                     CfgColumnDescription (
+         WIDTH = 12                                     key:="X",
+         DEC = 4                                        width:=12,
+    #STRUCTEND                                        ... ) ],
+    NR  AXISPOS  X                                  primaryKey:="NR"
+                                                  )
+
+Source: tables of other kinds that such controls export (pallets, cutting data, tools), public with
+the reader github drunsinn/pyLSV2 (`table_reader.py`, tests/test_files). No .COM of this form was at
+hand: unconfirmed there. WIDTH leaves out the blank behind a column, ``width`` counts it.
+"""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from decimal import Decimal
+from typing import Literal
+
+from compwright.formats.families.columns.table import Described, is_number
+
+#: What may end the first line of a table: the edition of its description, a mark.
+EDITION = re.compile(r"(?:[ \t]+Version:[ \t]*'[^']*')?(?:[ \t]+U)?[ \t]*$", re.IGNORECASE)
+_STRUCT, _STRUCT_END, _OBJECT = "#STRUCTBEGIN", "#STRUCTEND", "TABLEDESCRIPTION"
+_SETTING = re.compile(r"[ \t]*([A-Za-z-]+)[ \t]*:?=[ \t]*\"?([^\"]*?)\"?[ \t]*,?[ \t]*")
+
+
+@dataclass(frozen=True, slots=True)
+class Description:
+    """The columns that a table describes, by name in capitals; ``key`` names the one that numbers
+    the rows. ``lines``: how many lines it takes; None: it has no end.
+    """
+
+    columns: Mapping[str, Described] = field(default_factory=dict)
+    key: str | None = None
+    lines: int | None = 0
+
+    def of(self, name: str) -> Described | None:
+        """Return what is said of a column, None where nothing is."""
+        return self.columns.get(name.upper())
+
+    def fits(self, titles: Sequence[tuple[str, int]]) -> bool:
+        """Return whether the names of the columns, each at its character, stand as far apart as
+        their widths say, wherever these are said; False where nothing is said.
+        """
+        gaps = [
+            (max(told.width, len(name) if told.blanks else 0) + told.blanks, after - start)
+            for (name, start), (_, after) in itertools.pairwise(titles)
+            if (told := self.of(name)) is not None and told.width is not None
+        ]
+        return bool(gaps) and all(said == found for said, found in gaps)
+
+
+def read_description(lines: Sequence[str]) -> Description:
+    """Return the description with which ``lines`` begin, those behind the first line of a table;
+    an empty one where there is none.
+    """
+    first = lines[0].strip().upper() if lines else ""
+    if first == _STRUCT:
+        return _struct(lines)
+    if re.fullmatch(_OBJECT + r"[ \t]*\(", first):
+        return _object(lines)
+    return Description()
+
+
+def _struct(lines: Sequence[str]) -> Description:
+    columns: dict[str, Described] = {}
+    name = ""
+    for number, line in enumerate(lines):
+        if line.strip().upper() == _STRUCT_END:
+            return Description(columns, None, number + 1)
+        match = _SETTING.fullmatch(line)
+        if match is None or line.lstrip().startswith("*"):  # a comment
+            continue
+        word = match[1].upper()
+        if word == "NAME":
+            name = match[2].upper()
+            columns[name] = Described()
+        elif name:
+            columns[name] = _said(columns[name], word, match[2], "struct")
+    return Description(columns, None, None)
+
+
+def _object(lines: Sequence[str]) -> Description:
+    columns: dict[str, Described] = {}
+    name, key, depth = "", None, 0
+    for number, line in enumerate(lines):
+        bare = re.sub('"[^"]*"', "", line)
+        depth += bare.count("(") + bare.count("[") - bare.count(")") - bare.count("]")
+        if depth <= 0:
+            return Description(columns, key, number + 1)
+        match = _SETTING.fullmatch(line)
+        word = match[1].upper() if match else ""
+        if match is not None and word == "PRIMARYKEY":
+            key = match[2].upper()
+        elif match is not None and word == "KEY":
+            name = match[2].upper()
+            columns[name] = Described()
+        elif match is not None and name:
+            columns[name] = _said(columns[name], word, match[2], "object")
+    return Description(columns, key, None)
+
+
+def _said(column: Described, word: str, text: str, form: Literal["struct", "object"]) -> Described:
+    """Return a column with one more thing said of it; words that decide nothing here are left
+    out.
+    """
+    yes = text.upper() == "TRUE"
+    if word == "WIDTH" and re.fullmatch("[0-9]{1,4}", text):
+        return replace(column, width=int(text), blanks=1 if form == "struct" else 0)
+    if word == "DEC" and re.fullmatch("[0-9]{1,2}", text):
+        return replace(column, decimals=int(text))
+    if word == "MINIMUM" and is_number(text):
+        return replace(column, least=Decimal(text))
+    if word == "MAXIMUM" and is_number(text):
+        return replace(column, most=Decimal(text))
+    if word == "READONLY":
+        return replace(column, read_only=yes)
+    if word == "UNITISINCH":
+        return replace(column, inch=yes)
+    return column
