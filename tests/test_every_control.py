@@ -29,6 +29,9 @@ from loop import Floats, Machine, accuracy, allowed, csv_of
 
 FORMATS = (
     "siemens-840d-sl",
+    "siemens-828d",
+    "siemens-840d-pl",
+    "siemens-one",
     "linuxcnc",
     "fanuc-30i",
     "fanuc-0i-16i",
@@ -42,6 +45,9 @@ FORMATS = (
 MET_OTHERWISE = ("heidenhain-nck+filled", "heidenhain-itnc530+filled", "siemens-840d-sl+cec")
 ADDRESS = {
     "siemens-840d-sl": "AX1",
+    "siemens-828d": "AX1",
+    "siemens-840d-pl": "AX1",
+    "siemens-one": "AX1",
     "linuxcnc": "0",
     "fanuc-30i": "1",
     "fanuc-0i-16i": "1",

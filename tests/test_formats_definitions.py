@@ -423,7 +423,7 @@ def test_list_show_and_check(tmp_path: Path) -> None:
         "S1 p240",
     ):
         assert words in shown
-    with pytest.raises(UsageError, match="linuxcnc or pmac or siemens-840d-sl"):
+    with pytest.raises(UsageError, match=r"linuxcnc or pmac or .*siemens-840d-sl"):
         show_format("siemens")
     assert len(check_formats([])) == len(DEFINITIONS)
     good = tmp_path / "good.yaml"

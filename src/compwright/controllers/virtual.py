@@ -81,7 +81,10 @@ _MAKERS: Mapping[str, Callable[[Sequence[ControlFile], Request], VirtualControl]
     "isg-kernel": isg_control,
     "linuxcnc": linuxcnc_control,
     "pmac": pmac_control,
+    "siemens-828d": sinumerik_control,
+    "siemens-840d-pl": sinumerik_control,
     "siemens-840d-sl": sinumerik_control,
+    "siemens-one": sinumerik_control,
 }
 
 #: Formats that have a judge. A format without one is read back, not independently judged.

@@ -54,6 +54,8 @@ _NUMBERED = (
     "max_magnification",
     "feed_per_spacing",
     "spacing_per_step",
+    "cross_tables",
+    "cross_points",
 )
 _FILE_NAME = re.compile(r"[A-Za-z0-9_.{}-]+")
 _ID = re.compile(r"(?!(?:con|prn|aux|nul|com\d|lpt\d)$)[a-z0-9][a-z0-9_-]{0,63}", re.IGNORECASE)

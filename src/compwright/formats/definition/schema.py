@@ -135,6 +135,8 @@ Predicate = Literal[
     "max_magnification",
     "feed_per_spacing",
     "spacing_per_step",
+    "cross_tables",
+    "cross_points",
 ]
 #: When a file belongs to the set: always, with one table for both directions, with one for each,
 #: for tables between two axes.

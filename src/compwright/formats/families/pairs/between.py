@@ -8,6 +8,7 @@ from dataclasses import replace
 from compwright.formats.families.between import Asked, Between, in_turn, label, not_held, together
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.cross_writing import write_cross
+from compwright.formats.families.pairs.options import reserving
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.records.correction import ControlFile, ControlState
@@ -29,7 +30,7 @@ def pairs_between(family: Family, asked: Asked) -> Between:
         why = "; ".join(str(fault) for fault in error.faults).replace(_OWN, "")
         return in_turn(not_held(entry, why) for entry in asked.planned)
     after = asked.read(together(asked.base, new), written=True)
-    steps = (step for entry in asked.planned for step in _steps(entry, new, before, after))
+    steps = (step for entry in asked.planned for step in _steps(family, entry, new, before, after))
     return Between(files=new, steps=tuple(steps))
 
 
@@ -55,7 +56,11 @@ def _written(family: Family, asked: Asked, before: ControlState) -> tuple[Contro
 
 
 def _steps(
-    entry: PlannedCross, new: Sequence[ControlFile], before: ControlState, after: ControlState
+    family: Family,
+    entry: PlannedCross,
+    new: Sequence[ControlFile],
+    before: ControlState,
+    after: ControlState,
 ) -> list[dict[str, str]]:
     """Return how the new tables between two axes get into the control: sign first, then the data,
     the switches last.
@@ -73,7 +78,9 @@ def _steps(
     which = f"table {tables}" if len(mine) == 1 else f"tables {tables}"
     named = " and ".join(file.name for file in new)
     texts = {
-        "reserve and switch off": _reserving(added.output, added.positions.size, which),
+        "reserve and switch off": _reserving(
+            added.output, reserving(family.definition, added.positions.size, which), which
+        ),
         "check the sign": _checking(
             entry, named, which, "it" if len(mine) == 1 else "each of them"
         ),
@@ -91,11 +98,10 @@ def _switches(address: str) -> tuple[str, str]:
     return f"MD32710 $MA_CEC_ENABLE[{address}]", "SD41300 $SN_CEC_TABLE_ENABLE"
 
 
-def _reserving(address: str, points: int, which: str) -> str:
+def _reserving(address: str, room: str, which: str) -> str:
     enable, switch = _switches(address)
     return (
-        f"MD18342 $MN_MM_CEC_MAX_POINTS must be at least {points} for {which}."
-        f" Set {enable} = 0 and {switch} = 0 for {which}, NEW CONF. Note what MD32710 was"
+        f"{room} Set {enable} = 0 and {switch} = 0 for {which}, NEW CONF. Note what MD32710 was"
         f" before: if it was 0, find out what else sleeps on axis {address} (every other table"
         " with this output axis and a value that is not 0), and switch it off (SD41300 = 0)"
         " before anything else. MD32710 would wake it."

@@ -85,13 +85,16 @@ class PairLimits(AxisLimits):
         state = self.control.state
         tables = state.tables if state is not None else PairTables()
         taken = self._tables(addresses, tables)
+        fixed = self.definition.limit_number("cross_points")
+        if fixed is not None:
+            return fixed
         reserved = [tables.reserved.get(index, 0) for index in taken]
         fact = min(reserved) if all(points > 0 for points in reserved) else None
         return settled_number(self.definition, self.points_option(), self.options, fact)
 
     def _tables(self, addresses: Sequence[str], tables: PairTables) -> list[int]:
         """Return the indices that the tables of these axes will take."""
-        allowed = allowed_tables(self.options)
+        allowed = allowed_tables(self.definition, self.options)
         taken: list[int] = []
         for address in addresses:
             free = free_tables(allowed, tables.used, address)

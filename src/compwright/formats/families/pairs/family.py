@@ -15,7 +15,7 @@ from compwright.formats.families.card_words import CURVES
 from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.pairs.between import pairs_between
 from compwright.formats.families.pairs.capacity import PairLimits
-from compwright.formats.families.pairs.options import available, holds_two_curves
+from compwright.formats.families.pairs.options import available, holds_two_curves, reserving
 from compwright.formats.families.pairs.state import PairsReader
 from compwright.formats.families.pairs.state_writing import PairsWriter
 from compwright.formats.families.pairs.view import with_sign_unknown
@@ -90,6 +90,9 @@ class PairsFamily(GridFamily):
         if not np.array_equal(compensation.positive, compensation.negative):
             values[CURVES] = "2"
         if facts.pairs.own is not None:
+            which = f"the tables {' and '.join(map(str, facts.pairs.own))}"
+            points = int(compensation.positions.size)
+            values["room"] = reserving(self.definition, points, which)
             names = ("table_positive", "table_negative")
             values |= dict(zip(names, map(str, facts.pairs.own), strict=True))
         return values

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
+from compwright.formats.definition.schema import Definition
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.lines import MAYBE_INCH, SAYING_METRIC
 from compwright.formats.families.pairs.places import Pair, as_table
@@ -56,9 +57,9 @@ def sign_question(why: str, moved: str = "the axis") -> Fault:
     )
 
 
-def allowed_tables(options: Mapping[str, object]) -> tuple[int, ...]:
-    """Return the option ``cec_tables``. Raises UsageError when it holds something else than
-    indices.
+def allowed_tables(definition: Definition, options: Mapping[str, object]) -> tuple[int, ...]:
+    """Return the option ``cec_tables``. Raises UsageError when it holds something else than indices
+    of tables that the control has.
     """
     given = options.get("cec_tables", ())
     if not isinstance(given, (tuple, list)) or not all(isinstance(index, int) for index in given):
@@ -70,7 +71,29 @@ def allowed_tables(options: Mapping[str, object]) -> tuple[int, ...]:
                 found=repr(given),
             )
         )
+    count = definition.limit_number("cross_tables")
+    beyond = [index for index in given if count is not None and index >= count]
+    if count is not None and beyond:
+        raise UsageError(
+            Fault(
+                message=f"{definition.id} has {count} CEC tables",
+                place="cec_tables",
+                expected=f"indices from 0 to {count - 1}",
+                found=", ".join(map(str, beyond)),
+            )
+        )
     return tuple(dict.fromkeys(int(index) for index in given))
+
+
+def reserving(definition: Definition, points: int, which: str) -> str:
+    """Return how the control gets room for ``points`` in tables (``which``, in words)."""
+    fixed = definition.limit_number("cross_points")
+    if fixed is None:
+        return (
+            f"MD18342 $MN_MM_CEC_MAX_POINTS must be at least {points} for {which}. If it is"
+            " smaller: set it, save an archive, power on, load the archive back."
+        )
+    return f"{points} points are needed for {which}: each has room for {fixed}, none are reserved."
 
 
 def free_tables(allowed: Sequence[int], in_use: Mapping[int, Pair], address: str) -> list[int]:

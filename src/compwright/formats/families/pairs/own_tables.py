@@ -34,7 +34,7 @@ class OwnTables:
     def __init__(self, control: Family, own: OwnFiles | None) -> None:
         self.definition = control.definition
         self.own = own
-        self.allowed = allowed_tables(control.options)
+        self.allowed = allowed_tables(control.definition, control.options)
         tables = control.state.tables if control.state is not None else PairTables()
         self.reserved = tables.reserved
         self.places: Mapping[int, Places] = places_of(own.gathered) if own is not None else {}

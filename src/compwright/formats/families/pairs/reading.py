@@ -203,6 +203,9 @@ class _TableReader(TableLines):
     def curve(self, scale: Scale, *, asked: bool) -> CecTable | None:
         """Return the table as a curve; what keeps it from being one goes to the notes."""
         singles = {name: self._one(name) for name in DATA if name != "cross_value"}
+        count, anything = self.definition.limit_number("cross_tables"), next(iter(self.places))
+        if count is not None and self.index >= count:
+            self._wrong(f"the control has {count} tables only", self.places[anything][0])
         self._unknown_keys()
         self._odd_settings()
         missing = [name for name in NEEDED if name not in self.places]
@@ -288,6 +291,11 @@ class _TableReader(TableLines):
         return False
 
     def _check_reserved(self, table: Table) -> None:
+        fixed = self.definition.limit_number("cross_points")
+        if fixed is not None and table.positions.size > fixed:
+            message = f"more points than the {fixed} of such a table"
+            place = self.places["cross_value"][fixed]
+            self._wrong(message, place, found=str(table.positions.size))
         reserved = self._one("cross_max_points")
         if reserved is not None and 0 < int(reserved.text) < table.positions.size:
             message = "the control has not reserved so many points"

@@ -27,7 +27,7 @@ class PairsWriter(GridWriter):
 
     def axis(self, work: AxisWork) -> list[ControlFile]:
         """See `GridWriter.axis`."""
-        self.cec.tables.allowed = allowed_tables(work.options)
+        self.cec.tables.allowed = allowed_tables(self.definition, work.options)
         if not holds_two_curves(work.options, work.compensation):
             return super().axis(work)
         text = self.text(work, self.control.scale_of(work.axis), WrittenTable((), {}))

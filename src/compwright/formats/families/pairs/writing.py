@@ -174,6 +174,12 @@ class CecWriter:
         promises, or as many as it has where none were reserved; files that say less would take the
         room away again when they are loaded.
         """
+        fixed = self.definition.limit_number("cross_points")
+        if fixed is not None:
+            if count > fixed:
+                message = f"CEC table {index} needs more points than the control's tables have"
+                faults.append(Fault(message=message, expected=f"{fixed}", found=str(count)))
+            return
         promised = self.control.options.get("points")
         reserved = self.tables.reserved.get(index, 0)
         if 0 < reserved < count and not (isinstance(promised, int) and promised >= count):
