@@ -790,11 +790,9 @@ class TestText:
         box = control(in_style(("N10037", "N10200Q0P3\nN10201Q0P0\nN10037")))
         assert any("10200 hold values" in note for note in box.notes)
         for line, says in (
-            ("N05871Q1A1P5", "5871: 5"),
             ("N03602Q1P00000001", "3602: 00000001"),
-            ("N05711Q1L1P1", "straightness compensation names axis 1"),
-            ("N14985Q1A1P60", "14985: 60"),
             ("N10801Q1L1P1", "10801: 1"),
+            ("N13381Q1L1P1", "13381: 1"),
         ):
             with pytest.raises(InputError, match=says):
                 control(in_style(("N10037", f"{line}\nN05761Q1P0\nN10037")))

@@ -535,7 +535,7 @@ def test_a_reference_beside_machine_zero_is_said_first(tmp_path: Path) -> None:
 def test_a_coding_that_is_not_known_is_asked_for(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    for number, coded in ((1013, "00001000"), (1820, "102")):
+    for number, coded in ((1013, "00000011"), (1820, "100")):
         bench = Bench(tmp_path, {(number, "1"): coded})
         assert bench.run("X") == 2
         told = capsys.readouterr().err

@@ -5,7 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Protocol
 
-from compwright.controllers.fanuc.control import fanuc_0i_16i_control, fanuc_30i_control
+from compwright.controllers.fanuc.control import (
+    fanuc_0i_16i_control,
+    fanuc_0i_d_control,
+    fanuc_0i_f_control,
+    fanuc_15i_control,
+    fanuc_30i_control,
+)
 from compwright.controllers.heidenhain.control import itnc530_control, nck_control
 from compwright.controllers.isg.control import isg_control
 from compwright.controllers.linuxcnc.control import linuxcnc_control
@@ -75,6 +81,9 @@ class VirtualControl(Protocol):
 
 _MAKERS: Mapping[str, Callable[[Sequence[ControlFile], Request], VirtualControl]] = {
     "fanuc-0i-16i": fanuc_0i_16i_control,
+    "fanuc-0i-d": fanuc_0i_d_control,
+    "fanuc-0i-f": fanuc_0i_f_control,
+    "fanuc-15i": fanuc_15i_control,
     "fanuc-30i": fanuc_30i_control,
     "heidenhain-itnc530": itnc530_control,
     "heidenhain-nck": nck_control,

@@ -7,54 +7,24 @@ Sources: ``fanuc``.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
 
+from compwright.controllers.fanuc.beside import left_out
+from compwright.controllers.fanuc.checks import not_used, stopping
+from compwright.controllers.fanuc.grid import Grid
 from compwright.controllers.fanuc.memory import Memory, number_list
 from compwright.controllers.fanuc.options import Options
-from compwright.controllers.fanuc.table import PitchTable, totals
 from compwright.controllers.request import Request, by_address, finite_number
 from compwright.foundations.errors import Fault
-from compwright.records.axis import AxisKind, Direction
+from compwright.records.axis import AxisKind
 from compwright.records.correction import Assumption
 
 _GRID = (3620, 3621, 3622, 3623, 3624)
 #: The intervals of a turn must fill it to this part of the turn, else node and turn drift apart;
 #: printed numbers are exact to 1e-7.
 _WHOLE_TURN = 1e-6
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Grid:
-    """What 3605#0 and 3620 to 3627 say of an axis. ``interval`` and ``turn`` in mm or deg,
-    ``offset`` in detection units.
-
-    ``negative_from``: 3626 with bidirectional data, else None. ``turn``: of an endless axis, else
-    None.
-    """
-
-    axis: int
-    reference: int
-    lowest: int
-    highest: int
-    magnification: int
-    interval: float
-    turn: float | None = None
-    negative_from: int | None = None
-    offset: int = 0
-
-    def starts(self) -> tuple[int, ...]:
-        """Return the first number of each set: of travel towards +, and of travel towards - where
-        that has its own.
-        """
-        return (self.lowest,) if self.negative_from is None else (self.lowest, self.negative_from)
-
-    def numbers(self) -> list[int]:
-        """Return all point numbers that the axis uses."""
-        return [start + i for start in self.starts() for i in range(self.highest - self.lowest + 1)]
-
-    def same_use(self, other: Grid) -> bool:
-        """Whether two axes mean the same by the same numbers (a gantry pair may)."""
-        return replace(self, axis=0) == replace(other, axis=0)
 
 
 class AxisLoader:
@@ -72,33 +42,33 @@ class AxisLoader:
         """Whether the caller wants this axis; an odd one that nobody asks for stops nothing."""
         return self.request.asks_for(str(axis))
 
+    @contextmanager
+    def stopping_nothing(self, axis: int) -> Iterator[None]:
+        """Within it, a fault of an axis that nobody asks for becomes a note."""
+        before = len(self.memory.faults)
+        yield
+        odd = self.memory.faults[before:]
+        if odd and not self.asked(axis):
+            del self.memory.faults[before:]
+            self.note(axis, f"is odd and left alone: {odd[0].message}")
+
     def neighbour(self, axis: int, options: Options) -> Grid | None:
         """Return the grid of an axis that nobody asks for; one with faults is noted and left
         out.
         """
-        before = len(self.memory.faults)
-        grid = self.grid(axis, options)
-        odd = self.memory.faults[before:]
-        del self.memory.faults[before:]
-        if odd:
-            self.note(axis, f"is odd and left alone: {odd[0].message}")
-        return None if odd else grid
-
-    def whole_if_sound(self, number: int, axis: int) -> int | None:
-        """Return a whole number of an axis; None where it is wrong, which is told elsewhere or
-        stops nothing.
-        """
-        before = len(self.memory.faults)
-        value = self.memory.whole(number, axis)
-        del self.memory.faults[before:]
-        return value
+        with self.stopping_nothing(axis):
+            return self.grid(axis, options)
 
     def grid(self, axis: int, options: Options) -> Grid | None:
         """Return the grid of an axis, None when the control compensates nothing by points (or a
         fault says why not).
         """
         before = len(self.memory.faults)
-        self.memory.faults += self.memory.machine.also_acts(axis)
+        self.memory.faults += stopping(
+            self.memory, axis, options, rotary=self.said_rotary(axis) is True
+        )
+        for remark in left_out(self.memory.machine, axis, options.counted):
+            self.note(axis, remark)
         values = {number: self.memory.whole(number, axis) for number in _GRID[:-1]}
         absent = [number for number in _GRID if not self.memory.given(number, axis)]
         if len(absent) == len(_GRID):
@@ -113,18 +83,18 @@ class AxisLoader:
         if values[3623] == 0 or len(self.memory.faults) > before:
             return None
         if absent:
-            self._fault(
+            self.fault(
                 axis,
                 f"pitch parameters of axis {axis} are incomplete",
                 "parameters " + number_list(absent),
             )
             return None
         reference, lowest, highest, magnification = (values[number] or 0 for number in _GRID[:-1])
-        rotary = self._rotary(axis)
+        rotary = self.rotary(axis)
         behind = rotary and lowest == reference + 1 and lowest < highest
         if not lowest <= reference <= highest and not behind:
             found = f"3621 {lowest}, 3620 {reference}, 3622 {highest}"
-            self._fault(axis, f"point numbers of axis {axis}", "3621 <= 3620 <= 3622", found)
+            self.fault(axis, f"point numbers of axis {axis}", "3621 <= 3620 <= 3622", found)
             return None
         if lowest == highest:
             self.note(axis, f"3621 = 3622 = {lowest}: no grid, so no pitch error compensation")
@@ -133,7 +103,7 @@ class AxisLoader:
         if interval is None:
             return None
         if interval == 0.0:
-            self._fault(axis, f"interval 3624 of axis {axis}", "above 0", "0")
+            self.fault(axis, f"interval 3624 of axis {axis}", "above 0", "0")
             return None
         grid = Grid(
             axis=axis,
@@ -146,73 +116,18 @@ class AxisLoader:
         grid = self._endless(self._bidirectional(grid), rotary=rotary)
         self._remarks(axis)
         self._check_points(grid, options)
+        self.memory.faults += not_used(self.memory, axis)
         return grid if len(self.memory.faults) == before else None
 
-    def table(self, grid: Grid, options: Options, returning: Direction) -> PitchTable | None:
-        """Return the totals of a grid whose points are all there; None when its points are at
-        fault.
+    def said_rotary(self, axis: int) -> bool | None:
+        """Return whether 1006#0 or the caller makes an axis rotary, None where neither speaks."""
+        bit = self.memory.bit(1006, 0, axis)
+        told = by_address(self.request.kinds, str(axis))
+        if bit is not None or told is not None:
+            return bit if bit is not None else told is AxisKind.ROTARY
+        return True if by_address(self.request.modulo, str(axis)) is not None else None
 
-        The set of the reference-return direction is 0 at the reference; the other one stands off it
-        by 3627.
-        """
-        # the number of the reference itself owns no section of an endless axis, and need not be
-        # among its numbers
-        used = grid.reference + 1 - grid.lowest if grid.turn is not None else 0
-        curves = []
-        for start in grid.starts():
-            numbers = range(start + used, start + grid.highest - grid.lowest + 1)
-            if any(number not in self.memory.increments for number in numbers):
-                return None
-            increments = [self.memory.increments[number] for number in numbers]
-            curve = totals(increments, grid.reference - grid.lowest + 1 - used)
-            self._check_turn(grid, int(sum(increments)))
-            curves.append(options.pitch_sign * grid.magnification * curve)
-        positive, negative = curves[0], curves[-1]
-        if grid.negative_from is not None:
-            offset = (
-                options.offset_sign
-                * grid.offset
-                * (grid.magnification if options.offset_magnified else 1)
-            )
-            if returning is Direction.POSITIVE:
-                negative = negative + offset
-            else:
-                positive = positive + offset
-                self.note(
-                    grid.axis,
-                    "3605#0 with a reference return towards -: 3627 is taken for travel towards +"
-                    " (unconfirmed)",
-                )
-        first = grid.lowest - grid.reference - 1 + used
-        return PitchTable(
-            first=first,
-            interval=grid.interval,
-            turn=grid.turn,
-            positive=positive,
-            negative=negative,
-        )
-
-    def backlash(self, axis: int) -> int:
-        """Return 1851 in detection units, 0 where the files do not hold it, or hold a wrong one of
-        an axis nobody asks for.
-        """
-        whole = self.memory.whole if self.asked(axis) else self.whole_if_sound
-        backlash = whole(1851, axis)
-        if self.memory.machine.bit(1800, 4, axis):
-            rapid = whole(1852, axis)
-            if rapid is not None and rapid != (backlash or 0):
-                self.note(
-                    axis,
-                    f"1800#4 = 1: at rapid traverse 1852 = {rapid} acts; judged at cutting feed"
-                    " with 1851",
-                )
-        if not self.memory.given(1851, axis):
-            self.memory.assumed.append(
-                Assumption(f"backlash 1851 of {axis}", "0", "not in the files")
-            )
-        return backlash or 0
-
-    def _rotary(self, axis: int) -> bool:
+    def rotary(self, axis: int) -> bool:
         """Return whether an axis is rotary: 1006#0, else the caller, else a turn in 3625."""
         bit = self.memory.bit(1006, 0, axis)
         address = str(axis)
@@ -225,10 +140,9 @@ class AxisLoader:
                     f" {told.value} one",
                 )
             return bit
-        if told is not None:
-            return told is AxisKind.ROTARY
-        if by_address(self.request.modulo, address) is not None:
-            return True
+        said = self.said_rotary(axis)
+        if said is not None:
+            return said
         unit = self.memory.setting(3624, axis).keyword
         if unit in ("mm", "deg"):
             return unit == "deg"
@@ -247,7 +161,7 @@ class AxisLoader:
         modulo = finite_number(by_address(self.request.modulo, str(grid.axis)))
         if not rotary:
             if modulo is not None:
-                self._fault(
+                self.fault(
                     grid.axis,
                     f"axis {grid.axis} is linear but was said to be endless",
                     "1006#0 = 1",
@@ -266,7 +180,7 @@ class AxisLoader:
         ) <= _WHOLE_TURN * turn
         if self.memory.machine.goes_round(grid.axis) is False:
             if modulo is not None:
-                self._fault(
+                self.fault(
                     grid.axis,
                     f"axis {grid.axis} has ends (1006#1 = 1) but was said to be endless",
                     "no modulo",
@@ -274,7 +188,7 @@ class AxisLoader:
                 )
             return grid
         if modulo is not None and abs(modulo - turn) > _WHOLE_TURN * turn:
-            self._fault(
+            self.fault(
                 grid.axis,
                 f"turn of axis {grid.axis} (3625, 0 means 360)",
                 f"{modulo:g} deg",
@@ -288,7 +202,7 @@ class AxisLoader:
             or (grid.lowest == grid.reference and self._goes_round(grid.axis))
         ):
             count = turn / grid.interval
-            self._fault(
+            self.fault(
                 grid.axis,
                 f"axis {grid.axis} is endless but its numbers do not go once round",
                 f"3621 = 3620 and 3622 = 3620 + {count:g}, a whole number",
@@ -324,7 +238,7 @@ class AxisLoader:
         absent = [number for number in (3626, 3627) if not self.memory.given(number, grid.axis)]
         if start is None or offset is None:
             if absent:
-                self._fault(
+                self.fault(
                     grid.axis,
                     f"3605#0 of axis {grid.axis} is 1 without its parameters",
                     "parameters " + number_list(absent),
@@ -333,7 +247,7 @@ class AxisLoader:
         last = start + grid.highest - grid.lowest
         if last > self.memory.series.highest_point:
             limit = f"last number up to {self.memory.series.highest_point}"
-            self._fault(
+            self.fault(
                 grid.axis,
                 f"points for travel towards - of axis {grid.axis}",
                 limit,
@@ -341,7 +255,7 @@ class AxisLoader:
             )
         elif start <= grid.highest and last >= grid.lowest:
             found = f"{grid.lowest} to {grid.highest} and {start} to {last}"
-            self._fault(
+            self.fault(
                 grid.axis,
                 f"the two sets of axis {grid.axis} overlap",
                 "3626 clear of 3621 to 3622",
@@ -378,7 +292,7 @@ class AxisLoader:
                 "holds no pitch data" if len(absent) == len(grid.numbers()) else "lacks pitch data"
             )
             names = number_list(10000 + number for number in absent)
-            self._fault(
+            self.fault(
                 grid.axis,
                 f"grid of axis {grid.axis} {what} (a separate file, or one cut short?)",
                 f"records N{names}",
@@ -401,17 +315,7 @@ class AxisLoader:
                     " the same value",
                 )
 
-    def _check_turn(self, grid: Grid, pulses: int) -> None:
-        """The increments of a turn have to add up to 0."""
-        if grid.turn is not None and pulses != 0:
-            creep = pulses * grid.magnification
-            self._fault(
-                grid.axis,
-                f"axis {grid.axis} creeps by {creep} detection units each turn",
-                "increments that add up to 0",
-            )
-
-    def _fault(self, axis: int, message: str, expected: str, found: str = "") -> None:
+    def fault(self, axis: int, message: str, expected: str, found: str = "") -> None:
         """Add a fault at the first grid parameter of the axis that is given."""
         number = next((n for n in (3621, *_GRID) if self.memory.given(n, axis)), None)
         if number is None:

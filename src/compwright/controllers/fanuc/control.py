@@ -1,5 +1,5 @@
-"""FANUC: stored pitch error compensation, one- or bidirectional, and backlash, for the 30i family
-and for the 0i / 16i family.
+"""FANUC: stored pitch error compensation, one- or bidirectional, backlash, and what acts beside
+them, for the families of its controls (``series``).
 
 Stated from the manuals, apart from the definition that writes the files:
 
@@ -15,6 +15,9 @@ Stated from the manuals, apart from the definition that writes the files:
 - 1851 in detection units, nothing in the direction of the reference return, on reversal the whole
   value in the direction of motion (0i-C parameter manual B-64120EN/01 p. 116): sgn(d) * 1851 *
   detection unit. It acts beside bidirectional data too (practice).
+- At rapid traverse 1852 where 1800#4 = 1 (21i parameter manual B-63090EN/02 p. 97).
+- Inclination, a second (cyclic) table, straightness: ``beside``. They count where an option of
+  their name is ``available``; else they are left as they are and named.
 - Nothing acts before the reference return: the grid hangs on the reference position.
 """
 
@@ -25,16 +28,22 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from compwright.controllers.fanuc.axis import AxisLoader, Grid
-from compwright.controllers.fanuc.machine import read_machine
-from compwright.controllers.fanuc.memory import (
-    SERIES_0I_16I,
-    SERIES_30I,
-    Memory,
-    Series,
-    number_list,
-)
+from compwright.controllers.fanuc.acting import backlash, cycle, pitch_table
+from compwright.controllers.fanuc.axis import AxisLoader
+from compwright.controllers.fanuc.bending import Bending, bending_of
+from compwright.controllers.fanuc.beside import Cycle, cyclic_numbers
+from compwright.controllers.fanuc.grid import Grid
+from compwright.controllers.fanuc.machine import FINEST_CONFIRMED, read_machine
+from compwright.controllers.fanuc.memory import Memory, number_list
 from compwright.controllers.fanuc.options import Options, read_options
+from compwright.controllers.fanuc.series import (
+    SERIES_0I_16I,
+    SERIES_0I_D,
+    SERIES_0I_F,
+    SERIES_15I,
+    SERIES_30I,
+    Series,
+)
 from compwright.controllers.fanuc.sheet import is_sheet, read_sheet
 from compwright.controllers.fanuc.table import PitchTable
 from compwright.controllers.fanuc.text import POINT_BASE, read_file
@@ -54,6 +63,7 @@ class _Axis:
     """
 
     table: PitchTable | None
+    cycle: Cycle | None
     backlash: int
     unit: float | None
     ramp: bool
@@ -63,13 +73,14 @@ class _Axis:
 
 @dataclass(frozen=True, slots=True)
 class FanucControl:
-    """A FANUC with files loaded, all axes referenced, at cutting feed. See
-    ``controllers.virtual.VirtualControl``.
+    """A FANUC with files loaded, all axes referenced, at cutting feed unless the option ``motion``
+    says rapid. See ``controllers.virtual.VirtualControl``.
 
     Addresses are controlled axis numbers as text, ``"1"``.
     """
 
     axes: dict[str, _Axis]
+    bent: tuple[Bending, ...]
     assumed: tuple[Assumption, ...]
     notes: tuple[str, ...]
 
@@ -93,7 +104,7 @@ class FanucControl:
         """
         axis = self._axis(address)
         x = np.asarray(positions, dtype=np.float64)
-        if axis.table is None and axis.backlash == 0:
+        if axis.table is None and axis.cycle is None and axis.backlash == 0:
             return np.zeros(x.shape)
         if axis.unit is None:
             raise UsageError(_no_unit(address))
@@ -102,28 +113,41 @@ class FanucControl:
             pulses = axis.table.pulses(
                 x - axis.reference, positive=direction is Direction.POSITIVE, ramp=axis.ramp
             )
+        if axis.cycle is not None:
+            pulses = pulses + axis.cycle.pulses(x - axis.reference, ramp=axis.ramp)
         if direction is not axis.reference_return:
             pulses = pulses + direction.sign * axis.backlash
         return np.asarray(axis.unit * pulses, dtype=np.float64)
 
     def cross(self) -> tuple[tuple[str, str], ...]:
-        """Return (): straightness compensation is not judged."""
-        return ()
+        """Return (moving, bent) of the pairs of straightness compensation that are counted."""
+        return tuple(dict.fromkeys((entry.moving, entry.bent) for entry in self.bent))
 
     def cross_correction(  # the protocol's names
         self,
         input: str,  # noqa: A002
         output: str,
-        positions: FloatArray,  # noqa: ARG002
-        direction: Direction,  # noqa: ARG002
+        positions: FloatArray,
+        direction: Direction,  # noqa: ARG002  # the same in both
     ) -> FloatArray:
-        """Raise UsageError: no table of one axis acts on another."""
-        raise UsageError(
-            Fault(
-                message="the control's files hold no table of one axis for another",
-                found=f"{input} for {output}",
+        """Return what is added to ``output`` with ``input`` at ``positions`` (any shape), mm or deg
+        of the output.
+
+        Raises UsageError for a pair that no straightness compensation is counted for.
+        """
+        wanted = (input.strip(), output.strip())
+        acting = [entry for entry in self.bent if (entry.moving, entry.bent) == wanted]
+        if not acting:
+            raise UsageError(
+                Fault(
+                    message="the control's files hold no table of one axis for another that is"
+                    " counted",
+                    expected=" or ".join(f"{a} for {b}" for a, b in self.cross()),
+                    found=f"{input} for {output}",
+                )
             )
-        )
+        x = np.asarray(positions, dtype=np.float64)
+        return np.asarray(sum((entry.at(x) for entry in acting), np.zeros(x.shape)))
 
     def _axis(self, address: str) -> _Axis:
         axis = by_address(self.axes, address)
@@ -133,45 +157,42 @@ class FanucControl:
 
 
 def fanuc_30i_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
-    """Return a 30i, 31i, 32i (or 0i-F) with ``files`` loaded. See `_control`."""
+    """Return a 30i, 31i or 32i with ``files`` loaded. See `_control`."""
     return _control(files, request, SERIES_30I)
 
 
 def fanuc_0i_16i_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
-    """Return a 0i-A to D, 16i, 18i, 21i with ``files`` loaded. See `_control`."""
+    """Return a 0i-A to C, 16i, 18i or 21i with ``files`` loaded. See `_control`."""
     return _control(files, request, SERIES_0I_16I)
+
+
+def fanuc_0i_d_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
+    """Return a 0i-D with ``files`` loaded. See `_control`."""
+    return _control(files, request, SERIES_0I_D)
+
+
+def fanuc_0i_f_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
+    """Return a 0i-F with ``files`` loaded. See `_control`."""
+    return _control(files, request, SERIES_0I_F)
+
+
+def fanuc_15i_control(files: Sequence[ControlFile], request: Request) -> FanucControl:
+    """Return a 15i with ``files`` loaded. See `_control`."""
+    return _control(files, request, SERIES_15I)
 
 
 def _control(files: Sequence[ControlFile], request: Request, series: Series) -> FanucControl:
     """Return the control with parameter files, pitch data files and typed-entry sheets loaded, in
     any order.
 
-    Options: ``detection_unit`` (mm or deg per pulse, required), ``output`` (step, ramp),
-    ``increment_limit``, ``pitch_sign``, ``offset_sign``, ``offset_magnified``. Raises InputError
-    for what the control would not take or what contradicts itself, every fault with file and line;
-    UsageError for wrong options, and when no axis is given a detection unit.
+    Options: ``detection_unit`` (mm or deg per pulse, required where the files do not say it),
+    ``output`` (step, ramp), ``motion`` (feed, rapid), ``increment_limit``, ``pitch_sign``,
+    ``offset_sign``, ``offset_magnified``, and ``inclination``, ``cyclic``, ``straightness``
+    (absent, available). Raises InputError for what the control would not take or what contradicts
+    itself, every fault with file and line; UsageError for wrong options, and when no axis is given
+    a detection unit.
     """
-
-    def pitch_sign(address: str) -> str:
-        return str(request.options_of(address).get("pitch_sign", "+"))
-
-    machine = read_machine(file for file in files if not is_sheet(file))
-    memory = Memory(
-        [read_sheet(file, pitch_sign) if is_sheet(file) else read_file(file) for file in files],
-        series,
-        machine,
-    )
-    if not memory.axes() and not memory.faults:
-        found = "pitch data only" if memory.points else ""
-        names = ", ".join(file.name for file in files)
-        memory.faults.append(
-            Fault(
-                message="no compensation parameters found",
-                file=names,
-                expected="parameters 3620 to 3624 or 1851",
-                found=found,
-            )
-        )
+    memory = _memory(files, request, series)
     options = _options(request, memory, series)
     loader = AxisLoader(memory, request)
     grids = {axis: loader.grid(axis, options[axis]) for axis in memory.axes() if loader.asked(axis)}
@@ -179,12 +200,54 @@ def _control(files: Sequence[ControlFile], request: Request, series: Series) -> 
         axis: loader.neighbour(axis, options[axis]) for axis in memory.axes() if axis not in grids
     }
     _check_shared(loader, {axis: grid for axis, grid in grids.items() if grid is not None})
-    axes = {str(axis): _axis(loader, axis, grid, options[axis]) for axis, grid in grids.items()}
-    raise_all(InputError, list(dict.fromkeys(memory.faults)))
+    axes = {}
+    for axis, grid in grids.items():
+        with loader.stopping_nothing(axis):
+            axes[str(axis)] = _axis(loader, axis, grid, options[axis])
+    bent = tuple(bending_of(loader, grids, options))
+    raise_all(InputError, [_spoken(series, fault) for fault in dict.fromkeys(memory.faults)])
     return FanucControl(
         axes=axes,
-        assumed=tuple(dict.fromkeys(memory.assumed)),
-        notes=tuple(dict.fromkeys(memory.notes)),
+        bent=bent,
+        assumed=tuple(
+            replace(entry, fact=series.spoken(entry.fact), evidence=series.spoken(entry.evidence))
+            for entry in dict.fromkeys(memory.assumed)
+        ),
+        notes=tuple(series.spoken(note) for note in dict.fromkeys(memory.notes)),
+    )
+
+
+def _memory(files: Sequence[ControlFile], request: Request, series: Series) -> Memory:
+    """Return what all files say; files without any parameter of the compensation are a fault."""
+
+    def pitch_sign(address: str) -> str:
+        return str(request.options_of(address).get("pitch_sign", "+"))
+
+    contents = [
+        read_sheet(file, pitch_sign, series) if is_sheet(file) else read_file(file, series)
+        for file in files
+    ]
+    machine = read_machine((file for file in files if not is_sheet(file)), series)
+    memory = Memory(contents, series, machine)
+    if not memory.axes() and not memory.faults:
+        memory.faults.append(
+            Fault(
+                message="no compensation parameters found",
+                file=", ".join(file.name for file in files),
+                expected="parameters 3620 to 3624 or 1851",
+                found="pitch data only" if memory.points else "",
+            )
+        )
+    return memory
+
+
+def _spoken(series: Series, fault: Fault) -> Fault:
+    """Return a fault with the numbers of parameters that the control has."""
+    return replace(
+        fault,
+        message=series.spoken(fault.message),
+        expected=series.spoken(fault.expected),
+        found=series.spoken(fault.found),
     )
 
 
@@ -200,7 +263,7 @@ def _options(request: Request, memory: Memory, series: Series) -> dict[int, Opti
         said = memory.machine.detection_unit(axis, rotary=rotary)
         if said is not None and own.detection_unit is None:
             memory.assumed.append(
-                Assumption(f"detection unit of {axis}", f"{said:g}", "1820 with 1013 or 1004")
+                Assumption(f"detection unit of {axis}", f"{said:g}", _unit_by(memory, axis))
             )
             own = replace(own, detection_unit=said)
         elif said is not None and request.asks_for(str(axis)) and memory.moves(axis):
@@ -214,6 +277,14 @@ def _options(request: Request, memory: Memory, series: Series) -> dict[int, Opti
         faults.append(_no_unit(", ".join(map(str, options))))
     raise_all(UsageError, faults)
     return options
+
+
+def _unit_by(memory: Memory, axis: int) -> str:
+    """Return where a detection unit of the files comes from."""
+    system, least = memory.machine.system(axis), memory.machine.least_increment(axis)
+    fine = least is not None and least < 0.9 * FINEST_CONFIRMED
+    how = " (the bits of IS-D and IS-E: unconfirmed)" if fine else ""
+    return f"1820 with {'' if system is None else system.number}{how}"
 
 
 def _no_unit(address: str) -> Fault:
@@ -241,8 +312,9 @@ def _axis(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) ->
                 " zero (unconfirmed)",
             )
     return _Axis(
-        table=None if grid is None else loader.table(grid, options, returning),
-        backlash=loader.backlash(axis),
+        table=None if grid is None else pitch_table(loader, grid, options, returning),
+        cycle=cycle(loader, axis, grid, options),
+        backlash=backlash(loader, axis, options),
         unit=options.detection_unit,
         ramp=options.ramp,
         reference=reference,
@@ -266,7 +338,7 @@ def _check_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
     for (first, second), numbers in clashes.items():
         _clash(loader, grids[first], grids[second], numbers)
     for axis in set(loader.memory.axes()) - set(grids):
-        low, high = (loader.whole_if_sound(number, axis) for number in (3621, 3622))
+        low, high = (loader.memory.whole_if_sound(number, axis) for number in (3621, 3622))
         if (
             low is not None
             and high is not None
@@ -274,7 +346,9 @@ def _check_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
             and any(low <= number <= high for number in owners)
         ):
             loader.note(axis, f"its points {low} to {high}, not in use, meet those of another axis")
-    idle = [n for n, value in loader.memory.increments.items() if value != 0 and n not in owners]
+    used = {n for axis in loader.memory.axes() for n in cyclic_numbers(loader.memory.machine, axis)}
+    used |= set(owners)
+    idle = [n for n, value in loader.memory.increments.items() if value != 0 and n not in used]
     if idle:
         loader.memory.notes.append(
             f"points {number_list(POINT_BASE + n for n in idle)} hold values, but no axis uses them"

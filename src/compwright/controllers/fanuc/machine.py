@@ -1,19 +1,16 @@
-"""What a FANUC's files say of the machine around the pitch data: other functions that act, paths,
-unit systems, turns.
+"""What a FANUC's files say of the machine around the pitch data: paths, unit systems, turns, values
+of any parameter by axis, path or machine.
 
 Stated from the manuals and from a real backup, apart from the room that writes the files:
 
-- Detection unit = least command increment / CMR, 1820 = 2 x CMR for CMR >= 1 (B-63943EN-1/02 p.
-  109). Least command increment by 1013 (1004 on older series): IS-B 0.001, IS-A 0.01, IS-C 0.0001
-  mm or deg; a tenth of that in inches where 1001#0 = 1.
+- Detection unit = least command increment / CMR; 1820 = 2 x CMR (1 to 96) or 100 + 1 / CMR (101 to
+  127) (B-63943EN-1/02 p. 109, B-63950EN/02 p. 106). Least command increment: IS-A 0.01, IS-B 0.001,
+  IS-C 0.0001, IS-D 0.00001, IS-E 0.000001 mm or deg (p. 109), a tenth of that in inches where
+  1001#0 = 1. 1013 bits 0 to 3 are IS-A, C, D, E, bits 0 and 1 of 1004 IS-A and C (practice).
 - 1006#0 = 1, 1006#1 = 0: a rotary axis that goes round; both 1: a rotary axis of the linear type
   (practice; a real backup agrees).
-- Beside the pitch data act: inclination 5861 to 5874 and the second cyclic table 14985 to 14987
-  (A-78868E), straightness 5711 and so on, three-dimensional compensation 10800 to 10802, smooth
-  backlash 1846 to 1849 (practice). None of them is judged: an axis on which one acts is refused.
-  3602 may say that the data are totals (practice).
 - Values stand by axis (A), by path (L) or once for the machine; 981 says which path an axis belongs
-  to (a real backup).
+  to (a real backup). Without it an axis may belong to any path.
 """
 
 from __future__ import annotations
@@ -23,29 +20,25 @@ from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from compwright.controllers.fanuc.series import Series
 from compwright.foundations.errors import Fault
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.correction import ControlFile
 
-#: Functions that would add to the correction -> their parameters by axis; none of them is zero by
-#: chance while it acts.
-_BY_AXIS = {
-    "inclination compensation": (5871, 5872, 5873, 5874),
-    "the second (cyclic) pitch error table": (14985, 14986, 14987),
-    "smooth backlash": (1846, 1847, 1848, 1849),
-}
-#: Functions that name the axes they act on -> the parameters that hold axis numbers.
-_BY_NAME = {
-    "straightness compensation": tuple(range(5711, 5731)),
-    "three-dimensional error compensation": (10800, 10801, 10802),
-}
-_TOTALS = 3602
-_FURTHER = tuple(range(13381, 13400))
-_MACHINE = (981, 1001, 1004, 1006, 1013, 1260, 1800, 1820, _TOTALS, *_FURTHER)
-_KEPT = {
-    *_MACHINE,
-    *(number for numbers in (*_BY_AXIS.values(), *_BY_NAME.values()) for number in numbers),
-}
+PATH_OF = 981
+#: What is kept of a file beside the pitch parameters.
+_KEPT = frozenset(
+    {PATH_OF, 1001, 1004, 1006, 1013, 1260, 1800, 1820, 3602, 8135, 10800, 10801, 10802}
+    | {*range(1846, 1850), *range(5711, 5800), *range(5861, 5875)}
+    | {*range(13381, 13400), *range(14985, 14988)}
+)
+#: Systems finer than this are known from practice only.
+FINEST_CONFIRMED = 1e-4
+#: Increment system -> decimals of the least command increment, by the lower bits of 1013 and 1004.
+_DECIMALS = {0b0000: 3, 0b0001: 2, 0b0010: 4, 0b0100: 5, 0b1000: 6}
+_SYSTEM_BITS = {1013: 0b1111, 1004: 0b0011}
+_COARSEST_CODE = 100  # 1820 from here on: 100 + 1 / CMR
+_CODES = (range(1, 97), range(101, 128))
 
 #: From here on a number may be that of a point.
 _POINTS_FROM = 10000
@@ -54,13 +47,15 @@ _ROW = re.compile(
     rb"(?<![^\r\n])[ \t]*N[ \t]*([0-9]{3,6})(?![0-9])[ \t]*(?:Q[ \t]*([0-9]+))?([^\r\n]*)"
 )
 _GROUP = re.compile(r"(?:([AL])\s*([0-9]+)\s*)?([PMI])\s*(-?[0-9.]+)")
+_WHOLE = re.compile(r"-?[0-9]{1,9}")
 
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """One value and where it stands."""
+    """One value and where it stands. ``letter``: P, M or I as the file has it."""
 
     number: int
+    letter: str
     text: str
     file: str
     line: int
@@ -69,6 +64,11 @@ class Entry:
     def zero(self) -> bool:
         """Whether it says nothing."""
         return not self.text.strip("0.-")
+
+    @property
+    def whole(self) -> int | None:
+        """Return a whole number, None for anything else."""
+        return int(self.text) if _WHOLE.fullmatch(self.text) else None
 
     def bit(self, bit: int) -> bool:
         """Return one of eight bits, 0 the rightmost."""
@@ -85,23 +85,46 @@ class Entry:
         )
 
 
+#: Whose a value is: ``("A", 1)`` an axis', ``("L", 1)`` a path's, ``("", 0)`` the machine's.
+Owner = tuple[str, int]
+MACHINE: Owner = ("", 0)
+
+
 @dataclass(slots=True)
 class Machine:
-    """Values by parameter and owner: ``("A", 1)`` an axis, ``("L", 1)`` a path, ``("", 0)`` the
-    machine.
-    """
+    """Values by parameter and owner."""
 
-    entries: dict[int, dict[tuple[str, int], Entry]] = field(
-        default_factory=lambda: defaultdict(dict)
-    )
+    series: Series
+    entries: dict[int, dict[Owner, Entry]] = field(default_factory=lambda: defaultdict(dict))
+
+    def path(self, axis: int) -> int | None:
+        """Return the path of an axis, None where 981 does not say it (0 is the first)."""
+        home = self.entries.get(PATH_OF, {}).get(("A", axis))
+        return None if home is None or home.whole is None else max(home.whole, 1)
 
     def said(self, number: int, axis: int) -> Entry | None:
-        """Return what holds for an axis: its own value, its path's, the machine's."""
+        """Return what holds for an axis: its own value, its path's, the machine's.
+
+        Where nobody says the path it is that of the first one; `either` says whether that decides.
+        """
         found = self.entries.get(number, {})
-        home = self.entries.get(981, {}).get(("A", axis))
-        path = 1 if home is None or home.zero else int(float(home.text))
-        return next(
-            (found[owner] for owner in (("A", axis), ("L", path), ("", 0)) if owner in found), None
+        owners: tuple[Owner, ...] = (("A", axis), ("L", self.path(axis) or 1), MACHINE)
+        return next((found[owner] for owner in owners if owner in found), None)
+
+    def either(self, number: int, axis: int, bit: int | None = None) -> Fault | None:
+        """Return a fault where paths differ in a parameter (in one bit of it) and 981 does not say
+        which is the axis'.
+        """
+        found = self.entries.get(number, {})
+        if self.path(axis) is not None or ("A", axis) in found:
+            return None
+        paths = sorted((owner[1], entry) for owner, entry in found.items() if owner[0] == "L")
+        if len({entry.text if bit is None else entry.bit(bit) for _, entry in paths}) < 2:
+            return None
+        what = f"{number}" if bit is None else f"{number}#{bit}"
+        return paths[0][1].fault(
+            f"the paths differ in {what}, and no file says to which axis {axis} belongs",
+            f"981 of axis {axis} in the files: " + ", ".join(f"L{i} {e.text}" for i, e in paths),
         )
 
     def bit(self, number: int, bit: int, axis: int) -> bool | None:
@@ -121,94 +144,65 @@ class Machine:
         entry = self.said(1260, axis)
         return float(entry.text) if entry is not None and "." in entry.text.rstrip(".") else 0.0
 
+    def system(self, axis: int) -> Entry | None:
+        """Return the parameter that says the increment system of an axis."""
+        found = (self.said(number, axis) for number in self.series.systems)
+        return next((entry for entry in found if entry is not None), None)
+
+    def least_increment(self, axis: int) -> float | None:
+        """Return the least increment, 0.001 for IS-B; None where no file says it in a known
+        coding.
+        """
+        system = self.system(axis)
+        if system is None or not re.fullmatch("[01]{8}", system.text):
+            return None
+        place = _DECIMALS.get(int(system.text, 2) & _SYSTEM_BITS[system.number])
+        return None if place is None else 10.0**-place
+
     def detection_unit(self, axis: int, *, rotary: bool) -> float | None:
         """Return mm or deg per pulse, None where the files do not say it in a coding that is
         known.
         """
-        coded = self.said(1820, axis)
-        system = self.said(1013, axis) or self.said(1004, axis)
-        kind = self.said(1006, axis)
-        if coded is None or system is None or not re.fullmatch("[0-9]{1,3}", coded.text):
+        coded, kind = self.said(1820, axis), self.said(1006, axis)
+        least = self.least_increment(axis)
+        code = None if coded is None else coded.whole
+        if code is None or least is None or not any(code in codes for codes in _CODES):
             return None
-        if not 2 <= int(coded.text) <= 96 or (kind is not None and kind.bit(3) and not rotary):
+        if kind is not None and kind.bit(3) and not rotary:
             return None
-        decimals = {0b0000: 3, 0b0001: 2, 0b0010: 4}
-        mask = 0b1111 if system.number == 1013 else 0b0011
-        place = (
-            decimals.get(int(system.text, 2) & mask)
-            if re.fullmatch("[01]{8}", system.text)
-            else None
-        )
-        if place is None:
-            return None
+        multiplier = code / 2.0 if code < _COARSEST_CODE else 1.0 / (code - _COARSEST_CODE)
         inch = not rotary and bool(self.bit(1001, 0, axis))
-        return 10.0**-place * (0.1 * MILLIMETRES_PER_INCH if inch else 1.0) * 2.0 / int(coded.text)
+        return least * (0.1 * MILLIMETRES_PER_INCH if inch else 1.0) / multiplier
 
-    def also_acts(self, axis: int) -> Iterable[Fault]:
-        """Yield a fault for each function that acts on an axis beside its table and 1851."""
-        totals = self.said(_TOTALS, axis)
-        if totals is not None and not totals.zero:
-            yield totals.fault(
-                f"the pitch data of axis {axis} may be totals", "3602 = 0: increments"
-            )
-        for name, numbers in _BY_AXIS.items():
-            values = [
-                entry
-                for number in numbers
-                if (entry := self.said(number, axis)) is not None and not entry.zero
-            ]
-            if values:
-                yield values[0].fault(f"{name} acts on axis {axis} and is not judged", "0")
-        for name, numbers in _BY_NAME.items():
-            named = [
-                entry
-                for number in numbers
-                for owner, entry in self.entries.get(number, {}).items()
-                if self._is(axis, owner, entry)
-            ]
-            if named:
-                yield named[0].fault(f"{name} names axis {axis} and is not judged", "0")
-        further = [
-            entry
-            for number in _FURTHER
-            for entry in self.entries.get(number, {}).values()
-            if not entry.zero
-        ]
-        if further:
-            yield further[0].fault(
-                f"further straightness pairs may act on axis {axis} and are not judged", "0"
-            )
-
-    def _is(self, axis: int, owner: tuple[str, int], entry: Entry) -> bool:
-        """Whether an axis number means this axis: as counted over the machine, or as the n-th of
-        the path it stands for.
+    def named(self, owner: Owner, number: int) -> tuple[int, ...]:
+        """Return the axes that an axis number may mean: as counted over the machine, or as the n-th
+        of the path it stands for. Empty: any axis, for a further path whose axes nobody says.
         """
-        if entry.zero:
-            return False
-        number = int(float(entry.text))
-        homes = self.entries.get(981, {})
+        homes = self.entries.get(PATH_OF, {})
         mates = sorted(
-            one
-            for (letter, one), home in homes.items()
-            if letter == "A" and home.text.strip() == str(owner[1])
+            axis for letter, axis in homes if letter == "A" and self.path(axis) == owner[1]
         )
-        return number == axis or (owner[0] == "L" and mates[number - 1 : number] == [axis])
+        if owner[0] == "L" and owner[1] > 1 and not mates:
+            return ()
+        own = mates[number - 1 : number] if owner[0] == "L" else []
+        return tuple(dict.fromkeys([number, *own]))
 
 
-def read_machine(files: Iterable[ControlFile]) -> Machine:
+def read_machine(files: Iterable[ControlFile], series: Series) -> Machine:
     """Return what all files say; sheets and pitch data say nothing here."""
-    machine = Machine()
+    machine = Machine(series)
+    kept = _KEPT if not series.own else {1001, *series.unknown}
     for file in files:
         for match in _ROW.finditer(file.content):
             number = int(match[1])
-            if number not in _KEPT or match[2] not in (None, b"1"):
+            if number not in kept or match[2] not in (None, b"1"):
                 continue
             line = file.content.count(b"\n", 0, match.start()) + 1
             rest = re.sub(r"\([^()]*\)", " ", match[3].decode("latin-1"))
-            for letter, index, _, text in _GROUP.findall(rest):
+            for letter, index, keyword, text in _GROUP.findall(rest):
                 if number >= _POINTS_FROM and match[2] is None and not letter:
                     continue  # without Q1 and without an owner this is a point
                 machine.entries[number][(letter, int(index or 0))] = Entry(
-                    number, text, file.name, line
+                    number, keyword, text, file.name, line
                 )
     return machine

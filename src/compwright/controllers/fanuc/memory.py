@@ -12,10 +12,10 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from typing import TypeVar
 
-from compwright.controllers.fanuc.machine import Machine
+from compwright.controllers.fanuc.machine import Entry, Machine
+from compwright.controllers.fanuc.series import Series
 from compwright.controllers.fanuc.text import POINT_BASE, FileContent, PointRecord, Setting
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.correction import Assumption
@@ -35,22 +35,6 @@ BYTE = (-128, 127)
 
 _WHOLE = re.compile(r"-?[0-9]{1,12}")
 _EIGHT_BITS = re.compile("[01]{8}")
-
-
-@dataclass(frozen=True, slots=True)
-class Series:
-    """What differs between the families. ``whole_lengths``: 3624 without a point counts least input
-    increments (16i and older).
-    """
-
-    name: str
-    highest_point: int
-    increment_limit: int
-    whole_lengths: bool
-
-
-SERIES_30I = Series("30i", highest_point=1535, increment_limit=127, whole_lengths=False)
-SERIES_0I_16I = Series("0i/16i", highest_point=1023, increment_limit=7, whole_lengths=True)
 
 
 class Memory:
@@ -124,6 +108,15 @@ class Memory:
 
         return self._one((number, axis, None), convert)
 
+    def whole_if_sound(self, number: int, axis: int) -> int | None:
+        """Return a whole number of an axis; None where it is wrong, which is told elsewhere or
+        stops nothing.
+        """
+        before = len(self.faults)
+        value = self.whole(number, axis)
+        del self.faults[before:]
+        return value
+
     def bit(self, number: int, bit: int, axis: int | None) -> bool | None:
         """Return a bit, None when it is not in the files. ``axis`` None: a parameter of no axis."""
         return self._one((number, axis, bit), lambda setting: setting.text == "1")
@@ -134,33 +127,33 @@ class Memory:
         """
         return self._one((number, axis, None), lambda setting: self._length(setting, rotary=rotary))
 
-    def increment_size(self, axis: int) -> float:
-        """Return the least input increment of an axis, mm or deg: 0.001 for IS-B, 0.01 for IS-A,
-        0.0001 for IS-C.
+    def entry_length(self, entry: Entry, axis: int, *, rotary: bool) -> float | None:
+        """Return a length that the machine's values hold, mm or deg, as `length` does."""
+        setting = Setting(
+            entry.number, axis, None, entry.letter, entry.text, entry.file, entry.line
+        )
+        return self._length(setting, rotary=rotary)
 
-        Bits 0 (IS-A) and 1 (IS-C) of 1013 by axis, of 1004 on the older series (general knowledge,
-        no page at hand); else IS-B.
+    def increment_size(self, axis: int) -> float | None:
+        """Return the least input increment of an axis, mm or deg: 0.001 for IS-B, which is taken
+        where no file says it; None (and a fault) for another coding.
         """
-        if all(
-            self.bit(number, 1, owner) is None for number, owner in ((1013, axis), (1004, None))
-        ):
+        size, system = self.machine.least_increment(axis), self.machine.system(axis)
+        if system is None:
             self.assumed.append(
                 Assumption(
                     f"increment system of {axis}", "IS-B", "neither 1013 nor 1004 is in the files"
                 )
             )
-        coarse, fine = (
-            next(
-                (
-                    bit
-                    for place in ((1013, axis), (1004, None))
-                    if (bit := self.bit(place[0], number, place[1])) is not None
-                ),
-                False,
+            return 0.001
+        if size is None:
+            self.faults.append(
+                system.fault(
+                    f"increment system of axis {axis}, in which its lengths count",
+                    "eight binary digits, one system",
+                )
             )
-            for number in (0, 1)
-        )
-        return 0.0001 if fine else 0.01 if coarse else 0.001
+        return size
 
     def _length(self, setting: Setting, *, rotary: bool) -> float | None:
         if setting.keyword in ("mm", "deg") and (setting.keyword == "deg") != rotary:
@@ -189,7 +182,10 @@ class Memory:
                 return None
             # the least input increment of an inch machine is a tenth of the same number of inches
             # (IS-B: 0.0001 inch)
-            value *= self.increment_size(setting.axis or 0) * (0.1 if inch else 1.0)
+            size = self.increment_size(setting.axis or 0)
+            if size is None:
+                return None
+            value *= size * (0.1 if inch else 1.0)
         return value * (MILLIMETRES_PER_INCH if inch else 1.0)
 
     def _range(self, number: int) -> tuple[int, int]:

@@ -5,9 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from compwright.controllers.fanuc.memory import BYTE, Series
+from compwright.controllers.fanuc.memory import BYTE
+from compwright.controllers.fanuc.series import Series
 from compwright.controllers.request import finite_number
 from compwright.foundations.errors import Fault
+
+#: Functions beside the table that an option says to count with.
+BESIDE = ("inclination", "cyclic", "straightness")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -17,7 +21,9 @@ class Options:
     ``ramp``: the pulses of a section come evenly over it, not in its middle. ``pitch_sign``,
     ``offset_sign``: +1 or -1, of the pitch data and of 3627 (signs that no manual page confirms).
     ``offset_magnified``: 3623 multiplies 3627. ``lowest`` to ``highest``: increments that the
-    control takes.
+    control takes. ``counted``: functions beside the table that are counted with (``inclination``,
+    ``cyclic``, ``straightness``); the others stay as they are and are only named. ``rapid``: the
+    axis arrives at rapid traverse, not at cutting feed.
     """
 
     detection_unit: float | None
@@ -27,6 +33,8 @@ class Options:
     offset_magnified: bool
     lowest: int
     highest: int
+    counted: frozenset[str] = frozenset()
+    rapid: bool = False
 
 
 def read_options(
@@ -72,6 +80,10 @@ def read_options(
         # a limit of 127 is that of the signed byte, which reaches one further downwards
         lowest=BYTE[0] if limit == BYTE[1] else -int(limit),
         highest=int(limit),
+        counted=frozenset(
+            name for name in BESIDE if choice(name, ("absent", "available")) == "available"
+        ),
+        rapid=choice("motion", ("feed", "rapid")) == "rapid",
     )
 
 

@@ -13,6 +13,7 @@ import math
 import re
 from collections.abc import Callable
 
+from compwright.controllers.fanuc.series import Series
 from compwright.controllers.fanuc.text import POINT_BASE, FileContent, PointRecord, Setting
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -41,7 +42,7 @@ def is_sheet(file: ControlFile) -> bool:
     return file.name.casefold().endswith(".csv")
 
 
-def read_sheet(file: ControlFile, pitch_sign: Callable[[str], str]) -> FileContent:
+def read_sheet(file: ControlFile, pitch_sign: Callable[[str], str], series: Series) -> FileContent:
     """Return what a sheet says. ``pitch_sign``: axis address -> option; a sheet that calls its
     values errors needs a ``-``.
     """
@@ -54,7 +55,7 @@ def read_sheet(file: ControlFile, pitch_sign: Callable[[str], str]) -> FileConte
     lines = [
         (number, line.strip()) for number, line in enumerate(re.split(r"\r\n|\n|\r", text), start=1)
     ]
-    sheet = _Sheet(file.name, pitch_sign)
+    sheet = _Sheet(file.name, pitch_sign, series)
     for number, line in lines:
         if line.startswith("#"):
             sheet.comment(line, number)
@@ -67,8 +68,9 @@ def read_sheet(file: ControlFile, pitch_sign: Callable[[str], str]) -> FileConte
 
 
 class _Sheet:
-    def __init__(self, file: str, pitch_sign: Callable[[str], str]) -> None:
+    def __init__(self, file: str, pitch_sign: Callable[[str], str], series: Series) -> None:
         self.file = file
+        self.series = series
         self.pitch_sign = pitch_sign
         self.errors_at = 0
         self.found = FileContent()
@@ -125,10 +127,14 @@ class _Sheet:
         if match is None:
             self._wrong(number, "point", "a number such as 10040, 3620 or 3605#0", point)
             return
-        key = (int(match[1]), None if match[2] is None else int(match[2]))
+        known = self.series.known_as(int(match[1]))
+        key = (
+            int(match[1]) if known is None else known,
+            None if match[2] is None else int(match[2]),
+        )
         if not _NUMBER.fullmatch(value):
             self._wrong(number, f"value of {point}", "a number with a decimal point", value)
-        elif key in PARAMETERS:
+        elif key in PARAMETERS and known is not None:
             self._parameter(key, position, value, unit, number)
         elif key[1] is None and (key[0] < _POINTS_BELOW or key[0] >= POINT_BASE):
             self._point(key[0], position, value, unit, number)

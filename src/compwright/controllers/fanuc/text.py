@@ -22,6 +22,7 @@ import re
 from dataclasses import dataclass, field, replace
 from typing import Literal
 
+from compwright.controllers.fanuc.series import Series
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -118,9 +119,9 @@ class FileContent:
     faults: list[Fault] = field(default_factory=list)
 
 
-def read_file(file: ControlFile) -> FileContent:
+def read_file(file: ControlFile, series: Series) -> FileContent:
     """Return what one file of the control says (bytes, ASCII, lines ended by LF, CR LF, LF CR CR or
-    CR). Nothing is raised.
+    CR), parameters by the numbers that this room has for them. Nothing is raised.
     """
     if b"\x00" in file.content:
         fault = Fault(
@@ -129,7 +130,7 @@ def read_file(file: ControlFile) -> FileContent:
             expected="the text that the control punches out",
         )
         return FileContent(faults=[fault])
-    reader = _Reader(file.name)
+    reader = _Reader(file.name, series)
     text = file.content.decode("latin-1").removeprefix("\xef\xbb\xbf")
     for number, line in enumerate(_BREAK.split(text), start=1):
         reader.take(line, number)
@@ -146,8 +147,9 @@ class _Reader:
     section, an even one closes it.
     """
 
-    def __init__(self, file: str) -> None:
+    def __init__(self, file: str, series: Series) -> None:
         self.file = file
+        self.series = series
         self.found = FileContent()
         self.marks = 0
         self.programmed = False
@@ -235,7 +237,7 @@ class _Reader:
         )
 
     def _matters(self, number: int) -> bool:
-        return number in WATCHED or number >= POINT_BASE
+        return self.series.known_as(number) in WATCHED or number >= POINT_BASE
 
     def _place(self, number: int) -> None:
         """A block outside ``%`` .. ``%`` is not read by the control (files without any ``%`` are
@@ -260,15 +262,16 @@ class _Reader:
     def _block(self, number: int, rest: str, line: int) -> None:
         words = _words(rest)
         if words is None:
-            if number not in WATCHED and not re.match(r"\s*Q\s*0", rest):
+            if number >= POINT_BASE and not re.match(r"\s*Q\s*0", rest):
                 return  # some other parameter of the control
             raise _Unreadable("words such as A1P40, without plus sign, comma or semicolon")
+        known = number if number >= POINT_BASE else self.series.known_as(number)
         if self.programmed:
-            self._program_block(number, words, line)
+            self._program_block(known or number, words, line)
         elif number >= POINT_BASE:
             self._point(number, words, line)
         else:
-            self._parameter(number, words, line)
+            self._parameter(known or number, words, line)
 
     def _parameter(self, number: int, words: list[tuple[str, str]], line: int) -> None:
         """Read ``[Q1] (L1 | A<axis> | S<spindle>) P<value> ...``: spindle and second-path groups

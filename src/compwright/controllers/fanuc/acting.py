@@ -1,0 +1,196 @@
+"""What acts on one axis of a FANUC: the totals of its pitch data, its backlash, its second table.
+
+Every contradiction becomes a fault of the memory; what is left open a note or an assumption.
+Sources: ``control``, ``beside``.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from compwright.controllers.fanuc.axis import AxisLoader
+from compwright.controllers.fanuc.beside import CYCLIC, Cycle, inclination
+from compwright.controllers.fanuc.grid import Grid
+from compwright.controllers.fanuc.memory import number_list
+from compwright.controllers.fanuc.options import Options
+from compwright.controllers.fanuc.table import PitchTable, totals
+from compwright.controllers.fanuc.text import POINT_BASE
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.correction import Assumption
+
+#: A turn has to hold a whole number of periods to this part of one.
+_WHOLE_PERIODS = 1e-6
+
+
+def pitch_table(
+    loader: AxisLoader, grid: Grid, options: Options, returning: Direction
+) -> PitchTable | None:
+    """Return the totals of a grid whose points are all there, inclination with them where it is
+    counted; None when its points are at fault.
+
+    The set of the reference-return direction is 0 at the reference; the other one stands off it by
+    3627.
+    """
+    # the number of the reference itself owns no section of an endless axis, and need not be among
+    # its numbers
+    used = grid.reference + 1 - grid.lowest if grid.turn is not None else 0
+    inclined = _inclined(loader, grid, options, used)
+    curves = []
+    for start in grid.starts():
+        numbers = range(start + used, start + grid.highest - grid.lowest + 1)
+        if any(number not in loader.memory.increments for number in numbers):
+            return None
+        increments = [loader.memory.increments[number] for number in numbers]
+        curve = totals(increments, grid.reference - grid.lowest + 1 - used)
+        _check_turn(loader, grid, int(sum(increments)))
+        curves.append(options.pitch_sign * (grid.magnification * curve + inclined))
+    positive, negative = curves[0], curves[-1]
+    if grid.negative_from is not None:
+        offset = (
+            options.offset_sign
+            * grid.offset
+            * (grid.magnification if options.offset_magnified else 1)
+        )
+        if returning is Direction.POSITIVE:
+            negative = negative + offset
+        else:
+            positive = positive + offset
+            loader.note(
+                grid.axis,
+                "3605#0 with a reference return towards -: 3627 is taken for travel towards +"
+                " (unconfirmed)",
+            )
+    first = grid.lowest - grid.reference - 1 + used
+    return PitchTable(
+        first=first, interval=grid.interval, turn=grid.turn, positive=positive, negative=negative
+    )
+
+
+def backlash(loader: AxisLoader, axis: int, options: Options) -> int:
+    """Return 1851 in detection units, at rapid traverse 1852 where 1800#4 = 1.
+
+    0 where the files do not hold it, or hold a wrong one of an axis nobody asks for.
+    """
+    memory = loader.memory
+    whole = memory.whole if loader.asked(axis) else memory.whole_if_sound
+    feed = whole(1851, axis)
+    if not memory.given(1851, axis):
+        memory.assumed.append(Assumption(f"backlash 1851 of {axis}", "0", "not in the files"))
+    if not memory.machine.bit(1800, 4, axis):
+        return feed or 0
+    rapid = whole(1852, axis)
+    if not memory.given(1852, axis):
+        memory.assumed.append(
+            Assumption(f"backlash 1852 of {axis}", "0", "1800#4 = 1, not in the files")
+        )
+    if options.rapid:
+        return rapid or 0
+    if (rapid or 0) != (feed or 0):
+        loader.note(
+            axis,
+            f"1800#4 = 1: at rapid traverse 1852 = {rapid or 0} acts; judged at cutting feed with"
+            " 1851",
+        )
+    return feed or 0
+
+
+def cycle(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) -> Cycle | None:
+    """Return the second table of an axis where it is counted, None where it has none or it is at
+    fault. ``grid``: of its main table.
+    """
+    memory = loader.memory
+    ends = [memory.machine.said(number, axis) for number in CYCLIC]
+    acting = [entry for entry in ends[1:] if entry is not None and not entry.zero]
+    if "cyclic" not in options.counted or not acting:
+        return None
+    first, last, width = ends
+    low, high = (
+        0 if entry is None else entry.whole if entry.whole is not None else -1
+        for entry in (first, last)
+    )
+    rotary = loader.said_rotary(axis) is True if grid is None else loader.rotary(axis)
+    interval = None if width is None else memory.entry_length(width, axis, rotary=rotary)
+    if not 0 <= low < high or last is None or width is None or interval is None or interval <= 0.0:
+        memory.faults.append(
+            acting[0].fault(
+                f"the second table of axis {axis} (14985 {low}, 14986 {high})",
+                "14985 below 14986, and 14987 above 0 with a decimal point",
+            )
+        )
+        return None
+    absent = [number for number in range(low + 1, high + 1) if number not in memory.increments]
+    if absent:
+        names = number_list(POINT_BASE + number for number in absent)
+        memory.faults.append(
+            last.fault(f"the second table of axis {axis} lacks pitch data", f"records N{names}")
+        )
+        return None
+    increments = [memory.increments[number] for number in range(low + 1, high + 1)]
+    if sum(increments) != 0:
+        memory.faults.append(
+            last.fault(
+                f"the second table of axis {axis} creeps by {sum(increments)} detection units each"
+                " period",
+                "increments that add up to 0",
+            )
+        )
+        return None
+    period = interval * len(increments)
+    if grid is not None and grid.turn is not None:
+        periods = grid.turn / period
+        if abs(periods - round(periods)) > _WHOLE_PERIODS * periods:
+            memory.faults.append(
+                width.fault(
+                    f"the second table of axis {axis} does not fit into the turn of {grid.turn:g}",
+                    f"a whole number of its periods of {period:g}",
+                )
+            )
+            return None
+    memory.assumed.append(
+        Assumption(
+            f"second table of {axis}",
+            f"period {period:g} from the reference, without 3623"
+            + ("" if grid is not None else ", main table off"),
+            "unconfirmed",
+        )
+    )
+    return Cycle(interval, options.pitch_sign * totals(increments, 0))
+
+
+def _inclined(loader: AxisLoader, grid: Grid, options: Options, used: int) -> FloatArray:
+    """Return the inclination (k + 1,) at the section ends of a grid, detection units, without 3623;
+    0 where it is not counted.
+    """
+    numbers = np.arange(grid.lowest - 1 + used, grid.highest + 1, dtype=np.float64)
+    if "inclination" not in options.counted:
+        return np.zeros(numbers.size)
+    lines = inclination(loader.memory.machine, grid.axis, loader.memory.faults)
+    if lines is None:
+        return np.zeros(numbers.size)
+    at = lines.at(numbers, grid.reference)
+    if grid.turn is not None and at[0] != at[-1]:
+        loader.fault(
+            grid.axis,
+            f"inclination 5871 to 5874 of axis {grid.axis} creeps by {at[-1] - at[0]:g} detection"
+            " units each turn",
+            "the same amount at both ends of the turn",
+        )
+    loader.memory.assumed.append(
+        Assumption(
+            f"inclination of {grid.axis}",
+            "with the sign of the pitch data, without 3623, 0 at the reference",
+            "unconfirmed",
+        )
+    )
+    return at
+
+
+def _check_turn(loader: AxisLoader, grid: Grid, pulses: int) -> None:
+    """The increments of a turn have to add up to 0."""
+    if grid.turn is not None and pulses != 0:
+        creep = pulses * grid.magnification
+        loader.fault(
+            grid.axis,
+            f"axis {grid.axis} creeps by {creep} detection units each turn",
+            "increments that add up to 0",
+        )

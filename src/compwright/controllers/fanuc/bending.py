@@ -1,0 +1,108 @@
+"""Straightness compensation of a FANUC as one axis' curve over another. Sources: ``beside``.
+
+The amounts are put out at the pitch points of the moving axis; here they are straight lines between
+them (unconfirmed, and said so).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.controllers.fanuc.axis import AxisLoader
+from compwright.controllers.fanuc.beside import Bend, bends
+from compwright.controllers.fanuc.grid import Grid
+from compwright.controllers.fanuc.options import Options
+from compwright.records.axis import FloatArray
+from compwright.records.correction import Assumption
+
+
+@dataclass(frozen=True, slots=True)
+class Bending:
+    """``shifts`` (k,) of the axis ``bent``, mm or deg, with the axis ``moving`` at ``nodes`` (k,)
+    from its ``reference``, mm or deg; ``turn`` of an endless moving axis, else None.
+    """
+
+    moving: str
+    bent: str
+    nodes: FloatArray
+    shifts: FloatArray
+    reference: float
+    turn: float | None
+
+    def at(self, positions: FloatArray) -> FloatArray:
+        """Return the shift with the moving axis at ``positions`` (any shape); the ends hold."""
+        x = positions - self.reference
+        if self.turn is not None:
+            x = np.mod(x, self.turn)
+        return np.asarray(np.interp(x, self.nodes, self.shifts), dtype=np.float64)
+
+
+def bending_of(
+    loader: AxisLoader, grids: Mapping[int, Grid | None], options: Mapping[int, Options]
+) -> Iterator[Bending]:
+    """Yield the pairs that an option counts and the caller asks for; what is open about one is a
+    fault of the memory.
+    """
+    memory = loader.memory
+    if not any("straightness" in entry.counted for entry in options.values()):
+        return
+    for bend in bends(memory.machine, memory.faults):
+        if not (loader.asked(bend.moving) or loader.asked(bend.bent)):
+            loader.note(
+                bend.bent, f"axis {bend.moving} bends it ({bend.entry.number}); nobody asks for it"
+            )
+            continue
+        grid = grids.get(bend.moving)
+        if grid is None:
+            memory.faults.append(
+                bend.entry.fault(
+                    f"straightness compensation moves with axis {bend.moving}, whose points do not"
+                    " act",
+                    "3620 to 3624 of the moving axis",
+                )
+            )
+            continue
+        unit = _unit(loader, bend, options)
+        if unit is not None:
+            yield _bending(loader, bend, grid, unit)
+
+
+def _unit(loader: AxisLoader, bend: Bend, options: Mapping[int, Options]) -> float | None:
+    """Return the bent axis' detection unit, mm or deg; a fault where nobody says it."""
+    own = options.get(bend.bent)
+    rotary = loader.said_rotary(bend.bent) is True
+    unit = own.detection_unit if own is not None else None
+    unit = unit or loader.memory.machine.detection_unit(bend.bent, rotary=rotary)
+    if unit is None:
+        loader.memory.faults.append(
+            bend.entry.fault(
+                f"detection unit of axis {bend.bent}, in which its straightness counts",
+                f"1820 and 1013 of axis {bend.bent} in the files, or the option detection_unit",
+            )
+        )
+    return unit
+
+
+def _bending(loader: AxisLoader, bend: Bend, grid: Grid, unit: float) -> Bending:
+    numbers = np.arange(
+        grid.reference if grid.turn is not None else grid.lowest - 1, grid.highest + 1
+    ).astype(np.float64)
+    reference, _ = loader.request.referenced(str(bend.moving))
+    loader.memory.assumed.append(
+        Assumption(
+            f"straightness of {bend.bent} over {bend.moving}",
+            f"in detection units of axis {bend.bent}, + towards +, lines between the points",
+            "unconfirmed",
+        )
+    )
+    return Bending(
+        moving=str(bend.moving),
+        bent=str(bend.bent),
+        nodes=grid.interval * (numbers - grid.reference),
+        shifts=unit * bend.lines.at(numbers, grid.reference),
+        reference=reference,
+        turn=grid.turn,
+    )

@@ -1,0 +1,260 @@
+"""What acts on a FANUC's axis beside its pitch data and its backlash.
+
+Stated from the manuals, apart from the room that writes the files:
+
+- Inclination: four point numbers 5861 to 5864 and amounts 5871 to 5874 in detection units make
+  three straight lines, put out at the pitch intervals and added to the pitch amount (35i-B,
+  B-64523EN-1/02, 1.3.8; B-63522EN/02 p. 222). Numbers, the ends held, zero at the reference, not
+  multiplied by 3623: practice.
+- Second (cyclic) table: numbers 14985 to 14986 of the common pitch data, 14987 its interval; the
+  amounts of a period add up to 0 and repeat, superposed on the main table (A-78868E p. 3, 6). The
+  period begins at the reference, 3623 does not multiply: practice.
+- Straightness: 5711 to 5713 the moving axis, 5721 to 5723 the axis that is bent, by pair four
+  numbers of the moving axis' points (5731 and on) and four amounts (5761 and on); the difference of
+  two amounts is spread evenly over the intervals between them (B-63522EN/02 p. 222). The numbers of
+  the parameters, and the bent axis' detection unit: practice.
+- 3602 may say that the data are totals; 10800 to 10802 name the axes of three-dimensional error
+  compensation, a field over three positions (A-79351E p. 3; the numbers: practice); 13381 to 13399
+  are further straightness pairs (practice). Not judged: they refuse an axis.
+- 1846 to 1849: smooth backlash (practice). Not judged: the whole 1851 is taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from compwright.controllers.fanuc.machine import MACHINE, Entry, Machine, Owner
+from compwright.foundations.errors import Fault
+from compwright.records.axis import FloatArray
+
+INCLINED = (5871, 5872, 5873, 5874)
+_INCLINED_AT = (5861, 5862, 5863, 5864)
+CYCLIC = (14985, 14986, 14987)
+_SMOOTH = (1846, 1847, 1848, 1849)
+_MOVING, _BENT = 5711, 5721
+_PAIRS = range(3)
+_STRAIGHT_AT, _STRAIGHT = 5731, 5761
+_TOTALS = 3602
+_FIELD = (10800, 10801, 10802)
+_FURTHER = range(13381, 13400)
+#: Amounts of inclination and straightness are words (practice).
+_LARGEST = 32767
+
+
+@dataclass(frozen=True, slots=True)
+class Lines:
+    """Straight lines through ``amounts`` (detection units) at ``points`` (numbers), ascending; the
+    ends hold.
+    """
+
+    points: tuple[int, ...]
+    amounts: tuple[int, ...]
+
+    def at(self, numbers: FloatArray, reference: int) -> FloatArray:
+        """Return detection units at point ``numbers`` (any shape), 0 at the one of the
+        reference.
+        """
+        corners = dict(zip(self.points, self.amounts, strict=True))
+        here, there = (
+            np.interp(where, list(corners), list(corners.values()))
+            for where in (numbers, np.asarray(float(reference)))
+        )
+        return np.asarray(here - there, dtype=np.float64)
+
+
+@dataclass(frozen=True, slots=True)
+class Cycle:
+    """The second table: totals (n + 1,) in detection units at the ends of its sections, the first
+    and the last 0, ``interval`` mm or deg; it repeats in both directions.
+    """
+
+    interval: float
+    totals: FloatArray
+
+    def pulses(self, positions: FloatArray, *, ramp: bool) -> FloatArray:
+        """Return the total at ``positions`` (any shape, mm or deg from the reference)."""
+        sections = np.mod(positions / self.interval, self.totals.size - 1)
+        if ramp:
+            return np.asarray(
+                np.interp(sections, np.arange(self.totals.size), self.totals), dtype=np.float64
+            )
+        return np.asarray(self.totals[np.floor(sections + 0.5).astype(np.intp)], dtype=np.float64)
+
+
+@dataclass(frozen=True, slots=True)
+class Bend:
+    """``lines`` of the axis ``moving`` bend the axis ``bent``; ``entry`` names the pair."""
+
+    moving: int
+    bent: int
+    lines: Lines
+    entry: Entry
+
+
+def inclination(machine: Machine, axis: int, faults: list[Fault]) -> Lines | None:
+    """Return the inclination of an axis, None where every amount is 0 or it is at fault."""
+    at = [machine.said(number, axis) for number in _INCLINED_AT]
+    amounts = [machine.said(number, axis) for number in INCLINED]
+    return _lines(at, amounts, f"inclination of axis {axis}", faults)
+
+
+def cyclic_numbers(machine: Machine, axis: int) -> range:
+    """Return the point numbers that the second table of an axis uses."""
+    first, last = (machine.said(number, axis) for number in CYCLIC[:2])
+    low, high = (0 if entry is None else entry.whole or 0 for entry in (first, last))
+    return range(low, high + 1) if 0 <= low < high else range(0)
+
+
+def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
+    """Yield the pairs of straightness compensation that bend something; what is wrong with a pair
+    is a fault.
+    """
+    for pair in _PAIRS:
+        for owner, moving in machine.entries.get(_MOVING + pair, {}).items():
+            bent = machine.entries.get(_BENT + pair, {}).get(owner)
+            if moving.zero or bent is None or bent.zero:
+                continue
+            at, amounts = (
+                [_of(machine, first + 10 * pair + i, owner) for i in range(4)]
+                for first in (_STRAIGHT_AT, _STRAIGHT)
+            )
+            lines = _lines(at, amounts, f"straightness compensation, pair {pair + 1}", faults)
+            axes = [_one_axis(machine, owner, entry, faults) for entry in (moving, bent)]
+            if lines is None or axes[0] is None or axes[1] is None:
+                continue
+            if axes[0] == axes[1]:
+                faults.append(bent.fault("an axis cannot bend itself", f"not {bent.text}"))
+                continue
+            yield Bend(axes[0], axes[1], lines, moving)
+
+
+def refusing(machine: Machine, axis: int) -> Iterator[Fault]:
+    """Yield a fault for each function that may act on an axis and cannot be counted with."""
+    totals = machine.said(_TOTALS, axis)
+    apart = machine.either(_TOTALS, axis)
+    if apart is not None:
+        yield apart
+    elif totals is not None and not totals.zero:
+        yield totals.fault(f"the pitch data of axis {axis} may be totals", "3602 = 0: increments")
+    named = [
+        entry
+        for number in _FIELD
+        for owner, entry in machine.entries.get(number, {}).items()
+        if _names(machine, owner, entry, axis)
+    ]
+    if named:
+        yield named[0].fault(
+            f"three-dimensional error compensation names axis {axis} and is not judged", "0"
+        )
+    further = [
+        entry
+        for number in _FURTHER
+        for entry in machine.entries.get(number, {}).values()
+        if not entry.zero
+    ]
+    if further:
+        yield further[0].fault(
+            f"further straightness pairs may act on axis {axis} and are not judged", "0"
+        )
+    for number in machine.series.unknown:
+        entry = machine.said(number, axis)
+        if entry is not None and not entry.zero:
+            yield entry.fault(
+                f"what {number} does to axis {axis} is not known, so it is not judged", "0"
+            )
+            return
+
+
+def left_out(machine: Machine, axis: int, counted: frozenset[str]) -> Iterator[str]:
+    """Yield a remark for each function that acts on an axis and is not counted: it stays as it
+    is.
+    """
+    by_axis = {
+        "inclination": ("inclination compensation", INCLINED),
+        "cyclic": ("the second (cyclic) pitch error table", CYCLIC[1:]),
+        "": ("smooth backlash", _SMOOTH),
+    }
+    for option, (name, numbers) in by_axis.items():
+        acting = [
+            entry
+            for number in numbers
+            if (entry := machine.said(number, axis)) is not None and not entry.zero
+        ]
+        if acting and option not in counted:
+            yield f"{name} acts ({_where(acting[0])}) and is not counted"
+    if "straightness" in counted:
+        return
+    named = [
+        entry
+        for first in (_MOVING, _BENT)
+        for number in range(first, first + 10)
+        for owner, entry in machine.entries.get(number, {}).items()
+        if _names(machine, owner, entry, axis)
+    ]
+    if named:
+        yield f"straightness compensation names it ({_where(named[0])}) and is not counted"
+
+
+def _lines(
+    at: list[Entry | None], amounts: list[Entry | None], what: str, faults: list[Fault]
+) -> Lines | None:
+    """Return the lines of four numbers and four amounts; None where every amount is 0 or something
+    is at fault.
+    """
+    acting = [entry for entry in amounts if entry is not None and not entry.zero]
+    if not acting:
+        return None
+    points = [0 if entry is None else entry.whole for entry in at]
+    values = [0 if entry is None else entry.whole for entry in amounts]
+    if any(value is None for value in points):
+        bad = next(entry for entry in at if entry is not None and entry.whole is None)
+        faults.append(bad.fault(f"a point number of the {what}", "a whole number"))
+        return None
+    if any(value is None or abs(value) > _LARGEST for value in values):
+        bad = next(e for e in acting if e.whole is None or abs(e.whole) > _LARGEST)
+        faults.append(bad.fault(f"an amount of the {what}", f"-{_LARGEST} to {_LARGEST}"))
+        return None
+    pairs = [(p or 0, v or 0) for p, v in zip(points, values, strict=True)]
+    if any(a[0] > b[0] or (a[0] == b[0] and a[1] != b[1]) for a, b in pairwise(pairs)):
+        found = ", ".join(f"{point}: {value}" for point, value in pairs)
+        faults.append(
+            acting[0].fault(f"the points of the {what} ({found})", "ascending, one amount at each")
+        )
+        return None
+    return Lines(tuple(p for p, _ in pairs), tuple(v for _, v in pairs))
+
+
+def _of(machine: Machine, number: int, owner: Owner) -> Entry | None:
+    """Return the value of one path, else of the machine."""
+    found = machine.entries.get(number, {})
+    return found.get(owner, found.get(MACHINE))
+
+
+def _one_axis(machine: Machine, owner: Owner, entry: Entry, faults: list[Fault]) -> int | None:
+    """Return the axis that an axis number names; a fault where it may mean another one too."""
+    axes = () if entry.whole is None else machine.named(owner, entry.whole)
+    if len(axes) == 1:
+        return axes[0]
+    faults.append(
+        entry.fault(
+            f"which axis {entry.number} names is not known",
+            "a number that means one axis, or 981 of the axes in the files",
+        )
+    )
+    return None
+
+
+def _names(machine: Machine, owner: Owner, entry: Entry, axis: int) -> bool:
+    """Whether an axis number may mean this axis."""
+    if entry.zero:
+        return False
+    axes = () if entry.whole is None else machine.named(owner, entry.whole)
+    return not axes or axis in axes
+
+
+def _where(entry: Entry) -> str:
+    return f"{entry.number}: {entry.text}, {entry.file}, line {entry.line}"

@@ -1,0 +1,71 @@
+"""What stops an axis of a FANUC before its table is read: paths that contradict, switches,
+functions that are not known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from compwright.controllers.fanuc.beside import INCLINED, refusing
+from compwright.controllers.fanuc.memory import Memory
+from compwright.controllers.fanuc.options import Options
+from compwright.foundations.errors import Fault
+
+
+def stopping(memory: Memory, axis: int, options: Options, *, rotary: bool) -> Iterator[Fault]:
+    """Yield a fault for each thing around an axis that cannot be counted with."""
+    yield from refusing(memory.machine, axis)
+    yield from _paths(memory, axis, rotary=rotary)
+    yield from _switched_off(memory, axis, options)
+
+
+def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
+    """Yield a fault where the control does not use the table that its files hold for an axis, or in
+    a way that is not known.
+    """
+    series, machine = memory.series, memory.machine
+    if series.switched_by is not None:
+        switch = machine.said(series.switched_by, axis)
+        apart = machine.either(series.switched_by, axis, 0)
+        if apart is not None:
+            yield apart
+        elif switch is not None and switch.bit(0):
+            yield switch.fault(
+                f"the table of axis {axis} does not act: {switch.number}#0 = 1 switches stored"
+                " pitch error compensation off",
+                f"{switch.number}#0 = 0",
+            )
+    for number in (3626, 3627) if series.own else ():
+        value = memory.whole(number, axis)
+        if value is not None and value != 0:
+            yield memory.setting(number, axis).fault(
+                f"what {number} does to axis {axis} is not known (two sets?)", expected="0"
+            )
+
+
+def _paths(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
+    """What paths say differently decides only where 981 says to which one the axis belongs."""
+    machine = memory.machine
+    moves = memory.moves(axis)
+    asked: list[tuple[int, int]] = [(1001, 0)] if moves and not rotary else []
+    system = machine.system(axis)
+    if moves and system is not None:
+        asked += [(system.number, 0), (system.number, 1)]
+    feed, rapid = (memory.whole_if_sound(number, axis) for number in (1851, 1852))
+    if rapid is not None and rapid != (feed or 0):
+        asked.append((1800, 4))
+    for number, bit in asked:
+        apart = machine.either(number, axis, bit)
+        if apart is not None:
+            yield apart
+
+
+def _switched_off(memory: Memory, axis: int, options: Options) -> Iterator[Fault]:
+    """Whether inclination acts where 3623 = 0 switches the pitch data off is not known."""
+    amounts = [memory.machine.said(number, axis) for number in INCLINED]
+    acting = [entry for entry in amounts if entry is not None and not entry.zero]
+    if "inclination" in options.counted and acting and memory.whole_if_sound(3623, axis) == 0:
+        yield acting[0].fault(
+            f"inclination of axis {axis} with 3623 = 0: whether it acts is not known",
+            "3623 above 0, or 5871 to 5874 = 0",
+        )

@@ -1,0 +1,80 @@
+"""What differs between the families of FANUC controls: limits, forms of lengths, numbers of
+parameters.
+
+- 30i, 31i, 32i: points 0 to 1535, increments above 7 (a real backup, software D4G3: N10000Q0P0 to
+  N11535Q0P0, increments up to 10). Lengths are real numbers (the same backup).
+- 0i-D: increments -7 to 7; 8135#0 (NPE) = 1 switches stored pitch error compensation off
+  (connection manual, function, B-64303CM-1/01 p. 26). Its points 0 to 1023, its real lengths, and
+  all that is said of 0i-F: practice.
+- 0i-A to C, 16i, 18i, 21i: practice.
+- 15i: parameters without Q (B-63330EN/03 p. 21, 25). Its pitch parameters have numbers of their
+  own, 5420 to 5427; which bit switches two sets on, and what 5428 to 5499 hold, is not known. All
+  practice, no page was found.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+#: The pitch parameters as this room calls them.
+PITCH = range(3620, 3628)
+#: Parameters that a series with its own numbers has like the others: inch machine, backlash.
+_COMMON = frozenset({1001, 1851, 1852})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Series:
+    """``whole_lengths``: 3624 without a point counts least input increments (16i and older).
+
+    ``systems``: parameters that say the increment system, the first one given counts.
+    ``switched_by``: parameter whose bit 0 switches the pitch data off. ``own``: number in the
+    files -> the number that this room calls it by, where the series has its own. ``unknown``:
+    parameters that may act on an axis and whose meaning is not known.
+    """
+
+    name: str
+    highest_point: int
+    increment_limit: int
+    whole_lengths: bool = False
+    systems: tuple[int, ...] = (1013,)
+    switched_by: int | None = None
+    own: Mapping[int, int] = field(default_factory=dict)
+    unknown: range = range(0)
+
+    def known_as(self, number: int) -> int | None:
+        """Return what this room calls a parameter of the files; None for one that it must not take
+        for another series'.
+        """
+        if not self.own or number in _COMMON:
+            return number
+        return self.own.get(number)
+
+    def spoken(self, text: str) -> str:
+        """Return a sentence with the numbers that the control has."""
+        if not self.own:
+            return text
+        back = {str(known): str(number) for number, known in self.own.items()}
+        return re.sub(r"\b362[0-7]\b", lambda match: back[match[0]], text)
+
+
+SERIES_30I = Series(name="30i", highest_point=1535, increment_limit=127)
+SERIES_0I_16I = Series(
+    name="0i/16i",
+    highest_point=1023,
+    increment_limit=7,
+    whole_lengths=True,
+    systems=(1013, 1004),
+)
+SERIES_0I_D = Series(name="0i-D", highest_point=1023, increment_limit=7, switched_by=8135)
+#: Whether it has more points than 1023 is not known: more are read, where a file holds them.
+SERIES_0I_F = Series(name="0i-F", highest_point=1535, increment_limit=7, switched_by=8135)
+SERIES_15I = Series(
+    name="15i",
+    highest_point=1023,
+    increment_limit=7,
+    systems=(),
+    own={5420 + i: number for i, number in enumerate(PITCH)},
+    unknown=range(5428, 5500),
+)
