@@ -288,10 +288,13 @@ def test_nck_star_marks_the_line() -> None:
         nck(file("X.COM", NCK_ALONE), file("config.cma", lines.replace("0        ", "0   *    ")))
 
 
-def test_nck_second_curve_only_when_asked() -> None:
-    with pytest.raises(InputError, match="not confirmed"):
-        nck(file("X.COM", NCK_COM))
-    state = nck(file("X.COM", NCK_COM), backlash_column="second_curve")
+def test_nck_backlash_is_the_second_curve() -> None:
+    """The column holds the values for travel in -, of the table's own axis (MANUALplus 620
+    technical manual p715).
+    """
+    with pytest.raises(InputError, match="backlash_column"):
+        nck(file("X.COM", NCK_COM), backlash_column="absent")
+    state = nck(file("X.COM", NCK_COM))
     assert um(state, "X", -200, PLUS) == pytest.approx(1.8, abs=NM)
     assert um(state, "X", -200, MINUS) == pytest.approx(-2.1, abs=NM)
     assert [(one.input, one.output) for one in state.cross] == [("X", "Y")]
@@ -482,8 +485,8 @@ def test_capacity_of_a_table() -> None:
     assert (len(powers), powers[0]) == (24, 1e-4)
     assert powers[16] == pytest.approx(6.5536, abs=1e-12)
     assert control_format(ITNC, {"max_points": 64}).capacity(axis_of("X")).max_points == 64
-    assert control_format(NCK, {}).capacity(axis_of("X")).spacing == "free"
-    assert control_format(NCK, {}).capacity(axis_of("X")).max_points is None
+    listed = control_format(NCK, {}).capacity(axis_of("X"))  # MANUALplus 620 manual p715
+    assert (listed.spacing, listed.max_points) == ("equidistant", 256)
     turn = control_format(ITNC, {}).capacity(axis_of("C", kind=AxisKind.ROTARY, modulo=360.0))
     assert (turn.period, turn.anchored, turn.cover) == (360, True, 0)
 
@@ -508,11 +511,13 @@ def test_capacity_takes_the_grid_that_other_axes_need() -> None:
     state = itnc(file("X.COM", COM), axes=(axis_of("X"),))
     assert control_format(ITNC, {}, state).capacity(axis_of("X")).nodes == (-400, -384, -368)
     assert control_format(ITNC, {}, itnc(file("X.COM", ALONE))).capacity(axis_of("X")).nodes is None
-    options = {"backlash_column": "second_curve"}
-    two = nck(file("X.COM", NCK_COM), backlash_column="second_curve")
-    assert control_format(NCK, options, two).capacity(axis_of("X")).curves == 2
-    alone = control_format(NCK, options).capacity(axis_of("X"))
+    two = nck(file("X.COM", NCK_COM))
+    assert control_format(NCK, {}, two).capacity(axis_of("X")).curves == 2
+    absent = {"backlash_column": "absent"}
+    assert control_format(NCK, absent, two).capacity(axis_of("X")).curves == 1
+    alone = control_format(NCK, {}).capacity(axis_of("X"))
     assert alone.curves == 1  # a sheet has no place for a second curve
+    assert alone.max_points == 256  # MANUALplus 620 technical manual p715
     assert any("BACKLASH" in entry.value for entry in alone.assumed)
 
 
@@ -725,26 +730,29 @@ def test_rows_that_are_too_many_go_on_with_the_end_value() -> None:
 
 
 def test_nck_positions_and_curves() -> None:
-    wanted = table("X", [-10, 0, 25.5, 100], [0.001, 0, -0.002, 0])
+    wanted = table("X", [-10, 15.5, 41, 66.5], [0.001, 0, -0.002, 0])
     files = control_format(NCK, {}).write([wanted], [axis_of("X")], [file("X.COM", NCK_ALONE)])
     assert (
         text_of(files, "X.COM")
-        == "BEGIN X.COM MM\nNR  AXISPOS    X\n0   -10        -0.0010\n1   +0         +0.0000\n2  "
-        " +25.5      +0.0020\n3   +100       +0.0000\n[END]\n"
+        == "BEGIN X.COM MM\nNR  AXISPOS    X\n0   -10        -0.0010\n1   +15.5      +0.0000\n2  "
+        " +41        +0.0020\n3   +66.5      +0.0000\n[END]\n"
     )
-    options = {"backlash_column": "second_curve"}
+    uneven = table("X", [-10, 0, 25.5], [0, 0.001, 0])  # p715: equal steps are asked for
+    with pytest.raises(CapacityError, match="not equally spaced"):
+        control_format(NCK, {}).write([uneven], [axis_of("X")], [file("X.COM", NCK_ALONE)])
+    assert "CW-S046" in codes(nck(file("X.COM", NCK_ALONE.replace("-200", "-300"))))
     two = table("X", [-400, -200, 0], [0.001, 0, -0.002], [0.002, 0.0005, 0])
-    both = control_format(NCK, options).write([two], [axis_of("X")], [file("X.COM", NCK_COM)])
+    both = control_format(NCK, {}).write([two], [axis_of("X")], [file("X.COM", NCK_COM)])
     assert (
         "0   -400       -0.0020    -0.0010    +0.0000\n1   -200       -0.0005    +0.0000   "
         " +0.0015\n" in text_of(both, "X.COM")
     )
-    again = judged(NCK.id, both, (axis_of("X"),), **options).axes["X"]
+    again = judged(NCK.id, both, (axis_of("X"),)).axes["X"]
     assert again.negative == pytest.approx(two.negative, abs=1e-9)
     with pytest.raises(CapacityError, match="one curve"):
-        control_format(NCK, options).write([two], [axis_of("X")], [file("X.COM", NCK_ALONE)])
+        control_format(NCK, {}).write([two], [axis_of("X")], [file("X.COM", NCK_ALONE)])
     with pytest.raises(CapacityError, match=r"start: -400, end: 0, spacing: 200"):
-        control_format(NCK, options).write([wanted], [axis_of("X")], [file("X.COM", NCK_COM)])
+        control_format(NCK, {}).write([wanted], [axis_of("X")], [file("X.COM", NCK_COM)])
 
 
 def test_a_filled_backlash_column_stays_equal() -> None:

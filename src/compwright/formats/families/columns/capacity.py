@@ -10,7 +10,6 @@ import numpy as np
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.columns.sources import AxisNumbers
-from compwright.formats.families.columns.table import VALUES
 from compwright.formats.families.columns.values import (
     MOST_DOUBLINGS,
     SMALLEST_SPACING,
@@ -50,7 +49,7 @@ def columns_capacity(control: Family, axis: Axis) -> Capacity:
     return Capacity(
         format=definition.id,
         curves=2 if second else 1,
-        spacing="equidistant" if "datum" in definition.statements[VALUES].fields else "free",
+        spacing="equidistant",  # listed positions too: MANUALplus 620 technical manual p715
         quantum=scale.quantum("value"),
         position_quantum=scale.quantum("node_position"),
         value_range=slope.range("slope") if line else scale.range("value"),
@@ -200,7 +199,7 @@ def _grid_faults(label: str, unit: str, steps: np.ndarray, capacity: Capacity) -
         found = f"{np.min(steps):.10g} to {np.max(steps):.10g} {unit}"
         yield Fault(
             message=f"{label}: the points are not equally spaced",
-            expected="one spacing",
+            expected="one spacing (the table's own rows too: even them out, and measure again)",
             found=found,
         )
     elif capacity.spacings is not None and capacity.nodes is None:

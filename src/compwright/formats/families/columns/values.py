@@ -4,6 +4,7 @@ spacing, blank cells, one turn.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal
 
@@ -120,7 +121,22 @@ class TableValues:
         if found is None:
             return None
         factor = self._factor(table, kind)
+        self._uneven(table, found)
         return self._checked(table, [position * factor for position in found], scale)
+
+    def _uneven(self, table: UserTable, found: Sequence[Decimal]) -> None:
+        """The control wants points that are equally spaced (MANUALplus 620 technical manual
+        p715); what it does with others is not known: they are read as they stand.
+        """
+        steps = {after - before for before, after in itertools.pairwise(found)}
+        if len(steps) > 1:
+            self.notes.find(
+                "CW-S046",
+                "warning",
+                f"{table.file}: its points are not equally spaced ({min(steps):f} to"
+                f" {max(steps):f}), which the control asks for; read as they stand, never written"
+                " so",
+            )
 
     def _listed(self, table: UserTable, scale: Scale) -> list[Decimal] | None:
         """Return the positions that stand in the rows, in the unit of the table."""
