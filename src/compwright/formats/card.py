@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import field_names, print_form
-from compwright.formats.families.card_words import CURVES, REFERENCING, UNKNOWN
+from compwright.formats.families.card_words import CURVES, REFERENCING, UNKNOWN, file_names
 from compwright.formats.text.addresses import normal_address
 from compwright.records.axis import Axis
 from compwright.records.correction import Evidence
@@ -87,15 +87,6 @@ def _for_all(
         print_form(form, values) for form, values in zip(forms, filled, strict=True)
     )
     return "\n".join(lines), (), ()
-
-
-def file_names(definition: Definition, axis: Axis) -> list[str]:
-    """Return how the definition's files are called for an axis, in its order, whether they are
-    written or not.
-    """
-    address, _ = normal_address(definition, axis)
-    named = {"axis": address, "system": str(axis.encoder.system - 1)}
-    return [print_form(file.name, named) for file in definition.writing]
 
 
 def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:

@@ -86,9 +86,10 @@ class IncrementFacts:
 class AxisFacts:
     """What a control's files say of one axis; None or empty: they do not say it.
 
-    ``name``: what they call it; ``letters``: the axes of all joints, one letter each. ``limits``:
-    the software limits or, of an endless axis, its ``turn``, mm or deg. ``encoder_system``: the
-    measuring system whose table was read. ``enabled``: its table acts. ``beside``: what else acts
+    ``name``: what they call it; ``machine_name``: the machine's own name of it, by which new files
+    are called. ``letters``: the axes of all joints, one letter each. ``limits``: the software
+    limits or, of an endless axis, its ``turn``, mm or deg. ``encoder_system``: the measuring system
+    whose table was read. ``enabled``: its table acts. ``beside``: what else acts
     on it, in words. ``endless``: the turn of an axis without ends, deg. ``reference``: machine
     coordinate of the reference position, mm or deg, approached in ``reference_return``.
     ``diameter``: positions are programmed in diameter. ``unit_evidence``: what says its detection
@@ -98,6 +99,7 @@ class AxisFacts:
     """
 
     name: str | None = None
+    machine_name: str = ""
     letters: str = ""
     kind: AxisKind | None = None
     limits: tuple[float, float] | None = None

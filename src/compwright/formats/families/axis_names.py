@@ -44,10 +44,10 @@ def axis_names(
                     index = str(int(occurrence.tokens["table"].text))
                     found.setdefault(quantity, {}).setdefault(index, []).append(occurrence)
     faults: list[Fault] = []
-    places = _machine(definition, found.get("machine_axis", {}), faults)
+    machine = _machine(definition, found.get("machine_axis", {}), faults)
     raise_all(InputError, faults)
-    places |= {
-        name: place for name, place in _channel(definition, found).items() if name not in places
+    places = machine | {
+        name: place for name, place in _channel(definition, found).items() if name not in machine
     }
     mine: dict[str, str] = {}
     for address in dict.fromkeys(asked):
@@ -63,7 +63,7 @@ def axis_names(
             )
         mine.setdefault(place, address)
     raise_all(UsageError, faults)
-    return AxisNames(places, mine, _PLACE)
+    return AxisNames(places, machine, mine, _PLACE)
 
 
 def gathered_files(

@@ -34,7 +34,8 @@ class Asked:
     """What shall be added between axes.
 
     ``axes``: those of the job by name; ``tabled``: the names of those that get a table of their own
-    in ``tables``. ``base``: the control's own files with ``tables`` in their place.
+    in ``tables``. ``base``: the control's own files with ``tables`` in their place. ``small``: what
+    is written is delivered in small files.
     """
 
     planned: tuple[PlannedCross, ...]
@@ -43,6 +44,7 @@ class Asked:
     tables: tuple[ControlFile, ...]
     base: tuple[ControlFile, ...]
     read: Reading
+    small: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import print_form
+from compwright.formats.text.addresses import normal_address
 from compwright.formats.text.scale import Scale
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.records.axis import Direction, FloatArray
+from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
 
 #: Stands where a card has no value for a field of its text.
@@ -74,3 +76,12 @@ def sign_check(compensation: AxisCompensation, where: FloatArray) -> dict[str, s
         "check_to": f"{where[high]:.10g}",
         "check_change": f"{change:+.1f} {shown_unit(unit)}",
     }
+
+
+def file_names(definition: Definition, axis: Axis) -> list[str]:
+    """Return how the definition's files are called for an axis, in its order, whether they are
+    written or not.
+    """
+    address, _ = normal_address(definition, axis)
+    named = {"axis": address, "system": str(axis.encoder.system - 1)}
+    return [print_form(file.name, named) for file in definition.writing]

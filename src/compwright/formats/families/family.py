@@ -17,6 +17,8 @@ from compwright.formats.definition.schema import Choice, Definition, OptionRule
 from compwright.formats.families import limits
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
+from compwright.formats.families.card_words import file_names
+from compwright.formats.families.delivery import Delivery
 from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.addresses import normal_address, normal_text
 from compwright.formats.text.scale import Scale
@@ -184,6 +186,53 @@ class Family(ABC):
         """
         del compensations, axes
         return ()
+
+    def delivered(
+        self,
+        files: Sequence[ControlFile],
+        own: Sequence[ControlFile],
+        axes: Sequence[Axis],
+    ) -> Delivery:
+        """Return what the control loads, and what brings back what was in it.
+
+        ``files``: what was written for ``axes``, the control's ``own`` ones patched among them.
+        Raises UsageError for a form of files that these have not.
+        """
+        del own, axes
+        return Delivery(tuple(files))
+
+    def named_files(self, axis: Axis, written: Sequence[str]) -> dict[str, str]:
+        """Return how the texts of the card call the definition's files for an axis, where that is
+        not their own name; ``written``: the names of all files, in their order.
+        """
+        address, _ = self.address(axis)
+        fresh, small = (
+            self._file_names(replace(axis, address=name))
+            for name in (address, self.file_stem(address))
+        )
+        if any(name in written for name in small.values()):
+            return small
+        own = ", ".join(name for name in written if name not in fresh.values())
+        return {
+            key: f"your own {own}, as patched"
+            for key, name in fresh.items()
+            if name not in written and own
+        }
+
+    def _file_names(self, axis: Axis) -> dict[str, str]:
+        names = file_names(self.definition, axis)
+        return {f"file_{number}": name for number, name in enumerate(names, start=1)}
+
+    def small_files(self, own: Sequence[ControlFile]) -> bool:
+        """Return whether what is written into the control's ``own`` files is delivered in small
+        ones.
+        """
+        del own
+        return False
+
+    def file_stem(self, address: str) -> str:
+        """Return what stands in the names of new files for an axis at ``address``."""
+        return self.facts_of(address).machine_name or address
 
     def partner_sheet(self, leading: str, address: str) -> str:
         """Return whose name the sheet of a gantry's synchronised axis bears, by the name of the

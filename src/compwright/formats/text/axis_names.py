@@ -14,11 +14,13 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True, slots=True)
 class AxisNames:
-    """``places``: name -> place; ``asked``: place -> the name under which the axis was asked for;
+    """``places``: name -> place; ``machine``: those of them that are the machine's own names;
+    ``asked``: place -> the name under which the axis was asked for;
     ``place``: what a place looks like, None where the control has no such names.
     """
 
     places: Mapping[str, str] = field(default_factory=dict)
+    machine: Mapping[str, str] = field(default_factory=dict)
     asked: Mapping[str, str] = field(default_factory=dict)
     place: re.Pattern[str] | None = None
 
@@ -71,6 +73,20 @@ class AxisNames:
             name for name in self.places if self.address(name) == one and not self._is_place(name)
         ]
         return next((name for name in names if len(name) == 1), names[0] if names else None)
+
+    def written(self, address: str) -> str:
+        """Return the name of an axis that lines may be written with: ``address`` itself where it is
+        its place or the machine's name, else its place.
+        """
+        if address in self.machine or self._is_place(address):
+            return address
+        return self.places.get(address, address)
+
+    def of_machine(self, address: str) -> str:
+        """Return the machine's own name of an axis, ``address`` where it has none."""
+        one = self.address(address)
+        named = (name for name in self.machine if self.address(name) == one)
+        return next((name for name in named if not self._is_place(name)), address)
 
     def _is_place(self, name: str) -> bool:
         return self.place is not None and self.place.fullmatch(name) is not None

@@ -60,6 +60,7 @@ def compare_files(
 
     Both sets were read before: what cannot be read here is left out.
     """
+    old, new = unpacked(old, []), unpacked(new, [])
     before, after = dict(_entries(definition, old)), dict(_entries(definition, new))
     changes = []
     for key, entry in after.items():

@@ -32,6 +32,9 @@ _ENCLOSED = re.compile(r"\([^()]*\)")
 #: Stands behind a comment mark, before a statement that compwright leaves to somebody at the
 #: control: it counts as said.
 BY_HAND = " by hand: "
+#: Stands behind a comment mark, before a statement that the control holds already: it counts as
+#: said, and the control does not enter it again.
+AS_IT_IS = " as it is: "
 _UTF8_MARK = "\xef\xbb\xbf"  # the byte order mark, seen as single bytes
 #: What was read is kept by content: a run reads each text once, of more files than a control has.
 KEPT_TEXTS, KEPT_READERS = 256, 16
@@ -195,8 +198,9 @@ class _KindReader:
         if not self.kind.comment_marks:
             return line.text
         for mark in self.kind.comment_marks:
-            if line.text.startswith(mark + BY_HAND):  # places stay as they are
-                return line.text.replace(mark + BY_HAND, " " * len(mark + BY_HAND), 1)
+            for said in (mark + BY_HAND, mark + AS_IT_IS):
+                if line.text.startswith(said):  # places stay as they are
+                    return line.text.replace(said, " " * len(said), 1)
         if not self.kind.comments_anywhere:
             return "" if line.text.lstrip(" \t").startswith(self.kind.comment_marks) else line.text
         if self.kind.comment_marks == (

@@ -35,7 +35,7 @@ from compwright.workflow.stages.control import (
 from compwright.workflow.stages.cross_tables import write_planned
 from compwright.workflow.stages.own_output import refuse_added_again
 from compwright.workflow.stages.settled import settled_axis
-from compwright.workflow.stages.written import write_fitted
+from compwright.workflow.stages.written import deliver, write_fitted
 
 #: ``--option address.X=0``: how the control names axis X of the plan.
 ADDRESS = "address."
@@ -95,14 +95,16 @@ def export_plan(
                 found="every axis was left as it is, because no table would improve it",
             )
         )
-    files, _ = write_fitted(control, fitted, state)
+    files, image = write_fitted(control, fitted, state)
     tabled = [axis.name for axis, table in fitted if table.compensation.positions.size]
     cross = write_planned(
         control, [_addressed(entry, moved) for entry in plan.cross], files, state, moved, tabled
     )
+    axes = [axis for axis, _ in fitted]
+    delivery = deliver(control, cross.files, state, axes, None if cross.written else image)
     written = storage.write_files(
         out,
-        {file.name: file.content for file in cross.files},
+        {file.name: file.content for file in delivery.files},
         force=force,
         known=lambda _name, content: (
             not any(file.content == content for files in plan.states.values() for file in files)

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,6 @@ import numpy as np
 from compwright.documents.decode import assumed_documents
 from compwright.formats.card import (
     card_steps_of_all,
-    file_names,
     gantry_words,
 )
 from compwright.formats.definition.statements import print_form
@@ -25,7 +24,7 @@ from compwright.foundations.utf8 import encoded
 from compwright.planning.axes import AxisWork
 from compwright.planning.quick_check import check_positions, moved_by, quick_check
 from compwright.records.axis import Axis
-from compwright.records.correction import Assumption, AxisCompensation
+from compwright.records.correction import Assumption, AxisCompensation, ControlFile
 from compwright.records.facts import AxisFacts
 from compwright.records.job import AS_FOUND, Job
 from compwright.workflow.stages.acting import correction_of
@@ -42,8 +41,15 @@ def card_document(
     loaded: DecodedState | None,
     inputs: JobInputs,
     assumed: Iterable[Assumption],
+    *,
+    entered: Sequence[ControlFile],
+    back: Sequence[ControlFile],
 ) -> dict[str, Any]:
-    """Return the card of a run as plain data, values in µm or arcsec."""
+    """Return the card of a run as plain data, values in µm or arcsec.
+
+    ``entered``: the control's own files as patched, and new ones; ``back``: small files that bring
+    the old values back.
+    """
     written = {name: work for name, work in works.items() if work.planned.fitted is not None}
     facts = assumed_documents(assumed)
     return {
@@ -53,7 +59,7 @@ def card_document(
         "format": {"id": control.id, "title": control.definition.title},
         "axes": [_axis(job, control, work, loaded) for work in written.values()],
         "steps": _steps(control, written, loaded),
-        "changes": changes_document(control, inputs, loaded),
+        "changes": changes_document(control, inputs, entered),
         "unconfirmed": [
             *(
                 f"{entry['fact']}: {entry['value']}"
@@ -67,7 +73,7 @@ def card_document(
             ),
         ],
         "assumed": facts,
-        "restore": _restore(control, inputs),
+        "restore": _restore(control, inputs, back),
         "files": [f"tables/{control.id}/{file.name}" for file in (loaded.files if loaded else ())],
         "proven": (
             "; ".join(
@@ -146,15 +152,15 @@ def _rows(
 
 
 def changes_document(
-    control: Control, inputs: JobInputs, loaded: DecodedState | None
+    control: Control, inputs: JobInputs, entered: Sequence[ControlFile]
 ) -> dict[str, Any] | None:
-    """Return what the new files change in the control's own, as plain data; None where there were
-    none.
+    """Return what the files that are ``entered`` change in the control's own, as plain data; None
+    where there were none.
     """
     old = inputs.states[AS_FOUND].files
-    if not old or loaded is None:
+    if not old or not entered:
         return None
-    diff = compare_files(control.definition, old, loaded.files)
+    diff = compare_files(control.definition, old, entered)
     entries = [
         {"entry": change.entry, "old": change.old, "new": change.new} for change in diff.changes
     ]
@@ -214,23 +220,12 @@ def _steps(
 
 
 def _named_files(control: Control, axis: Axis, loaded: DecodedState | None) -> dict[str, str]:
-    """Return the names of the definition's files as they were written; what went into the control's
-    own files names these.
-    """
+    """Return the names of the files in the texts of the steps."""
     written = control.format.loading_order(loaded.files) if loaded else []
-    fresh = {
-        f"file_{number}": name
-        for number, name in enumerate(file_names(control.definition, axis), start=1)
-    }
-    own = ", ".join(name for name in written if name not in fresh.values())
-    return {
-        key: f"your own {own}, as patched"
-        for key, name in fresh.items()
-        if name not in written and own
-    }
+    return control.format.named_files(axis, written)
 
 
-def _restore(control: Control, inputs: JobInputs) -> list[str]:
+def _restore(control: Control, inputs: JobInputs, back: Sequence[ControlFile]) -> list[str]:
     files = inputs.states[AS_FOUND].files
     if not files:
         off = (
@@ -239,9 +234,16 @@ def _restore(control: Control, inputs: JobInputs) -> list[str]:
         )
         return [f"The job says that nothing was active. To go back: {off}."]
     names = ", ".join(control.format.loading_order(files))
+    folder = f"rollback/{control.id}/"
+    copies = f"Load the untouched copies in {folder} ({names}) the same way, restart and reference."
+    if not back:
+        return [copies]
+    small = ", then ".join(control.format.loading_order(back))
     return [
         (
-            f"Load the untouched copies in rollback/{control.id}/ ({names}) the same way, restart"
-            " and reference."
-        )
+            f"To undo: switch off as in the steps above, load {small} from {folder} (the old values"
+            " of these axes and their switches; what was set by hand goes back by hand), activate,"
+            " restart and reference."
+        ),
+        f"If more than these axes has to go back: {copies[0].lower()}{copies[1:]}",
     ]

@@ -84,7 +84,8 @@ def _control_files(finished: Finished) -> dict[str, bytes]:
     as_found, format_id = finished.measured.as_found, finished.fitted.control.id
     if as_found is None:
         return {}
-    sets = {"tables": finished.written.tables, "rollback": as_found.files}
+    written = finished.written
+    sets = {"tables": written.tables, "rollback": (*as_found.files, *written.back)}
     return {
         PLAN: b"",
         **{
@@ -107,6 +108,8 @@ def _card(finished: Finished, prediction: Mapping[str, Any]) -> Mapping[str, Any
         written.loaded,
         finished.measured.inputs,
         finished.assumed,
+        entered=written.entered,
+        back=written.back,
     )
     return {
         **card,

@@ -9,6 +9,7 @@ from functools import cache
 import numpy as np
 
 from compwright.formats.families.between import Asked, in_place, together
+from compwright.formats.text.container import unpacked
 from compwright.foundations.errors import CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
@@ -60,7 +61,8 @@ def write_planned(
     """
     if not planned:
         return CrossOutcome(files=tables)
-    base = in_place(as_found.files, tables, [axes[name].address for name in tabled])
+    own = unpacked(as_found.files, [])  # opened before
+    base = in_place(own, tables, [axes[name].address for name in tabled])
 
     @cache  # the family reads what is compared here
     def read(files: tuple[ControlFile, ...], *, written: bool = False) -> DecodedState:
@@ -73,7 +75,13 @@ def write_planned(
 
     answer = control.format.between(
         Asked(
-            planned=tuple(planned), axes=axes, tabled=tabled, tables=tables, base=base, read=state
+            planned=tuple(planned),
+            axes=axes,
+            tabled=tabled,
+            tables=tables,
+            base=base,
+            read=state,
+            small=control.format.small_files(as_found.files),
         )
     )
     outcome = CrossOutcome(

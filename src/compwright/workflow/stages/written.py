@@ -5,22 +5,27 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from compwright.foundations.errors import CompwrightError, UsageError, raise_all
+import numpy as np
+
+from compwright.formats.families.delivery import Delivery
+from compwright.foundations.errors import CompwrightError, Fault, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.planning.axes import AxisWork, no_gain
 from compwright.planning.cross import plan_cross
 from compwright.planning.scale import scale_steps
-from compwright.records.axis import Axis
+from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlFile
 from compwright.records.fitted import FittedTable
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import PlannedAxis
+from compwright.verification.read_back import SAME
 from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.changes import changed_neighbours
-from compwright.workflow.stages.control import Control, DecodedState, decode
+from compwright.workflow.stages.control import Control, DecodedState, decode, judged
 from compwright.workflow.stages.cross_tables import CrossOutcome, write_planned
 from compwright.workflow.stages.fitted import Fitted
 from compwright.workflow.stages.measured import Measured
+from compwright.workflow.stages.two_readers import probe_positions
 from compwright.workflow.stages.wanted import Wanted
 
 _NOTHING_BETWEEN = CrossOutcome(files=())
@@ -31,12 +36,15 @@ FittedAxes = Sequence[tuple[Axis, FittedTable]]
 class Written:
     """The files of the tables (``tables``) and what they do (``loaded``; None without tables).
 
-    ``works``: the axes, without the tables that would not improve them; ``cross``: what became of
-    the corrections between axes.
+    ``entered``: the control's own files as patched, and new ones, whatever is delivered of them;
+    ``back``: small files that bring the old values back. ``works``: the axes, without the tables
+    that would not improve them; ``cross``: what became of the corrections between axes.
     """
 
     works: Mapping[str, AxisWork]
     tables: tuple[ControlFile, ...] = ()
+    entered: tuple[ControlFile, ...] = ()
+    back: tuple[ControlFile, ...] = ()
     loaded: DecodedState | None = None
     cross: CrossOutcome = _NOTHING_BETWEEN
     findings: tuple[Finding, ...] = ()
@@ -62,13 +70,16 @@ def written(measured: Measured, wanted: Wanted, fitted: Fitted, *, accept_worse:
     plan = plan_cross(measured.job, wanted.circles, measured.acting, measured.acting[AS_FOUND])
     tabled = [axis.name for axis, table in kept if table.compensation.positions.size]
     cross = write_planned(control, plan.planned, tables, as_found, measured.axes, tabled)
+    axes = [axis for axis, _ in kept]
     if cross.written:
-        tables = cross.files
-        loaded = decode(control, tables, [axis for axis, _ in kept])
+        loaded = decode(control, cross.files, axes)
+    delivery = deliver(control, cross.files, as_found, axes, loaded)
     return Written(
         works=works,
-        tables=tables,
-        loaded=loaded,
+        tables=delivery.files,
+        entered=cross.files,
+        back=delivery.back,
+        loaded=loaded if delivery.own else decode(control, delivery.files, axes, written=True),
         cross=replace(cross, steps=(*scale_steps(fitted.scaled), *cross.steps)),
         findings=(
             *(entry.finding for entry in fitted.scaled),
@@ -129,3 +140,43 @@ def write_fitted(
         raise (control.origin.named(error) if named else error) from error
     raise_all(CompwrightError, changed_neighbours(control, as_found.files, files, axes))
     return files, decode(control, files, axes, written=True)
+
+
+def deliver(
+    control: Control,
+    files: tuple[ControlFile, ...],
+    as_found: DecodedState,
+    axes: Sequence[Axis],
+    image: DecodedState | None,
+) -> Delivery:
+    """Return what the control loads of the ``files`` that were written for ``axes``.
+
+    Raises UsageError for a form of files that these have not, and CompwrightError (a fault of our
+    own) where small files do something else than the whole ``image``, which they stand for.
+    """
+    try:
+        delivery = control.format.delivered(files, as_found.files, axes)
+    except UsageError as error:
+        raise control.origin.named(error) from error
+    if delivery.own or image is None:
+        return delivery
+    small = decode(control, delivery.files, axes, written=True)
+    faults = [
+        Fault(
+            message=(
+                "the small files do something else than the archive would; please report this"
+            ),
+            place=f"axis {axis.address}, direction {direction.value}",
+        )
+        for axis in axes
+        for direction in Direction
+        if not _same(small, image, axis.address, direction)
+    ]
+    raise_all(CompwrightError, faults)
+    return delivery
+
+
+def _same(one: DecodedState, other: DecodedState, address: str, direction: Direction) -> bool:
+    where = probe_positions(other.state.axes[address].positions)
+    mine, theirs = (judged(state, address, where, direction) for state in (one, other))
+    return bool(np.all(np.abs(mine - theirs) <= SAME))

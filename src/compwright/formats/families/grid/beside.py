@@ -42,7 +42,15 @@ class Beside:
         if axis is not None:
             self.gantry(partners)
             beside = self.acting()
-        return replace(own, name=name, limits=limits, turn=turn, beside=beside)
+        machine_name = self.gathered.names.of_machine(self.address)
+        return replace(
+            own,
+            name=name,
+            machine_name="" if machine_name == self.address else machine_name,
+            limits=limits,
+            turn=turn,
+            beside=beside,
+        )
 
     def _turn(self) -> Turn | None:
         if self.number("modulo") != 1:

@@ -20,6 +20,7 @@ from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.tables import TableText, WrittenTable
 from compwright.formats.families.grid.turns import RANGE_QUANTITY, in_range_of
 from compwright.formats.families.limits import SAME_TURN
+from compwright.formats.text.container import unpacked
 from compwright.formats.text.gathering import Found, first_set
 from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
 from compwright.formats.text.scale import NotHeld, Scale
@@ -51,9 +52,10 @@ class GridWriter:
         self.definition = control.definition
         known = control.state.axes if control.state is not None else ()
         asked = list(dict.fromkeys((*known, *addresses)))
-        patched = bool(files) and self.definition.limit("no_patching") is None
+        texts = unpacked(files, [])  # they were read before
+        patched = bool(texts) and self.definition.limit("no_patching") is None
         self.own = (
-            OwnFiles(self.definition, files, gathered_files(self.definition, files, asked))
+            OwnFiles(self.definition, texts, gathered_files(self.definition, texts, asked))
             if patched
             else None
         )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+from compwright.formats.definition.statements import print_form
 from compwright.formats.families.between import Asked, Between, in_turn, label, not_held, together
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.cross_writing import write_cross
@@ -30,7 +31,11 @@ def pairs_between(family: Family, asked: Asked) -> Between:
         why = "; ".join(str(fault) for fault in error.faults).replace(_OWN, "")
         return in_turn(not_held(entry, why) for entry in asked.planned)
     after = asked.read(together(asked.base, new), written=True)
-    steps = (step for entry in asked.planned for step in _steps(family, entry, new, before, after))
+    steps = (
+        step
+        for entry in asked.planned
+        for step in _steps(family, entry, _named(family, asked, entry, new), before, after)
+    )
     return Between(files=new, steps=tuple(steps))
 
 
@@ -55,10 +60,18 @@ def _written(family: Family, asked: Asked, before: ControlState) -> tuple[Contro
     return tuple(files)
 
 
+def _named(family: Family, asked: Asked, entry: PlannedCross, new: Sequence[ControlFile]) -> str:
+    """Return the names of the files that hold a new table, as they are delivered."""
+    if not asked.small:
+        return " and ".join(file.name for file in new)
+    form = next(file.name for file in family.definition.writing if file.when == "cross")
+    return print_form(form, {"axis": family.file_stem(entry.added.output)})
+
+
 def _steps(
     family: Family,
     entry: PlannedCross,
-    new: Sequence[ControlFile],
+    named: str,
     before: ControlState,
     after: ControlState,
 ) -> list[dict[str, str]]:
@@ -76,7 +89,6 @@ def _steps(
     ]
     tables = " and ".join(mine)
     which = f"table {tables}" if len(mine) == 1 else f"tables {tables}"
-    named = " and ".join(file.name for file in new)
     texts = {
         "reserve and switch off": _reserving(
             added.output, reserving(family.definition, added.positions.size, which), which

@@ -12,13 +12,18 @@ import numpy as np
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import CURVES
+from compwright.formats.families.delivery import Delivery
+from compwright.formats.families.family import AxisTable
 from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.pairs.between import pairs_between
 from compwright.formats.families.pairs.capacity import PairLimits
 from compwright.formats.families.pairs.options import available, holds_two_curves, reserving
+from compwright.formats.families.pairs.small_files import SmallFiles
 from compwright.formats.families.pairs.state import PairsReader
 from compwright.formats.families.pairs.state_writing import PairsWriter
 from compwright.formats.families.pairs.view import with_sign_unknown
+from compwright.formats.text.container import is_container, unpacked
+from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
@@ -60,6 +65,52 @@ class PairsFamily(GridFamily):
         shown = self.with_options(cec_sign="correction")
         shown.sign_assumed = True
         return shown
+
+    def files_of(
+        self, tables: Sequence[AxisTable], files: Sequence[ControlFile], faults: list[Fault]
+    ) -> tuple[ControlFile, ...]:
+        """See `GridFamily.files_of`."""
+        self._check_form(files)
+        return super().files_of(tables, files, faults)
+
+    def delivered(
+        self,
+        files: Sequence[ControlFile],
+        own: Sequence[ControlFile],
+        axes: Sequence[Axis],
+    ) -> Delivery:
+        """See `Family.delivered`: small files, or the control's own ones as patched."""
+        self._check_form(own)
+        faults: list[Fault] = []
+        texts = unpacked(own, faults)
+        raise_all(InputError, faults)
+        if not (files and texts) or "files" not in self.options:
+            return Delivery(tuple(files))
+        small = SmallFiles(self, texts, files, axes)
+        if self.small_files(own):
+            return Delivery(small.files(), small.back(), own=False)
+        return Delivery(tuple(files), small.back())
+
+    def small_files(self, own: Sequence[ControlFile]) -> bool:
+        """See `Family.small_files`."""
+        return any(map(is_container, own)) or (bool(own) and self.options.get("files") == "small")
+
+    def _check_form(self, own: Sequence[ControlFile]) -> None:
+        archive = next((file for file in own if is_container(file)), None)
+        if archive is None or self.options.get("files") != "patched":
+            return
+        raise UsageError(
+            Fault(
+                message=(
+                    f"{archive.name} is an archive in a container, which is never written: its"
+                    " checksum over the contents is not understood, and the control refuses an"
+                    " archive that was edited"
+                ),
+                place="files",
+                expected="small, or the option left out",
+                found="patched",
+            )
+        )
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`: a pair of tables between axes holds two curves."""

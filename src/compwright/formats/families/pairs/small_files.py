@@ -1,0 +1,404 @@
+"""Small files for the axes under work, out of the control's own files and the same as patched.
+
+An archive in a container is never written back: what differs in it goes into files that the control
+loads beside it, and the same entries with their old values into files that bring them back. Each
+file is whole for its axes: what is left as it is, but says what the axis is or acts on it, stands
+there as a comment (``; as it is:``), so that the files can be read without the archive.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from compwright.formats.definition.schema import Definition, When
+from compwright.formats.definition.statements import Occurrence, print_form
+from compwright.formats.families.axis_names import axis_names
+from compwright.formats.families.between import together
+from compwright.formats.families.family import Family
+from compwright.formats.text.addresses import normal_text
+from compwright.formats.text.axis_names import AxisNames
+from compwright.formats.text.gathering import same_value
+from compwright.formats.text.texts import AS_IT_IS, BY_HAND, text_reader
+from compwright.foundations.errors import Fault, InputError, raise_all
+from compwright.records.axis import Axis
+from compwright.records.correction import ControlFile
+
+#: Stands before the name of a file that brings old values back.
+BACK = "BACK_"
+#: Quantities of an axis' own table, and those that only somebody at the control may change: what
+#: wakes other tables too, and what clears the memory.
+_OWN_TABLE = ("value", "table_start", "table_end", "table_spacing", "repeats")
+_HANDS = ("cross_axis_enabled", "max_points", "cross_max_points")
+_NAMES = ("machine_axis", "channel_axis", "channel_machine_axis")
+_BETWEEN = ("cross_input", "cross_output")
+_CHANNEL = re.compile(rb"^[ \t]*CHANDATA\([0-9]+\)", re.MULTILINE | re.IGNORECASE)
+
+#: Statement, axis, and the other fields that say which entry it is.
+Key = tuple[str, str, tuple[str, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class _Side:
+    """What one set of files says: the last occurrence of each entry, and the names of the axes."""
+
+    entries: Mapping[Key, Occurrence]
+    names: AxisNames
+
+
+@dataclass(frozen=True, slots=True)
+class _Plan:
+    """One small file: its name, the lines before and behind its entries, the entries that it
+    enters, those that are done by hand, and those that it only tells.
+    """
+
+    name: str
+    header: tuple[str, ...]
+    footer: tuple[str, ...]
+    enters: tuple[Key, ...]
+    by_hand: tuple[Key, ...] = ()
+    tells: tuple[Key, ...] = ()
+
+
+class SmallFiles:
+    """The small files of some axes. ``own``: the control's files, containers opened; ``patched``:
+    those of them that change, and new ones.
+    """
+
+    def __init__(
+        self,
+        control: Family,
+        own: Sequence[ControlFile],
+        patched: Sequence[ControlFile],
+        axes: Sequence[Axis],
+    ) -> None:
+        self.control = control
+        self.definition = control.definition
+        self.systems: dict[str, str] = {}
+        for axis in axes:
+            for each in (axis.address, axis.gantry):
+                if each is not None:
+                    address = normal_text(self.definition, each)
+                    self.systems.setdefault(address, str(axis.encoder.system - 1))
+        self.own = tuple(own)
+        self.old = self._side(own)
+        self.new = self._side(together(own, patched))
+        self.plans = [plan for plan in self._plans() if plan.enters or plan.by_hand]
+
+    def files(self) -> tuple[ControlFile, ...]:
+        """Return the files that enter what was written."""
+        return tuple(self._file(plan, self._new_text) for plan in self.plans)
+
+    def back(self) -> tuple[ControlFile, ...]:
+        """Return the files that enter the old values in the same places."""
+        plans = [replace(plan, name=BACK + plan.name, tells=()) for plan in self.plans]
+        return tuple(self._file(plan, self._old_text) for plan in plans)
+
+    # -- what is said
+
+    def _side(self, files: Sequence[ControlFile]) -> _Side:
+        reader, faults = text_reader(self.definition), list[Fault]()
+        read = [reader.read(file, faults, number) for number, file in enumerate(files)]
+        raise_all(InputError, faults)
+        texts = [text for text in read if text is not None]
+        known = self.control.state.axes if self.control.state is not None else ()
+        names = axis_names(self.definition, texts, list(dict.fromkeys((*known, *self.systems))))
+        entries: dict[Key, Occurrence] = {}
+        for text in texts:
+            for occurrence in text.occurrences:
+                entries[self._key(occurrence, names)] = occurrence
+        return _Side(entries, names)
+
+    def _key(self, occurrence: Occurrence, names: AxisNames) -> Key:
+        tokens = occurrence.tokens
+        axis = tokens.get("axis")
+        address = "" if axis is None else names.address(normal_text(self.definition, axis.text))
+        which = (tokens[name].text for name in _fields(self.definition, occurrence.statement))
+        return (
+            occurrence.statement,
+            address,
+            tuple(str(int(text)) if text.isdigit() else text.upper() for text in which),
+        )
+
+    def _quantities(self, statement: str) -> list[str]:
+        bindings = self.definition.bindings.items()
+        return [name for name, binding in bindings if binding.statement == statement]
+
+    def _is(self, key: Key, quantities: Iterable[str]) -> bool:
+        return any(name in quantities for name in self._quantities(key[0]))
+
+    def _has(self, key: Key, field: str) -> bool:
+        return field in self.definition.statements[key[0]].fields
+
+    def _system(self, key: Key) -> str | None:
+        return self._part(key, "system")
+
+    def _table(self, key: Key) -> str | None:
+        return None if self._is(key, _NAMES) else self._part(key, "table")
+
+    def _part(self, key: Key, field: str) -> str | None:
+        fields = _fields(self.definition, key[0])
+        return key[2][fields.index(field)] if field in fields else None
+
+    def _changed(self, key: Key) -> bool:
+        old, new = self.old.entries.get(key), self.new.entries[key]
+        return old is None or not same_value(_value(old), _value(new))
+
+    # -- which entry goes where
+
+    def _plans(self) -> Iterator[_Plan]:
+        tables = self._tables()
+        pairs = {table: self._pair(table) for table in tables}
+        told = [key for key in self.new.entries if self._global(key)]
+        for address, system in self.systems.items():
+            mine = [key for key in self.new.entries if key[1] == address]
+            own = [key for key in mine if self._is(key, _OWN_TABLE) and self._system(key) == system]
+            beside = [
+                key
+                for key in mine
+                if not self._is(key, _OWN_TABLE) and self._system(key) in (None, system)
+            ]
+            itself = [table for table, pair in pairs.items() if pair == (address, address)]
+            written = [table for table in itself if self._is_written(tables[table])]
+            others = [
+                table
+                for table, pair in pairs.items()
+                if pair[1] == address and table not in written and self._moves(tables[table])
+            ]
+            acts = self._switched_on(address, system)
+            enters_own = own if acts or any(map(self._changed, own)) else []
+            yield self._plan("one_curve", address, ordered(enters_own), rows=True)
+            data = [key for table in written for key in tables[table] if not self._is_switch(key)]
+            yield self._plan("two_curves", address, ordered(data), rows=True)
+            switches = [key for table in written for key in tables[table] if self._is_switch(key)]
+            hands = [key for key in (*beside, *switches) if self._is_hand(key, pair=bool(written))]
+            enters = [
+                key for key in (*beside, *switches) if key not in hands and self._is_entered(key)
+            ]
+            tells = [
+                *told,
+                *self._naming(address, [pairs[table] for table in (*written, *others)]),
+                *(key for key in own if key not in enters_own),
+                *(key for key in beside if key not in (*enters, *hands)),
+                *(key for table in others for key in tables[table]),
+                *(key for key in switches if key not in (*enters, *hands)),
+            ]
+            yield self._plan("one_curve", address, enters, by_hand=hands, tells=tells, rows=False)
+        for address in dict.fromkeys(corrected for _, corrected in pairs.values()):
+            yield self._cross(address, tables, pairs, told)
+
+    def _cross(
+        self,
+        address: str,
+        tables: Mapping[str, Sequence[Key]],
+        pairs: Mapping[str, tuple[str, str]],
+        told: Sequence[Key],
+    ) -> _Plan:
+        """Return the file of new tables from other axes on an axis."""
+        mine = [
+            table
+            for table, (base, corrected) in pairs.items()
+            if corrected == address and base != address and self._is_written(tables[table])
+        ]
+        written = [key for table in mine for key in tables[table]]
+        hands = [key for key in written if self._is_switch(key)]
+        naming = self._naming(address, [pairs[table] for table in mine])
+        enters = ordered([key for key in written if key not in hands])
+        tells = (*told, *naming)
+        return self._plan("cross", address, enters, by_hand=hands, tells=tells, rows=True)
+
+    def _plan(
+        self,
+        when: When,
+        address: str,
+        enters: Sequence[Key],
+        *,
+        rows: bool,
+        by_hand: Sequence[Key] = (),
+        tells: Sequence[Key] = (),
+    ) -> _Plan:
+        file = next(
+            file
+            for file in self.definition.writing
+            if file.when == when and (file.rows is not None) == rows
+        )
+        name = print_form(file.name, {"axis": self.new.names.of_machine(address)})
+        header = (*file.header[:-1], *self._unit_word(), *file.header[-1:])
+        return _Plan(name, header, file.footer[-1:], tuple(enters), tuple(by_hand), tuple(tells))
+
+    def _unit_word(self) -> Iterator[str]:
+        """Yield the line that says the unit, where the control's own files have one."""
+        for key, occurrence in self.old.entries.items():
+            if self._is(key, ("unit_word",)):
+                yield _value(occurrence)
+                return
+
+    def _tables(self) -> dict[str, list[Key]]:
+        """Return the entries of each table between axes."""
+        tables: dict[str, list[Key]] = {}
+        for key in self.new.entries:
+            table = self._table(key)
+            if table is not None:
+                tables.setdefault(table, []).append(key)
+        filled = {
+            table: keys
+            for table, keys in tables.items()
+            if any(self._is(key, ("cross_value",)) for key in keys)
+        }
+        return dict(sorted(filled.items(), key=lambda entry: int(entry[0])))
+
+    def _pair(self, table: str) -> tuple[str, str]:
+        named = {}
+        for key, occurrence in self.new.entries.items():
+            for quantity in _BETWEEN:
+                if self._table(key) == table and self._is(key, (quantity,)):
+                    text = normal_text(self.definition, occurrence.tokens["value"].text)
+                    named[quantity] = self.new.names.address(text)
+        return named.get("cross_input", ""), named.get("cross_output", "")
+
+    def _moves(self, keys: Sequence[Key]) -> bool:
+        """Whether a table holds a value that is not zero."""
+        values = [key for key in keys if self._is(key, ("cross_value",))]
+        return any(not same_value(_value(self.new.entries[key]), "0") for key in values)
+
+    def _is_written(self, keys: Sequence[Key]) -> bool:
+        return any(self._changed(key) for key in keys if not self._is(key, _HANDS))
+
+    def _is_switch(self, key: Key) -> bool:
+        return self._is(key, ("cross_table_enabled", "cross_weight", "cross_max_points"))
+
+    def _is_hand(self, key: Key, *, pair: bool) -> bool:
+        """Whether somebody at the control has to do it: what changes memory, or switches all tables
+        on an axis where one of them is written.
+        """
+        return self._is(key, _HANDS) and (
+            self._changed(key) or (pair and self._is(key, ("cross_axis_enabled",)))
+        )
+
+    def _is_entered(self, key: Key) -> bool:
+        always = ("enabled", "backlash", "cross_table_enabled", "cross_weight")
+        return self._is(key, always) or self._changed(key)
+
+    def _switched_on(self, address: str, system: str) -> bool:
+        return any(
+            self._is(key, ("enabled",))
+            and key[1] == address
+            and self._system(key) == system
+            and not same_value(_value(occurrence), "0")
+            for key, occurrence in self.new.entries.items()
+        )
+
+    def _global(self, key: Key) -> bool:
+        """Whether an entry speaks of the whole machine."""
+        known = not self._is(key, ("unit_word",)) and bool(self._quantities(key[0]))
+        return known and not (self._has(key, "axis") or self._has(key, "table"))
+
+    def _naming(self, address: str, pairs: Iterable[tuple[str, str]]) -> Iterator[Key]:
+        """Yield the entries that list the names of the axes that the files speak of."""
+        names = self.new.names
+        involved = {address, *(axis for pair in pairs for axis in pair if axis)}
+        channels = set()
+        for key, occurrence in self.new.entries.items():
+            if not self._is(key, ("machine_axis", "channel_axis")):
+                continue
+            text = normal_text(self.definition, _value(occurrence))
+            if self._is(key, ("machine_axis",)) and names.address(text) in involved:
+                yield key
+            if self._is(key, ("channel_axis",)) and text == address:
+                channels.add(key[2])
+                yield key
+        for key in self.new.entries:
+            if self._is(key, ("channel_machine_axis",)) and key[2] in channels:
+                yield key
+
+    # -- lines
+
+    def _file(self, plan: _Plan, text: Callable[[Key], str | None]) -> ControlFile:
+        comment = next(
+            kind.comment_marks[0] for kind in self.definition.texts.values() if kind.comment_marks
+        )
+        header = [print_form(line, {}) for line in plan.header]
+        lines = [
+            *self._marked(header),
+            *self._lines(plan.tells, text, comment + AS_IT_IS),
+            *self._lines(plan.enters, text, ""),
+            *self._lines(plan.by_hand, text, comment + BY_HAND),
+            *(print_form(line, {}) for line in plan.footer),
+        ]
+        content = "".join(line + self.definition.dialect.newline for line in lines)
+        return ControlFile(plan.name, content.encode("ascii"))
+
+    def _marked(self, header: Sequence[str]) -> Iterator[str]:
+        """Yield a header with the channel that the control's own files name."""
+        found = next((found for file in self.own if (found := _CHANNEL.search(file.content))), None)
+        own = None if found is None else found[0].decode().strip()
+        for line in header:
+            yield own if own is not None and _CHANNEL.match(line.encode()) else line
+
+    def _lines(
+        self, keys: Iterable[Key], text: Callable[[Key], str | None], before: str
+    ) -> Iterator[str]:
+        for key in dict.fromkeys(keys):
+            said = text(key)
+            if said is not None:
+                yield before + self._line(key, said)
+
+    def _line(self, key: Key, text: str) -> str:
+        statement = self.definition.statements[key[0]]
+        named = dict(zip(_fields(self.definition, key[0]), key[2], strict=True))
+        if key[1]:
+            named["axis"] = self.new.names.written(key[1])
+        field = next(name for name in statement.fields if name not in named)
+        return print_form(statement.form, {**named, field: text})
+
+    def _new_text(self, key: Key) -> str | None:
+        return self._text(key, self.new.entries[key])
+
+    def _text(self, key: Key, occurrence: Occurrence) -> str:
+        """Return a value; an axis under work under the name that the other lines give it."""
+        text = _value(occurrence)
+        if not self._is(key, _BETWEEN):
+            return text
+        address = self.new.names.address(normal_text(self.definition, text))
+        return self.new.names.written(address) if address in self.systems else text
+
+    def _old_text(self, key: Key) -> str | None:
+        """Return the old value of an entry; what was in no file goes back to what was counted."""
+        found = self.old.entries.get(key)
+        if self._is(key, ("max_points", "cross_max_points")) and self._changed(key):
+            return None  # room that nobody needs does no harm; less of it clears the memory
+        if found is not None:
+            return self._text(key, found)
+        if self._is(key, ("enabled",)):
+            enabled = self.control.facts_of(key[1]).enabled
+            return self.definition.choice("enabled").text("yes" if enabled else "no")
+        if self._is(key, ("value", "cross_value", "backlash", "cross_table_enabled")):
+            return "0"
+        grid = (*_OWN_TABLE, "cross_start", "cross_end", "cross_spacing", "cross_direction")
+        same = self._is(key, (*grid, *_BETWEEN, "cross_multiplier", "cross_repeats"))
+        return self._new_text(key) if same else None
+
+
+def ordered(keys: Sequence[Key]) -> list[Key]:
+    """Return entries of tables in their order, the values of each by index."""
+    rows: dict[str, list[Key]] = {}
+    for key in keys:
+        rows.setdefault(key[0], []).append(key)
+
+    def place(key: Key) -> tuple[int, ...]:
+        return tuple(int(text) for text in key[2] if text.isdigit())
+
+    return [key for group in rows.values() for key in sorted(group, key=place)]
+
+
+def _fields(definition: Definition, statement: str) -> list[str]:
+    """Return the fields that say which entry a statement is, apart from the axis."""
+    which = ("system", "table", "set", "index", "key")
+    return [name for name in definition.statements[statement].fields if name in which]
+
+
+def _value(occurrence: Occurrence) -> str:
+    """Return the value of an entry."""
+    which = ("axis", "system", "table", "set", "index", "key")
+    return next(token.text for name, token in occurrence.tokens.items() if name not in which)
