@@ -610,7 +610,7 @@ def test_neighbours_that_overlap_stop_nothing(tmp_path: Path) -> None:
 
 def test_the_endless_axis_of_the_backup(tmp_path: Path) -> None:
     bench = Bench(tmp_path)
-    assert bench.run("B") == 0
+    assert bench.run("B", axes={"B": "table: {spacing: auto}"}) == 0
     parameters, points = bench.written()
     first, last = (int(said(parameters, number, 4)) for number in (3621, 3622))
     assert first == int(said(parameters, 3620, 4))
@@ -627,7 +627,11 @@ def test_the_error_of_an_endless_axis_repeats_whatever_the_travel(
 ) -> None:
     bench = Bench(tmp_path)
     assert (
-        bench.run("B", axes={"B": f"travel: {travel}"}, targets=first + np.arange(0.0, 361.0, 30.0))
+        bench.run(
+            "B",
+            axes={"B": f"travel: {travel}, table: {{spacing: auto}}"},
+            targets=first + np.arange(0.0, 361.0, 30.0),
+        )
         == 0
     )
     assert bench.left("B") < 0.0008
@@ -636,7 +640,7 @@ def test_the_error_of_an_endless_axis_repeats_whatever_the_travel(
 def test_a_rotary_axis_with_ends_need_not_close(tmp_path: Path) -> None:
     """1006 = 3: a turn from 0 to 360 whose increments add up to 10 is a table as any other."""
     bench = Bench(tmp_path, {(1006, "4"): "00000011"}, points=POINTS | {311: 0})
-    assert bench.run("B", axes={"B": "modulo: -"}) == 0
+    assert bench.run("B", axes={"B": "modulo: -, table: {spacing: auto}"}) == 0
     assert bench.left("B") < 0.0008
 
 

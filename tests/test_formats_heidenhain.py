@@ -966,6 +966,8 @@ def test_a_run_fills_the_table_that_is_in_the_control(tmp_path: Path) -> None:
         "X",
         "--travel",
         f"{machine.low}:{machine.high}",
+        "--option",
+        "spacing=auto",
     ]
     assert (
         compwright(

@@ -17,7 +17,7 @@ from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.documents.json_text import to_json
 from compwright.documents.plan import plan_document, read_plan
-from compwright.planning import axes as planning_axes
+from compwright.planning import tables as planning_tables
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
 from compwright.workflow.stages import control as control_module
@@ -244,7 +244,7 @@ def inverted(*arguments: Any, **words: Any) -> Any:
 def test_a_table_that_would_make_the_axis_worse_is_not_written(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.setattr(planning_axes, "fit_table", inverted)
+    monkeypatch.setattr(planning_tables, "fit_table", inverted)
     path = str(job(folder))
     assert compwright(["run", path]) == 1
     assert (

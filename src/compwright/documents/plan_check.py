@@ -246,7 +246,10 @@ _RULES_OF: Mapping[type, Callable[[Any], Iterator[str]]] = {
     ErrorEstimate: _estimate,
     PositioningTest: _readings,
     TableRequest: lambda request: _rules(
-        (request.spacing is None or request.spacing > 0, "a spacing above 0")
+        (
+            request.named_spacing is None or request.named_spacing > 0,
+            "a spacing above 0",
+        )
     ),
     PlannedAxis: _one_kind,
     ControlFile: _file,

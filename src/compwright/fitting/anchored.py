@@ -30,7 +30,7 @@ def anchored_grids(
     steps = _steps(wanted, capacity, request, ends)
     reach = _reach(wanted, capacity, request)
     grids = [_over(step, reach, wanted.reference) for step in steps]
-    if request.spacing is not None:
+    if request.named_spacing is not None:
         raise_all(CapacityError, _count_faults(grids[0].count, capacity, wanted))
         return grids
     return sorted(
@@ -112,8 +112,8 @@ def _steps(
     """Return the steps to choose from, in quanta; the job's own where it names one. Raises
     CapacityError where it does not fit.
     """
-    if request.spacing is not None:
-        step = named_step(request.spacing, capacity, wanted.kind.unit)
+    if request.named_spacing is not None:
+        step = named_step(request.named_spacing, capacity, wanted.kind.unit)
         raise_all(CapacityError, _end_faults(step, wanted, capacity, ends))
         return [step]
     fixed = [abs(end) for end in ends if end]
@@ -251,12 +251,12 @@ def _endless_grids(
     length = round(period / quantum)
     steps = taken_steps(divisors(length), capacity) if whole(period / quantum) else []
     grids = [Candidate(0, step, length // step + 1, origin=reference) for step in steps]
-    if request.spacing is None:
+    if request.named_spacing is None:
         return sorted(
             (one for one in grids if max(2, capacity.min_points) <= one.count <= most),
             key=lambda one: one.count,
         )
-    step = named_step(request.spacing, capacity, unit)
+    step = named_step(request.named_spacing, capacity, unit)
     chosen = [one for one in grids if one.step == step]
     if not chosen:
         near = [
@@ -271,7 +271,7 @@ def _endless_grids(
                     f"{' or '.join(f'{one * quantum:.10g}' for one in near if one is not None)}"
                     f" {unit}"
                 ),
-                found=f"{request.spacing:.12g} {unit}",
+                found=f"{request.named_spacing:.12g} {unit}",
             )
         )
     raise_all(CapacityError, _count_faults(chosen[0].count, capacity, wanted))

@@ -15,8 +15,9 @@ from typing import Final, Literal
 import numpy as np
 
 from compwright.fitting.endless import over_one_period
-from compwright.fitting.grid import NOISE_SHARE, Grid, choose_grid
+from compwright.fitting.grid import Grid, choose_grid
 from compwright.fitting.line import fit_line
+from compwright.fitting.losses import NOISE_SHARE
 from compwright.fitting.problem import (
     BOTH,
     Layout,
@@ -93,7 +94,7 @@ def fit_table(
     best = fit.expected() if request.goal == "expected" else fit.least_range(aim, request.goal)
     table = _rounded(best.x, fit, address, aim)
     limits = _limits(fit, best, table, grid)
-    edges, losses = edge_findings(table, wanted), loss_findings(limits, wanted)
+    edges, losses = edge_findings(table, wanted, kept=grid.kept), loss_findings(limits, wanted)
     findings = (*grid.findings, *datum_findings, *edges, *losses)
     worst = _rounding_error(table, best.x, layout)
     return FittedTable(
@@ -103,6 +104,7 @@ def fit_table(
         certificate={**best.certificate, "rounding": worst},
         limits=limits,
         findings=findings,
+        keeps_grid=grid.kept,
     )
 
 

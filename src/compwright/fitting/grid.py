@@ -2,8 +2,7 @@
 many as the control allows.
 
 All arithmetic on positions is in whole quanta of the position, so that start + i * step is exact
-for every i. What straight lines between nodes lose is computed, not estimated (de Boor, A Practical
-Guide to Splines, 1978, chapter III, has its order: spacing squared times curvature).
+for every i. What straight lines between nodes lose is computed, not estimated (`losses`).
 """
 
 from __future__ import annotations
@@ -15,14 +14,14 @@ from typing import Final
 import numpy as np
 
 from compwright.fitting.anchored import anchored_grids, named_step
+from compwright.fitting.losses import good_enough, grid_loss, magnification_needed
 from compwright.fitting.periodic import without_periods
-from compwright.fitting.problem import BOTH, rows_at
+from compwright.fitting.standing import standing_nodes, too_close
 from compwright.fitting.steps import Candidate, nodes_at, own_steps, round_steps, taken_steps, whole
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity, Lattice
-from compwright.records.correction import Interpolation
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import TableRequest
 
@@ -30,8 +29,6 @@ from compwright.records.fitted import TableRequest
 AUTO_MOST: Final = 500
 #: A period is held from three points per period on (25 % of its rms is left then).
 POINTS_PER_PERIOD: Final = 3.0
-#: The grid may lose this share of the noise of a reading (rms), or one quantum.
-NOISE_SHARE: Final = 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,7 +37,7 @@ class Grid:
     cannot hold.
 
     ``left_out``: rms of those. ``points_loss``: rms that more points would save, 0 where the number
-    of points is no limit.
+    of points is no limit. ``kept``: the nodes are those of the grid that is in the control.
     """
 
     nodes: FloatArray
@@ -48,6 +45,7 @@ class Grid:
     left_out: float = 0.0
     points_loss: float = 0.0
     findings: tuple[Finding, ...] = ()
+    kept: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,13 +59,14 @@ class _Span:
 
 
 def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequest) -> Grid:
-    """Return the nodes for a table.
+    """Return the nodes for a table: those that are in the control, where the job lets them stay.
 
     Raises CapacityError where the control cannot hold the asked grid (which limit, what would fit),
-    UsageError where start does not lie below end.
+    or where the one that is there cannot serve; UsageError where start does not lie below end.
     """
-    if request.spacing is not None and not request.spacing > 0.0:
-        found = f"{request.spacing:g} {wanted.kind.unit}"
+    spacing = request.named_spacing
+    if spacing is not None and not spacing > 0.0:
+        found = f"{spacing:g} {wanted.kind.unit}"
         raise UsageError(
             Fault(message="the spacing must be positive", place="table.spacing", found=found)
         )
@@ -75,16 +74,19 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
         return _explicit_grid(
             _given_nodes(np.array(capacity.nodes), request, wanted.kind.unit), wanted
         )
+    _check_order(wanted, request)
+    standing = standing_nodes(wanted, capacity, request)
+    if standing is not None:
+        return _kept(standing, capacity, wanted)
     if capacity.anchored or capacity.period is not None:
-        _check_order(wanted, request)
         grids = anchored_grids(wanted, capacity, request, _most(capacity))
-        if request.spacing is not None:
+        if spacing is not None:
             return _explicit_grid(grids[0].nodes(capacity.position_quantum), wanted)
         ends = (float(wanted.positions[0]), float(wanted.positions[-1]))
         return _automatic(grids, [], ends, capacity, wanted)
     span = _span(wanted, capacity, request)
-    if request.spacing is not None:
-        nodes = _explicit(span, request.spacing, capacity, wanted)
+    if spacing is not None:
+        nodes = _explicit(span, spacing, capacity, wanted)
         return _explicit_grid(nodes, wanted)
     pool, others = _candidates(span, capacity, wanted, _most(capacity))
     ends = (span.low * capacity.position_quantum, span.high * capacity.position_quantum)
@@ -97,7 +99,7 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
     asked = (
         ("start", request.start, float(nodes[0])),
         ("end", request.end, float(nodes[-1])),
-        ("spacing", request.spacing, step),
+        ("spacing", request.named_spacing, step),
     )
     raise_all(
         CapacityError,
@@ -116,6 +118,12 @@ def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatAr
         ],
     )
     return nodes
+
+
+def _kept(nodes: FloatArray, capacity: Capacity, wanted: WantedCorrection) -> Grid:
+    grid = _explicit_grid(nodes, wanted)
+    findings = (*grid.findings, *too_close(nodes, capacity, wanted.kind.unit))
+    return replace(grid, findings=findings, kept=True)
 
 
 def _covering(grid: Grid, span: _Span, capacity: Capacity) -> Grid:
@@ -374,7 +382,7 @@ def _automatic(
     if capacity.lattice is not None:
         compromise = _least_left([*pool, *others], wanted, capacity, capacity.lattice)
         return _explicit_grid(
-            compromise, wanted, loss=_loss(compromise, wanted, capacity.interpolation)
+            compromise, wanted, loss=grid_loss(compromise, wanted, capacity.interpolation)
         )
     finest = _with_most_points(pool, others).nodes(quantum)
     step = float(np.max(np.diff(finest)))
@@ -388,7 +396,7 @@ def _automatic(
         finest,
         wanted,
         lost,
-        0.0 if capacity.max_points is None else _loss(finest, kept, capacity.interpolation),
+        0.0 if capacity.max_points is None else grid_loss(finest, kept, capacity.interpolation),
     )
 
 
@@ -467,12 +475,6 @@ def _first_good(
     with a rounder step.
     """
     quantum = capacity.position_quantum
-    # Steps are cheap to make finer, and their loss is a range as wide as a step: no more than
-    # rounding costs anyway.
-    resolution = (
-        capacity.quantum / np.sqrt(12.0) if capacity.interpolation == "step" else capacity.quantum
-    )
-    tolerance = max(resolution, NOISE_SHARE * wanted.noise)
     best: Candidate | None = None
     first = 0
     for candidate in candidates:
@@ -481,35 +483,10 @@ def _first_good(
         if best is not None and candidate.digits(quantum) >= best.digits(quantum):
             continue
         nodes = candidate.nodes(quantum)
-        if _loss(nodes, wanted, capacity.interpolation) <= tolerance and _climbs(
-            nodes, wanted, capacity
-        ):
+        if good_enough(nodes, wanted, capacity):
             first = candidate.count if best is None else first
             best = candidate
     return best
-
-
-def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
-    """Return whether the control's increments, at the smallest magnification, follow what is
-    wanted.
-    """
-    lattice = capacity.lattice
-    return lattice is None or _needed(nodes, wanted, lattice) <= lattice.magnifications[0]
-
-
-def _needed(nodes: FloatArray, wanted: WantedCorrection, lattice: Lattice) -> float:
-    """Return the magnification at which the increments follow what is wanted (not a whole
-    number).
-    """
-    least, largest = (limit * lattice.unit for limit in lattice.increments)
-    steps = np.concatenate(
-        [np.diff(np.interp(nodes, wanted.positions, wanted.total(direction))) for direction in BOTH]
-    )
-    up, down = float(np.max(steps, initial=0.0)), float(np.min(steps, initial=0.0))
-    nothing_up, nothing_down = (np.inf if up > 0.0 else 0.0), (np.inf if down < 0.0 else 0.0)
-    return max(
-        up / largest if largest > 0.0 else nothing_up, down / least if least < 0.0 else nothing_down
-    )
 
 
 def _least_left(
@@ -526,7 +503,7 @@ def _least_left(
     scored = []
     for candidate in candidates:
         nodes = candidate.nodes(capacity.position_quantum)
-        needed = _needed(nodes, wanted, lattice)
+        needed = magnification_needed(nodes, wanted, lattice)
         enough = next(
             (one for one in lattice.magnifications if one >= needed), lattice.magnifications[-1]
         )
@@ -534,22 +511,10 @@ def _least_left(
         lacking = share * float(np.std(np.concatenate([wanted.positive, wanted.negative])))
         rounding = enough * lattice.unit / np.sqrt(18.0)
         left = float(
-            np.sqrt(_loss(nodes, wanted, capacity.interpolation) ** 2 + rounding**2 + lacking**2)
+            np.sqrt(
+                grid_loss(nodes, wanted, capacity.interpolation) ** 2 + rounding**2 + lacking**2
+            )
         )
         scored.append((left, candidate.count, nodes))
     enough_left = 1.02 * min(left for left, _, _ in scored)
     return min((one for one in scored if one[0] <= enough_left), key=lambda one: one[1])[2]
-
-
-def _loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolation) -> float:
-    """Return the rms over the travel and both directions, mm or deg, of what lies between the nodes
-    and is lost there: wanted minus its interpolation at the nodes (de Boor 1978, chapter III).
-    """
-    where = wanted.positions
-    rows = rows_at(where, nodes, below="hold", above="hold", interpolation=interpolation)
-    square = []
-    for curve in (wanted.total(direction) for direction in BOTH):
-        values = np.interp(nodes, where, curve)
-        held = rows.lower * values[rows.left] + rows.upper * values[rows.left + 1]
-        square.append(np.mean((held - curve) ** 2))
-    return float(np.sqrt(np.mean(square)))

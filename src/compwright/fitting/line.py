@@ -70,7 +70,7 @@ def fit_line(
 
 
 def _refuse_grid(request: TableRequest, capacity: Capacity) -> None:
-    asked = {"start": request.start, "end": request.end, "spacing": request.spacing}
+    asked = {"start": request.start, "end": request.end, "spacing": request.named_spacing}
     raise_all(
         CapacityError,
         [

@@ -37,9 +37,11 @@ def added(larger: float, smaller: float) -> float:
     return float(np.sqrt(max(0.0, larger**2 - smaller**2)))
 
 
-def edge_findings(table: AxisCompensation, wanted: WantedCorrection) -> tuple[Finding, ...]:
+def edge_findings(
+    table: AxisCompensation, wanted: WantedCorrection, *, kept: bool
+) -> tuple[Finding, ...]:
     """Return what acts where the table does not cover the travel, and where it reaches beyond. An
-    endless table has no edges.
+    endless table has no edges; one on a grid that was there (``kept``) reaches as far as it did.
     """
     if table.period is not None:
         return ()
@@ -64,6 +66,8 @@ def edge_findings(table: AxisCompensation, wanted: WantedCorrection) -> tuple[Fi
                 f" {nodes[edge]:g} {unit}: there {acts}"
             )
             findings.append(Finding("CW-F001", "warning", message))
+    if kept:
+        return tuple(findings)
     beyond = max(float(where[0] - nodes[0]), float(nodes[-1] - where[-1]))
     extra = int(np.count_nonzero((nodes < where[0] - hair) | (nodes > where[-1] + hair)))
     if (

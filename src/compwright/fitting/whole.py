@@ -322,7 +322,8 @@ def whole_table(
             *grid.findings,
             *findings,
             *goal_finding(goal, "whole increments"),
-            *edge_findings(table, aim),
+            *edge_findings(table, aim, kept=grid.kept),
             *loss_findings(limits, aim),
         ),
+        keeps_grid=grid.kept,
     )

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag
 from pydantic_core import PydanticCustomError
 
 SCHEMA_VERSION = 1
@@ -64,13 +64,18 @@ def _state(value: Any) -> Any:
     return value if isinstance(value, dict) else {"files": value}
 
 
-def _unless_auto(value: Any) -> Any:
-    return None if value == "auto" else value
+def _auto_or_number(value: Any) -> str:
+    return "auto" if value == "auto" else "number"
 
 
 Text = Annotated[str, BeforeValidator(_one_line_of_text)]
 Positive = Annotated[float, Field(gt=0)]
 NotNegative = Annotated[float, Field(ge=0)]
+#: A complaint about a number that is none speaks of a number, not of the word too.
+Spacing = Annotated[
+    Annotated[Positive, Tag("number")] | Annotated[Literal["auto"], Tag("auto")],
+    Discriminator(_auto_or_number),
+]
 Sense = Annotated[Literal[1, -1], BeforeValidator(_no_truth_value)]
 Sign = Literal["+", "-"]
 
@@ -125,11 +130,11 @@ class TestSection(Section):
 
 
 class TableSection(Section):
-    """Wishes for the grid; None is automatic."""
+    """Wishes for the grid; None: as it is in the control, or as compwright chooses."""
 
     start: float | None = None
     end: float | None = None
-    spacing: Annotated[Positive | None, BeforeValidator(_unless_auto)] = None
+    spacing: Spacing | None = None
     mode: Literal["auto", "single", "bidirectional"] = "auto"
     goal: Literal["expected", "A", "E", "M"] = "expected"
 

@@ -6,17 +6,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal, Protocol
 
+import numpy as np
+
 from compwright.estimation.reach import longer_tests
 from compwright.evaluation.agreement import disagreeing_test
 from compwright.evaluation.standards import evaluate
-from compwright.fitting.beyond import beyond_limits
-from compwright.fitting.fit import fit_table
 from compwright.foundations.errors import CapacityError, CompwrightError, collect, raise_all
 from compwright.foundations.findings import Finding
 from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
 from compwright.planning.motions import backlash_more, with_backlash, with_motion
 from compwright.planning.outlook import predict, predict_new_targets, why_not_better
 from compwright.planning.sharing import shared_fairly
+from compwright.planning.tables import fit_within, freely_chosen, offer
 from compwright.planning.wanted import (
     MeasuredError,
     check_coverage,
@@ -30,12 +31,11 @@ from compwright.prediction.acting import Correction, difference, nothing
 from compwright.records.axis import Axis, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
-from compwright.records.estimate import WantedCorrection
-from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.fitted import FittedTable
 from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest
-from compwright.records.prediction import AxisPrediction
+from compwright.records.prediction import AxisPrediction, TestPrediction
 from compwright.records.result import PositioningResult
 
 
@@ -49,7 +49,8 @@ class CapacityOf(Protocol):
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisWork:
     """One axis of a run. ``as_found``: what the control does now, by the judge; ``refused``: why
-    its table is not written.
+    its table is not written; ``chosen``: the table on a grid of our own choice, where that of the
+    control stays and may lose something by it.
     """
 
     entry: AxisJob
@@ -59,6 +60,7 @@ class AxisWork:
     as_found: Correction
     capacity: Capacity | None = None
     refused: str = ""
+    chosen: FittedTable | None = None
     disagreeing: tuple[Finding, ...] = ()
 
     @property
@@ -202,14 +204,17 @@ def fit_all(
             planned.axis,
             reversal_log_odds=work.posterior.reversal_log_odds,
         )
+        capacity, request, address = capacities[name], planned.request, planned.axis.address
         try:
-            capacity = capacities[name]
-            table = fit_within(wanted, capacity, planned.request, address=planned.axis.address)
+            table = fit_within(wanted, capacity, request, address=address)
         except CapacityError as error:
             errors.append(_of_axis(error, name, job_file))
             continue
         fitted[name] = replace(
-            work, capacity=capacity, planned=replace(planned, wanted=wanted, fitted=table)
+            work,
+            capacity=capacity,
+            planned=replace(planned, wanted=wanted, fitted=table),
+            chosen=freely_chosen(wanted, capacity, request, table, address=address),
         )
     raise_all(CapacityError, collect(errors))
     return fitted
@@ -217,17 +222,6 @@ def fit_all(
 
 def _of_axis(error: CapacityError, name: str, file: str) -> CapacityError:
     return CapacityError(*(fault.within(f"axis {name}").in_file(file) for fault in error.faults))
-
-
-def fit_within(
-    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str
-) -> FittedTable:
-    """Return the fitted table. Raises CapacityError where the control cannot hold it by more than
-    the noise of a reading.
-    """
-    table = fit_table(wanted, capacity, request, address=address)
-    raise_all(CapacityError, list(beyond_limits(table, wanted, capacity)))
-    return table
 
 
 def predict_axis(
@@ -258,8 +252,27 @@ def predict_axis(
         quantum=work.capacity.quantum if work.capacity is not None else None,
         limits=fitted.limits if fitted is not None else (),
         accept=accept,
-        findings=(*work.findings, *guard),
+        findings=(*work.findings, *guard, *_offered(work, tests)),
     )
+
+
+def _offered(work: AxisWork, tests: Sequence[TestPrediction]) -> Iterator[Finding]:
+    """Yield what a grid of our own choice would gain over the one that is there and stays."""
+    capacity, chosen = work.capacity, work.chosen
+    if chosen is None or capacity is None:
+        return
+    change = difference(chosen.compensation.at, work.active)
+    offered = predict(work.results[0], work.posterior, change, work.planned.axis)
+    finding = offer(
+        np.array(capacity.there),
+        chosen,
+        tests[0],
+        offered,
+        quantum=capacity.quantum,
+        written=work.planned.fitted is not None,
+    )
+    if finding is not None:
+        yield finding
 
 
 def no_gain(work: AxisWork, new: Correction) -> str:

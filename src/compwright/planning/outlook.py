@@ -62,7 +62,7 @@ def why_not_better(
     what the new files give; ``old``, ``new``: what newly dithered targets will show, from the same
     draws. Judged by the first of A, E, ... that the test has.
     """
-    name = _yardstick(before)
+    name = yardstick(before)
     if name is None:
         return ""
     factor = outside_factor(before.test.kind.unit)
@@ -116,7 +116,8 @@ def _predict_at(
     }
 
 
-def _yardstick(result: PositioningResult) -> str | None:
+def yardstick(result: PositioningResult) -> str | None:
+    """Return the first of A, E, ... that a test has: by it tables are judged."""
     names = ("A", "E", "A_positive", "A_negative", "E_positive", "E_negative", "P", "R", "B_mean")
     return next((name for name in names if result.parameters.get(name) is not None), None)
 

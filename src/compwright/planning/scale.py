@@ -20,11 +20,13 @@ from compwright.planning.axes import CapacityOf
 from compwright.planning.checks import Checks, mismatch, scale_error
 from compwright.planning.circles import CircleWork
 from compwright.planning.stated import SIGNIFICANT, Stated
+from compwright.planning.tables import fit_staying
 from compwright.planning.wanted import dense_positions, held_by, wanted_correction
 from compwright.prediction.acting import IDLE, Acting
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlState
 from compwright.records.estimate import ErrorEstimate
+from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import AS_FOUND, AxisJob, Job
 from compwright.records.plan import PlannedAxis
 
@@ -254,7 +256,12 @@ def _planned(
     )
     active = held_by(state, axis)
     wanted = wanted_correction(estimate, active, axis, reversal_log_odds=0.0)
-    fitted = fit_table(wanted, capacity(axis), entry.table, address=axis.address)
+    limits = capacity(axis)
+
+    def fit(request: TableRequest) -> FittedTable:
+        return fit_table(wanted, limits, request, address=axis.address)
+
+    fitted = fit_staying(fit, limits, entry.table, axis.kind.unit)
     return PlannedAxis(
         axis=axis,
         tests=(),

@@ -49,7 +49,7 @@ class IncrementFacts:
     ``two_sets``. ``negative_offset``, ``backlash``, ``backlash_rapid``: detection units.
     ``separate_rapid``: rapid traverse has a backlash of its own. ``inch``: the machine counts in
     inches. ``rapid_feed``: mm/min or deg/min. ``unread``: numbers of which no file says what they
-    hold.
+    hold. ``interval``: the width of its sections, mm or deg.
     """
 
     reference_number: int | None = None
@@ -65,6 +65,7 @@ class IncrementFacts:
     inch: bool | None = None
     rapid_feed: float | None = None
     unread: frozenset[int] = frozenset()
+    interval: float | None = None
 
     @property
     def claimed(self) -> tuple[range, ...]:
@@ -94,8 +95,9 @@ class AxisFacts:
     coordinate of the reference position, mm or deg, approached in ``reference_return``.
     ``diameter``: positions are programmed in diameter. ``unit_evidence``: what says its detection
     unit. ``rapid_more``: by how much the backlash at rapid traverse is more than that at cutting
-    feed, mm or deg; None: they leave it open. ``said``: further quantities by neutral name, which
-    settle options.
+    feed, mm or deg; None: they leave it open. ``grid``: the nodes (ascending, mm or deg) of a table
+    of its own that the files hold but that does not act; that of one that acts stands in its
+    compensation. ``said``: further quantities by neutral name, which settle options.
     """
 
     name: str | None = None
@@ -114,6 +116,7 @@ class AxisFacts:
     diameter: bool | None = None
     unit_evidence: str = ""
     rapid_more: float | None = 0.0
+    grid: tuple[float, ...] = ()
     pairs: PairFacts = PairFacts()
     increments: IncrementFacts = IncrementFacts()
     said: Mapping[str, Fact] = field(default_factory=dict)

@@ -17,13 +17,27 @@ Goal = Literal["expected", "A", "E", "M"]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableRequest:
-    """What the job asks of the grid, mm or deg: all optional. ``spacing`` None is automatic."""
+    """What the job asks of the grid, mm or deg: all optional.
+
+    ``spacing``: a number names it, "auto" lets compwright choose, None keeps the grid that is in
+    the control (and chooses where there is none).
+    """
 
     start: float | None = None
     end: float | None = None
-    spacing: float | None = None
+    spacing: float | Literal["auto"] | None = None
     mode: Mode = "auto"
     goal: Goal = "expected"
+
+    @property
+    def named_spacing(self) -> float | None:
+        """The spacing that the job names, mm or deg; None: it names none."""
+        return None if self.spacing == "auto" else self.spacing
+
+    @property
+    def keeps(self) -> bool:
+        """Whether the grid that is in the control is to stay."""
+        return self.spacing is None
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +54,7 @@ class FittedTable:
     that prove the fit, by name.
 
     ``mode`` is the choice made (single: one curve and one reversal value; bidirectional),
-    ``mode_reason`` why in one sentence.
+    ``mode_reason`` why in one sentence. ``keeps_grid``: its nodes are those that were there.
     """
 
     compensation: AxisCompensation
@@ -49,3 +63,4 @@ class FittedTable:
     certificate: Mapping[str, float]
     limits: tuple[Limit, ...] = ()
     findings: tuple[Finding, ...] = ()
+    keeps_grid: bool = False

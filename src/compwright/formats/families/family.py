@@ -12,6 +12,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Self
 
+import numpy as np
+
 from compwright.formats.definition.options import axis_options, resolve_options
 from compwright.formats.definition.schema import Choice, Definition, OptionRule
 from compwright.formats.families import limits
@@ -33,6 +35,8 @@ from compwright.records.correction import (
 )
 from compwright.records.facts import AxisFacts
 
+#: Two nodes are one where they are nearer than this part of a spacing.
+SAME_NODE = 1e-6
 #: Address, axis and table: what is written for one axis.
 AxisTable = tuple[str, Axis, AxisCompensation]
 
@@ -105,6 +109,31 @@ class Family(ABC):
     def facts_of(self, address: str) -> AxisFacts:
         """Return what the control's own files say of an axis; nothing before they are read."""
         return AxisFacts() if self.state is None else self.state.facts_of(address)
+
+    def grid_there(self, axis: Axis) -> tuple[float, ...]:
+        """Return the nodes (ascending, mm or deg) of the table that the control's own files hold
+        for an axis, whether it acts or not; none where they hold none.
+        """
+        address, _ = self.address(axis)
+        acting = None if self.state is None else self.state.axes.get(address)
+        if acting is not None and acting.positions.size > 1:
+            return tuple(float(node) for node in acting.positions)
+        return self.facts_of(address).grid
+
+    def keeps_grid(self, axis: Axis, compensation: AxisCompensation) -> bool:
+        """Return whether a table stands on exactly the nodes of the one that the control's own
+        files hold: then what hangs on these nodes stays as it is.
+        """
+        there, nodes = np.array(self.grid_there(axis)), compensation.positions
+        if there.shape != nodes.shape or nodes.size < 2:
+            return False
+        slack = SAME_NODE * float(np.min(np.diff(nodes)))
+        if compensation.period is not None:
+            there, nodes = (
+                np.sort(np.mod(one[:-1] - nodes[0] + slack, compensation.period))
+                for one in (there, nodes)
+            )
+        return bool(np.max(np.abs(there - nodes)) <= 2 * slack)
 
     def scale_of(self, axis: Axis) -> Scale:
         """Return how numbers of an axis are written; choices are those that its options ask for."""

@@ -18,7 +18,7 @@ from compwright.foundations.errors import (
 )
 from compwright.foundations.findings import Finding
 from compwright.jobs.command_line import ACTIVE
-from compwright.planning.axes import fit_within
+from compwright.planning.tables import fit_within
 from compwright.records.axis import Axis
 from compwright.records.correction import Assumption, ControlFile
 from compwright.records.fitted import FittedTable

@@ -63,6 +63,13 @@ class AxisReader:
         bits = self.sources.given.get((self.address, "enabled"), [])
         return self.address in self.asked and any(bit.text == "1" for bit in bits)
 
+    @property
+    def idle(self) -> tuple[float, ...]:
+        """The nodes of a table that does not act, mm or deg."""
+        if self.curves is None or self.facts["enabled"]:
+            return ()
+        return tuple(float(node) for node in self.curves[0])
+
     def read(self) -> AxisCompensation:
         """Return what acts on the axis; what is wrong goes to the notes."""
         kind = self.values.kind(self.address)

@@ -88,7 +88,9 @@ class _StateReader:
             if reader.spoken_of:
                 compensations[address] = reader.read()
             if reader.spoken_of or address in self.asked:
-                facts[address] = AxisFacts(enabled=bool(reader.facts["enabled"]), said=reader.facts)
+                facts[address] = AxisFacts(
+                    enabled=bool(reader.facts["enabled"]), grid=reader.idle, said=reader.facts
+                )
         cross = self._cross()
         if not compensations and not cross and not sources.idle and not self.notes.faults:
             names = ", ".join(file.name for file in self.files)

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 
 import numpy as np
@@ -107,6 +107,8 @@ class AxisReader:
         period = None
         if repeats and table is not None:
             period = period_of(self.values, self.axis, self.rows, table)
+        if has_table and table is None and scale is not None:
+            facts = replace(facts, grid=self._idle_nodes(scale))
         if table is None:
             table = self._constant(constant)
         compensation = AxisCompensation(
@@ -286,6 +288,20 @@ class AxisReader:
             message = "the control has not reserved so many points"
             source.fault(message, max_points, expected=f"{reserved}", what=str(size))
         return table
+
+    def _idle_nodes(self, scale: Scale) -> tuple[float, ...]:
+        """Return the nodes of a table that does not act, mm or deg; none where it is odd, which
+        stops nothing as long as it is off.
+        """
+        quiet = replace(self.values, notes=Notes())
+        singles = {
+            name: found
+            for name in shape_of(self.definition).rules.grid
+            if name != "node_position" and (found := quiet.single(name)) is not None
+        }
+        source = TableSource(self.label, self.rows, singles, scale, quiet.notes)
+        table = shape_of(self.definition).read(source)
+        return () if table is None else tuple(float(node) for node in table.positions)
 
     def _backlash(self, scale: Scale, *, has_table: bool) -> tuple[float, float]:
         """Return the backlash value beside the table, and the constant correction that takes its

@@ -55,6 +55,7 @@ class AxisLimits:
             above=definition.layout.above,
             most_points=definition.limit_number("max_points"),
             period=self._period(),
+            there=self.control.grid_there(self.axis),
             spacings=self._spacings(quantum),
             assumed=tuple(assumed),
         )

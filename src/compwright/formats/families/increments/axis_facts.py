@@ -9,6 +9,8 @@ from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import INCH, AxisValues
 from compwright.formats.families.increments.detection_unit import detection_unit
+from compwright.formats.families.increments.sections import idle_nodes
+from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind
 from compwright.records.facts import AxisFacts, IncrementFacts
 
@@ -39,6 +41,7 @@ def facts_of(values: AxisValues) -> AxisFacts:
         reference_return=values.returning(),
         absolute_encoder=absolute,
         diameter=diameter,
+        grid=idle_nodes(values, kind),
         unit_evidence="" if unit is None else unit.evidence,
         increments=replace(increments, two_sets=bool(two_sets)),
         said={} if unit is None else {DETECTION_UNIT: unit.size},
@@ -58,6 +61,7 @@ def _increments(values: AxisValues) -> IncrementFacts:
         separate_rapid=values.separate_rapid(),
         inch=values.own.bit(known.INCH, 0),
         rapid_feed=_rapid_feed(values),
+        interval=_interval(values),
     )
 
 
@@ -67,6 +71,12 @@ def _rapid_feed(values: AxisValues) -> float | None:
         return None
     inch = values.in_inches(rapid.key, values.kind(quiet=True))
     return float(Decimal(rapid.text) * (INCH if inch else 1))
+
+
+def _interval(values: AxisValues) -> float | None:
+    """Return 3624, mm or deg; None where it cannot be read, which is told where the table is."""
+    interval = replace(values, notes=Notes()).length("table_spacing", values.kind(quiet=True))
+    return None if interval is None else float(interval)
 
 
 def _coordinate(values: AxisValues, quantity: str, kind: AxisKind) -> float | None:

@@ -21,7 +21,7 @@ from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.formats.families.increments.backlash import acting_backlash
 from compwright.formats.families.increments.detection_unit import two_systems
 from compwright.formats.families.increments.points import POINTS_FROM
-from compwright.formats.families.increments.sections import Sections, read_sections
+from compwright.formats.families.increments.sections import Sections, read_sections, repeats
 from compwright.formats.text.gathering import Found
 from compwright.formats.text.scale import Scale
 from compwright.records.axis import AxisKind, Direction, FloatArray
@@ -60,10 +60,9 @@ class IncrementReader:
         other = own if sections.second is None else self._increments(sections.second)
         if own is None or other is None:
             return None
-        if self._repeats(kind, sections):
+        if repeats(values, kind, sections):
             return self._endless(kind, sections, own, backlash)
-        steps = np.arange(sections.first - 1, sections.last + 1) - sections.reference
-        positions = np.round(self._reference() + steps * sections.interval, 9)
+        positions = sections.nodes(self._reference(), round_turn=False)
         scale = float(self._unit(kind)) * sections.magnification * self._sign("pitch_sign")
         positive, negative = (totals(each, sections) * scale for each in (own, other))
         if sections.negative is not None:
@@ -121,21 +120,6 @@ class IncrementReader:
     def _returning(self) -> Direction:
         axis = self.values.axis
         return axis.reference_return if axis else Direction(str(self.options[REFERENCE_RETURN]))
-
-    def _repeats(self, kind: AxisKind, sections: Sections) -> bool:
-        """Whether the axis is endless: the job says so, or the table of a rotary axis starts at the
-        reference and spans a turn.
-
-        Not where the files say that it has ends (1006#1): there a turn need not close.
-        """
-        values = self.values
-        ends = values.wraps() is False or sections.negative is not None
-        if kind is not AxisKind.ROTARY or ends:
-            return False
-        if values.axis is not None and values.axis.modulo is not None:
-            return True
-        from_reference = sections.first - sections.reference in (0, 1)
-        return from_reference and sections.goes_round(values.turn(kind))
 
     def _backlash(self, kind: AxisKind) -> float:
         values = self.values
@@ -242,7 +226,7 @@ class IncrementReader:
             )
         sums = np.concatenate([[0.0], np.cumsum(counts[skipped:])])
         curve = sums * unit * self._sign("pitch_sign")
-        positions = np.round(self._reference() + np.arange(spans + 1) * sections.interval, 9)
+        positions = sections.nodes(self._reference(), round_turn=True)
         return self._compensation(kind, (positions, curve, curve), backlash, turn)
 
 

@@ -21,6 +21,7 @@ class AxisLimits:
     def __init__(self, family: Family, axis: Axis) -> None:
         self.definition = family.definition
         self.axis = axis
+        self.there = family.grid_there(axis)
         self.scale = family.scale_of(axis)
         self.options = self.scale.options
         address, assumption = family.address(axis)
@@ -65,6 +66,7 @@ class AxisLimits:
             min_spacing=least,
             min_spacing_reason=reason,
             period=axis.modulo,
+            there=self.there,
             below=definition.layout.below,
             above=definition.layout.above,
             assumed=tuple(self.assumed),

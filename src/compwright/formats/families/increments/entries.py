@@ -17,6 +17,7 @@ from compwright.formats.families.increments.numbering import (
     NoRoom,
     Place,
     find_place,
+    kept_place,
     used_numbers,
 )
 from compwright.formats.text.scale import NotHeld
@@ -38,7 +39,8 @@ class Entries:
 
     ``cleared``: numbers that the axis no longer uses. ``interval``: that of the points, mm or deg.
     ``switches``: whether 3605#0 has to change for it, as far as the control's files say. ``inch``:
-    what they say of its unit (1001#0).
+    what they say of its unit (1001#0). ``kept``: interval, reference and numbers are those that the
+    control has now, so that what hangs on them stays as it is; False: they move.
     """
 
     address: str
@@ -50,6 +52,7 @@ class Entries:
     place: Place
     switches: bool
     inch: bool | None
+    kept: bool
 
 
 def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, ...]:
@@ -80,12 +83,10 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
     }
     cleared = []
     for entry in entries:
-        own = (
-            number
-            for numbers in family.facts_of(entry.address).increments.claimed
-            for number in numbers
-        )
-        left = tuple(number for number in own if number not in taken)
+        claimed = family.facts_of(entry.address).increments.claimed
+        # The number of the reference itself may hold something, though it owns no section.
+        own = claimed[1:] if entry.kept else claimed
+        left = tuple(number for numbers in own for number in numbers if number not in taken)
         taken.update(left)
         cleared.append(replace(entry, cleared=left))
     return tuple(cleared)
@@ -146,13 +147,17 @@ class _Axis:
         # The positive set comes first in the numbers, whichever direction is the zero state's.
         sets = [own] if not two else [own, other] if home is Direction.POSITIVE else [other, own]
         magnification = self._magnification([np.diff(counts) for counts in sets])
-        place = self._place(int(steps[0]), int(steps[-1]), used, start, two=two)
+        low, high = int(steps[0]), int(steps[-1])
+        kept = self._kept(low, high, interval, used, two=two)
+        place = kept or self._place(low, high, used, start, two=two)
         points: dict[int, int] = {}
         for counts, numbers in zip(sets, place.ranges, strict=True):
             shift = numbers.start - place.first
             each = self._points(counts, steps, place, magnification)
             points |= {number + shift: value for number, value in each.items()}
         parameters = self._parameters(place, magnification, interval)
+        if self.axis.modulo is not None and kept is None:
+            parameters["turn"] = self._length(float(self.axis.modulo))
         if two:
             parameters["negative_first"] = str(place.negative_first)
             parameters["negative_offset"] = self._offset(other[steps == 0][0], magnification)
@@ -166,6 +171,7 @@ class _Axis:
             place=place,
             switches=two or self.facts.two_sets,
             inch=self.facts.inch,
+            kept=kept is not None,
         )
 
     def _parameters(
@@ -182,8 +188,6 @@ class _Axis:
         count = int(self.scale.write("backlash", self.compensation.backlash))
         for name, value in both_backlashes(self.axis, self.facts, count).items():
             parameters[name] = self._backlash(value)
-        if self.axis.modulo is not None:
-            parameters["turn"] = self._length(float(self.axis.modulo))
         return parameters
 
     def _backlash(self, count: int) -> str:
@@ -269,6 +273,16 @@ class _Axis:
             f" common divisor is {divisor}); a smaller spacing would help"
         )
 
+    def _kept(
+        self, low: int, high: int, interval: float, used: Sequence[range], *, two: bool
+    ) -> Place | None:
+        """Return the numbers that the axis has now, where the table stands on its sections."""
+        now = self.facts.interval
+        if now is None or abs(now - interval) > _ON_GRID * interval:
+            return None
+        highest = self.definition.limit_number("max_number") or 0
+        return kept_place(low, high, self.facts, highest=highest, used=used, two=two)
+
     def _place(self, low: int, high: int, used: Sequence[range], start: int, *, two: bool) -> Place:
         stated = self.axis.options.get("first_point") is not None
         try:
@@ -295,12 +309,12 @@ class _Axis:
             reference + int(step): int(value)
             for step, value in zip(steps[1:], increments, strict=True)
         }
-        if self.axis.modulo is not None:
-            points[reference] = points[reference + int(steps[-1])]
-        elif steps[0] == 0:  # travel that starts at the reference: 3621 must not lie above 3620
-            points[place.first] = 0
-        if steps[-1] == 0:  # travel that ends at the reference: 3622 must lie above 3620
-            points[reference + 1] = 0
+        if steps[0] == 0 and place.first == reference:
+            # round a turn it stands for the last; else the travel starts at the reference
+            last = points[reference + int(steps[-1])]
+            points[reference] = last if self.axis.modulo is not None else 0
+        if steps[-1] == 0 and place.last > reference:  # travel that ends at the reference
+            points[place.last] = 0
         return points
 
     def _offset(self, count: float, magnification: int) -> str:

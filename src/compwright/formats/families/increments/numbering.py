@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from compwright.records.correction import ControlState
+from compwright.records.facts import IncrementFacts
 
 
 class NoRoom(ValueError):  # noqa: N818 - it says what is the matter, and never leaves the room
@@ -67,6 +68,31 @@ def find_place(
         f" no other axis uses has {gap} (numbers {start} to {highest}); a wider spacing or a"
         " shorter table would help, or files that say what more numbers hold"
     )
+
+
+def kept_place(
+    low: int, high: int, facts: IncrementFacts, *, highest: int, used: Sequence[range], two: bool
+) -> Place | None:
+    """Return the numbers that an axis has now where a table of nodes ``low`` to ``high`` (whole
+    spacings from the reference) stands on exactly its sections; None where it does not, or where
+    other axes use them too.
+
+    A second set that is not there yet gets the first numbers that are free.
+    """
+    reference, first, last = facts.reference_number, facts.first_number, facts.last_number
+    if reference is None or first is None or last is None or first >= last:
+        return None
+    # Round a turn the first section begins at the reference, whose own number may be left out.
+    round_turn = low == 0 and first in (reference, reference + 1)
+    if high != last - reference or not (round_turn or low == first - 1 - reference):
+        return None
+    place = Place(reference, first, last)
+    if two:
+        there = facts.negative_first if facts.two_sets else None
+        starts = range(last + 1, highest + 2 - len(place.ranges[0])) if there is None else [there]
+        places = (Place(reference, first, last, start) for start in starts)
+        return next((one for one in places if _free(one, highest, used)), None)
+    return place if _free(place, highest, used) else None
 
 
 def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from compwright.formats.families.increments.against_job import SAME_PLACE
 from compwright.formats.families.increments.axis_values import AxisValues
-from compwright.records.axis import AxisKind
+from compwright.formats.text.notes import Notes
+from compwright.records.axis import AxisKind, FloatArray
 
 _ORDER, _DISORDER = "3621 <= 3620 <= 3622", "the numbers are not in order"
 #: Quantities that say where an axis' table lies.
@@ -39,6 +42,15 @@ class Sections:
         negative = self.negative
         return None if negative is None else range(negative, negative + len(self.numbers))
 
+    def nodes(self, zero: float, *, round_turn: bool) -> FloatArray:
+        """Return the places of their ends, mm or deg, ``zero`` that of the reference; round a turn
+        from the reference on.
+        """
+        begin = self.reference if round_turn else self.first - 1
+        steps = np.arange(begin, self.last + 1) - self.reference
+        places: FloatArray = np.round(zero + steps * self.interval, 9)
+        return places
+
     def goes_round(self, turn: float) -> bool:
         """Whether they span a turn, deg, from the reference."""
         return abs((self.last - self.reference) * self.interval - turn) < SAME_PLACE
@@ -67,6 +79,37 @@ def read_sections(values: AxisValues, kind: AxisKind) -> Sections | None:
         )
         return None
     return _checked(values, kind)
+
+
+def repeats(values: AxisValues, kind: AxisKind, sections: Sections) -> bool:
+    """Return whether the axis is endless: the job says so, or the table of a rotary axis starts at
+    the reference and spans a turn.
+
+    Not where the files say that it has ends (1006#1): there a turn need not close.
+    """
+    ends = values.wraps() is False or sections.negative is not None
+    if kind is not AxisKind.ROTARY or ends:
+        return False
+    if values.axis is not None and values.axis.modulo is not None:
+        return True
+    from_reference = sections.first - sections.reference in (0, 1)
+    return from_reference and sections.goes_round(values.turn(kind))
+
+
+def idle_nodes(values: AxisValues, kind: AxisKind) -> tuple[float, ...]:
+    """Return the nodes of a table that is switched off (3623 = 0), mm or deg; none where its
+    parameters are no table, or no job says where the reference is.
+    """
+    values = replace(values, notes=Notes())
+    numbers = [values.integer(name) for name in GRID[:-1]]
+    interval = values.length("table_spacing", kind)
+    reference, first, last, magnification = (number or 0 for number in numbers)
+    whole = None not in numbers and first < last and first - 1 <= reference <= last
+    if values.axis is None or magnification or not whole or not interval or interval < 0:
+        return ()
+    sections = Sections(reference, first, last, float(interval), 0, None)
+    nodes = sections.nodes(values.axis.reference, round_turn=repeats(values, kind, sections))
+    return tuple(float(node) for node in nodes)
 
 
 def _checked(values: AxisValues, kind: AxisKind) -> Sections | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from compwright.formats.families.lists.beside import backlash_of
@@ -10,10 +12,19 @@ from compwright.formats.families.lists.table import ListTable, TableReader
 from compwright.records.correction import AxisCompensation
 
 
-def read_axis(of: AxisSaid) -> tuple[AxisCompensation, bool | None]:
-    """Return what acts on the axis itself, and whether its table does (None: it has none). What is
-    wrong goes to the notes of ``of``.
+@dataclass(frozen=True, slots=True)
+class AxisList:
+    """What acts on an axis, whether its table does (None: it has none), and the nodes of one that
+    does not, mm or deg.
     """
+
+    compensation: AxisCompensation
+    acts: bool | None
+    idle: tuple[float, ...] = ()
+
+
+def read_axis(of: AxisSaid) -> AxisList:
+    """Return what the lists of an axis hold. What is wrong goes to the notes of ``of``."""
     table = TableReader(of).read()
     acting = None
     if table is not None:
@@ -38,4 +49,5 @@ def read_axis(of: AxisSaid) -> tuple[AxisCompensation, bool | None]:
         above=of.definition.layout.above,
         period=shown.period,
     )
-    return compensation, acting
+    idle = () if table is None or acting else tuple(float(node) for node in table.positions)
+    return AxisList(compensation, acting, idle)

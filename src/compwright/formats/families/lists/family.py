@@ -109,6 +109,7 @@ class ListsFamily(Family):
             below=self.definition.layout.below,
             above=self.definition.layout.above,
             period=axis.modulo if axis.kind is AxisKind.ROTARY else None,
+            there=self.grid_there(axis),
         )
 
     def own_limits(

@@ -122,13 +122,17 @@ class _StateReader:
     def _axis(self, lists: Lists, address: str, axis: Axis | None) -> None:
         """Read an axis that is asked for."""
         reader = self._reader(lists, address, axis, self.notes, self.activity)
-        self.compensations[address], enabled = read_axis(reader)
+        own = read_axis(reader)
+        self.compensations[address] = own.compensation
         check_others(reader)
         between = read_cross(reader, self._kind)
         self.cross.extend([between] if between is not None else [])
         name = reader.one("axis_name")
         self.facts[address] = AxisFacts(
-            name=None if name is None else name.text, enabled=enabled, said=reader.said
+            name=None if name is None else name.text,
+            enabled=own.acts,
+            grid=own.idle,
+            said=reader.said,
         )
         if axis is not None:
             self._check_turn(axis, self.compensations[address])
@@ -140,7 +144,7 @@ class _StateReader:
         own, notes = Notes(), Notes()
         activity = Activity(said=self.activity.said)
         reader = self._reader(lists, address, None, own, activity)
-        self._twins(address, read_axis(reader)[0])
+        self._twins(address, read_axis(reader).compensation)
         check_others(reader)
         between = read_cross(self._reader(lists, address, None, notes, activity), self._kind)
         odd = [*own.faults, *notes.faults, *own.questions, *notes.questions]

@@ -16,7 +16,7 @@ from compwright.formats.families.wrapped.card import table_words
 from compwright.formats.families.wrapped.counts import COUNTS, Counts, counts_of
 from compwright.formats.families.wrapped.reading import read_wrapped
 from compwright.formats.families.wrapped.script import MOST_MOTORS
-from compwright.formats.families.wrapped.tables import MotorTable, motor_table
+from compwright.formats.families.wrapped.tables import MotorTable, motor_table, over_travel
 from compwright.formats.families.wrapped.writing import TAKE_UP, fresh_script, patched_scripts
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, FloatArray
@@ -72,6 +72,7 @@ class WrappedFamily(Family):
         del one_curve
         self.address(axis)
         counts = self._counts(axis)
+        there, unfit = self._nodes_there(axis)
         value, backlash = (
             self.definition.measure(name).range for name in ("value_positive", "backlash")
         )
@@ -86,10 +87,23 @@ class WrappedFamily(Family):
             min_points=self.definition.limit_number("min_points") or 1,
             anchored=True,
             period=axis.modulo,
+            there=there,
+            unfit=unfit,
             zero=counts.forward,
             below=self.definition.layout.below,
             above=self.definition.layout.above,
         )
+
+    def _nodes_there(self, axis: Axis) -> tuple[tuple[float, ...], str]:
+        """Return the nodes of the table that the scripts hold, over the travel and the reference of
+        an axis with ends (the rest lies in the gap where it repeats), and why they cannot serve.
+        """
+        ring = self.grid_there(axis)
+        if axis.modulo is not None or len(ring) < 2:
+            return ring, ""
+        nodes = over_travel(ring, axis)
+        short = "" if len(nodes) < len(ring) else "it repeats within the travel"
+        return nodes, short
 
     def _counts(self, axis: Axis) -> Counts:
         return counts_of(self.definition, self.options_of(axis), axis.name)
@@ -108,7 +122,7 @@ class WrappedFamily(Family):
         del capacity
         faults: list[Fault] = []
         if compensation.positions.size >= 2:
-            motor_table(axis, compensation, self._counts(axis), faults)
+            self._entries(axis, compensation, faults)
         return faults
 
     def files_of(
@@ -129,10 +143,16 @@ class WrappedFamily(Family):
 
     def _motor_table(self, axis: Axis, compensation: AxisCompensation) -> MotorTable:
         faults: list[Fault] = []
-        made = motor_table(axis, compensation, self._counts(axis), faults)
+        made = self._entries(axis, compensation, faults)
         if made is None:
             raise CapacityError(*faults)
         return made
+
+    def _entries(
+        self, axis: Axis, compensation: AxisCompensation, faults: list[Fault]
+    ) -> MotorTable | None:
+        counts, ring = self._counts(axis), self.grid_there(axis)
+        return motor_table(axis, compensation, counts, faults, ring=ring)
 
     def card_values(
         self,

@@ -185,7 +185,7 @@ class _StateReader:
                 self._by_actual(table)
         rate = self.script.said("take_up_rate", motor)
         said = {} if rate is None else {"take_up_rate": number_of(rate.text)}
-        facts = AxisFacts(enabled=on, said=said)
+        facts = AxisFacts(enabled=on, grid=self._idle_nodes(motor, both), said=said)
         grids: dict[tuple[int, int], tuple[FloatArray, FloatArray]] = {}
         if (on and any(any(table.numbers) for table in both)) or (lost and constant):
             try:
@@ -235,6 +235,22 @@ class _StateReader:
             amount = counts.forward.opposite.sign * step
             return replace(empty, backlash=amount, reference_return=counts.forward)
         return replace(parts[0], others=tuple(parts[1:]))
+
+    def _idle_nodes(self, motor: int, tables: Sequence[Table]) -> tuple[float, ...]:
+        """Return one round of the nodes of a motor's first table, mm or deg; none where nobody says
+        its counts, which is asked where the table acts.
+        """
+        axis = self.axes.get(str(motor))
+        if not tables or axis is None:
+            return ()
+        try:
+            counts = self._counts(motor)
+        except UsageError:
+            return ()
+        needed, length = tables[0].needed, tables[0].counts * counts.count
+        begin, _ = around(axis, self._zero(axis), length / needed)
+        nodes = begin + np.arange(needed + 1) * length / needed
+        return tuple(float(node) for node in nodes)
 
     def _zero(self, axis: Axis | None) -> float:
         return axis.reference if axis is not None else float(str(self.options[REFERENCE]))

@@ -9,6 +9,7 @@ between the end of the travel and its beginning, one turn further, lies a gap th
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -64,12 +65,37 @@ class _Nodes:
     high: int
 
 
+def over_travel(ring: Sequence[float], axis: Axis) -> tuple[float, ...]:
+    """Return those of ``ring`` that an axis with ends needs: over its travel and its reference; all
+    where a round is too short for that. ``ring``: one round of nodes of a table that repeats, both
+    ends, from below the travel.
+    """
+    if len(ring) < 2:
+        return ()
+    step = (ring[-1] - ring[0]) / (len(ring) - 1)
+    low, high = min(axis.travel[0], axis.reference), max(axis.travel[1], axis.reference)
+    first = int(np.floor((low - ring[0]) / step + EXACTNESS))
+    last = int(np.ceil((high - ring[0]) / step - EXACTNESS))
+    if last - first > len(ring) - 2:
+        return tuple(ring)
+    return tuple(ring[0] + number * step for number in range(first, last + 1))
+
+
 def motor_table(
-    axis: Axis, compensation: AxisCompensation, counts: Counts, faults: list[Fault]
+    axis: Axis,
+    compensation: AxisCompensation,
+    counts: Counts,
+    faults: list[Fault],
+    *,
+    ring: Sequence[float] = (),
 ) -> MotorTable | None:
-    """Return the entries of an axis, or None with what the control cannot hold in ``faults``."""
+    """Return the entries of an axis, or None with what the control cannot hold in ``faults``.
+
+    ``ring``: one round of nodes, both ends, of the table that is there; where the nodes stand on it
+    and it is long enough, its entries stay as many, and its length.
+    """
     label = f"axis {axis.name} ({compensation.address})"
-    nodes, wrong = _nodes(axis, compensation, label)
+    nodes, wrong = _nodes(axis, compensation, label, ring)
     if nodes is None:
         faults.extend(wrong)
         return None
@@ -120,7 +146,7 @@ def _numbers(
 
 
 def _nodes(
-    axis: Axis, compensation: AxisCompensation, label: str
+    axis: Axis, compensation: AxisCompensation, label: str, ring: Sequence[float]
 ) -> tuple[_Nodes | None, list[Fault]]:
     positions, unit = compensation.positions, axis.kind.unit
     faults = _beyond_shape(compensation, label)
@@ -143,6 +169,11 @@ def _nodes(
         return (None if faults else _Nodes(step, first, last - 1, first, last - 1)), faults
     low = min(first, int(np.floor((axis.travel[0] - axis.reference) / step + EXACTNESS))) - HELD
     high = max(last, int(np.ceil((axis.travel[1] - axis.reference) / step - EXACTNESS))) + HELD
+    size = len(ring) - 1
+    if size > last - first and abs(ring[-1] - ring[0] - size * step) <= slack:
+        # the gap is what the table that is there leaves of it, as much on either side
+        low = first - (size - (last - first + 1)) // 2
+        high = low + size - 1
     return (None if faults else _Nodes(step, first, last, low, high)), faults
 
 

@@ -1,0 +1,74 @@
+"""What a grid loses between its nodes, and whether increments can follow on it.
+
+Computed, not estimated (de Boor, A Practical Guide to Splines, 1978, chapter III, has its order:
+spacing squared times curvature).
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from compwright.fitting.problem import BOTH, rows_at
+from compwright.records.axis import FloatArray
+from compwright.records.capacity import Capacity, Lattice
+from compwright.records.correction import Interpolation
+from compwright.records.estimate import WantedCorrection
+
+#: The grid may lose this share of the noise of a reading (rms), or one quantum.
+NOISE_SHARE: Final = 0.1
+
+
+def good_enough(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
+    """Return whether a grid loses no more than the control's resolution or a share of the noise,
+    and increments of the smallest magnification follow on it.
+    """
+    # Steps are cheap to make finer, and their loss is a range as wide as a step: no more than
+    # rounding costs anyway.
+    resolution = (
+        capacity.quantum / np.sqrt(12.0) if capacity.interpolation == "step" else capacity.quantum
+    )
+    tolerance = max(resolution, NOISE_SHARE * wanted.noise)
+    return grid_loss(nodes, wanted, capacity.interpolation) <= tolerance and _climbs(
+        nodes, wanted, capacity
+    )
+
+
+def _climbs(nodes: FloatArray, wanted: WantedCorrection, capacity: Capacity) -> bool:
+    """Return whether the control's increments, at the smallest magnification, follow what is
+    wanted.
+    """
+    lattice = capacity.lattice
+    return (
+        lattice is None or magnification_needed(nodes, wanted, lattice) <= lattice.magnifications[0]
+    )
+
+
+def magnification_needed(nodes: FloatArray, wanted: WantedCorrection, lattice: Lattice) -> float:
+    """Return the magnification at which the increments follow what is wanted (not a whole
+    number).
+    """
+    least, largest = (limit * lattice.unit for limit in lattice.increments)
+    steps = np.concatenate(
+        [np.diff(np.interp(nodes, wanted.positions, wanted.total(direction))) for direction in BOTH]
+    )
+    up, down = float(np.max(steps, initial=0.0)), float(np.min(steps, initial=0.0))
+    nothing_up, nothing_down = (np.inf if up > 0.0 else 0.0), (np.inf if down < 0.0 else 0.0)
+    return max(
+        up / largest if largest > 0.0 else nothing_up, down / least if least < 0.0 else nothing_down
+    )
+
+
+def grid_loss(nodes: FloatArray, wanted: WantedCorrection, interpolation: Interpolation) -> float:
+    """Return the rms over the travel and both directions, mm or deg, of what lies between the nodes
+    and is lost there: wanted minus its interpolation at the nodes (de Boor 1978, chapter III).
+    """
+    where = wanted.positions
+    rows = rows_at(where, nodes, below="hold", above="hold", interpolation=interpolation)
+    square = []
+    for curve in (wanted.total(direction) for direction in BOTH):
+        values = np.interp(nodes, where, curve)
+        held = rows.lower * values[rows.left] + rows.upper * values[rows.left + 1]
+        square.append(np.mean((held - curve) ** 2))
+    return float(np.sqrt(np.mean(square)))

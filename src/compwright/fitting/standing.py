@@ -1,0 +1,188 @@
+"""The grid that is in the control: whether a new table can stand on exactly its nodes.
+
+Other functions of a control may hang on its nodes and their numbers; where they stay, what these
+functions do is the same before and after, and cancels.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from compwright.fitting.steps import taken_steps
+from compwright.foundations.errors import CapacityError, Fault
+from compwright.foundations.findings import Finding
+from compwright.records.axis import FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import TableRequest
+
+#: A grid over less of the travel than this part cannot serve: as little as the targets of a test
+#: have to cover.
+_LEAST_COVERED: Final = 0.5
+#: Two places are one where they are nearer than this part of a spacing: arithmetic dust.
+_SAME: Final = 1e-6
+
+
+def standing_nodes(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest
+) -> FloatArray | None:
+    """Return the nodes (k,) mm or deg of the grid that is in the control, told from the reference
+    where it repeats; None where there is none, or where the job wants another one.
+
+    An end that the job names cuts them short, or goes on at their spacing. Raises CapacityError
+    where the grid cannot serve, with the reason.
+    """
+    if not (request.keeps and capacity.there):
+        return None
+    nodes: FloatArray = np.array(capacity.there)
+    unit = wanted.kind.unit
+    if capacity.unfit:
+        raise _no_use(capacity.unfit, "", "")
+    if nodes.size < 2:
+        raise _no_use("it has one point", "two or more", f"{nodes.size}")
+    if capacity.period is not None:
+        _check_turn_ends(request, wanted.reference, capacity.period, unit)
+        nodes = _from_reference(nodes, wanted.reference, capacity.period, unit)
+    else:
+        nodes = _to_named_ends(nodes, capacity, request, unit)
+        _check_reach(nodes, wanted.positions, unit)
+    _check_steps(nodes, capacity, unit)
+    if capacity.anchored and not _on(nodes, wanted.reference):
+        raise _no_use(
+            "the control counts its points from the reference position, which is none of them",
+            f"a point at {wanted.reference:.10g} {unit}",
+            f"{nodes[0]:.10g} to {nodes[-1]:.10g} {unit}",
+        )
+    least, most = max(2, capacity.min_points), capacity.at_most
+    if nodes.size < least or (most is not None and nodes.size > most):
+        expected = f"at least {least} points" if nodes.size < least else f"at most {most} points"
+        raise _no_use("the control does not hold so many points", expected, f"{nodes.size}")
+    return nodes
+
+
+def too_close(nodes: FloatArray, capacity: Capacity, unit: str) -> tuple[Finding, ...]:
+    """Return a warning where the grid that is there breaks a rule of the control: it ran so."""
+    least = float(np.min(np.diff(nodes)))
+    if least >= capacity.min_spacing * (1 - 1e-9):
+        return ()
+    message = (
+        f"The grid that is there stays although its points are {least:g} {unit} apart:"
+        f" {capacity.min_spacing_reason}; the control has run with it. table.spacing: auto chooses"
+        " one that keeps the rule"
+    )
+    return (Finding("CW-F011", "warning", message),)
+
+
+def _no_use(why: str, expected: str, found: str) -> CapacityError:
+    message = f"the grid that is in the control cannot serve: {why}"
+    return CapacityError(
+        Fault(message=message, place="table.spacing", expected=expected, found=found)
+    )
+
+
+def _check_turn_ends(request: TableRequest, begin: float, period: float, unit: str) -> None:
+    for name, value, place in (
+        ("start", request.start, begin),
+        ("end", request.end, begin + period),
+    ):
+        if value is not None and abs(value - place) > _SAME * period:
+            raise _no_use(
+                f"table.{name} is none of a table that goes round from the reference position",
+                f"{place:.10g} {unit}, or nothing",
+                f"{value:.10g} {unit}",
+            )
+
+
+def _from_reference(nodes: FloatArray, reference: float, period: float, unit: str) -> FloatArray:
+    """Return the nodes of one period from the reference, both ends included."""
+    slack = _SAME * float(np.min(np.diff(nodes)))
+    span = float(nodes[-1] - nodes[0])
+    if abs(span - period) > max(slack, _SAME):
+        raise _no_use("it does not span the turn", f"{period:.10g} {unit}", f"{span:.10g} {unit}")
+    ahead = np.mod(nodes[:-1] - reference, period)
+    ahead[np.abs(ahead - period) <= slack] = 0.0
+    ahead = np.sort(ahead)
+    if ahead[0] > slack:
+        near = float(nodes[int(np.argmin(np.abs(nodes - reference)))])
+        raise _no_use(
+            "the table of an endless axis is told from the reference position, and no point lies"
+            " there",
+            f"a point at {reference:.10g} {unit}",
+            f"the nearest at {near:.10g} {unit}",
+        )
+    turned: FloatArray = np.round(reference + np.append(ahead, period), 10)
+    return turned
+
+
+def _to_named_ends(
+    nodes: FloatArray, capacity: Capacity, request: TableRequest, unit: str
+) -> FloatArray:
+    """Return the nodes cut, or continued, to the ends that the job names; where nodes may lie
+    anywhere, an end between two of them is a node too.
+    """
+    for name, end, sign in (("start", request.start, -1), ("end", request.end, 1)):
+        if end is None:
+            continue
+        nodes = nodes if sign > 0 else -nodes[::-1]
+        nodes = _to_end(nodes, sign * end)
+        if capacity.spacing == "equidistant" and not _even(nodes):
+            step = float(nodes[1] - nodes[0])
+            raise _no_use(
+                f"table.{name} is none of its points, which stand every {step:.10g} {unit}",
+                "an end on the grid",
+                f"{end:.10g} {unit}",
+            )
+        nodes = nodes if sign > 0 else -nodes[::-1]
+    result: FloatArray = np.round(nodes, 10)
+    return result
+
+
+def _to_end(nodes: FloatArray, end: float) -> FloatArray:
+    """Return ascending nodes up to ``end``, which becomes one; beyond the last they go on at the
+    last spacing.
+    """
+    step = float(nodes[-1] - nodes[-2])
+    more = int(np.ceil((end - float(nodes[-1])) / step - _SAME))
+    longer = np.concatenate([nodes, nodes[-1] + step * np.arange(1, max(more, 0) + 1)])
+    inside = longer[longer < end - _SAME * step]
+    shorter: FloatArray = np.append(inside, end)
+    return shorter
+
+
+def _check_reach(nodes: FloatArray, travel: FloatArray, unit: str) -> None:
+    low, high = float(travel[0]), float(travel[-1])
+    covered = max(0.0, min(float(nodes[-1]), high) - max(float(nodes[0]), low))
+    if covered < _LEAST_COVERED * (high - low):
+        raise _no_use(
+            "it covers less than half of the travel",
+            f"most of {low:.10g} to {high:.10g} {unit}",
+            f"{covered:.10g} {unit} of it, by points from {nodes[0]:.10g} to {nodes[-1]:.10g}",
+        )
+
+
+def _even(nodes: FloatArray) -> bool:
+    steps = np.diff(nodes)
+    return bool(steps.size) and float(np.ptp(steps)) <= _SAME * float(np.max(steps))
+
+
+def _check_steps(nodes: FloatArray, capacity: Capacity, unit: str) -> None:
+    steps = np.diff(nodes)
+    if capacity.spacing == "equidistant" and not _even(nodes):
+        found = f"{np.min(steps):.10g} to {np.max(steps):.10g} {unit}"
+        raise _no_use("its points are not equally spaced", "one spacing", found)
+    step = float(steps[0])
+    counted = round(step / capacity.position_quantum)
+    if capacity.spacings is not None and not taken_steps([counted], capacity):
+        near = min(capacity.spacings, key=lambda one: abs(one - step))
+        raise _no_use(
+            "the control does not take its spacing",
+            f"such as {near:.10g} {unit}",
+            f"{step:.10g} {unit}",
+        )
+
+
+def _on(nodes: FloatArray, place: float) -> bool:
+    step = float(np.min(np.diff(nodes)))
+    return bool(np.min(np.abs(nodes - place)) <= _SAME * step)

@@ -1,0 +1,143 @@
+"""The table of one axis under the limits of the control: on the grid that is there where it can
+serve, else on a new one; and what a new one would gain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.fitting.beyond import beyond_limits
+from compwright.fitting.fit import fit_table
+from compwright.fitting.losses import good_enough
+from compwright.foundations.errors import CapacityError, raise_all
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.outlook import yardstick
+from compwright.records.axis import FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable, TableRequest
+from compwright.records.prediction import TestPrediction
+
+#: From 5 to 95 % a normal law is so many standard deviations wide.
+_BAND: Final = 3.29
+
+
+def fit_within(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str
+) -> FittedTable:
+    """Return the fitted table. Raises CapacityError where the control cannot hold it by more than
+    the noise of a reading.
+    """
+
+    def fit(asked: TableRequest) -> FittedTable:
+        table = fit_table(wanted, capacity, asked, address=address)
+        raise_all(CapacityError, list(beyond_limits(table, wanted, capacity)))
+        return table
+
+    return fit_staying(fit, capacity, request, wanted.kind.unit)
+
+
+def fit_staying(
+    fit: Callable[[TableRequest], FittedTable],
+    capacity: Capacity,
+    request: TableRequest,
+    unit: str,
+) -> FittedTable:
+    """Return what ``fit`` makes of ``request``. Where the grid that is in the control is to stay
+    and cannot serve, a new one is chosen, with a warning that says why.
+
+    Raises CapacityError as ``fit`` does, for the new grid where there was one.
+    """
+    try:
+        return fit(request)
+    except CapacityError as error:
+        if not (request.keeps and capacity.there) or capacity.nodes is not None:
+            raise
+        why = "; ".join(str(fault) for fault in error.faults)
+    chosen = fit(replace(request, spacing="auto"))
+    message = (
+        f"A new grid is chosen, {grid_words(chosen.compensation.positions, unit)}, in place of the"
+        f" one that is there, {grid_words(np.array(capacity.there), unit)}: {why}"
+    )
+    return replace(chosen, findings=(Finding("CW-P140", "warning", message), *chosen.findings))
+
+
+def freely_chosen(
+    wanted: WantedCorrection,
+    capacity: Capacity,
+    request: TableRequest,
+    table: FittedTable,
+    *,
+    address: str,
+) -> FittedTable | None:
+    """Return the table on the grid that compwright would choose, where ``table`` stands on the one
+    that was there and this loses more than a chosen one may; else None.
+    """
+    nodes = table.compensation.positions
+    if not table.keeps_grid or good_enough(nodes, wanted, capacity):
+        return None
+    try:
+        chosen = fit_table(wanted, capacity, replace(request, spacing="auto"), address=address)
+    except CapacityError:
+        return None
+    return None if any(beyond_limits(chosen, wanted, capacity)) else chosen
+
+
+def grid_words(nodes: FloatArray, unit: str) -> str:
+    """Return a grid as people read it: "25 points from 0 to 960 mm, every 40 mm"."""
+    if nodes.size < 2:
+        return f"{nodes.size} points"
+    steps = np.diff(nodes)
+    least, most = float(np.min(steps)), float(np.max(steps))
+    even = most - least <= 1e-6 * most
+    every = f"every {most:.6g}" if even else f"{least:.6g} to {most:.6g} apart, in"
+    return f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g} {unit}, {every} {unit}"
+
+
+def offer(
+    there: FloatArray,
+    chosen: FittedTable,
+    kept: TestPrediction,
+    offered: TestPrediction,
+    *,
+    quantum: float,
+    written: bool,
+) -> Finding | None:
+    """Return what the ``chosen`` table would gain over the one on the grid that is ``there``
+    (nodes, mm or deg); None where that is nothing that a test would show.
+
+    ``kept``, ``offered``: the first test's predictions with both; ``written``: False where no table
+    on the grid that is there improves the axis, and ``kept`` is what happens without one. A gain
+    counts when it is larger than ``quantum``, the control's resolution, and than one standard
+    deviation by which the parameter differs from test to test.
+    """
+    name = yardstick(kept.before)
+    if name is None:
+        return None
+    pairs = [
+        (kept.predicted[name], offered.predicted[name]),
+        (kept.predicted_new_targets[name], offered.predicted_new_targets[name]),
+    ]
+    if not any(
+        mine.median - other.median > max(quantum, (mine.p95 - mine.p05) / _BAND)
+        for mine, other in pairs
+    ):
+        return None
+    unit = kept.before.test.kind.unit
+    factor, small = outside_factor(unit), shown_unit(unit)
+    (same, better), (new, better_new) = (
+        [f"{one.median * factor:.2f} {small}" for one in pair] for pair in pairs
+    )
+    stays = "The grid that is there stays" if written else "The grid that is there does not serve"
+    message = (
+        f"{stays}: {grid_words(there, unit)}, predicted {name} {same} ({new} at new targets). A"
+        f" new one, {grid_words(chosen.compensation.positions, unit)}, would give {name} {better}"
+        f" ({better_new}): spacing: auto in the table of the axis takes it; it moves what hangs on"
+        " the old one"
+    )
+    return Finding("CW-P141", "info", message)
