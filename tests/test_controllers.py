@@ -519,9 +519,11 @@ class TestNumbers:
 
 class TestContract:
     def test_known_and_unknown(self) -> None:
-        heidenhain, fanuc = {"heidenhain-itnc530", "heidenhain-nck"}, {"fanuc-0i-16i", "fanuc-30i"}
-        single = {"siemens-840d-sl", "linuxcnc", "isg-kernel", "pmac"}
-        assert set(KNOWN) == single | heidenhain | fanuc
+        heidenhain = {"heidenhain-itnc530", "heidenhain-nck"}
+        fanuc = {"fanuc-0i-16i", "fanuc-0i-d", "fanuc-0i-f", "fanuc-15i", "fanuc-30i"}
+        siemens_ids = {"siemens-828d", "siemens-840d-pl", "siemens-840d-sl", "siemens-one"}
+        single = {"linuxcnc", "isg-kernel", "pmac"}
+        assert set(KNOWN) == single | siemens_ids | heidenhain | fanuc
         with pytest.raises(UsageError, match="no virtual control"):
             virtual_control("abacus", [ControlFile("a", b"")])
         for format_id in KNOWN:

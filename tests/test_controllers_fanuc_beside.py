@@ -141,6 +141,10 @@ class TestInclination:
         with pytest.raises(InputError, match="3623 = 0: whether it acts is not known"):
             control(off, **self.COUNTED)
         assert um(control(off), (100,)) == [0.0]
+        for old, new in (("N03622Q1A1P44", "N03622Q1A1P37"), (grid(40, 37, 44, 50.0), "")):
+            other = self.BENT.replace(old, new).replace("%\n", "%\nN01851Q1A1P4\n", 1)
+            with pytest.raises(InputError, match="without a grid: whether it acts is not known"):
+                control(other.replace("N03620Q1A1P40", "N03620Q1A1P37"), **self.COUNTED)
 
     def test_turn_has_to_close(self) -> None:
         def turning(end: int) -> str:
@@ -255,6 +259,15 @@ class TestStraightness:
             assert got == pytest.approx([6, 6, 5, 4, 0, 0, -3, -6, -6], abs=1e3 * EXACT)
         assert um(box, (-150, 200)) == [0, 0]
 
+    def test_begins_at_the_lower_end_of_the_first_section(self) -> None:
+        pair = self.WHOLE.replace("N05731Q1P37", "N05731Q1P36")
+        shift = control(pair, **self.COUNTED).cross_correction("1", "2", np.array([-200.0]), UP)
+        assert 1000 * shift == pytest.approx([6], abs=1e3 * EXACT)
+        third = control(pair, **self.COUNTED).cross_correction("1", "2", np.array([-150.0]), UP)
+        assert 1000 * third == pytest.approx(
+            [4.5], abs=1e3 * EXACT
+        )  # 10 less a quarter of 6, less 4
+
     def test_counts_in_the_unit_of_the_bent_axis(self) -> None:
         box = control(self.WHOLE, **self.COUNTED, axis_options={"2": {"detection_unit": 0.0001}})
         got = 1000 * box.cross_correction("1", "2", np.array([-150.0]), UP)
@@ -271,6 +284,12 @@ class TestStraightness:
         other = "N00981Q1A1P1A2P2A3P2\n"  # the first axis of path 2 is axis 2
         with pytest.raises(InputError, match="which axis 5711 names is not known"):
             control(by_path.replace("%\n", "%\n" + other, 1), **self.COUNTED)
+
+    def test_zero_says_nothing(self) -> None:
+        zero = self.WHOLE.replace("Q1P", "Q1L2P")
+        for i, amount in enumerate((10, 4, 4, -2)):
+            zero = zero.replace(f"N0{5761 + i}Q1L2P{amount}\n", f"N0{5761 + i}Q1L2P0\n")
+        assert control(zero, **self.COUNTED).cross() == ()
 
     def test_moving_axis_without_points_that_act(self) -> None:
         with pytest.raises(InputError, match="moves with axis 1, whose points do not act"):
@@ -295,6 +314,13 @@ class TestBacklash:
         box = control(self.TEXT.replace("N01851", "N01848Q1A1P500\nN01851"))
         assert any("smooth backlash" in note and "1848: 500" in note for note in box.notes)
         assert not any("smooth" in note for note in control(self.TEXT).notes)
+
+
+def test_totals_stop_only_a_table_that_acts() -> None:
+    text = tape("N03602Q1P00000001\nN01851Q1A1P4\n", grid(40, 37, 44, 50.0), flat(37, 44))
+    with pytest.raises(InputError, match="3602: 00000001"):
+        control(text)
+    assert um(control(text.replace("N03623Q1A1P1", "N03623Q1A1P0")), (0,), DOWN) == [-4]
 
 
 class TestPaths:

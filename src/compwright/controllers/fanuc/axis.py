@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from compwright.controllers.fanuc.beside import left_out
-from compwright.controllers.fanuc.checks import not_used, stopping
+from compwright.controllers.fanuc.checks import inclined_without_grid, not_used, stopping
 from compwright.controllers.fanuc.grid import Grid
 from compwright.controllers.fanuc.memory import Memory, number_list
 from compwright.controllers.fanuc.options import Options
@@ -64,11 +64,16 @@ class AxisLoader:
         fault says why not).
         """
         before = len(self.memory.faults)
-        self.memory.faults += stopping(
-            self.memory, axis, options, rotary=self.said_rotary(axis) is True
-        )
         for remark in left_out(self.memory.machine, axis, options.counted):
             self.note(axis, remark)
+        grid = self._grid(axis, options)
+        if grid is None and "inclination" in options.counted and len(self.memory.faults) == before:
+            self.memory.faults += inclined_without_grid(self.memory, axis)
+        return grid
+
+    def _grid(self, axis: int, options: Options) -> Grid | None:
+        before = len(self.memory.faults)
+        self.memory.faults += stopping(self.memory, axis, rotary=self.said_rotary(axis) is True)
         values = {number: self.memory.whole(number, axis) for number in _GRID[:-1]}
         absent = [number for number in _GRID if not self.memory.given(number, axis)]
         if len(absent) == len(_GRID):

@@ -13,7 +13,7 @@ Stated from the manuals, apart from the room that writes the files:
   numbers of the moving axis' points (5731 and on) and four amounts (5761 and on); the difference of
   two amounts is spread evenly over the intervals between them (B-63522EN/02 p. 222). The numbers of
   the parameters, and the bent axis' detection unit: practice.
-- 3602 may say that the data are totals; 10800 to 10802 name the axes of three-dimensional error
+- 10800 to 10802 name the axes of three-dimensional error
   compensation, a field over three positions (A-79351E p. 3; the numbers: practice); 13381 to 13399
   are further straightness pairs (practice). Not judged: they refuse an axis.
 - 1846 to 1849: smooth backlash (practice). Not judged: the whole 1851 is taken.
@@ -31,14 +31,13 @@ from compwright.controllers.fanuc.machine import MACHINE, Entry, Machine, Owner
 from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
 
-INCLINED = (5871, 5872, 5873, 5874)
+_INCLINED = (5871, 5872, 5873, 5874)
 _INCLINED_AT = (5861, 5862, 5863, 5864)
 CYCLIC = (14985, 14986, 14987)
 _SMOOTH = (1846, 1847, 1848, 1849)
 _MOVING, _BENT = 5711, 5721
 _PAIRS = range(3)
 _STRAIGHT_AT, _STRAIGHT = 5731, 5761
-_TOTALS = 3602
 _FIELD = (10800, 10801, 10802)
 _FURTHER = range(13381, 13400)
 #: Amounts of inclination and straightness are words (practice).
@@ -98,7 +97,7 @@ class Bend:
 def inclination(machine: Machine, axis: int, faults: list[Fault]) -> Lines | None:
     """Return the inclination of an axis, None where every amount is 0 or it is at fault."""
     at = [machine.said(number, axis) for number in _INCLINED_AT]
-    amounts = [machine.said(number, axis) for number in INCLINED]
+    amounts = [machine.said(number, axis) for number in _INCLINED]
     return _lines(at, amounts, f"inclination of axis {axis}", faults)
 
 
@@ -107,6 +106,12 @@ def cyclic_numbers(machine: Machine, axis: int) -> range:
     first, last = (machine.said(number, axis) for number in CYCLIC[:2])
     low, high = (0 if entry is None else entry.whole or 0 for entry in (first, last))
     return range(low, high + 1) if 0 <= low < high else range(0)
+
+
+def inclined(machine: Machine, axis: int) -> Entry | None:
+    """Return an amount of inclination that is not 0, None without one."""
+    found = (machine.said(number, axis) for number in _INCLINED)
+    return next((entry for entry in found if entry is not None and not entry.zero), None)
 
 
 def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
@@ -123,8 +128,10 @@ def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
                 for first in (_STRAIGHT_AT, _STRAIGHT)
             )
             lines = _lines(at, amounts, f"straightness compensation, pair {pair + 1}", faults)
+            if lines is None:
+                continue
             axes = [_one_axis(machine, owner, entry, faults) for entry in (moving, bent)]
-            if lines is None or axes[0] is None or axes[1] is None:
+            if axes[0] is None or axes[1] is None:
                 continue
             if axes[0] == axes[1]:
                 faults.append(bent.fault("an axis cannot bend itself", f"not {bent.text}"))
@@ -134,12 +141,6 @@ def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
 
 def refusing(machine: Machine, axis: int) -> Iterator[Fault]:
     """Yield a fault for each function that may act on an axis and cannot be counted with."""
-    totals = machine.said(_TOTALS, axis)
-    apart = machine.either(_TOTALS, axis)
-    if apart is not None:
-        yield apart
-    elif totals is not None and not totals.zero:
-        yield totals.fault(f"the pitch data of axis {axis} may be totals", "3602 = 0: increments")
     named = [
         entry
         for number in _FIELD
@@ -174,7 +175,7 @@ def left_out(machine: Machine, axis: int, counted: frozenset[str]) -> Iterator[s
     is.
     """
     by_axis = {
-        "inclination": ("inclination compensation", INCLINED),
+        "inclination": ("inclination compensation", _INCLINED),
         "cyclic": ("the second (cyclic) pitch error table", CYCLIC[1:]),
         "": ("smooth backlash", _SMOOTH),
     }

@@ -6,17 +6,32 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from compwright.controllers.fanuc.beside import INCLINED, refusing
+from compwright.controllers.fanuc.beside import inclined, refusing
 from compwright.controllers.fanuc.memory import Memory
-from compwright.controllers.fanuc.options import Options
 from compwright.foundations.errors import Fault
 
+#: May say that the data are totals (practice).
+_TOTALS = 3602
 
-def stopping(memory: Memory, axis: int, options: Options, *, rotary: bool) -> Iterator[Fault]:
+
+def stopping(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
     """Yield a fault for each thing around an axis that cannot be counted with."""
     yield from refusing(memory.machine, axis)
     yield from _paths(memory, axis, rotary=rotary)
-    yield from _switched_off(memory, axis, options)
+
+
+def inclined_without_grid(memory: Memory, axis: int) -> Iterator[Fault]:
+    """Yield a fault where an axis whose pitch points do not act is inclined: whether that acts is
+    not known.
+    """
+    entry = inclined(memory.machine, axis)
+    if entry is not None:
+        off = memory.whole_if_sound(3623, axis) == 0
+        yield entry.fault(
+            f"inclination of axis {axis} {'with 3623 = 0' if off else 'without a grid'}: whether it"
+            " acts is not known",
+            "3620 to 3624 of a grid that acts, or 5871 to 5874 = 0",
+        )
 
 
 def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
@@ -24,6 +39,11 @@ def not_used(memory: Memory, axis: int) -> Iterator[Fault]:
     a way that is not known.
     """
     series, machine = memory.series, memory.machine
+    totals, apart = machine.said(_TOTALS, axis), machine.either(_TOTALS, axis)
+    if apart is not None:
+        yield apart
+    elif totals is not None and not totals.zero:
+        yield totals.fault(f"the pitch data of axis {axis} may be totals", "3602 = 0: increments")
     if series.switched_by is not None:
         switch = machine.said(series.switched_by, axis)
         apart = machine.either(series.switched_by, axis, 0)
@@ -58,14 +78,3 @@ def _paths(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
         apart = machine.either(number, axis, bit)
         if apart is not None:
             yield apart
-
-
-def _switched_off(memory: Memory, axis: int, options: Options) -> Iterator[Fault]:
-    """Whether inclination acts where 3623 = 0 switches the pitch data off is not known."""
-    amounts = [memory.machine.said(number, axis) for number in INCLINED]
-    acting = [entry for entry in amounts if entry is not None and not entry.zero]
-    if "inclination" in options.counted and acting and memory.whole_if_sound(3623, axis) == 0:
-        yield acting[0].fault(
-            f"inclination of axis {axis} with 3623 = 0: whether it acts is not known",
-            "3623 above 0, or 5871 to 5874 = 0",
-        )
