@@ -46,7 +46,7 @@ class AxisLimits:
             second_curve="asked",
             spacing="equidistant",
             quantum=scale.quantum("value"),
-            position_quantum=float(length_step(axis.kind, self.facts)),
+            position_quantum=float(length_step(scale, self.facts)),
             value_range=(-bound, bound),
             backlash_quantum=scale.quantum("backlash"),
             backlash_range=scale.range("backlash"),

@@ -12,6 +12,7 @@ import numpy as np
 
 from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.families.increments.axis_reading import increment_limit
+from compwright.formats.families.increments.axis_values import INCH
 from compwright.formats.families.increments.backlash import both_backlashes
 from compwright.formats.families.increments.numbering import (
     NoRoom,
@@ -20,7 +21,7 @@ from compwright.formats.families.increments.numbering import (
     kept_place,
     used_numbers,
 )
-from compwright.formats.text.scale import NotHeld
+from compwright.formats.text.scale import NotHeld, Scale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
@@ -293,6 +294,7 @@ class _Axis:
                 used=used,
                 two=two,
                 reference=self.facts.reference_number if self.facts.claimed else None,
+                negative=self.facts.negative_first if len(self.facts.claimed) > 1 else None,
                 start=first_point(self.options) if stated else start,
             )
         except NoRoom as error:
@@ -335,26 +337,26 @@ class _Axis:
 
     def _length(self, value: float) -> Decimal:
         """Return a length in mm or deg exactly. Raises NotHeld."""
-        count = Decimal(repr(round(value, 9)))
-        digits = length_step(self.axis.kind, self.facts)
-        if count % digits:
+        count, unit = Decimal(repr(round(value, 9))), self.axis.kind.unit
+        step, (low, high) = length_step(self.scale, self.facts), self.scale.range("table_spacing")
+        if count % step:
             inch = (
-                " (0.0001 inch: the control counts in inches, 1001#0)"
-                if digits != Decimal("0.001")
+                f" ({step / INCH:f} inch: the control counts in inches, 1001#0)"
+                if self.facts.inch and self.axis.kind is AxisKind.LINEAR
                 else ""
             )
-            raise NotHeld(
-                f"{value:.9g} {self.axis.kind.unit} is not a multiple of {digits}"
-                f" {self.axis.kind.unit}{inch}"
-            )
+            raise NotHeld(f"{value:.9g} {unit} is not a multiple of {step} {unit}{inch}")
+        if not low <= value <= high:
+            raise NotHeld(f"{value:.9g} {unit} is outside {low:g} .. {high:g} {unit}")
         return count
 
 
-def length_step(kind: AxisKind, facts: IncrementFacts) -> Decimal:
-    """Return the smallest step of a length, mm or deg: 0.001, and 0.0001 inch for the linear axes
-    of a control in inches.
+def length_step(scale: Scale, facts: IncrementFacts) -> Decimal:
+    """Return the last digit of a length of an axis (its ``scale``), mm or deg; of the linear axes
+    of a control in inches a tenth of it, in inches.
     """
-    return Decimal("0.00254" if kind is AxisKind.LINEAR and facts.inch else "0.001")
+    step = Decimal(repr(scale.quantum("table_spacing")))
+    return step * INCH / 10 if scale.kind is AxisKind.LINEAR and facts.inch else step
 
 
 def first_point(options: Mapping[str, object]) -> int:

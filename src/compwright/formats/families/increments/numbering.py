@@ -5,7 +5,7 @@ that is free.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from compwright.records.correction import ControlState
 from compwright.records.facts import IncrementFacts
@@ -43,21 +43,25 @@ def find_place(
     used: Sequence[range],
     two: bool,
     reference: int | None,
+    negative: int | None = None,
     start: int,
 ) -> Place:
     """Return where a table of nodes ``low`` to ``high`` (whole spacings from the reference, low <=
     0 <= high) goes.
 
-    ``reference``: the number that the axis has now, kept where the table still fits there;
-    ``used``: numbers of other axes; ``two``: a second set of the same length follows. The first
+    ``reference`` and ``negative``: the numbers that the axis has now of its reference and of the
+    first of its set for travel in -, kept where the table still fits there; ``used``: numbers of
+    other axes; ``two``: a second set of the same length follows. The first
     number lies at or below the reference's, the last above it. Raises NoRoom.
     """
     first, last = min(low + 1, 0), max(high, 1)
     length = last - first + 1
     if reference is not None:
         kept = _at(reference, first, last, two=two)
-        if _free(kept, highest, used):
-            return kept
+        both = [replace(kept, negative_first=negative)] if two and negative is not None else []
+        for place in (*both, kept):
+            if _free(place, highest, used):
+                return place
     for begin in range(start, highest + 2 - length * (2 if two else 1)):
         place = _at(begin - first, first, last, two=two)
         if _free(place, highest, used):
@@ -132,9 +136,14 @@ def _at(reference: int, first: int, last: int, *, two: bool) -> Place:
 
 
 def _free(place: Place, highest: int, used: Sequence[range]) -> bool:
-    return all(
+    own, *second = place.ranges
+    return not any(_meet(own, other) for other in second) and all(
         numbers.start >= 0
         and numbers.stop - 1 <= highest
-        and not any(numbers.start < taken.stop and taken.start < numbers.stop for taken in used)
+        and not any(_meet(numbers, taken) for taken in used)
         for numbers in place.ranges
     )
+
+
+def _meet(one: range, other: range) -> bool:
+    return one.start < other.stop and other.start < one.stop
