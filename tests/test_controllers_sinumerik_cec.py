@@ -407,12 +407,7 @@ class TestSums:
             for x, value in zip(positions, got, strict=True):
                 wanted = 0.0
                 for table in made:
-                    own = table.value(x, direction.sign)
-                    wanted += own + (
-                        own * made[table.factor - 1].value(x, direction.sign)
-                        if table.factor
-                        else 0.0
-                    )
+                    wanted += 0.0 if table.factor else table.value(x, direction.sign)
                 assert value == pytest.approx(
                     wanted, abs=1e-12
                 )  # mm; sums of about 1 mm over positions of 1000 mm
@@ -469,57 +464,62 @@ def slow_table(rng: np.random.Generator, index: int) -> SlowTable:
 
 
 class TestProducts:
+    """No page says whether a table adds its own values beside its product: it is left alone."""
+
     GRID = (0.0, 100.0, 100.0)
 
-    def test_product_with_the_table_whose_number_is_its_index_plus_one(self) -> None:
+    def test_a_product_and_the_table_that_asks_for_it_are_not_counted_but_named(self) -> None:
         text = cec(0, [0.1, 0.2], self.GRID, ("X1", "Z1"), MULT_BY_TABLE=2) + cec(
             1, [0.5, 0.1], self.GRID, ("X1", "W1")
         )
-        text += cec(2, [7.0, 9.0], self.GRID, ("X1", "V1"))
+        text += cec(2, [7.0, 9.0], self.GRID, ("X1", "Z1"))
         control = load(text)
-        # 0.1 + 0.1 * 0.5; middle 0.15 + 0.15 * 0.3; 0.2 + 0.2 * 0.1
-        assert across(control, "X1", "Z1", [0, 50, 100], UP) == pytest.approx(
-            [0.15, 0.195, 0.22], abs=EXACT
-        )
+        # of X1 on Z1 only the ordinary table is counted; the partner keeps its own values
+        assert across(control, "X1", "Z1", [0, 50, 100], UP) == [7.0, 8.0, 9.0]
         assert across(control, "X1", "W1", [0, 50, 100], UP) == pytest.approx(
             [0.5, 0.3, 0.1], abs=EXACT
         )
-        assert any("product with CEC table 1" in assumption.fact for assumption in control.assumed)
+        named = [note for note in control.notes if "$AN_CEC_MULT_BY_TABLE[0]" in note]
+        assert len(named) == 1
+        assert "multiplied by table 1" in named[0]
 
-    def test_product_with_itself_weighted(self) -> None:
-        text = cec(3, [0.2, 0.4], self.GRID, MULT_BY_TABLE=4) + "$SN_CEC_TABLE_WEIGHT[3]=0.5\n"
-        assert at(load(text), "AX1", [0, 100], UP) == pytest.approx([0.11, 0.24], abs=EXACT)
-        turned = load(text, options={"cec_sign": "error"})
-        assert at(turned, "AX1", [0, 100], UP) == pytest.approx([-0.11, -0.24], abs=EXACT)
+    def test_a_product_with_itself(self) -> None:
+        text = cec(3, [0.2, 0.4], self.GRID, MULT_BY_TABLE=4) + eec("AX1", [0.1, 0.1], self.GRID)
+        assert at(load(text), "AX1", [0, 100], UP) == [-0.1, -0.1]
 
-    def test_product_of_tables_for_different_directions_is_nothing(self) -> None:
-        text = cec(0, [0.1, 0.1], self.GRID, MULT_BY_TABLE=2) + cec(
-            1, [0.5, 0.5], self.GRID, ("AX1", "AX2"), DIRECTION=-1
-        )
-        assert at(load(text), "AX1", [50], UP) == pytest.approx([0.1], abs=EXACT)
-        assert at(load(text), "AX1", [50], DOWN) == pytest.approx([0.15], abs=EXACT)
-
-    def test_product_that_depends_on_another_axis_is_never_a_number(self) -> None:
-        cross = cec(0, [0.1, 0.2], self.GRID, ("X1", "Z1"), MULT_BY_TABLE=2) + cec(
+    def test_a_product_over_another_axis_stops_nothing(self) -> None:
+        text = cec(0, [0.1, 0.2], self.GRID, ("X1", "X1"), MULT_BY_TABLE=2) + cec(
             1, [0.5, 0.1], self.GRID, ("Y1", "Z1")
         )
-        control = load(cross + eec("X1", [0.001, 0.001], self.GRID))
-        assert control.cross() == (("Y1", "Z1"),)
+        control = load(text + eec("X1", [0.001, 0.001], self.GRID))
         assert at(control, "X1", [50], UP) == [-0.001]
-        with pytest.raises(UsageError, match="position of Y1"):
-            control.cross_correction("X1", "Z1", np.zeros(1), UP)
-        assert any("Z1" in note and "not judged" in note for note in control.notes)
-        own = cec(0, [0.1, 0.2], self.GRID, ("X1", "X1"), MULT_BY_TABLE=2) + cec(
+        assert control.cross() == (("Y1", "Z1"),)
+        assert across(control, "Y1", "Z1", [50], UP) == pytest.approx([0.3], abs=EXACT)
+
+    @pytest.mark.parametrize(
+        "asleep",
+        [
+            "$SN_CEC_TABLE_ENABLE[1]=0\n",
+            "$SN_CEC_TABLE_WEIGHT[1]=0\n",
+        ],
+    )
+    def test_with_a_partner_that_puts_out_nothing_there_is_no_product(self, asleep: str) -> None:
+        text = cec(0, [0.1, 0.2], self.GRID, MULT_BY_TABLE=2) + cec(
             1, [0.5, 0.1], self.GRID, ("Y1", "Z1")
         )
-        with pytest.raises(UsageError, match="position of Y1"):
-            load(own).correction("X1", np.zeros(1), UP)
-        for off in (
-            "$SN_CEC_TABLE_ENABLE[1]=0\n",
-            "$SN_CEC_TABLE_ENABLE[0]=0\n",
-            "$MA_CEC_ENABLE[X1]=0\n",
-        ):
-            assert at(load(own, off), "X1", [0], UP) == [0.1 if "ENABLE[1]" in off else 0.0]
+        assert at(load(text, asleep), "AX1", [0, 100], UP) == [0.1, 0.2]
+        zero = cec(0, [0.1, 0.2], self.GRID, MULT_BY_TABLE=2) + cec(
+            1, [0.0, 0.0], self.GRID, ("Y1", "Z1")
+        )
+        assert at(load(zero), "AX1", [0, 100], UP) == [0.1, 0.2]
+
+    def test_a_table_that_is_off_asks_for_no_product(self) -> None:
+        text = cec(0, [0.1, 0.2], self.GRID, MULT_BY_TABLE=2) + cec(
+            1, [0.5, 0.1], self.GRID, ("Y1", "Z1")
+        )
+        control = load(text, "$SN_CEC_TABLE_ENABLE[0]=0\n")
+        assert at(control, "AX1", [0], UP) == [0.0]
+        assert not any("MULT_BY_TABLE" in note for note in control.notes)
 
     def test_table_to_multiply_by_has_to_be_in_the_files(self) -> None:
         text = cec(0, [0.1, 0.2], self.GRID, MULT_BY_TABLE=3)
@@ -576,28 +576,14 @@ class TestSwitches:
         )
         assert not any("MD32720" in note for note in load(two, "$MA_CEC_MAX_SUM[AX1]=0.1\n").notes)
 
-    def test_limit_reached_only_between_points_of_a_product(self) -> None:
-        # from 0 to 100: (0.1 + 0.2 t) * (1 + 4 (1 - t)) = 0.5 + 0.6 t - 0.8 t^2: its top is 0.6125
-        # at t = 0.375; before it is 0.5
-        grid = (-100.0, 100.0, 100.0)
-        text = cec(0, [0.1, 0.1, 0.3], grid, MULT_BY_TABLE=2) + cec(
-            1, [4.0, 4.0, 0.0], grid, ("AX1", "AX2")
-        )
-        assert at(load(text), "AX1", [37.5], UP) == pytest.approx([0.6125], abs=EXACT)
-        assert any("MD32720" in note for note in load(text, "$MA_CEC_MAX_SUM[AX1]=0.6124\n").notes)
-        assert not any(
-            "AX1: MD32720" in note for note in load(text, "$MA_CEC_MAX_SUM[AX1]=0.6126\n").notes
-        )
-
     def test_limit_over_tables_that_repeat_counts_their_largest_values(self) -> None:
-        # tops at 50 + 100 a and 20 + 70 b: they meet first at 650, outside both grids: 0.1 + 0.02 +
-        # 0.02 * 0.1
+        # tops at 50 + 100 a and 20 + 70 b: they meet first at 650, outside both grids: 0.1 + 0.02
         text = cec(0, [0.0, 0.1, 0.0], (0.0, 50.0, 100.0), IS_MODULO=1)
-        text += cec(1, [0.0, 0.02, 0.0], (-15.0, 35.0, 55.0), MULT_BY_TABLE=1, IS_MODULO=1)
-        assert at(load(text), "AX1", [650], UP) == pytest.approx([0.122], abs=EXACT)
-        assert any("MD32720" in note for note in load(text, "$MA_CEC_MAX_SUM[AX1]=0.1219\n").notes)
+        text += cec(1, [0.0, 0.02, 0.0], (-15.0, 35.0, 55.0), IS_MODULO=1)
+        assert at(load(text), "AX1", [650], UP) == pytest.approx([0.12], abs=EXACT)
+        assert any("MD32720" in note for note in load(text, "$MA_CEC_MAX_SUM[AX1]=0.1199\n").notes)
         assert not any(
-            "MD32720" in note for note in load(text, "$MA_CEC_MAX_SUM[AX1]=0.1221\n").notes
+            "MD32720" in note for note in load(text, "$MA_CEC_MAX_SUM[AX1]=0.1201\n").notes
         )
 
     def test_own_and_cross_tables_share_one_limit(self) -> None:
@@ -607,9 +593,13 @@ class TestSwitches:
         assert at(large, "AX1", [0], UP) == [1.5]
         assert any("MD32720" in assumption.fact for assumption in large.assumed)
 
-    def test_values_in_inch_are_refused(self) -> None:
-        with pytest.raises(InputError, match="MD32711"):
-            load(self.TEXT, "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=0\n")
+    def test_values_in_inch_are_mm_after_all(self) -> None:
+        """MD32711 = 0: values and positions of linear axes in inch, whatever the basic system."""
+        inch = cec(0, [0.001, 0.002], (0.0, 10.0, 10.0)) + "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=0\n"
+        # 10 inch are 254 mm; 0.001 inch 25.4 um; half way at 127 mm 38.1 um
+        assert at(load(inch), "AX1", [0, 127, 254], UP) == pytest.approx(
+            [0.0254, 0.0381, 0.0508], abs=EXACT
+        )
         assert (
             load(
                 self.TEXT,
@@ -622,11 +612,31 @@ class TestSwitches:
         with pytest.raises(UsageError, match="cec_sign"):
             load(self.TEXT, options={"cec_sign": "+"})
 
-    def test_what_is_not_judged_is_named_once(self) -> None:
-        control = load(self.TEXT, "$AN_CEC_TYPE[0]=1\n$AN_CEC_TYPE[1]=1\n")
-        assert [note for note in control.notes if "AN_CEC_TYPE" in note] == [
-            "f1.ini: $AN_CEC_TYPE is not judged (first at line 1)"
-        ]
+    @pytest.mark.parametrize(
+        ("line", "says"),
+        [
+            ("$AN_CEC_TYPE[0]=1\n", r"\$AN_CEC_TYPE\[0\] = 1: .*cylinder error"),
+            ("$SN_CEC_0[0]=0.01\n", r"\$SN_CEC_0\[0\] = 0.01: SD41320"),
+            ("$SN_CEC_1[0]=-0.01\n", r"\$SN_CEC_1\[0\] = -0.01: SD41321"),
+            ("$AN_CEC_INPUT_NCU[0]=2\n", r"\$AN_CEC_INPUT_NCU\[0\] = 2: .*another NCU"),
+            ("$AN_CEC_OUTPUT_NCU[0]=2\n", r"\$AN_CEC_OUTPUT_NCU\[0\] = 2: .*another NCU"),
+        ],
+    )
+    def test_a_table_that_is_more_than_its_values(self, line: str, says: str) -> None:
+        with pytest.raises(InputError, match=says):
+            load(self.TEXT, line)
+        crossing = cec(0, [0.1, 0.2], self.GRID, ("AX1", "AX2"))
+        control = load(crossing + eec("AX1", [0.1, 0.1], self.GRID), line)
+        assert control.cross() == ()
+        assert at(control, "AX1", [0], UP) == [-0.1]
+        # what is off, or nothing, stops nothing
+        assert at(load(self.TEXT, line, "$SN_CEC_TABLE_ENABLE[0]=0\n"), "AX1", [0], UP) == [0.01]
+        zero = line.split("=", maxsplit=1)[0] + "=0\n"
+        assert at(load(self.TEXT, zero), "AX1", [0], UP) == pytest.approx([0.11], abs=EXACT)
+
+    def test_what_works_out_the_cylinder_error_does_not_act(self) -> None:
+        control = load(self.TEXT, "$SN_CEC_BAS_0[0]=5\n$SN_CEC_COMP_STORE_1[0]=7\n")
+        assert at(control, "AX1", [0], UP) == pytest.approx([0.11], abs=EXACT)
 
 
 class TestEndlessLeadscrewTable:
@@ -877,8 +887,7 @@ def ask_everything(content: bytes, *more: bytes) -> None:
     x = np.linspace(-1e3, 1e3, 7)
     for direction in Direction:
         for address in control.addresses():
-            if not control.sag.other_inputs((address, address)):
-                assert np.all(np.isfinite(control.correction(address, x, direction)))
+            assert np.all(np.isfinite(control.correction(address, x, direction)))
         for base, corrected in control.cross():
             assert np.all(np.isfinite(control.cross_correction(base, corrected, x, direction)))
     for address in control.addresses():

@@ -1,8 +1,8 @@
 """SINUMERIK 840D sl: leadscrew compensation (EEC, ``$AA_ENC_COMP``), sag and cross tables (CEC) and
-backlash (MD32450).
+backlash (MD32450); also 828D, 840D power line and SINUMERIK ONE.
 
 Stated from the manuals, apart from the definition that writes the files; the sag tables in
-``sinumerik_cec``:
+``sag``, the order of loading in ``loading``, inch in ``lengths``:
 
 - The leadscrew table's value is added to the actual value, so a positive value moves the axis
   towards minus: the shift of the axis is minus the value (Function Manual Extended Functions
@@ -21,14 +21,17 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from compwright.controllers.request import Request, by_address, unknown_axis
 from compwright.controllers.sinumerik.axes import AxisNames, axis_names
-from compwright.controllers.sinumerik.cec import Pair, Sag, load_sag, union
+from compwright.controllers.sinumerik.cec import load_sag
+from compwright.controllers.sinumerik.lengths import encoders_of, lengths_of
+from compwright.controllers.sinumerik.loading import load
+from compwright.controllers.sinumerik.sag import Pair, Sag, union
 from compwright.controllers.sinumerik.tables import (
     Remarks,
     Table,
@@ -37,7 +40,7 @@ from compwright.controllers.sinumerik.tables import (
     last_value,
     too_few_points,
 )
-from compwright.controllers.sinumerik.text import READ, Assignment, FileContent, read_file
+from compwright.controllers.sinumerik.text import READ, SWITCHES, Assignment
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile
@@ -162,21 +165,21 @@ class SinumerikControl:
 
 
 def sinumerik_control(files: Sequence[ControlFile], request: Request) -> SinumerikControl:
-    """Return the control with ``files`` loaded (table files, machine data, whole text archives, in
-    any order).
+    """Return the control with ``files`` loaded: commissioning archives in their container, and over
+    them table files, machine data and whole text archives in any order.
 
     The active measuring system is ``request.encoder``; where it is not given, the only one with a
     table, and this is listed in ``assumed``. Option ``cec_sign``: ``correction`` when a positive
     CEC value moves the output axis towards +, ``error`` when towards -; without it nothing is said
-    of what CEC tables do. All names of a machine axis (MD10000, MD20080) are one axis. Raises
-    InputError for what the control would not take or what contradicts itself: every fault with file
-    and line. UsageError for a measuring system other than 1 or 2, or another ``cec_sign``.
+    of what CEC tables do. Option ``units``: ``inch`` where no file says the basic system. All names
+    of a machine axis (MD10000, MD20080) are one axis. Raises InputError for what the control would
+    not take or what contradicts itself: every fault with file and line. UsageError for a measuring
+    system other than 1 or 2, or another ``cec_sign``.
     """
-    contents = [read_file(file) for file in files]
-    faults = [fault for content in contents for fault in content.faults]
+    loaded = load(files)
+    contents, faults = loaded.contents, loaded.faults
     names = axis_names(contents, request)
-    assignments = [names.renamed(entry) for content in contents for entry in content.assignments]
-    faults += _inch(contents, files, assignments, request)
+    assignments = loaded.assignments(names)
     if not assignments and not faults:
         given = ", ".join(file.name for file in files)
         faults.append(
@@ -187,18 +190,28 @@ def sinumerik_control(files: Sequence[ControlFile], request: Request) -> Sinumer
             )
         )
     faults += [fault for entry in assignments if (fault := _out_of_range(entry)) is not None]
+    lengths, strange = lengths_of(contents, names, request)
+    faults += strange if assignments else []
     raise_all(InputError, faults)
+    assignments = [lengths.in_mm(entry) for entry in assignments]
     remarks = Remarks(notes=[note for content in contents for note in content.notes])
     by_axis: dict[str, list[Assignment]] = defaultdict(list)
     for entry in assignments:
         if "system" in READ[entry.name]:
             by_axis[entry.axis.upper()].append(entry)
-    loader = _Loader(request, remarks)
+    loader = _Loader(request, remarks, encoders_of(contents, names))
     axes = {entries[0].axis: loader.axis(entries) for entries in by_axis.values()}
     keys = {table: key for content in contents for table, key in content.unknown_keys.items()}
     screws = frozenset(name.upper() for name, axis in axes.items() if axis.screw_on)
     sag = load_sag(
-        assignments, request, {name.upper(): name for name in axes}, remarks, keys, names, screws
+        assignments,
+        request,
+        {name.upper(): name for name in axes},
+        remarks,
+        keys,
+        names,
+        lengths,
+        screws,
     )
     raise_all(InputError, remarks.faults)
     for base, corrected in sag.pairs():
@@ -209,29 +222,6 @@ def sinumerik_control(files: Sequence[ControlFile], request: Request) -> Sinumer
     )
 
 
-def _inch(
-    contents: Sequence[FileContent],
-    files: Sequence[ControlFile],
-    assignments: Sequence[Assignment],
-    request: Request,
-) -> list[Fault]:
-    """Refuse a control whose basic system is the inch, unless only rotary axes are asked for: its
-    lengths are not judged.
-    """
-    kinds = list(request.kinds.values())
-    if not assignments or (kinds and all(kind == "rotary" for kind in kinds)):
-        return []
-    return [
-        Fault(
-            message="the basic system is the inch, which is not judged",
-            file=file.name,
-            place=f"line {content.inch[0]}",
-        )
-        for content, file in zip(contents, files, strict=True)
-        if content.inch
-    ]
-
-
 def _out_of_range(entry: Assignment) -> Fault | None:
     """Return the fault of a value that no SINUMERIK takes, None for a good one."""
     value, expected = entry.value, ""
@@ -239,7 +229,7 @@ def _out_of_range(entry: Assignment) -> Fault | None:
         return entry.fault(f"value of ${entry.name} is not a finite number", found=str(value))
     if abs(value) > _LARGEST:
         expected = f"at most {_LARGEST:g}"
-    elif entry.name.endswith(("_ENABLE", "_IS_MODULO", "_METRIC")):
+    elif entry.name in SWITCHES:
         expected = "" if value in {0.0, 1.0} else "0 or 1"
     elif entry.name == "AN_CEC_DIRECTION":
         expected = "" if value in {-1.0, 0.0, 1.0} else "0, 1 or -1"
@@ -269,9 +259,10 @@ def _out_of_range(entry: Assignment) -> Fault | None:
 class _Loader:
     """Builds leadscrew table and backlash of the axes from their assignments."""
 
-    def __init__(self, request: Request, remarks: Remarks) -> None:
+    def __init__(self, request: Request, remarks: Remarks, encoders: Mapping[str, int]) -> None:
         self.request = request
         self.remarks = remarks
+        self.encoders = encoders
 
     def axis(self, entries: list[Assignment]) -> _Axis:
         """Return one axis from its assignments in the order of the files."""
@@ -377,7 +368,9 @@ class _Loader:
             if last_value(by_system[system], "MA_ENC_COMP_ENABLE") != 0.0
         ]
         play = [system for system in tables if last_value(by_system[system], "MA_BACKLASH")]
+        single = [0] if self.encoders.get(name.upper()) == 1 else []
         rules = (
+            (single, "MD30200: the axis has one measuring system"),
             (holding, "the only one with a table"),
             (switched_on, "the only one whose table is switched on"),
             (play if not holding else [], "the only one with a backlash value"),

@@ -6,6 +6,7 @@ The leadscrew tables and the sag tables have the same four parameters and the sa
 
 from __future__ import annotations
 
+import math
 from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -17,9 +18,11 @@ from compwright.foundations.errors import Fault
 from compwright.records.axis import FloatArray
 from compwright.records.correction import Assumption
 
-#: MIN + k * STEP must meet MAX to this part of a step, else the control and the file count
-#: different points.
+#: MIN + k * STEP meets MAX to this part of a step: rounding of printed digits.
 _WHOLE_STEPS = 1e-6
+#: To this part of a step it was meant to: loader programs print steps of four decimals (19.7436 for
+#: 770 / 39). Counted as met, and said.
+_MEANT_STEPS = 1e-3
 #: No control divides a millimetre or a degree further; below it positions and steps leave double
 #: precision.
 _LEAST_STEP = 1e-9
@@ -126,22 +129,29 @@ def build_table(
     step, low, high = (
         entry.value if (entry := given[key]) is not None else 0.0 for key in ("STEP", "MIN", "MAX")
     )
-    count = None if faults else _count(first, label, (step, low, high), faults)
-    column = None if count is None else _column(first, label, values, count, faults)
-    if count is not None and column is not None:
+    ends = None if faults else _ends(first, label, (step, low, high), faults)
+    column = None if ends is None else _column(first, label, values, ends, faults)
+    if ends is not None and column is not None:
+        count = ends.count
         beyond = sorted(point for point in values if point >= count)
         if beyond:
             remarks.notes.append(
-                f"{label}: points {beyond[0]} to {beyond[-1]} lie above MAX and are not used (all"
-                " zero)"
+                f"{label}: points {beyond[0]} to {beyond[-1]} lie above MAX and are not used"
             )
         modulo = given["IS_MODULO"]
         if modulo is None:
             remarks.assumed.append(
                 Assumption(f"${prefix}_IS_MODULO of {owner}", "0", "not in the files")
             )
-        table = Table(low, high, step, modulo is not None and modulo.value == 1.0, column)
+        table = Table(low, ends.highest, step, modulo is not None and modulo.value == 1.0, column)
         odd = _impossible(first, label, table)
+        if ends.split and (table.modulo or values.get(count, 0.0) != column[-1]):
+            odd = [*odd, _split(first, label, prefix, (step, low, high))]
+        if ends.meant:
+            fact = f"${prefix}_STEP of {owner}, {step!r}"
+            remarks.assumed.append(
+                Assumption(fact, f"{count} points up to MAX", "MIN + k * STEP nearly meets MAX")
+            )
         if stranger and odd:
             remarks.notes += [f"{fault.message}: left alone" for fault in odd]
             return None
@@ -194,11 +204,23 @@ def _impossible(first: Assignment, label: str, table: Table) -> list[Fault]:
     return []
 
 
-def _count(
+@dataclass(frozen=True, slots=True)
+class _Ends:
+    """``count`` points up to ``highest``. ``meant``: STEP only nearly divides the range; ``split``:
+    it does not, MAX lies between two points.
+    """
+
+    count: int
+    highest: float
+    meant: bool = False
+    split: bool = False
+
+
+def _ends(
     first: Assignment, label: str, grid: tuple[float, float, float], faults: list[Fault]
-) -> int | None:
-    """Return the number of points k + 1, k = (MAX - MIN) / STEP; None with a fault when it is no
-    whole number.
+) -> _Ends | None:
+    """Return where a table ends, k = (MAX - MIN) / STEP; None with a fault for an impossible
+    grid.
     """
     step, low, high = grid
     if step <= 0.0 or high < low:
@@ -220,27 +242,36 @@ def _count(
             )
         )
         return None
-    if abs(steps - round(steps)) > _WHOLE_STEPS:
-        faults.append(
-            first.fault(
-                f"(MAX - MIN) / STEP of the {label} is no whole number of steps",
-                found=f"({high!r} - {low!r}) / {step!r} = {steps!r}",
-            )
-        )
-        return None
-    return round(steps) + 1
+    off = abs(steps - round(steps))
+    if off <= _MEANT_STEPS:
+        return _Ends(round(steps) + 1, high, meant=off > _WHOLE_STEPS)
+    whole = math.floor(steps)
+    return _Ends(whole + 1, low + whole * step, split=True)
+
+
+def _split(first: Assignment, label: str, prefix: str, grid: tuple[float, float, float]) -> Fault:
+    """Return the fault of a table whose MAX lies between two points of different values: no page
+    says what acts there.
+    """
+    step, low, high = grid
+    return first.fault(
+        f"(MAX - MIN) / STEP of the {label} is no whole number of steps, and its last point below"
+        f" MAX and the first one beyond differ (${prefix}_STEP)",
+        found=f"({high!r} - {low!r}) / {step!r} = {(high - low) / step!r}",
+    )
 
 
 def _column(
-    first: Assignment, label: str, values: dict[int, float], count: int, faults: list[Fault]
+    first: Assignment, label: str, values: dict[int, float], ends: _Ends, faults: list[Fault]
 ) -> FloatArray | None:
     """Return the values (count,) of points 0..count-1; None with a fault when they do not fill the
     grid.
     """
+    count = ends.count
     # one of the first len(values) + 5 points is absent, or none: the grid may be far larger than
     # the file
     absent = [point for point in range(min(count, len(values) + 6)) if point not in values]
-    beyond = [point for point, value in values.items() if point >= count and value]
+    beyond = [point for point, value in values.items() if point >= count + ends.split and value]
     if absent:
         faults.append(
             first.fault(

@@ -13,6 +13,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
+from compwright.controllers.sinumerik.units import UnitLines
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
 
@@ -41,13 +42,24 @@ READ: Mapping[str, tuple[str, ...]] = {
     "AN_CEC_DIRECTION": _BY_TABLE,
     "AN_CEC_MULT_BY_TABLE": _BY_TABLE,
     "AN_CEC_IS_MODULO": _BY_TABLE,
+    "AN_CEC_TYPE": _BY_TABLE,
+    "AN_CEC_INPUT_NCU": _BY_TABLE,
+    "AN_CEC_OUTPUT_NCU": _BY_TABLE,
+    "SN_CEC_0": _BY_TABLE,
+    "SN_CEC_1": _BY_TABLE,
     "MN_MM_CEC_MAX_POINTS": _BY_TABLE,
     "SN_CEC_TABLE_ENABLE": _BY_TABLE,
     "SN_CEC_TABLE_WEIGHT": _BY_TABLE,
     "MA_CEC_ENABLE": _BY_AXIS,
     "MA_CEC_MAX_SUM": _BY_AXIS,
     "MA_CEC_SCALING_SYSTEM_METRIC": _BY_AXIS,
+    "MA_IS_ROT_AX": _BY_AXIS,
+    "MA_NUM_ENCS": _BY_AXIS,
 }
+
+#: What is said of an axis beside its compensation. Cycles ask for these all the time: only a plain
+#: assignment counts, every other line with one of them is none of our business.
+FACTS = frozenset({"MA_IS_ROT_AX", "MA_NUM_ENCS"})
 
 #: The lists of names: machine axes from 1 (MD10000), axes of the channel (MD20080) and the machine
 #: axis of each (MD20070).
@@ -56,32 +68,27 @@ _NAME_LISTS = re.compile(
         \[\s*(?P<place>[0-9]{1,3})\s*\]\s*=\s*(?:"(?P<name>[^"]*)"|(?P<number>[0-9]{1,3}))""",
     re.VERBOSE | re.IGNORECASE,
 )
-#: The basic system: MD10240, or a line of its own before the values.
-_BASIC_SYSTEM = re.compile(
-    r"\s*(?:N\d+\s*)?(?:\$MN_SCALING_SYSTEM_IS_METRIC\s*=\s*(?P<metric>[01]|TRUE|FALSE)|(?P<word>METRIC|INCH))(?:\s+'[0-9A-F]{4})?\s*",
-    re.IGNORECASE,
-)
-
 #: Variables whose value is an axis.
 _NAMING = frozenset({"AN_CEC_INPUT_AXIS", "AN_CEC_OUTPUT_AXIS"})
 
 #: Variables that are on or off, which programs write as TRUE and FALSE too.
-_SWITCHES = frozenset(name for name in READ if name.endswith(("_ENABLE", "_IS_MODULO", "_METRIC")))
+SWITCHES = frozenset(
+    name for name in READ if name.endswith(("_ENABLE", "_IS_MODULO", "_METRIC", "_ROT_AX"))
+)
 _TRUTH = {"TRUE": 1.0, "FALSE": 0.0}
 
 #: Neighbours of the above that do not change a correction at standstill.
 PASSED_OVER = frozenset({"MA_BACKLASH_MODE", "MA_BACKLASH_DYN_MAX_VELO", "MA_CEC_MAX_VELO"})
 
-#: Neighbours whose effect is not judged: passed over with a note.
-_NOT_JUDGED = frozenset({"AN_CEC_TYPE", "AN_CEC_INPUT_NCU", "AN_CEC_OUTPUT_NCU"})
-
-#: Setting data 41320 to 41356 of the machine's builder, which happen to have CEC in their name.
-_CYLINDER = re.compile(r"SN_CEC_(?!TABLE)\w+")
+#: Setting data 41330 to 41356: what 41320 and 41321 ($SN_CEC_0, $SN_CEC_1) are worked out from;
+#: they do not act themselves.
+_CYLINDER = re.compile(r"SN_CEC_(?!TABLE_|[01]$)\w+")
 _MENTION = re.compile(r"ENC_COMP|BACKLASH|\$\s*\w*CEC|(?:AN|MA|MN|MM|SN)_CEC", re.IGNORECASE)
 _NAME = re.compile(r"\$\s*([A-Za-z]\w*)")
 _HEADER = re.compile(r"%_N_", re.IGNORECASE)
-#: A comment in files of compwright: what the card has somebody set by hand after loading them.
-_BY_HAND = re.compile(r"; by hand: (?=\$)")
+#: Comments in files of compwright: what the card has somebody set by hand after loading them, and
+#: what was so in the control for which they were written.
+_SAID_BESIDE = re.compile(r"; (?:by hand|as it is): (?=\$)")
 _PATH = re.compile(r"\$PATH\s*=", re.IGNORECASE)
 _END = re.compile(r"(?:N\d+\s*)?M(?:17|30|0?2)(?!\d)", re.IGNORECASE)
 _ASSIGNMENT = re.compile(
@@ -146,21 +153,21 @@ class Assignment:
 
 @dataclass(slots=True)
 class FileContent:
-    """What one file says: its assignments in order, remarks, variables that were passed over, and
-    what is wrong with it.
+    """What one file says: its assignments in order, remarks, and what is wrong with it.
 
     ``machine_names``, ``channel_names``: names by place from 0; ``channel_places``: machine axes
-    from 1 by place of the channel; ``inch``: lines that say that the basic system is the inch;
-    ``unknown_keys``: by table a key of it that is not known.
+    from 1 by place of the channel; ``facts``: plain assignments of `FACTS`; ``units``: what is
+    said of the unit of lengths; ``unknown_keys``: by table a key of it that is not known.
     """
 
+    name: str = ""
     assignments: list[Assignment] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
-    passed_over: set[str] = field(default_factory=set)
     machine_names: dict[int, set[str]] = field(default_factory=dict)
     channel_names: dict[int, set[str]] = field(default_factory=dict)
     channel_places: dict[int, set[int]] = field(default_factory=dict)
-    inch: list[int] = field(default_factory=list)
+    facts: list[Assignment] = field(default_factory=list)
+    units: UnitLines = field(default_factory=UnitLines)
     unknown_keys: dict[int, str] = field(default_factory=dict)
     faults: list[Fault] = field(default_factory=list)
 
@@ -184,33 +191,28 @@ def read_file(file: ControlFile) -> FileContent:
     What stands behind the end of a program (M17, M30, M02) and before the next header is a fault,
     because the control does not read it.
     """
-    found = FileContent()
+    found = FileContent(file.name)
     if b"\x00" in file.content:
         found.faults.append(
             Fault(
                 message="is a binary file",
                 file=file.name,
-                expected="the text form of the archive (export as text on the control)",
+                expected="text, or a commissioning archive in its container (@@MMCIBN)",
             )
         )
         return found
     program = _Program()
     for number, raw in enumerate(re.split(r"\r\n|\n|\r", file.content.decode("latin-1")), start=1):
         line = raw.lstrip("\xef\xbb\xbf") if number == 1 else raw
-        code = _BY_HAND.sub("", line, count=1) if line.startswith("; by hand: ") else line.lstrip()
+        code = _SAID_BESIDE.sub("", line, count=1) if line.startswith("; ") else line.lstrip()
         if _HEADER.match(code):
             _note_end(program, file.name, found, last=False)
             program = _Program(number, len(found.assignments))
             continue
         _read_names(code, found)
-        basic = _BASIC_SYSTEM.fullmatch(code.split(";", 1)[0])
-        if basic is not None and (basic["word"] or basic["metric"]).upper() in {
-            "INCH",
-            "0",
-            "FALSE",
-        }:
-            found.inch.append(number)
+        found.units.read(code.split(";", 1)[0], number)
         code = re.sub(r'"[^"]*"', '""', code).split(";", 1)[0].rstrip()
+        _read_fact(code, file.name, number, found)
         if _MENTION.search(code) and not _PATH.match(code):
             _read_line(code, file.name, number, found, ended=program.ended)
         program.ended = program.ended or _END.match(code) is not None
@@ -229,6 +231,20 @@ def _read_names(code: str, found: FileContent) -> None:
     elif match["name"] and not kind.endswith("_USED"):
         names = found.machine_names if kind.startswith("MN_") else found.channel_names
         names.setdefault(place, set()).add(match["name"].strip().upper())
+
+
+def _read_fact(code: str, file: str, number: int, found: FileContent) -> None:
+    """Take down a plain assignment of `FACTS`."""
+    match = _ASSIGNMENT.fullmatch(code)
+    name = "" if match is None else match["name"].upper()
+    if match is None or name not in FACTS or "=" not in match["sign_of_assignment"]:
+        return
+    word = _TRUTH.get((match["bare_axis"] or "").upper())
+    index = _indices(READ[name], match["indices"])
+    if index is None or (match["value"] is None and word is None):
+        return
+    value = word if word is not None else _number(match["value"])
+    found.facts.append(Assignment(name, 0, None, index["axis"], value, "", file, number))
 
 
 def _note_end(program: _Program, file: str, found: FileContent, *, last: bool) -> None:
@@ -266,12 +282,7 @@ def _read_line(code: str, file: str, number: int, found: FileContent, *, ended: 
     }
     if not mentioned and _NAME.search(code):
         return
-    if mentioned and mentioned <= PASSED_OVER | _NOT_JUDGED:
-        new = (mentioned & _NOT_JUDGED) - found.passed_over
-        found.notes += [
-            f"{file}: ${name} is not judged (first at line {number})" for name in sorted(new)
-        ]
-        found.passed_over |= new
+    if mentioned and mentioned <= PASSED_OVER:
         return
     match = _ASSIGNMENT.fullmatch(code)
     if match is None:
@@ -298,7 +309,7 @@ def _read_assignment(
                 "one of " + ", ".join("$" + known for known in READ),
             )
         return
-    word = _TRUTH.get((match["bare_axis"] or "").upper()) if name in _SWITCHES else None
+    word = _TRUTH.get((match["bare_axis"] or "").upper()) if name in SWITCHES else None
     if word is None and (match["value"] is None) != (name in _NAMING):
         wrong(
             "line cannot be read",

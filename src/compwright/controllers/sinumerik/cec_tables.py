@@ -1,0 +1,346 @@
+"""CEC tables from their assignments: which are curves that can be followed, which are left alone,
+which are wrong.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import chain
+
+from compwright.controllers.request import Request, by_address
+from compwright.controllers.sinumerik.axes import AxisNames
+from compwright.controllers.sinumerik.lengths import Lengths, inches_in_mm
+from compwright.controllers.sinumerik.sag import Pair, SagTable
+from compwright.controllers.sinumerik.tables import (
+    Remarks,
+    build_table,
+    is_default,
+    last_value,
+    single,
+    too_few_points,
+)
+from compwright.controllers.sinumerik.text import Assignment
+from compwright.records.correction import Assumption
+
+_PREFIX = "AN_CEC"
+_NEEDED = frozenset(
+    f"{_PREFIX}{key}"
+    for key in ("", "_INPUT_AXIS", "_OUTPUT_AXIS", "_STEP", "_MIN", "_MAX", "_DIRECTION")
+)
+#: What makes a table something else than its values say, where it is larger than this: SD41320 and
+#: SD41321 are added to points 0 and 1, TYPE 1 is a table of cylinder error compensation (Siemens'
+#: texts of these data), an NCU above 1 belongs to another control (manual p. 268).
+_ELSE = {
+    "SN_CEC_0": (0.0, "SD41320 is added to its point 0"),
+    "SN_CEC_1": (0.0, "SD41321 is added to its point 1"),
+    "AN_CEC_TYPE": (0.0, "it is a table of cylinder error compensation"),
+    "AN_CEC_INPUT_NCU": (1.0, "its input axis belongs to another NCU"),
+    "AN_CEC_OUTPUT_NCU": (1.0, "its output axis belongs to another NCU"),
+}
+
+
+class TableLoader:
+    """Builds the tables. ``odd``: pairs of axes with a table that acts and cannot be followed, and
+    why; ``left_out``: indices of tables that are left alone.
+    """
+
+    def __init__(
+        self,
+        entries: Sequence[Assignment],
+        spelling: dict[str, str],
+        remarks: Remarks,
+        request: Request,
+    ) -> None:
+        self.request = request
+        self.unknown_keys: Mapping[int, str] = {}
+        self.screws: frozenset[str] = frozenset()
+        self.names = AxisNames({}, {})
+        self.lengths = Lengths(inch=False, rotary={})
+        self.odd: dict[Pair, str] = {}
+        self.left_out: list[int] = []
+        self.spelling = spelling
+        self.remarks = remarks
+        self.by_table: dict[int, list[Assignment]] = defaultdict(list)
+        self.by_axis: dict[str, list[Assignment]] = defaultdict(list)
+        for entry in entries:
+            if entry.axis:
+                self.by_axis[entry.axis.upper()].append(entry)
+            else:
+                self.by_table[entry.number].append(entry)
+
+    def tables(self) -> dict[int, SagTable]:
+        """Return the tables by index, ascending."""
+        found: dict[int, SagTable] = {}
+        empty: list[int] = []
+        asked: dict[int, Assignment] = {}
+        for index, entries in sorted(self.by_table.items()):
+            data = [entry for entry in entries if entry.name.startswith(_PREFIX)]
+            if not data:
+                continue
+            if is_default(data, _PREFIX):
+                empty.append(index)
+                continue
+            table = self._curve(index, entries, data)
+            if table is None:
+                continue
+            found[index] = table
+            if table.factor is not None:
+                asked[table.factor] = next(
+                    entry for entry in data if entry.name == f"{_PREFIX}_MULT_BY_TABLE"
+                )
+        if empty:
+            self.remarks.notes.append(
+                f"CEC tables {_ranges(empty)}: all zero, the control's own default for no table"
+            )
+        self._check_factors(found, asked, {*empty, *self.left_out})
+        if self.left_out:
+            self.remarks.notes.append(
+                f"CEC tables {_ranges(self.left_out)} are no curves and left alone"
+            )
+        return found
+
+    def of_axis(self, axis: str, name: str) -> float | None:
+        """Return the last value of a machine data of an axis, None where the files do not hold
+        it.
+        """
+        return last_value(self.by_axis.get(axis.upper(), []), name)
+
+    def switched_off(self, output: str) -> bool:
+        """Return whether MD32710 ends as 0, with the remark that belongs to either answer."""
+        enabled = self.of_axis(output, "MA_CEC_ENABLE")
+        if enabled is None:
+            self.remarks.assumed.append(
+                Assumption(
+                    f"MD32710 $MA_CEC_ENABLE of {output}",
+                    "1",
+                    "not in the files: counted as active",
+                )
+            )
+        elif enabled == 0.0:
+            self.remarks.notes.append(
+                f"{output}: MD32710 $MA_CEC_ENABLE ends as 0: its CEC tables do not act"
+            )
+        return enabled == 0.0
+
+    def _curve(
+        self, index: int, entries: Sequence[Assignment], data: Sequence[Assignment]
+    ) -> SagTable | None:
+        """Return a table that is a curve. A whole one that is none is left alone; one that was cut
+        short is a fault.
+        """
+        names = {
+            entry.name.removeprefix(f"{_PREFIX}_"): entry.names
+            for entry in data
+            if entry.name in {f"{_PREFIX}_INPUT_AXIS", f"{_PREFIX}_OUTPUT_AXIS"}
+        }
+        base, output = names.get("INPUT_AXIS", ""), names.get("OUTPUT_AXIS", "")
+        data = self._in_mm(data, base, output)
+        outer, self.remarks = self.remarks, Remarks()
+        try:
+            table = self._table(index, entries, data)
+            inner = self.remarks
+        finally:
+            self.remarks = outer
+        on = self._acts(entries, output, own=output == base)
+        reasons = self._reasons(index, entries, (base, output)) if on else iter(())
+        strange = (
+            f"{name} is no machine axis"
+            for name in names.values()
+            if not self.names.is_machine_axis(name)
+        )
+        key = self.unknown_keys.get(index)
+        why = (
+            inner.faults[0].message
+            if inner.faults
+            else f"${key} is not known"
+            if key is not None
+            else next(chain(strange, reasons), "")
+        )
+        if not why:
+            outer.notes += inner.notes
+            outer.assumed += inner.assumed
+            return table
+        if inner.faults and _is_damaged(data, names, inner):
+            outer.faults += inner.faults
+            outer.faults += [] if key is None else [data[0].fault(f"variable ${key} is not known")]
+            return None
+        self._leave_out(index, (base, output), why, data if on else (), inner)
+        return None
+
+    def _in_mm(self, data: Sequence[Assignment], base: str, output: str) -> Sequence[Assignment]:
+        """Return a table in mm: MD32711 of its output axis says whether it is in inch."""
+        if self.of_axis(output, "MA_CEC_SCALING_SYSTEM_METRIC") != 0.0:
+            return data
+        return inches_in_mm(
+            data,
+            values=self.lengths.is_linear(output),
+            positions=self.lengths.is_linear(base),
+        )
+
+    def _reasons(self, index: int, entries: Sequence[Assignment], pair: Pair) -> Iterator[str]:
+        """Yield why a table that acts does something else than its values say."""
+        for name, (most, why) in _ELSE.items():
+            value = last_value(entries, name)
+            if value is not None and not 0.0 <= value <= most:
+                yield f"${name}[{index}] = {value:g}: {why}"
+        unit = self.of_axis(pair[1], "MA_CEC_SCALING_SYSTEM_METRIC")
+        if self.lengths.inch and unit is None and any(map(self.lengths.is_linear, pair)):
+            yield (
+                f"the basic system is the inch and MD32711 of {pair[1]}, which says the unit of"
+                " CEC tables, is not in the files"
+            )
+
+    def _leave_out(
+        self,
+        index: int,
+        pair: Pair,
+        why: str,
+        acting: Sequence[Assignment],
+        inner: Remarks,
+    ) -> None:
+        """Leave a whole table alone that cannot be followed; the table of an axis under work over
+        itself is a fault where it acts. ``acting``: its assignments, empty where it is off.
+        """
+        base, output = pair
+        moved = any(entry.value for entry in acting if entry.name == _PREFIX)
+        moved = moved or ("SN_CEC" in why and bool(acting))
+        asked = {name.upper() for name in self.names.called.values()}
+        own = base.upper() == output.upper() and (not asked or output.upper() in asked)
+        if moved and own and not self._stays(index, output):
+            self.remarks.faults += inner.faults or [acting[0].fault(f"{label_of(index)}: {why}")]
+            return
+        self.left_out.append(index)
+        if moved and own:
+            self.remarks.notes.append(f"{label_of(index)}: {why}: it stays and is not counted")
+        elif moved:
+            named = [self.spelling.setdefault(name.upper(), name) for name in pair]
+            self.odd[named[0], named[1]] = f"{label_of(index)}: {why}"
+
+    def _stays(self, index: int, output: str) -> bool:
+        """Return whether a job works on the axis and does not name this table in ``cec_tables``:
+        then it is not written.
+        """
+        if by_address(self.request.axis_options, output) is None:
+            return False
+        named = self.request.options_of(output).get("cec_tables")
+        return not isinstance(named, list | tuple) or index not in named
+
+    def _acts(self, entries: Sequence[Assignment], output: str, *, own: bool) -> bool:
+        """Return whether a table acts; what the job says of the test counts for tables of an axis
+        over itself.
+
+        Not where the leadscrew table of the axis is on: then the job speaks of that one, and what
+        is switched off slept.
+        """
+        switches = [
+            last_value(entries, "SN_CEC_TABLE_ENABLE"),
+            self.of_axis(output, "MA_CEC_ENABLE"),
+        ]
+        if own and not (output.upper() in self.screws and 0.0 in switches):
+            return self.request.acts(switches)
+        return all(switch != 0.0 for switch in switches)
+
+    def _table(
+        self, index: int, entries: Sequence[Assignment], data: Sequence[Assignment]
+    ) -> SagTable | None:
+        before = len(self.remarks.faults)
+        faults = self.remarks.faults
+        label = f"CEC table {index}"
+        table = build_table(data, _PREFIX, label, f"table {index}", self.remarks)
+        axes = [
+            self._axis_of(data, f"{_PREFIX}_{key}", label) for key in ("INPUT_AXIS", "OUTPUT_AXIS")
+        ]
+        direction = single(data, f"{_PREFIX}_DIRECTION", faults)
+        factor = single(data, f"{_PREFIX}_MULT_BY_TABLE", faults)
+        if table is not None:
+            reserved = [entry for entry in entries if entry.name == "MN_MM_CEC_MAX_POINTS"]
+            faults += too_few_points(reserved, table, f"MD18342 of {label}")
+        if (
+            direction is None
+            # the control would keep what its memory holds, and a file cut short would act in both
+            # directions
+        ):
+            faults.append(data[0].fault(f"{label} is incomplete", expected=f"${_PREFIX}_DIRECTION"))
+        if table is None or direction is None or len(faults) > before:
+            return None
+        if factor is None:
+            self.remarks.assumed.append(
+                Assumption(f"${_PREFIX}_MULT_BY_TABLE of table {index}", "0", "not in the files")
+            )
+        weight = last_value(entries, "SN_CEC_TABLE_WEIGHT")
+        return SagTable(
+            input=axes[0],
+            output=axes[1],
+            table=table,
+            direction=int(direction.value),
+            weight=1.0 if weight is None else weight,
+            enabled=self._enabled(index, entries, axes[1], own=axes[0] == axes[1]),
+            factor=int(factor.value) - 1 if factor is not None and factor.value else None,
+            stays=self._stays(index, axes[1]),
+        )
+
+    def _axis_of(self, data: Sequence[Assignment], name: str, label: str) -> str:
+        """Return an axis of a table by the name that all others use, empty with a fault when the
+        files do not say it.
+        """
+        entry = single(data, name, self.remarks.faults)
+        if entry is None or not entry.names:
+            at = entry or data[0]
+            self.remarks.faults.append(
+                at.fault(f"{label} is incomplete", expected=f"${name} with an axis such as (AX1)")
+            )
+            return ""
+        return self.spelling.setdefault(entry.names.upper(), entry.names)
+
+    def _enabled(
+        self, index: int, entries: Sequence[Assignment], output: str, *, own: bool
+    ) -> bool:
+        enabled = last_value(entries, "SN_CEC_TABLE_ENABLE")
+        if enabled is None:
+            fact = f"SD41300 $SN_CEC_TABLE_ENABLE of table {index}"
+            self.remarks.assumed.append(
+                Assumption(fact, "1", "not in the files: counted as active")
+            )
+        elif enabled == 0.0:
+            self.remarks.notes.append(
+                f"CEC table {index}: SD41300 $SN_CEC_TABLE_ENABLE ends as 0: the table does not act"
+            )
+        return self._acts(entries, output, own=True) if own else enabled != 0.0
+
+    def _check_factors(
+        self, found: dict[int, SagTable], asked: dict[int, Assignment], empty: set[int]
+    ) -> None:
+        """Refuse a product with a table that no file holds."""
+        for index, entry in asked.items():
+            if index not in found and index not in empty and not self.remarks.faults:
+                self.remarks.faults.append(
+                    entry.fault(
+                        f"{entry.variable} names a table that is not in the files",
+                        expected=f"table of index {index}",
+                    )
+                )
+
+
+def _is_damaged(data: Sequence[Assignment], names: Mapping[str, str], inner: Remarks) -> bool:
+    """Return whether a table is no odd one but a file that was cut short or contradicts itself."""
+    points = {entry.point for entry in data if entry.name == _PREFIX}
+    incomplete = _NEEDED - {entry.name for entry in data} or not all(names.values())
+    gaps = points != set(range(len(points)))
+    return bool(incomplete or gaps) or any("contradicts" in f.message for f in inner.faults)
+
+
+def label_of(index: int) -> str:
+    """Return how messages call a table."""
+    return f"CEC table {index}"
+
+
+def _ranges(indices: Sequence[int]) -> str:
+    """Return ascending numbers in words, runs shortened: ``0, 3 to 61``."""
+    runs: list[list[int]] = []
+    for index in indices:
+        if runs and runs[-1][-1] == index - 1:
+            runs[-1].append(index)
+        else:
+            runs.append([index])
+    return ", ".join(f"{run[0]} to {run[-1]}" if len(run) > 1 else str(run[0]) for run in runs)

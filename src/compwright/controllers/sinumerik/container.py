@@ -1,0 +1,122 @@
+"""The commissioning archive of a SINUMERIK in its container (``@@MMCIBN.nnn``): which of its
+members are the control's state.
+
+Stated from two real archives, every member of both: a row of members, each a header of 512 bytes,
+then its data, then NUL bytes up to the next multiple of 512. Fields of a header are text ended by
+NUL: the shown name at 50, the kind at 108 (``7`` holds data), the size in bytes at 124, the check
+sum at 148 (sum of the 512 bytes, those of the check sum itself counted as NUL), the folder at 384;
+numbers are decimal.
+
+What acts stands in the folder ``\\_NC_ACT.DIR\\``. Everything else is programs, definitions and
+drive data: a program assigns compensation data only when somebody runs it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.records.correction import ControlFile
+
+_BLOCK = 512
+_SUM = slice(148, 156)
+_BEGIN = re.compile(rb"@@MMCIBN\.[0-9]{3}\x00")
+_ACTIVE = "\\_NC_ACT.DIR\\"
+_DATA = "7"
+
+
+@dataclass(frozen=True, slots=True)
+class _Member:
+    name: str
+    kind: str
+    folder: str
+    content: bytes
+
+
+@dataclass(slots=True)
+class Opened:
+    """``files``: the active members as text files, each named ``ARCHIVE: MEMBER``; ``faults``: what
+    is wrong with the container.
+    """
+
+    files: list[ControlFile] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+
+
+def is_container(content: bytes) -> bool:
+    """Return whether a file is such an archive, by its first bytes."""
+    return _BEGIN.match(content) is not None
+
+
+def active_files(file: ControlFile) -> Opened:
+    """Return the members that are the control's state, in their order; the same one twice counts
+    once. Nothing is raised: a container that is cut short or does not fit its own sizes, and two
+    members of one name that differ, are faults.
+    """
+    opened = Opened()
+    seen: dict[str, bytes] = {}
+    try:
+        for member in _members(file):
+            if member.kind != _DATA or member.folder.upper() != _ACTIVE:
+                continue
+            before = seen.setdefault(member.name.upper(), member.content)
+            if before != member.content:
+                message = (
+                    f"the archive holds two members {member.name} that differ: which one counts is"
+                    " not known"
+                )
+                opened.faults.append(Fault(message=message, file=file.name, place=member.name))
+            elif before is member.content:
+                opened.files.append(ControlFile(f"{file.name}: {member.name}", member.content))
+    except InputError as error:
+        opened.faults.extend(error.faults)
+    return opened
+
+
+def _members(file: ControlFile) -> Iterator[_Member]:
+    """Yield the members in order. Raises InputError where no header stands at the end of the one
+    before, or the data end early.
+    """
+    content, start, before = file.content, 0, "the first member"
+    while start < len(content):
+        header = content[start : start + _BLOCK]
+        name, size = _field(header, 50) or _field(header, 0), _size(header)
+        if size is None:
+            raise InputError(
+                Fault(
+                    message=f"the size of {before} does not fit: no member begins where it ends",
+                    file=file.name,
+                    place=f"byte {start}",
+                    expected="an archive as the control wrote it; export it again",
+                )
+            )
+        data = content[start + _BLOCK : start + _BLOCK + size]
+        if len(data) < size:
+            raise InputError(
+                Fault(
+                    message=f"the archive is cut short in the member {name}",
+                    file=file.name,
+                    place=f"byte {start}",
+                    expected=f"{size} bytes",
+                    found=f"{len(data)} bytes",
+                )
+            )
+        yield _Member(name, _field(header, 108), _field(header, 384), data)
+        start += _BLOCK + -(-size // _BLOCK) * _BLOCK
+        before = f"the member {name}"
+
+
+def _size(header: bytes) -> int | None:
+    """Return the size that a header states, None where these bytes are no header."""
+    size, told = _field(header, 124), _field(header, 148)
+    whole = len(header) == _BLOCK and size.isdecimal() and told.isdecimal()
+    if not whole or sum(header) - sum(header[_SUM]) != int(told):
+        return None
+    return int(size)
+
+
+def _field(header: bytes, start: int) -> str:
+    """Return the text that begins at ``start`` and ends with NUL."""
+    return header[start:].split(b"\x00", 1)[0].decode("latin-1").strip()

@@ -1,0 +1,136 @@
+"""Which lengths of the files are in inch, and their conversion to mm."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from compwright.controllers.request import Request
+from compwright.controllers.sinumerik.axes import AxisNames
+from compwright.controllers.sinumerik.text import Assignment, FileContent
+from compwright.foundations.errors import Fault
+
+_MM = 25.4  # mm in an inch, MD10250 where nobody changed it
+#: What is a length of a linear axis, in the basic system.
+_LENGTHS = frozenset(
+    {
+        "AA_ENC_COMP",
+        "AA_ENC_COMP_STEP",
+        "AA_ENC_COMP_MIN",
+        "AA_ENC_COMP_MAX",
+        "MA_BACKLASH",
+        "MA_BACKLASH_DYN",
+        "MA_CEC_MAX_SUM",
+    }
+)
+#: Bits of MD10220 that put another unit on positions or compensation values.
+_OWN_UNITS = {"linear": (0, 11), "rotary": (1, 12)}
+
+
+@dataclass(frozen=True, slots=True)
+class Lengths:
+    """``inch``: the basic system is the inch; ``rotary``: upper-case axis -> whether it turns, as
+    job or files say.
+    """
+
+    inch: bool
+    rotary: Mapping[str, bool]
+
+    def is_linear(self, axis: str) -> bool:
+        """Return whether an axis has lengths; one of which nobody says its kind has."""
+        return not self.rotary.get(axis.upper(), False)
+
+    def in_mm(self, entry: Assignment) -> Assignment:
+        """Return an assignment of an axis with its length in mm; any other one as it is."""
+        if not self.inch or entry.name not in _LENGTHS or not self.is_linear(entry.axis):
+            return entry
+        return replace(entry, value=entry.value * _MM)
+
+
+def inches_in_mm(data: Sequence[Assignment], *, values: bool, positions: bool) -> list[Assignment]:
+    """Return the assignments of a CEC table that is in inch (MD32711), in mm: its ``values``, its
+    ``positions``, each where it belongs to a linear axis.
+    """
+    scaled = {"AN_CEC": values} | dict.fromkeys(
+        ("AN_CEC_MIN", "AN_CEC_MAX", "AN_CEC_STEP"), positions
+    )
+    return [
+        replace(entry, value=entry.value * _MM) if scaled.get(entry.name) else entry
+        for entry in data
+    ]
+
+
+def lengths_of(
+    contents: Sequence[FileContent], names: AxisNames, request: Request
+) -> tuple[Lengths, list[Fault]]:
+    """Return the units of all lengths, and what is wrong with them: a basic system that is said in
+    two ways, an inch of another length, units of somebody's own.
+
+    Where no file says the basic system, the option ``units`` does (``inch``), else it is metric.
+    """
+    said = [
+        (metric, content.name, line)
+        for content in contents
+        for line, metric in content.units.metric
+    ]
+    inch = not said[0][0] if said else request.options.get("units") == "inch"
+    rotary = {
+        names.name(entry.axis).upper(): entry.value == 1.0
+        for content in contents
+        for entry in content.facts
+        if entry.name == "MA_IS_ROT_AX"
+    }
+    rotary |= {names.name(axis).upper(): kind == "rotary" for axis, kind in request.kinds.items()}
+    faults = [
+        Fault(
+            message="the basic system (MD10240, METRIC or INCH) is said in two ways",
+            expected="inch" if inch else "metric",
+            found="metric" if metric else "inch",
+            file=file,
+            place=f"line {line}",
+        )
+        for metric, file, line in said
+        if metric is inch
+    ]
+    faults += _strange(contents, request, inch=inch)
+    return Lengths(inch=inch, rotary=rotary), faults
+
+
+def _strange(contents: Sequence[FileContent], request: Request, *, inch: bool) -> list[Fault]:
+    kinds = {str(kind) for kind in request.kinds.values()} or {"linear", "rotary"}
+    own = [bit for kind in sorted(kinds) for bit in _OWN_UNITS[kind]]
+    faults: list[Fault] = []
+    for content in contents:
+        faults += [
+            Fault(
+                message="MD10250 $MN_SCALING_VALUE_INCH: an inch of another length",
+                file=content.name,
+                place=f"line {line}",
+                expected=f"{_MM:g}",
+                found=f"{value:g}",
+            )
+            for line, value in content.units.inch
+            if inch and "linear" in kinds and value != _MM
+        ]
+        faults += [
+            Fault(
+                message="MD10220 $MN_SCALING_USER_DEF_MASK: units of somebody's own (MD10230)",
+                file=content.name,
+                place=f"line {line}",
+                expected="bits " + ", ".join(map(str, sorted(own))) + " not set",
+                found=f"'H{mask:X}'",
+            )
+            for line, mask in content.units.own
+            if any(mask >> bit & 1 for bit in own)
+        ]
+    return faults
+
+
+def encoders_of(contents: Sequence[FileContent], names: AxisNames) -> dict[str, int]:
+    """Return MD30200, the number of measuring systems, by upper-case axis."""
+    return {
+        names.name(entry.axis).upper(): int(entry.value)
+        for content in contents
+        for entry in content.facts
+        if entry.name == "MA_NUM_ENCS" and entry.value in (0.0, 1.0, 2.0)
+    }

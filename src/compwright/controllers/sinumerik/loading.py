@@ -1,0 +1,89 @@
+"""The files of a SINUMERIK in the order in which the control takes them: the commissioning archive
+first, small files over it.
+
+What is loaded over an archive goes variable by variable: the last value of a variable counts, and
+what no small file names keeps the archive's value. Text files beside each other have no order: what
+they say in two ways is a contradiction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from compwright.controllers.sinumerik.axes import AxisNames
+from compwright.controllers.sinumerik.container import active_files, is_container
+from compwright.controllers.sinumerik.tables import last_value
+from compwright.controllers.sinumerik.text import Assignment, FileContent, read_file
+from compwright.foundations.errors import Fault
+from compwright.records.correction import ControlFile
+
+
+@dataclass(slots=True)
+class Loaded:
+    """``under``: what the archives in containers say; ``over``: all other files."""
+
+    under: list[FileContent] = field(default_factory=list)
+    over: list[FileContent] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+
+    @property
+    def contents(self) -> list[FileContent]:
+        """All of them in the order of loading."""
+        return [*self.under, *self.over]
+
+    def assignments(self, names: AxisNames) -> list[Assignment]:
+        """Return what is assigned in the end, axes under their one name, in the order of loading:
+        nothing of the archive that a small file replaces.
+        """
+        under = [names.renamed(entry) for content in self.under for entry in content.assignments]
+        over = [names.renamed(entry) for content in self.over for entry in content.assignments]
+        replaced = {_variable(entry) for entry in over}
+        kept = [entry for entry in under if _variable(entry) not in replaced]
+        return [*_within_new_ends(kept, over), *over]
+
+
+def load(files: Sequence[ControlFile]) -> Loaded:
+    """Return the contents of all files; nothing is raised, faults are collected."""
+    loaded = Loaded()
+    for file in files:
+        if not is_container(file.content):
+            loaded.over.append(read_file(file))
+            continue
+        opened = active_files(file)
+        loaded.faults += opened.faults
+        loaded.under += [read_file(member) for member in opened.files]
+    loaded.faults += [fault for content in loaded.contents for fault in content.faults]
+    return loaded
+
+
+def _variable(entry: Assignment) -> tuple[str, int, int | None, str]:
+    return entry.name, entry.number, entry.point, entry.axis.upper()
+
+
+def _within_new_ends(kept: list[Assignment], over: Sequence[Assignment]) -> list[Assignment]:
+    """Return the archive's assignments without the points above the end of a table that a small
+    file makes shorter: the control keeps them and does not use them.
+    """
+    changed = {
+        _table(entry)
+        for entry in over
+        if entry.name.endswith(("_STEP", "_MIN", "_MAX")) or entry.point is not None
+    }
+    ends: dict[tuple[str, int, str], float] = {}
+    for table in changed:
+        entries = [entry for entry in (*kept, *over) if _table(entry) == table]
+        step, low, high = (
+            last_value(entries, f"{table[0]}_{key}") or 0.0 for key in ("STEP", "MIN", "MAX")
+        )
+        ends[table] = (high - low) / step + 0.5 if step > 0.0 else float("inf")
+    return [
+        entry
+        for entry in kept
+        if entry.point is None or entry.point <= ends.get(_table(entry), float("inf"))
+    ]
+
+
+def _table(entry: Assignment) -> tuple[str, int, str]:
+    prefix = "AA_ENC_COMP" if entry.name.startswith("AA_ENC_COMP") else "AN_CEC"
+    return prefix, entry.number, entry.axis.upper()

@@ -1,0 +1,175 @@
+"""SINUMERIK sag and angularity compensation (CEC, ``$AN_CEC``): the position of one axis corrects
+another, or itself.
+
+Stated from the manuals (Function Manual Extended Functions 03/2013, chapter K3; 802D sl Function
+Manual 11/2012; Siemens' texts of the setting data):
+
+- The input is the setpoint of INPUT_AXIS, the value acts on OUTPUT_AXIS, which may be the same axis
+  (p. 248). Several tables add up (802D sl p. 215). Linear between points (p. 237), outside the end
+  values stay (p. 248), a modulo table repeats and its two end values should be equal (p. 249).
+- DIRECTION 0: both; 1: only while the input axis moves towards +; -1: only towards - (p. 249).
+- SD41300 switches a table, MD32710 of the output axis the sum (p. 245); SD41310 is a factor on a
+  table, MD32720 limits the sum.
+- Sign: the Function Manual of 03/2009 says on p. 372 that a positive value moves the axis towards
+  -, as with the leadscrew table, and a builder's measuring program in a real archive agrees. Values
+  may have been made the other way round: only the option ``cec_sign`` says it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from compwright.controllers.sinumerik.tables import Table
+from compwright.foundations.errors import Fault, UsageError
+from compwright.records.axis import Direction, FloatArray
+
+#: Points of two tables that lie closer are one; no control divides a millimetre or a degree
+#: further.
+_SAME_POINT = 1e-9
+
+#: Input and output axis.
+Pair = tuple[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class SagTable:
+    """One table. ``direction`` 1, -1 or 0 for both; ``factor``: index of the table that
+    MULT_BY_TABLE names, None without one; ``stays``: nobody is going to write it, so that it acts
+    before and after alike.
+    """
+
+    input: str
+    output: str
+    table: Table
+    direction: int
+    weight: float
+    enabled: bool
+    factor: int | None
+    stays: bool = False
+
+    def value(self, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return the weighted value at ``positions`` (any shape) of the input axis; zero where the
+        table does not act.
+        """
+        if not self.enabled or self.direction == -direction.sign:
+            return np.zeros(positions.shape)
+        return self.weight * self.table.value(positions)
+
+    def acts(self) -> bool:
+        """Return whether the table puts out anything other than zero."""
+        return self.enabled and self.weight != 0.0 and bool(np.any(self.table.values))
+
+    def bound(self, direction: Direction) -> float:
+        """Return the largest amount of the value in ``direction``."""
+        return float(np.max(np.abs(self.value(self.table.positions(), direction))))
+
+
+@dataclass(frozen=True, slots=True)
+class Sag:
+    """All tables that are counted. ``sign`` of the values, +1 or -1, 0: not known.
+
+    ``off``: output axes that MD32710 switches off; ``limits``: MD32720 by output axis, mm or deg.
+    ``odd``: pairs with a table that acts and is no curve, and why.
+    """
+
+    by_pair: Mapping[Pair, tuple[SagTable, ...]]
+    off: frozenset[str]
+    limits: Mapping[str, float]
+    sign: int
+    odd: Mapping[Pair, str] = field(default_factory=dict)
+
+    def pairs(self) -> tuple[Pair, ...]:
+        """Return input and output axis of all tables in order of their index, each pair once,
+        switched on or not.
+        """
+        return tuple(self.by_pair)
+
+    def nodes(self, pair: Pair) -> FloatArray:
+        """Return the positions (k,) of the points of all tables of a pair, ascending."""
+        return union([table.table.positions() for table in self._of(pair)])
+
+    def is_judged(self, pair: Pair) -> bool:
+        """Return whether it is known what a pair does."""
+        return bool(self.sign) and pair not in self.odd
+
+    def own_shift(self, axis: str, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return what an axis' tables over itself add at ``positions``; UsageError where that
+        cannot be said. Without the sign those that stay are not counted.
+        """
+        pair = (axis, axis)
+        if pair in self.odd:
+            raise UsageError(
+                Fault(
+                    message=(
+                        f"what the tables of {axis} over itself do is not known: {self.odd[pair]}"
+                    )
+                )
+            )
+        if self.sign:
+            return self.shift(pair, positions, direction)
+        if all(table.stays or not table.acts() for table in self._of(pair)):
+            return np.zeros(positions.shape)
+        raise UsageError(
+            Fault(
+                message=f"{axis} is corrected by CEC tables over itself, whose sign is not known",
+                place="option cec_sign",
+                expected="correction or error",
+            )
+        )
+
+    def shift(self, pair: Pair, positions: FloatArray, direction: Direction) -> FloatArray:
+        """Return how far the output axis moves with the input axis at ``positions`` (any shape),
+        moving in ``direction``. Raises UsageError where the sign is not known.
+        """
+        if self.sign == 0 and pair[0] != pair[1]:
+            raise UsageError(
+                Fault(
+                    message="the sign of CEC values",
+                    place="option cec_sign",
+                    expected="correction or error",
+                )
+            )
+        if pair[1] in self.off and pair[0] != pair[1]:
+            return np.zeros(positions.shape)
+        limit = self.limits.get(pair[1], np.inf)
+        return np.asarray(
+            self.sign * np.clip(self._total(pair, positions, direction), -limit, limit),
+            dtype=np.float64,
+        )
+
+    def peak(self, pair: Pair) -> float:
+        """Return the largest amount of the unlimited sum of a pair; with modulo tables an upper
+        bound.
+        """
+        return max(self._peak(pair, direction) for direction in Direction)
+
+    def _peak(self, pair: Pair, direction: Direction) -> float:
+        own = self._of(pair)
+        if any(table.table.modulo for table in own):
+            return sum(table.bound(direction) for table in own)
+        return float(np.max(np.abs(self._total(pair, self.nodes(pair), direction))))
+
+    def _total(self, pair: Pair, positions: FloatArray, direction: Direction) -> FloatArray:
+        return sum(
+            (table.value(positions, direction) for table in self._of(pair)),
+            np.zeros(positions.shape),
+        )
+
+    def _of(self, pair: Pair) -> tuple[SagTable, ...]:
+        return self.by_pair.get(pair, ())
+
+
+def union(positions: Sequence[FloatArray]) -> FloatArray:
+    """Return the points (k,) of several tables, ascending, those nearer than 1e-9 mm or deg
+    once.
+    """
+    filled = [nodes for nodes in positions if nodes.size]
+    if len(filled) < 2:
+        return filled[0] if filled else np.empty(0)
+    every = np.sort(np.concatenate(filled))
+    return np.asarray(
+        every[np.concatenate([[True], np.diff(every) > _SAME_POINT])], dtype=np.float64
+    )

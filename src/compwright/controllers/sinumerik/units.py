@@ -1,0 +1,60 @@
+"""What the files of a SINUMERIK say of the unit of lengths.
+
+MD10240 (basic system: 1 mm, 0 inch) or a line ``METRIC`` or ``INCH`` before the values: whatever is
+downloaded is scaled so, compensation values with it (840Di manual 06.03 p. 10-283; 808D ADVANCED
+parameter manual 08/2013 p. 33). MD10250 is the length of an inch. MD10220 puts a factor of its own
+(MD10230) on a physical quantity, by bits: 0 linear positions, 1 angular ones, 11 linear and 12
+angular compensation values (Siemens' texts of these data).
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass, field
+
+_UNITS = re.compile(
+    r"""\s*(?:N\d+\s*)?
+        (?:\$MN_SCALING_SYSTEM_IS_METRIC\s*=\s*(?P<metric>[01]|TRUE|FALSE)
+          |(?P<word>METRIC|INCH)
+          |\$MN_SCALING_VALUE_INCH\s*=\s*(?P<inch>[0-9.]{1,20})
+          |\$MN_SCALING_USER_DEF_MASK\s*=\s*'H(?P<mask>[0-9A-F]{1,8})'
+          |\$MN_SCALING_FACTORS_USER_DEF\s*\[\s*(?P<bit>[0-9]{1,2})\s*\]\s*=\s*(?P<factor>[0-9.]{1,20}))
+        (?:\s+'[0-9A-F]{4})?\s*""",
+    re.VERBOSE | re.IGNORECASE,
+)
+_YES = frozenset({"METRIC", "1", "TRUE"})
+
+
+@dataclass(slots=True)
+class UnitLines:
+    """Each with its line: ``metric``, whether the basic system is metric; ``inch``, MD10250 in mm;
+    ``own``, MD10220; ``factors``, index and value of MD10230.
+    """
+
+    metric: list[tuple[int, bool]] = field(default_factory=list)
+    inch: list[tuple[int, float]] = field(default_factory=list)
+    own: list[tuple[int, int]] = field(default_factory=list)
+    factors: list[tuple[int, tuple[int, float]]] = field(default_factory=list)
+
+    def read(self, code: str, number: int) -> None:
+        """Take down what a line without its comment says."""
+        match = _UNITS.fullmatch(code)
+        if match is None:
+            return
+        if match["word"] or match["metric"]:
+            self.metric.append((number, (match["word"] or match["metric"]).upper() in _YES))
+        elif match["mask"]:
+            self.own.append((number, int(match["mask"], 16)))
+        elif match["inch"]:
+            self.inch.append((number, _decimal(match["inch"])))
+        else:
+            self.factors.append((number, (int(match["bit"]), _decimal(match["factor"]))))
+
+
+def _decimal(text: str) -> float:
+    """Return a number of digits and points; not a number where it is none."""
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
