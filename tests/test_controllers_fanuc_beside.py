@@ -224,6 +224,7 @@ class TestCycle:
         [
             ("N10015Q0P-1\n", "N10015Q0P0\n", "creeps by 1 "),
             ("N10015Q0P-1\n", "", "N10015"),
+            ("N14987", "N14988Q1A1P2\nN14987", "what 14988 does"),
             ("14986Q1A1P20", "14986Q1A1P10", "14985 below 14986"),
             ("14987Q1A1P2.0", "14987Q1A1P0.0", "14987 above 0"),
             ("14987Q1A1P2.0", "14987Q1A1P7.0", "whole number of its periods of 70"),
@@ -284,6 +285,13 @@ class TestStraightness:
         other = "N00981Q1A1P1A2P2A3P2\n"  # the first axis of path 2 is axis 2
         with pytest.raises(InputError, match="which axis 5711 names is not known"):
             control(by_path.replace("%\n", "%\n" + other, 1), **self.COUNTED)
+
+    @pytest.mark.parametrize("number", [5714, 5724, 5735, 5768, 5791, 13301, 13371])
+    def test_more_of_it_is_not_known(self, number: int) -> None:
+        more = self.WHOLE.replace("N05711", f"N{number:05d}Q1L1P7\nN05711")
+        with pytest.raises(InputError, match=f"what {number} does in straightness"):
+            control(more, **self.COUNTED)
+        assert control(more).cross() == ()
 
     def test_zero_says_nothing(self) -> None:
         zero = self.WHOLE.replace("Q1P", "Q1L2P")

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from compwright.controllers.fanuc.axis import AxisLoader
-from compwright.controllers.fanuc.beside import CYCLIC, Cycle, inclination
+from compwright.controllers.fanuc.beside import CYCLIC, CYCLIC_FACTOR, Cycle, inclination
 from compwright.controllers.fanuc.grid import Grid
 from compwright.controllers.fanuc.memory import number_list
 from compwright.controllers.fanuc.options import Options
@@ -103,6 +103,11 @@ def cycle(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) ->
     acting = [entry for entry in ends[1:] if entry is not None and not entry.zero]
     if "cyclic" not in options.counted or not acting:
         return None
+    factor = memory.machine.said(CYCLIC_FACTOR, axis)
+    if factor is not None and factor.whole not in (0, 1):
+        memory.faults.append(
+            factor.fault(f"what 14988 does to the second table of axis {axis} is not known", "1")
+        )
     first, last, width = ends
     low, high = (
         0 if entry is None else entry.whole if entry.whole is not None else -1
@@ -149,7 +154,7 @@ def cycle(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) ->
     memory.assumed.append(
         Assumption(
             f"second table of {axis}",
-            f"period {period:g} from the reference, without 3623"
+            f"period {period:g} from the reference, without 3623 and 14988"
             + ("" if grid is not None else ", main table off"),
             "unconfirmed",
         )

@@ -8,11 +8,12 @@ Stated from the manuals, apart from the room that writes the files:
   multiplied by 3623: practice.
 - Second (cyclic) table: numbers 14985 to 14986 of the common pitch data, 14987 its interval; the
   amounts of a period add up to 0 and repeat, superposed on the main table (A-78868E p. 3, 6). The
-  period begins at the reference, 3623 does not multiply: practice.
+  period begins at the reference, 3623 does not multiply; 14988 its magnification: practice.
 - Straightness: 5711 to 5713 the moving axis, 5721 to 5723 the axis that is bent, by pair four
   numbers of the moving axis' points (5731 and on) and four amounts (5761 and on); the difference of
   two amounts is spread evenly over the intervals between them (B-63522EN/02 p. 222). The numbers of
-  the parameters, and the bent axis' detection unit: practice.
+  the parameters, and the bent axis' detection unit: practice. A real backup has more of them than
+  are known here.
 - 10800 to 10802 name the axes of three-dimensional error
   compensation, a field over three positions (A-79351E p. 3; the numbers: practice); 13381 to 13399
   are further straightness pairs (practice). Not judged: they refuse an axis.
@@ -21,7 +22,7 @@ Stated from the manuals, apart from the room that writes the files:
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -34,10 +35,19 @@ from compwright.records.axis import FloatArray
 _INCLINED = (5871, 5872, 5873, 5874)
 _INCLINED_AT = (5861, 5862, 5863, 5864)
 CYCLIC = (14985, 14986, 14987)
+CYCLIC_FACTOR = 14988
 _SMOOTH = (1846, 1847, 1848, 1849)
 _MOVING, _BENT = 5711, 5721
 _PAIRS = range(3)
 _STRAIGHT_AT, _STRAIGHT = 5731, 5761
+#: Further pairs and further points: a real backup has them, what they mean is not known.
+_MORE_STRAIGHT = (
+    *range(5714, 5721),
+    *range(5724, 5731),
+    *(row + i for row in range(5731, 5791, 10) for i in range(4, 8)),
+    *range(5791, 5800),
+    *range(13301, 13380),
+)
 _FIELD = (10800, 10801, 10802)
 _FURTHER = range(13381, 13400)
 #: Amounts of inclination and straightness are words (practice).
@@ -118,6 +128,11 @@ def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
     """Yield the pairs of straightness compensation that bend something; what is wrong with a pair
     is a fault.
     """
+    more = _any(machine, _MORE_STRAIGHT)
+    if more is not None:
+        faults.append(
+            more.fault(f"what {more.number} does in straightness compensation is not known", "0")
+        )
     for pair in _PAIRS:
         for owner, moving in machine.entries.get(_MOVING + pair, {}).items():
             bent = machine.entries.get(_BENT + pair, {}).get(owner)
@@ -151,14 +166,9 @@ def refusing(machine: Machine, axis: int) -> Iterator[Fault]:
         yield named[0].fault(
             f"three-dimensional error compensation names axis {axis} and is not judged", "0"
         )
-    further = [
-        entry
-        for number in _FURTHER
-        for entry in machine.entries.get(number, {}).values()
-        if not entry.zero
-    ]
-    if further:
-        yield further[0].fault(
+    further = _any(machine, _FURTHER)
+    if further is not None:
+        yield further.fault(
             f"further straightness pairs may act on axis {axis} and are not judged", "0"
         )
     for number in machine.series.unknown:
@@ -255,6 +265,12 @@ def _names(machine: Machine, owner: Owner, entry: Entry, axis: int) -> bool:
         return False
     axes = () if entry.whole is None else machine.named(owner, entry.whole)
     return not axes or axis in axes
+
+
+def _any(machine: Machine, numbers: Iterable[int]) -> Entry | None:
+    """Return a value of these parameters that is not 0, of any owner."""
+    found = (entry for number in numbers for entry in machine.entries.get(number, {}).values())
+    return next((entry for entry in found if not entry.zero), None)
 
 
 def _where(entry: Entry) -> str:

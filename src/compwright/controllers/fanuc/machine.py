@@ -30,7 +30,7 @@ PATH_OF = 981
 _KEPT = frozenset(
     {PATH_OF, 1001, 1004, 1006, 1013, 1260, 1800, 1820, 3602, 8135, 10800, 10801, 10802}
     | {*range(1846, 1850), *range(5711, 5800), *range(5861, 5875)}
-    | {*range(13381, 13400), *range(14985, 14988)}
+    | {*range(13301, 13400), *range(14985, 14989)}
 )
 #: Systems finer than this are known from practice only.
 FINEST_CONFIRMED = 1e-4
