@@ -789,13 +789,12 @@ class TestText:
     def test_idle_points_and_unjudged_functions_are_named(self) -> None:
         box = control(in_style(("N10037", "N10200Q0P3\nN10201Q0P0\nN10037")))
         assert any("10200 hold values" in note for note in box.notes)
-        for line, says in (
-            ("N03602Q1P00000001", "3602: 00000001"),
-            ("N10801Q1L1P1", "10801: 1"),
-            ("N13381Q1L1P1", "13381: 1"),
-        ):
-            with pytest.raises(InputError, match=says):
-                control(in_style(("N10037", f"{line}\nN05761Q1P0\nN10037")))
+        with pytest.raises(InputError, match="3602: 00000001"):
+            control(in_style(("N10037", "N03602Q1P00000001\nN10037")))
+        for line, says in (("N10801Q1L1P1", "10801: 1"), ("N13381Q1L1P1", "13381: 1")):
+            named = control(in_style(("N10037", f"{line}\nN05761Q1P0\nN10037")))
+            assert any("axis 1" in note and says in note for note in named.notes)
+            assert values(named, list(TOTALS), UP) == values(control(WHOLE), list(TOTALS), UP)
         assert any(
             "3605#2" in note for note in control(in_style(("A1P00000000", "A1P00000100"))).notes
         )

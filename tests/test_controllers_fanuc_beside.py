@@ -286,7 +286,7 @@ class TestStraightness:
         with pytest.raises(InputError, match="which axis 5711 names is not known"):
             control(by_path.replace("%\n", "%\n" + other, 1), **self.COUNTED)
 
-    @pytest.mark.parametrize("number", [5714, 5724, 5735, 5768, 5791, 13301, 13371])
+    @pytest.mark.parametrize("number", [5714, 5724, 5735, 5768, 5791, 13301, 13371, 13399])
     def test_more_of_it_is_not_known(self, number: int) -> None:
         more = self.WHOLE.replace("N05711", f"N{number:05d}Q1L1P7\nN05711")
         with pytest.raises(InputError, match=f"what {number} does in straightness"):

@@ -14,10 +14,13 @@ Stated from the manuals, apart from the room that writes the files:
   two amounts is spread evenly over the intervals between them (B-63522EN/02 p. 222). The numbers of
   the parameters, and the bent axis' detection unit: practice. A real backup has more of them than
   are known here.
-- 10800 to 10802 name the axes of three-dimensional error
-  compensation, a field over three positions (A-79351E p. 3; the numbers: practice); 13381 to 13399
-  are further straightness pairs (practice). Not judged: they refuse an axis.
-- 1846 to 1849: smooth backlash (practice). Not judged: the whole 1851 is taken.
+- 10800 to 10802 name the axes of three-dimensional error compensation, a field over three positions
+  (A-79351E p. 3; the numbers: practice); 13301 to 13399 belong to further straightness pairs
+  (practice). Never counted.
+- 1846 to 1849: smooth backlash (practice). Never counted: the whole 1851 is taken.
+
+What is not counted stays as it is, so it acts the same before and after a change of the table, and
+is named.
 """
 
 from __future__ import annotations
@@ -38,15 +41,16 @@ CYCLIC = (14985, 14986, 14987)
 CYCLIC_FACTOR = 14988
 _SMOOTH = (1846, 1847, 1848, 1849)
 _MOVING, _BENT = 5711, 5721
+_MOVED, _BENDING = range(5711, 5721), range(5721, 5731)
 _PAIRS = range(3)
 _STRAIGHT_AT, _STRAIGHT = 5731, 5761
 #: Further pairs and further points: a real backup has them, what they mean is not known.
 _MORE_STRAIGHT = (
-    *range(5714, 5721),
-    *range(5724, 5731),
+    *_MOVED[3:],
+    *_BENDING[3:],
     *(row + i for row in range(5731, 5791, 10) for i in range(4, 8)),
     *range(5791, 5800),
-    *range(13301, 13380),
+    *range(13301, 13400),
 )
 _FIELD = (10800, 10801, 10802)
 _FURTHER = range(13381, 13400)
@@ -155,29 +159,13 @@ def bends(machine: Machine, faults: list[Fault]) -> Iterator[Bend]:
 
 
 def refusing(machine: Machine, axis: int) -> Iterator[Fault]:
-    """Yield a fault for each function that may act on an axis and cannot be counted with."""
-    named = [
-        entry
-        for number in _FIELD
-        for owner, entry in machine.entries.get(number, {}).items()
-        if _names(machine, owner, entry, axis)
-    ]
-    if named:
-        yield named[0].fault(
-            f"three-dimensional error compensation names axis {axis} and is not judged", "0"
+    """Yield a fault where a parameter may act on an axis and its meaning is not known."""
+    found = (machine.said(number, axis) for number in machine.series.unknown)
+    entry = next((entry for entry in found if entry is not None and not entry.zero), None)
+    if entry is not None:
+        yield entry.fault(
+            f"what {entry.number} does to axis {axis} is not known, so it is not judged", "0"
         )
-    further = _any(machine, _FURTHER)
-    if further is not None:
-        yield further.fault(
-            f"further straightness pairs may act on axis {axis} and are not judged", "0"
-        )
-    for number in machine.series.unknown:
-        entry = machine.said(number, axis)
-        if entry is not None and not entry.zero:
-            yield entry.fault(
-                f"what {number} does to axis {axis} is not known, so it is not judged", "0"
-            )
-            return
 
 
 def left_out(machine: Machine, axis: int, counted: frozenset[str]) -> Iterator[str]:
@@ -197,17 +185,17 @@ def left_out(machine: Machine, axis: int, counted: frozenset[str]) -> Iterator[s
         ]
         if acting and option not in counted:
             yield f"{name} acts ({_where(acting[0])}) and is not counted"
-    if "straightness" in counted:
-        return
-    named = [
-        entry
-        for first in (_MOVING, _BENT)
-        for number in range(first, first + 10)
-        for owner, entry in machine.entries.get(number, {}).items()
-        if _names(machine, owner, entry, axis)
-    ]
-    if named:
-        yield f"straightness compensation names it ({_where(named[0])}) and is not counted"
+    named = {
+        "straightness compensation": [] if "straightness" in counted else [*_MOVED, *_BENDING],
+        "three-dimensional error compensation": list(_FIELD),
+    }
+    for name, numbers in named.items():
+        entry = next(_naming(machine, numbers, axis), None)
+        if entry is not None:
+            yield f"{name} names it ({_where(entry)}) and is not counted"
+    further = _any(machine, _FURTHER)
+    if further is not None:
+        yield f"further straightness pairs may act ({_where(further)}) and are not counted"
 
 
 def _lines(
@@ -259,12 +247,13 @@ def _one_axis(machine: Machine, owner: Owner, entry: Entry, faults: list[Fault])
     return None
 
 
-def _names(machine: Machine, owner: Owner, entry: Entry, axis: int) -> bool:
-    """Whether an axis number may mean this axis."""
-    if entry.zero:
-        return False
-    axes = () if entry.whole is None else machine.named(owner, entry.whole)
-    return not axes or axis in axes
+def _naming(machine: Machine, numbers: Iterable[int], axis: int) -> Iterator[Entry]:
+    """Yield the values that are an axis number and may mean this axis."""
+    for number in numbers:
+        for owner, entry in machine.entries.get(number, {}).items():
+            axes = () if entry.whole is None else machine.named(owner, entry.whole)
+            if not entry.zero and (not axes or axis in axes):
+                yield entry
 
 
 def _any(machine: Machine, numbers: Iterable[int]) -> Entry | None:
