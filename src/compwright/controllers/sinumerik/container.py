@@ -5,7 +5,7 @@ Stated from two real archives, every member of both: a row of members, each a he
 then its data, then NUL bytes up to the next multiple of 512. Fields of a header are text ended by
 NUL: the shown name at 50, the kind at 108 (``7`` holds data), the size in bytes at 124, the check
 sum at 148 (sum of the 512 bytes, those of the check sum itself counted as NUL), the folder at 384;
-numbers are decimal.
+numbers are decimal. The data of the first member are the list of all others, one path a line.
 
 What acts stands in the folder ``\\_NC_ACT.DIR\\``. Everything else is programs, definitions and
 drive data: a program assigns compensation data only when somebody runs it.
@@ -29,6 +29,7 @@ _DATA = "7"
 
 @dataclass(frozen=True, slots=True)
 class _Member:
+    start: int
     name: str
     kind: str
     folder: str
@@ -57,8 +58,12 @@ def active_files(file: ControlFile) -> Opened:
     """
     opened = Opened()
     seen: dict[str, bytes] = {}
+    listed: list[str] = []
     try:
         for member in _members(file):
+            if member.start == 0:
+                listed = _listed(member.content)
+                continue
             if member.kind != _DATA or member.folder.upper() != _ACTIVE:
                 continue
             before = seen.setdefault(member.name.upper(), member.content)
@@ -72,7 +77,25 @@ def active_files(file: ControlFile) -> Opened:
                 opened.files.append(ControlFile(f"{file.name}: {member.name}", member.content))
     except InputError as error:
         opened.faults.extend(error.faults)
+        return opened
+    opened.faults += [
+        Fault(
+            message=f"the archive is cut short: its list names {name}, which is not in it",
+            file=file.name,
+            place=name,
+            expected="an archive as the control wrote it; export it again",
+        )
+        for name in dict.fromkeys(listed)
+        if name.upper() not in seen
+    ]
     return opened
+
+
+def _listed(content: bytes) -> list[str]:
+    """Return the names of the active members that the list of contents holds, marks left out."""
+    lines = content.decode("latin-1").splitlines()
+    names = [line[len(_ACTIVE) :] for line in lines if line.upper().startswith(_ACTIVE)]
+    return [name for name in names if not name.startswith("@@")]
 
 
 def _members(file: ControlFile) -> Iterator[_Member]:
@@ -103,7 +126,7 @@ def _members(file: ControlFile) -> Iterator[_Member]:
                     found=f"{len(data)} bytes",
                 )
             )
-        yield _Member(name, _field(header, 108), _field(header, 384), data)
+        yield _Member(start, name, _field(header, 108), _field(header, 384), data)
         start += _BLOCK + -(-size // _BLOCK) * _BLOCK
         before = f"the member {name}"
 
