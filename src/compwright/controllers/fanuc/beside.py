@@ -185,12 +185,12 @@ def left_out(machine: Machine, axis: int, counted: frozenset[str]) -> Iterator[s
         ]
         if acting and option not in counted:
             yield f"{name} acts ({_where(acting[0])}) and is not counted"
-    named = {
-        "straightness compensation": [] if "straightness" in counted else [*_MOVED, *_BENDING],
-        "three-dimensional error compensation": list(_FIELD),
-    }
-    for name, numbers in named.items():
-        entry = next(_naming(machine, numbers, axis), None)
+    straight = () if "straightness" in counted else (*_MOVED, *_BENDING)
+    for name, axes in (
+        ("straightness compensation", straight),
+        ("three-dimensional error compensation", _FIELD),
+    ):
+        entry = next(_naming(machine, axes, axis), None)
         if entry is not None:
             yield f"{name} names it ({_where(entry)}) and is not counted"
     further = _any(machine, _FURTHER)
