@@ -282,7 +282,10 @@ class _Axis:
         if now is None or abs(now - interval) > _ON_GRID * interval:
             return None
         highest = self.definition.limit_number("max_number") or 0
-        return kept_place(low, high, self.facts, highest=highest, used=used, two=two)
+        endless = self.axis.modulo is not None
+        return kept_place(
+            low, high, self.facts, highest=highest, used=used, two=two, endless=endless
+        )
 
     def _place(self, low: int, high: int, used: Sequence[range], start: int, *, two: bool) -> Place:
         stated = self.axis.options.get("first_point") is not None

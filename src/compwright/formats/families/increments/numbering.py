@@ -75,7 +75,14 @@ def find_place(
 
 
 def kept_place(
-    low: int, high: int, facts: IncrementFacts, *, highest: int, used: Sequence[range], two: bool
+    low: int,
+    high: int,
+    facts: IncrementFacts,
+    *,
+    highest: int,
+    used: Sequence[range],
+    two: bool,
+    endless: bool,
 ) -> Place | None:
     """Return the numbers that an axis has now where a table of nodes ``low`` to ``high`` (whole
     spacings from the reference) stands on exactly its sections; None where it does not, or where
@@ -86,8 +93,11 @@ def kept_place(
     reference, first, last = facts.reference_number, facts.first_number, facts.last_number
     if reference is None or first is None or last is None or first >= last:
         return None
-    # Round a turn the first section begins at the reference, whose own number may be left out.
-    round_turn = low == 0 and first in (reference, reference + 1)
+    # Round a turn the first section begins at the reference, whose own number may be left out on
+    # an endless axis; with ends, 3621 must not lie above 3620.
+    round_turn = low == 0 and (first == reference or (endless and first == reference + 1))
+    if first > reference and not round_turn:
+        return None
     if high != last - reference or not (round_turn or low == first - 1 - reference):
         return None
     place = Place(reference, first, last)
