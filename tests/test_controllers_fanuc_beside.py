@@ -468,6 +468,14 @@ class TestFamilies:
             control(self.OLDEST.replace("N05424A1P10.0\n", "") + "%\n", form="fanuc-15i")
         assert "36" not in str(caught.value)
 
+    def test_15i_at_rapid_traverse(self) -> None:
+        text = "%\nN01800P00010000\nN01851A1P4\nN01852A1P9\n%\n"
+        rapid: dict[str, Any] = {"form": "fanuc-15i", "options": {**UM, "motion": "rapid"}}
+        with pytest.raises(InputError, match="whether 1852 acts on axis 1"):
+            control(text, **rapid)
+        assert um(control(text.replace("P9", "P4"), **rapid), (0,), DOWN) == [-4]
+        assert um(control(text, form="fanuc-15i"), (0,), DOWN) == [-4]
+
     @pytest.mark.parametrize("line", ["N05426A1P50\n", "N05481A1P3\n", "N05441P2\n"])
     def test_15i_unknown_is_refused(self, line: str) -> None:
         text = self.OLDEST + points(self.AMOUNTS) + line + "%\n"

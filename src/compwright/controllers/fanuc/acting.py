@@ -76,6 +76,8 @@ def backlash(loader: AxisLoader, axis: int, options: Options) -> int:
     feed = whole(1851, axis)
     if not memory.given(1851, axis):
         memory.assumed.append(Assumption(f"backlash 1851 of {axis}", "0", "not in the files"))
+    if memory.series.own:
+        _rapid_unknown(loader, axis, feed or 0, options)
     if not memory.machine.bit(1800, 4, axis):
         return feed or 0
     rapid = whole(1852, axis)
@@ -160,6 +162,18 @@ def cycle(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) ->
         )
     )
     return Cycle(interval, options.pitch_sign * totals(increments, 0))
+
+
+def _rapid_unknown(loader: AxisLoader, axis: int, feed: int, options: Options) -> None:
+    """Which bit makes 1852 act is not known on a series with its own numbers."""
+    rapid = loader.memory.whole_if_sound(1852, axis)
+    if options.rapid and rapid is not None and rapid != feed:
+        loader.memory.faults.append(
+            loader.memory.setting(1852, axis).fault(
+                f"whether 1852 acts on axis {axis} at rapid traverse is not known",
+                expected=f"{feed}, as 1851, or a test at cutting feed",
+            )
+        )
 
 
 def _inclined(loader: AxisLoader, grid: Grid, options: Options, used: int) -> FloatArray:
