@@ -14,12 +14,8 @@ from compwright.formats.definition.schema import Definition
 from compwright.formats.definition.statements import Occurrence
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.axis_names import AxisNames
-from compwright.formats.text.container import unpacked
-from compwright.formats.text.entry_sheet import is_entry_sheet
-from compwright.formats.text.gathering import Gathered, gather
-from compwright.formats.text.texts import ReadText, text_reader
+from compwright.formats.text.texts import ReadText
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
-from compwright.records.correction import ControlFile
 
 _PLACE = re.compile(r"AX([0-9]{1,2})")
 
@@ -64,36 +60,6 @@ def axis_names(
         mine.setdefault(place, address)
     raise_all(UsageError, faults)
     return AxisNames(places, machine, mine, _PLACE)
-
-
-def gathered_files(
-    definition: Definition, files: Sequence[ControlFile], asked: Sequence[str] = ()
-) -> Gathered:
-    """Return what files say, by axis and measuring system; ``asked`` and errors as `axis_names`,
-    InputError too for files that cannot be read.
-    """
-    reader, faults = text_reader(definition), list[Fault]()
-    whole = unpacked(files, faults)
-    read = [reader.read(file, faults, number) for number, file in enumerate(whole)]
-    raise_all(InputError, faults)
-    texts = [text for text in read if text is not None]
-    return gather(definition, texts, axis_names(definition, texts, asked))
-
-
-def all_names(
-    definition: Definition, files: Sequence[ControlFile], addresses: Sequence[str]
-) -> set[str]:
-    """Return every name that ``files``, which were read before, give to the axes at ``addresses``,
-    those themselves among them.
-    """
-    reader, faults = text_reader(definition), list[Fault]()
-    texts = [
-        text
-        for file in unpacked(files, faults)
-        if not is_entry_sheet(file) and (text := reader.read(file, faults)) is not None
-    ]
-    names = axis_names(definition, texts, addresses)
-    return {name for address in addresses for name in names.forms(address)}
 
 
 def _machine(

@@ -83,11 +83,11 @@ def is_container(file: ControlFile) -> bool:
 
 
 def unpacked(files: Sequence[ControlFile], faults: list[Fault]) -> tuple[ControlFile, ...]:
-    """Return the files with the texts of every container in its place; one that cannot be opened
-    goes to ``faults``.
+    """Return the files with the texts of every container in its place, before all others, which
+    were loaded over it; one that cannot be opened goes to ``faults``.
     """
     result: list[ControlFile] = []
-    for file in files:
+    for file in sorted(files, key=is_container, reverse=True):
         if not is_container(file):
             result.append(file)
             continue
@@ -104,13 +104,14 @@ def unknown_container(content: bytes) -> str:
     return next((words for start, words in OTHERS.items() if content.startswith(start)), "")
 
 
-def programs_setting(file: ControlFile, words: Sequence[str]) -> list[str]:
+@lru_cache(maxsize=_KEPT)
+def programs_setting(file: ControlFile, words: tuple[str, ...]) -> tuple[str, ...]:
     """Return the programs in a container that set something whose name holds one of ``words``."""
     container = opened(file)[0] if words else None
     named = "|".join(map(re.escape, words))
     sets = re.compile(rf"^[^;\n]*(?:{named})[^;=\n]*=(?!=)".encode(), re.IGNORECASE | re.MULTILINE)
     programs = () if container is None else container.programs
-    return [program.name for program in programs if sets.search(program.content)]
+    return tuple(program.name for program in programs if sets.search(program.content))
 
 
 @lru_cache(maxsize=_KEPT)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from compwright.formats.families.axis_names import all_names
+from compwright.formats.families.control_texts import all_names
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import Fault
 from compwright.records.axis import Axis

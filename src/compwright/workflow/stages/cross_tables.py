@@ -9,7 +9,7 @@ from functools import cache
 import numpy as np
 
 from compwright.formats.families.between import Asked, in_place, together
-from compwright.formats.text.container import unpacked
+from compwright.formats.families.control_texts import texts_of
 from compwright.foundations.errors import CompwrightError, Fault, raise_all
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
@@ -61,7 +61,7 @@ def write_planned(
     """
     if not planned:
         return CrossOutcome(files=tables)
-    own = unpacked(as_found.files, [])  # opened before
+    own = texts_of(control.definition, as_found.files, [])  # read before
     base = in_place(own, tables, [axes[name].address for name in tabled])
 
     @cache  # the family reads what is compared here

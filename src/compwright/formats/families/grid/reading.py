@@ -14,6 +14,7 @@ from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_names import axis_names
+from compwright.formats.families.control_texts import texts_of
 from compwright.formats.families.family import Family
 from compwright.formats.families.gantry import find_partners, partner_of
 from compwright.formats.families.grid.axis_reading import AskedAxis, AxisReader, AxisReading
@@ -27,7 +28,6 @@ from compwright.formats.text.container import (
     is_container,
     programs_setting,
     unknown_container,
-    unpacked,
 )
 from compwright.formats.text.gathering import Found, Gathered, gather
 from compwright.formats.text.notes import Notes
@@ -208,7 +208,7 @@ class GridReader:
         self._refuse_unknown(files)
         texts = [
             self.reader.read(file, self.notes.faults, number)
-            for number, file in enumerate(unpacked(files, self.notes.faults))
+            for number, file in enumerate(texts_of(self.definition, files, self.notes.faults))
         ]
         raise_all(InputError, self.notes.faults)
         self._tell_programs(files)
@@ -242,9 +242,9 @@ class GridReader:
     def _tell_programs(self, files: Sequence[ControlFile]) -> None:
         """Name the programs in archives that load or switch tables: they were not run here."""
         kinds = self.definition.texts.values()
-        words = sorted({claim for kind in kinds for claim in kind.claims_anywhere})
+        words = tuple(sorted({claim for kind in kinds for claim in kind.claims_anywhere}))
         for file in files:
-            named = programs_setting(file, words) if is_container(file) else []
+            named = programs_setting(file, words) if is_container(file) else ()
             if named:
                 self.notes.find(
                     "CW-S070",

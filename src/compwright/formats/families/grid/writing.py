@@ -12,7 +12,7 @@ import numpy as np
 from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.schema import Choice, When, WrittenFile
 from compwright.formats.definition.statements import print_form
-from compwright.formats.families.axis_names import gathered_files
+from compwright.formats.families.control_texts import gathered_files, texts_of
 from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.families.grid.beside import MODULO_START
 from compwright.formats.families.grid.new_files import AxisText, NewFile
@@ -20,7 +20,6 @@ from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.tables import TableText, WrittenTable
 from compwright.formats.families.grid.turns import RANGE_QUANTITY, in_range_of
 from compwright.formats.families.limits import SAME_TURN
-from compwright.formats.text.container import unpacked
 from compwright.formats.text.gathering import Found, first_set
 from compwright.formats.text.own_files import OwnFiles, TablePlaces, rows_by_index
 from compwright.formats.text.scale import NotHeld, Scale
@@ -52,7 +51,7 @@ class GridWriter:
         self.definition = control.definition
         known = control.state.axes if control.state is not None else ()
         asked = list(dict.fromkeys((*known, *addresses)))
-        texts = unpacked(files, [])  # they were read before
+        texts = texts_of(self.definition, files, [])  # they were read before
         patched = bool(texts) and self.definition.limit("no_patching") is None
         self.own = (
             OwnFiles(self.definition, texts, gathered_files(self.definition, texts, asked))

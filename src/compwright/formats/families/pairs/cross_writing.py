@@ -8,7 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from compwright.formats.families.axis_names import gathered_files
+from compwright.formats.families.control_texts import gathered_files
 from compwright.formats.families.family import Family
 from compwright.formats.families.pairs.options import available, too_few, unit_unknown
 from compwright.formats.families.pairs.writing import CecWriter, Entry

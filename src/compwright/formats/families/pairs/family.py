@@ -12,6 +12,7 @@ import numpy as np
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import CURVES
+from compwright.formats.families.control_texts import texts_of
 from compwright.formats.families.delivery import Delivery
 from compwright.formats.families.family import AxisTable
 from compwright.formats.families.grid.family import GridFamily
@@ -22,7 +23,7 @@ from compwright.formats.families.pairs.small_files import SmallFiles
 from compwright.formats.families.pairs.state import PairsReader
 from compwright.formats.families.pairs.state_writing import PairsWriter
 from compwright.formats.families.pairs.view import with_sign_unknown
-from compwright.formats.text.container import is_container, unpacked
+from compwright.formats.text.container import is_container
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
@@ -82,7 +83,7 @@ class PairsFamily(GridFamily):
         """See `Family.delivered`: small files, or the control's own ones as patched."""
         self._check_form(own)
         faults: list[Fault] = []
-        texts = unpacked(own, faults)
+        texts = texts_of(self.definition, own, faults)
         raise_all(InputError, faults)
         if not (files and texts) or "files" not in self.options:
             return Delivery(tuple(files))

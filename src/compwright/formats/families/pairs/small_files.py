@@ -12,10 +12,18 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from compwright.formats.definition.schema import Definition, When
+from compwright.formats.definition.schema import When
 from compwright.formats.definition.statements import Occurrence, print_form
 from compwright.formats.families.axis_names import axis_names
 from compwright.formats.families.between import together
+from compwright.formats.families.entry_keys import (
+    NAMES,
+    Key,
+    entry_key,
+    quantities_of,
+    value_of,
+    which_fields,
+)
 from compwright.formats.families.family import Family
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.axis_names import AxisNames
@@ -31,12 +39,8 @@ BACK = "BACK_"
 #: wakes other tables too, and what clears the memory.
 _OWN_TABLE = ("value", "table_start", "table_end", "table_spacing", "repeats")
 _HANDS = ("cross_axis_enabled", "max_points", "cross_max_points")
-_NAMES = ("machine_axis", "channel_axis", "channel_machine_axis")
 _BETWEEN = ("cross_input", "cross_output")
 _CHANNEL = re.compile(rb"^[ \t]*CHANDATA\([0-9]+\)", re.MULTILINE | re.IGNORECASE)
-
-#: Statement, axis, and the other fields that say which entry it is.
-Key = tuple[str, str, tuple[str, ...]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,26 +111,11 @@ class SmallFiles:
         entries: dict[Key, Occurrence] = {}
         for text in texts:
             for occurrence in text.occurrences:
-                entries[self._key(occurrence, names)] = occurrence
+                entries[entry_key(self.definition, occurrence, names)] = occurrence
         return _Side(entries, names)
 
-    def _key(self, occurrence: Occurrence, names: AxisNames) -> Key:
-        tokens = occurrence.tokens
-        axis = tokens.get("axis")
-        address = "" if axis is None else names.address(normal_text(self.definition, axis.text))
-        which = (tokens[name].text for name in _fields(self.definition, occurrence.statement))
-        return (
-            occurrence.statement,
-            address,
-            tuple(str(int(text)) if text.isdigit() else text.upper() for text in which),
-        )
-
-    def _quantities(self, statement: str) -> list[str]:
-        bindings = self.definition.bindings.items()
-        return [name for name, binding in bindings if binding.statement == statement]
-
     def _is(self, key: Key, quantities: Iterable[str]) -> bool:
-        return any(name in quantities for name in self._quantities(key[0]))
+        return any(name in quantities for name in quantities_of(self.definition, key[0]))
 
     def _has(self, key: Key, field: str) -> bool:
         return field in self.definition.statements[key[0]].fields
@@ -135,15 +124,15 @@ class SmallFiles:
         return self._part(key, "system")
 
     def _table(self, key: Key) -> str | None:
-        return None if self._is(key, _NAMES) else self._part(key, "table")
+        return None if self._is(key, NAMES) else self._part(key, "table")
 
     def _part(self, key: Key, field: str) -> str | None:
-        fields = _fields(self.definition, key[0])
+        fields = which_fields(self.definition, key[0])
         return key[2][fields.index(field)] if field in fields else None
 
     def _changed(self, key: Key) -> bool:
         old, new = self.old.entries.get(key), self.new.entries[key]
-        return old is None or not same_value(_value(old), _value(new))
+        return old is None or not same_value(value_of(old), value_of(new))
 
     # -- which entry goes where
 
@@ -231,7 +220,7 @@ class SmallFiles:
         """Yield the line that says the unit, where the control's own files have one."""
         for key, occurrence in self.old.entries.items():
             if self._is(key, ("unit_word",)):
-                yield _value(occurrence)
+                yield value_of(occurrence)
                 return
 
     def _tables(self) -> dict[str, list[Key]]:
@@ -260,7 +249,7 @@ class SmallFiles:
     def _moves(self, keys: Sequence[Key]) -> bool:
         """Whether a table holds a value that is not zero."""
         values = [key for key in keys if self._is(key, ("cross_value",))]
-        return any(not same_value(_value(self.new.entries[key]), "0") for key in values)
+        return any(not same_value(value_of(self.new.entries[key]), "0") for key in values)
 
     def _is_written(self, keys: Sequence[Key]) -> bool:
         return any(self._changed(key) for key in keys if not self._is(key, _HANDS))
@@ -285,13 +274,13 @@ class SmallFiles:
             self._is(key, ("enabled",))
             and key[1] == address
             and self._system(key) == system
-            and not same_value(_value(occurrence), "0")
+            and not same_value(value_of(occurrence), "0")
             for key, occurrence in self.new.entries.items()
         )
 
     def _global(self, key: Key) -> bool:
         """Whether an entry speaks of the whole machine."""
-        known = not self._is(key, ("unit_word",)) and bool(self._quantities(key[0]))
+        known = not self._is(key, ("unit_word",)) and bool(quantities_of(self.definition, key[0]))
         return known and not (self._has(key, "axis") or self._has(key, "table"))
 
     def _naming(self, address: str, pairs: Iterable[tuple[str, str]]) -> Iterator[Key]:
@@ -302,7 +291,7 @@ class SmallFiles:
         for key, occurrence in self.new.entries.items():
             if not self._is(key, ("machine_axis", "channel_axis")):
                 continue
-            text = normal_text(self.definition, _value(occurrence))
+            text = normal_text(self.definition, value_of(occurrence))
             if self._is(key, ("machine_axis",)) and names.address(text) in involved:
                 yield key
             if self._is(key, ("channel_axis",)) and text == address:
@@ -346,7 +335,7 @@ class SmallFiles:
 
     def _line(self, key: Key, text: str) -> str:
         statement = self.definition.statements[key[0]]
-        named = dict(zip(_fields(self.definition, key[0]), key[2], strict=True))
+        named = dict(zip(which_fields(self.definition, key[0]), key[2], strict=True))
         if key[1]:
             named["axis"] = self.new.names.written(key[1])
         field = next(name for name in statement.fields if name not in named)
@@ -357,7 +346,7 @@ class SmallFiles:
 
     def _text(self, key: Key, occurrence: Occurrence) -> str:
         """Return a value; an axis under work under the name that the other lines give it."""
-        text = _value(occurrence)
+        text = value_of(occurrence)
         if not self._is(key, _BETWEEN):
             return text
         address = self.new.names.address(normal_text(self.definition, text))
@@ -390,15 +379,3 @@ def ordered(keys: Sequence[Key]) -> list[Key]:
         return tuple(int(text) for text in key[2] if text.isdigit())
 
     return [key for group in rows.values() for key in sorted(group, key=place)]
-
-
-def _fields(definition: Definition, statement: str) -> list[str]:
-    """Return the fields that say which entry a statement is, apart from the axis."""
-    which = ("system", "table", "set", "index", "key")
-    return [name for name in definition.statements[statement].fields if name in which]
-
-
-def _value(occurrence: Occurrence) -> str:
-    """Return the value of an entry."""
-    which = ("axis", "system", "table", "set", "index", "key")
-    return next(token.text for name, token in occurrence.tokens.items() if name not in which)

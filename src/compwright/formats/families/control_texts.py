@@ -1,0 +1,142 @@
+"""The texts of a control's files: containers opened, files beside them laid over what they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from functools import lru_cache
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.definition.statements import Occurrence
+from compwright.formats.families.axis_names import axis_names
+from compwright.formats.families.entry_keys import NAMES, Key, entry_key, quantities_of
+from compwright.formats.text.axis_names import AxisNames
+from compwright.formats.text.container import is_container, unpacked
+from compwright.formats.text.entry_sheet import is_entry_sheet
+from compwright.formats.text.gathering import Gathered, gather
+from compwright.formats.text.patching import Change, apply_changes
+from compwright.formats.text.texts import ReadText, text_reader
+from compwright.foundations.errors import Fault, InputError, raise_all
+from compwright.records.correction import ControlFile
+
+#: The quantity of a table's values, and that which says where it ends.
+_ROWS = {"value": "table_end", "cross_value": "cross_end"}
+#: What was laid over containers is kept by content, of as many sets as a job has states.
+_KEPT = 16
+
+
+def gathered_files(
+    definition: Definition, files: Sequence[ControlFile], asked: Sequence[str] = ()
+) -> Gathered:
+    """Return what files say, by axis and measuring system; ``asked`` and errors as `axis_names`,
+    InputError too for files that cannot be read.
+    """
+    reader, faults = text_reader(definition), list[Fault]()
+    whole = texts_of(definition, files, faults)
+    read = [reader.read(file, faults, number) for number, file in enumerate(whole)]
+    raise_all(InputError, faults)
+    texts = [text for text in read if text is not None]
+    return gather(definition, texts, axis_names(definition, texts, asked))
+
+
+def all_names(
+    definition: Definition, files: Sequence[ControlFile], addresses: Sequence[str]
+) -> set[str]:
+    """Return every name that ``files``, which were read before, give to the axes at ``addresses``,
+    those themselves among them.
+    """
+    reader, faults = text_reader(definition), list[Fault]()
+    texts = [
+        text
+        for file in texts_of(definition, files, faults)
+        if not is_entry_sheet(file) and (text := reader.read(file, faults)) is not None
+    ]
+    names = axis_names(definition, texts, addresses)
+    return {name for address in addresses for name in names.forms(address)}
+
+
+def texts_of(
+    definition: Definition, files: Sequence[ControlFile], faults: list[Fault]
+) -> tuple[ControlFile, ...]:
+    """Return the texts of a control's files, containers opened.
+
+    Files that lie beside a container were loaded over it, whatever their order: an entry of which
+    they speak is blank in its texts, and so are values behind the end of a table that they hold.
+    What is wrong with a container goes to ``faults``.
+    """
+    found, wrong = _texts_of(definition, tuple(files))
+    faults.extend(wrong)
+    return found
+
+
+@lru_cache(maxsize=_KEPT)
+def _texts_of(
+    definition: Definition, files: tuple[ControlFile, ...]
+) -> tuple[tuple[ControlFile, ...], tuple[Fault, ...]]:
+    faults: list[Fault] = []
+    packed = unpacked([file for file in files if is_container(file)], faults)
+    beside = tuple(file for file in files if not is_container(file))
+    if not (packed and beside):
+        return (*packed, *beside), tuple(faults)
+    reader = text_reader(definition)
+    texts = [reader.read(file, []) for file in (*packed, *beside)]
+    read = [text for text in texts if text is not None]
+    if len(read) < len(texts):  # what cannot be read is told where it is read
+        return (*packed, *beside), tuple(faults)
+    names = axis_names(definition, read)
+    over = _Over(definition, names, read[len(packed) :])
+    blank = [over.blanked(file, text) for file, text in zip(packed, read, strict=False)]
+    return (*blank, *beside), tuple(faults)
+
+
+class _Over:
+    """What files beside a container say in place of it."""
+
+    def __init__(self, definition: Definition, names: AxisNames, texts: Iterable[ReadText]) -> None:
+        self.definition = definition
+        self.names = names
+        said = [one for text in texts for one in text.occurrences]
+        self.keys = {self._key(one) for one in said if self._counts(one)}
+        self.ended = {self._table(one) for one in said if self._holds(one, _ROWS.values())}
+
+    def blanked(self, file: ControlFile, text: ReadText) -> ControlFile:
+        """Return a text of the container with blanks in place of the lines that do not count."""
+        spans = [
+            (min(token.start for token in tokens), max(token.end for token in tokens))
+            for one in text.occurrences
+            if self._superseded(one)
+            for tokens in [list(one.tokens.values())]
+        ]
+        lines = [
+            (file.content.rfind(b"\n", 0, start) + 1, _end(file.content, end))
+            for start, end in spans
+        ]
+        changes = [Change(start, end, b" " * (end - start)) for start, end in lines]
+        return ControlFile(file.name, apply_changes(file.content, changes))
+
+    def _superseded(self, one: Occurrence) -> bool:
+        if not self._counts(one):
+            return False
+        row = self._holds(one, _ROWS)
+        return self._key(one) in self.keys or (row and self._table(one) in self.ended)
+
+    def _counts(self, one: Occurrence) -> bool:
+        """Whether a line is of one axis or table, and no name of an axis."""
+        of_one = "axis" in one.tokens or "table" in one.tokens
+        return of_one and not self._holds(one, NAMES)
+
+    def _holds(self, one: Occurrence, quantities: Iterable[str]) -> bool:
+        return not set(quantities).isdisjoint(quantities_of(self.definition, one.statement))
+
+    def _key(self, one: Occurrence) -> Key:
+        return entry_key(self.definition, one, self.names)
+
+    def _table(self, one: Occurrence) -> tuple[str, str, str]:
+        """Return the table of which a line speaks."""
+        of = [one.tokens[name].text if name in one.tokens else "" for name in ("system", "table")]
+        return self._key(one)[1], of[0].lstrip("0"), of[1].lstrip("0")
+
+
+def _end(content: bytes, place: int) -> int:
+    """Return where the line around a byte ends."""
+    found = content.find(b"\n", place)
+    return len(content) if found < 0 else found
