@@ -10,14 +10,45 @@ import re
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from compwright.cli import run as compwright
-from test_fanuc_backup_honoured import Bench, Edits
+from test_fanuc_backup_honoured import SMALL, UNIT, Bench, Edits, added, error, said
 
 SEPARATE: Edits = {(981, "1"): "1", (1800, "L1"): "00011000", (1800, "L2"): "00001000"}
 ALIKE: Edits = {(981, "1"): "1", (1800, "L1"): "00001000", (1800, "L2"): "00011000"}
 RAPID = {"X": "before: {files: X.csv, motion: rapid}"}
+
+
+def left(bench: Bench, *, rapid: bool) -> float:
+    """Range over travel and directions, mm, with the written files loaded."""
+    parameters, points = bench.written()
+    x = np.linspace(-1000.0, 0.0, 301)
+    return float(
+        np.ptp([error(1, x, s) + added(parameters, points, 1, x, s, rapid=rapid) for s in (1, -1)])
+    )
+
+
+@pytest.mark.parametrize("mode", ["single", "bidirectional"])
+def test_a_test_at_rapid_traverse_is_taken_with_1852(mode: str, tmp_path: Path) -> None:
+    """1851 = 40, 1852 = 10 detection units of 0.1 µm: 3 µm apart. Right at the motion of the test,
+    and at feed exactly the difference that the control had already.
+    """
+    bench = Bench(tmp_path, SEPARATE, rapid=True)
+    assert bench.run("X", axes={"X": f"{RAPID['X']}, table: {{mode: {mode}}}"}) == 0
+    parameters, _ = bench.written()
+    feed, rapid = (int(said(parameters, number, 1)) for number in (1851, 1852))
+    assert feed - rapid == 40 - 10
+    if mode == "bidirectional":
+        assert rapid == 0  # the reversal at the motion of the test is in the two tables
+    else:
+        # what acts alone takes the 4 µm of lost motion away (3 runs of 0.3 µm)
+        assert rapid * UNIT == pytest.approx(0.004, abs=0.0006)
+        assert left(bench, rapid=True) < SMALL
+    card = (tmp_path / "job" / "card" / "card.md").read_text()
+    assert f"1851 = {feed}" in card
+    assert f"1852 = {rapid} (at rapid traverse; 1851 acts at cutting feed" in card
 
 
 def test_where_1852_does_not_act_the_motion_makes_no_difference(tmp_path: Path) -> None:

@@ -40,6 +40,31 @@ class PairFacts:
     untold: str = ""
 
 
+@dataclass(frozen=True, slots=True)
+class PointNumber:
+    """A number of an axis' sections to which another function points: ``size`` bytes of a file from
+    ``start`` on. ``label`` names it with its value; ``parameter`` is its name where it belongs to
+    the axis alone, else empty.
+    """
+
+    number: int
+    parameter: str
+    label: str
+    file: str
+    start: int
+    size: int
+
+
+@dataclass(frozen=True, slots=True)
+class Hung:
+    """What acts beside a table and hangs on the numbers of its sections; ``points``: which, None
+    where that is not known.
+    """
+
+    label: str
+    points: tuple[PointNumber, ...] | None
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IncrementFacts:
     """What whole steps by section mean for one axis; None: no file says it.
@@ -49,7 +74,9 @@ class IncrementFacts:
     ``two_sets``. ``negative_offset``, ``backlash``, ``backlash_rapid``: detection units.
     ``separate_rapid``: rapid traverse has a backlash of its own. ``inch``: the machine counts in
     inches. ``rapid_feed``: mm/min or deg/min. ``unread``: numbers of which no file says what they
-    hold. ``interval``: the width of its sections, mm or deg.
+    hold. ``interval``: the width of its sections, mm or deg. ``hung``: what acts beside the table
+    by its numbers and is left alone. ``first_stage``: the part of the backlash that comes out at
+    once where the rest follows on the way, detection units.
     """
 
     reference_number: int | None = None
@@ -66,6 +93,8 @@ class IncrementFacts:
     rapid_feed: float | None = None
     unread: frozenset[int] = frozenset()
     interval: float | None = None
+    hung: tuple[Hung, ...] = ()
+    first_stage: int = 0
 
     @property
     def claimed(self) -> tuple[range, ...]:

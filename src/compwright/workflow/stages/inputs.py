@@ -160,18 +160,22 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
     faults = []
     for name, entry in job.axes.items():
         said = {
-            state: decoded.state.facts_of(entry.axis.address)
-            for state, decoded in states.items()
-            if decoded.files
+            state: decoded.state.facts_of(entry.axis.address) for state, decoded in states.items()
         }
-        for quantity, what in (
-            ("beside", "what acts beside its table"),
-            ("encoder_system", "its measuring system"),
+        # In a control without files (the word none) nothing acts; it has a measuring system.
+        filled = {state for state, decoded in states.items() if decoded.files}
+        concerned = {AS_FOUND, *(request.measured_in for request in entry.before)} | filled
+        for quantity, what, asked in (
+            ("beside", "what acts beside its table", concerned),
+            ("encoder_system", "its measuring system", filled),
         ):
             found = {
-                state: str(getattr(facts, quantity) or "nothing") for state, facts in said.items()
+                state: str(getattr(facts, quantity) or "nothing")
+                for state, facts in said.items()
+                if state in asked
             }
             if len(set(found.values())) > 1:
+                found = _differing(found)
                 faults.append(
                     Fault(
                         message=f"axis {name}: {what} differs between the states",
@@ -182,6 +186,16 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
                     )
                 )
     return faults
+
+
+def _differing(found: Mapping[str, str]) -> dict[str, str]:
+    """Return of each text what does not stand in all of them, parts being set off by ``, ``."""
+    parts = {name: words.replace("; ", ", ").split(", ") for name, words in found.items()}
+    alike = set.intersection(*map(set, parts.values()))
+    return {
+        name: ", ".join(part for part in each if part not in alike) or "nothing"
+        for name, each in parts.items()
+    }
 
 
 def _other_tables_between(

@@ -1,7 +1,8 @@
-"""What else acts on an axis of a FANUC, or points to the numbers that its table uses.
+"""What refuses an axis of a FANUC by its parameters, what points to the numbers that its table
+uses, and what has to be said.
 
-Whatever acts and is not counted refuses the axis with the parameter by name; what acts on other
-axes only keeps its point numbers. Sources: `parameters` and docs/controllers/fanuc.md.
+What acts beside the table and stays is in `beside`; what acts on other axes only keeps its point
+numbers. Sources: `parameters` and docs/controllers/fanuc.md.
 """
 
 from __future__ import annotations
@@ -9,43 +10,20 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.beside import functions
 from compwright.formats.families.increments.parameters import AxisParameters, Parameters, Value
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind
 
-_CYCLIC = range(known.CYCLIC_FIRST, known.CYCLIC_INTERVAL + 1)
-#: What acts by the axis' own value; all other numbers of this page are straightness.
-_WORDS = (
-    ((known.TOTALS,), "the pitch data may be totals instead of increments"),
-    (known.INCLINATION_AMOUNTS, "inclination compensation acts beside the pitch data"),
-    (_CYCLIC, "the second (cyclic) pitch error compensation acts beside the pitch data"),
-    (known.SPATIAL, "three-dimensional error compensation acts on the axis"),
-    (known.SMOOTH_BACKLASH, "smooth backlash compensation divides 1851 into stages"),
-)
-_STRAIGHTNESS = "straightness compensation acts between this axis and another"
-
 
 def refusals(own: AxisParameters) -> Iterator[Fault]:
-    """Yield what acts on the axis beside its table and backlash and is not counted: each by its
-    parameter, one of a kind.
-    """
-    first: dict[str, Value] = {}
-    for value in _acting(own):
-        words = next((words for each, words in _WORDS if value.number in each), _STRAIGHTNESS)
-        first[words] = first.pop(words, value)
-    for words, value in first.items():
-        yield value.fault(
-            f"{own.label}: {words}", "0: this acts on the axis and is not counted here"
+    """Yield what makes the meaning of the axis' own data uncertain."""
+    totals = own.get(known.TOTALS)
+    if totals is not None and totals.acts:
+        yield totals.fault(
+            f"{own.label}: the pitch data may be totals instead of increments",
+            "0: what a number then means is not known",
         )
-
-
-def _acting(own: AxisParameters) -> list[Value]:
-    numbers = (known.TOTALS, *known.INCLINATION_AMOUNTS, *known.SMOOTH_BACKLASH, *_CYCLIC)
-    pairs = (*known.STRAIGHTNESS_MOVING, *known.STRAIGHTNESS_BENT, *known.SPATIAL)
-    values = [value for number in numbers if (value := own.get(number)) is not None]
-    values += [value for value in own.all.of(pairs) if own.named_by(value)]
-    # Which axes the further pairs mean is not known: they may mean this one.
-    return [value for value in (*values, *own.all.of(known.STRAIGHTNESS_MORE)) if value.acts]
 
 
 def _cyclic(parameters: Parameters) -> list[tuple[Value, range]]:
@@ -71,20 +49,20 @@ def pointed_numbers(parameters: Parameters) -> frozenset[int]:
 
 
 def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
-    """Yield a fault for what uses the axis' own numbers beside it: straightness, another axis'
-    inclination or cyclic table.
+    """Yield a fault for what uses the axis' own numbers although it is not the axis' own: points of
+    straightness that another axis moves, another axis' inclination, a cyclic table.
     """
+    mine = {
+        (point.file, point.start) for function in functions(own) for point in function.points or ()
+    }
     straight = any(value.acts for value in own.all.of(known.STRAIGHTNESS_MOVING))
     points = own.all.of(known.STRAIGHTNESS_POINTS) if straight else []
     points += [
         value for value in own.all.of(known.INCLINATION_POINTS) if str(value.index) != own.address
     ]
+    points = [value for value in points if (value.file, value.start) not in mine]
     users = [value for value in points if value.acts and value.whole in numbers]
-    users += [
-        first
-        for first, span in _cyclic(own.all)
-        if first.acts and str(first.index) != own.address and not set(numbers).isdisjoint(span)
-    ]
+    users += [first for first, span in _cyclic(own.all) if not set(numbers).isdisjoint(span)]
     for value in users[:1]:
         yield value.fault(
             f"{own.label}: another function uses its point numbers {numbers.start} to"

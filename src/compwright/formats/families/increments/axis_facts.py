@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from decimal import Decimal
 
 from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import INCH, AxisValues
+from compwright.formats.families.increments.beside import hung, left_alone
 from compwright.formats.families.increments.detection_unit import detection_unit
+from compwright.formats.families.increments.parameters import AxisParameters
 from compwright.formats.families.increments.sections import idle_nodes
+from compwright.formats.families.increments.smooth import first_stage
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind
 from compwright.records.facts import AxisFacts, IncrementFacts
+
+#: Numbers, magnification and interval of a grid.
+_GRID = (3620, 3621, 3622, 3623, 3624)
 
 
 def facts_of(values: AxisValues) -> AxisFacts:
@@ -46,6 +53,19 @@ def facts_of(values: AxisValues) -> AxisFacts:
         increments=replace(increments, two_sets=bool(two_sets)),
         said={} if unit is None else {DETECTION_UNIT: unit.size},
     )
+
+
+def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]) -> AxisFacts:
+    """Return the facts with what acts beside the table and is left alone."""
+    said = replace(facts.increments, hung=hung(own, options), first_stage=first_stage(own))
+    words = [function.told for function in left_alone(own, options) if function.moves]
+    if words:  # what it does hangs on the grid
+        grid = (
+            *(said.reference_number, said.first_number, said.last_number),
+            *(said.magnification, said.interval),
+        )
+        words += [f"{number} = {value}" for number, value in zip(_GRID, grid, strict=True)]
+    return replace(facts, beside="; ".join(words), increments=said)
 
 
 def _increments(values: AxisValues) -> IncrementFacts:

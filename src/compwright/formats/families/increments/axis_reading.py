@@ -19,9 +19,11 @@ from compwright.formats.families.increments.against_job import (
 )
 from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.formats.families.increments.backlash import acting_backlash
-from compwright.formats.families.increments.detection_unit import two_systems
+from compwright.formats.families.increments.beside import left_alone, stays
+from compwright.formats.families.increments.detection_unit import detection_unit, two_systems
 from compwright.formats.families.increments.points import POINTS_FROM
 from compwright.formats.families.increments.sections import Sections, read_sections, repeats
+from compwright.formats.families.increments.smooth import smooth_backlash
 from compwright.formats.text.gathering import Found
 from compwright.formats.text.scale import Scale
 from compwright.records.axis import AxisKind, Direction, FloatArray
@@ -81,6 +83,15 @@ class IncrementReader:
             notes.faults.extend(acting.unclear_path(own, kind))
         for remark in acting.remarks(own):
             notes.find("CW-S040", "warning", remark)
+        for function in left_alone(own, self.options):
+            notes.find("CW-S046", "warning", f"{values.label}: {stays(function)}")
+        near = smooth_backlash(own)
+        if near is not None:
+            unit = detection_unit(own, kind)
+            size = float(self._unit(kind)) if unit is None else unit.size
+            faults, remark = near.judged(values.label, kind, size)
+            notes.faults.extend(faults)
+            notes.find("CW-S047", "warning", remark)
         systems = two_systems(own)
         if systems:
             told = f"{values.label}: {systems}; check the detection unit"

@@ -6,6 +6,7 @@ Source: FANUC B-64120EN/01 page 116, 21i B-63090EN/02 page 97.
 
 from __future__ import annotations
 
+from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.records.axis import Axis
 from compwright.records.facts import IncrementFacts
@@ -19,11 +20,11 @@ def acting_backlash(values: AxisValues, feed: int) -> int:
     """
     rapid, separate = values.integer("backlash_rapid"), values.separate_rapid()
     at_rapid = values.axis is not None and values.axis.motion == "rapid"
-    if at_rapid and separate and rapid is None:
-        message = (
-            "its test was taken at rapid traverse (motion: rapid), where 1852 acts (1800#4 = 1)"
-        )
-        values.wrong("separate_rapid", message, "the line of 1852 among the files")
+    bits = values.own.get(known.BACKLASH_BITS)
+    if at_rapid and separate and rapid is None and bits is not None:
+        message = "its test was taken at rapid traverse (motion: rapid), where 1852 acts (1800#4)"
+        expected = "the line of 1852 among the files"
+        values.notes.once(bits.fault(f"{values.label}: {message}", expected))
     if separate is False or rapid is None or rapid == feed:
         return feed
     if at_rapid and separate is None:

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.axis_reading import increment_limit
-from compwright.formats.families.increments.entries import OFFSETS, first_point, length_step
+from compwright.formats.families.increments.entries import (
+    OFFSETS,
+    first_point,
+    length_step,
+    magnifications,
+)
 from compwright.formats.families.increments.numbering import longest_gap, used_numbers
 from compwright.foundations.errors import Fault, UsageError
 from compwright.records.axis import Axis
@@ -38,7 +43,6 @@ class AxisLimits:
         definition, axis, scale = self.definition, self.axis, self.scale
         limit, gap = increment_limit(self.options), self._free_numbers()
         least, reason = self._least_spacing()
-        most = definition.limit_number("max_magnification") or 1
         bound = 10.0 if axis.kind.unit == "mm" else 1.0
         return Capacity(
             format=definition.id,
@@ -57,7 +61,7 @@ class AxisLimits:
             lattice=Lattice(
                 unit=scale.quantum("value"),
                 increments=(-limit, limit),
-                magnifications=tuple(range(1, most + 1)),
+                magnifications=magnifications(definition, self.facts),
                 offset_range=OFFSETS,
                 offset_magnified=self.options.get("offset_magnified") == "yes",
             ),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from compwright.formats.families.card_words import REFERENCING, UNKNOWN
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.backlash import backlash_words
@@ -22,7 +24,9 @@ def increment_values(
         "unit": axis.kind.unit,
         "detection_unit": f"{scale.quantum('value'):g} {axis.kind.unit}",
         "backlash": _feed_backlash(scale.write("backlash", compensation.backlash), facts),
-        "further": _further(axis, facts.increments),
+        "further": "; ".join(
+            filter(None, (_further(axis, facts.increments), *_beside(family, axis, facts)))
+        ),
         "other_sign": "'+'" if scale.options.get("pitch_sign") == "-" else "'-'",
     }
     if facts.absolute_encoder:  # by 1815#5, whatever the job takes it for
@@ -37,6 +41,19 @@ def _feed_backlash(count: str, facts: AxisFacts) -> str:
     """Return 1851: what the files hold; ``count``, that of the table, where they say nothing."""
     held = facts.increments.backlash
     return count if held is None else str(held)
+
+
+def _beside(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
+    """Yield what is said of functions beside the table; ``facts``: what the written files say."""
+    before = family.facts_of(family.address(axis)[0]).increments.hung
+    old = {point.number for each in before for point in each.points or ()}
+    new = [point for each in facts.increments.hung for point in each.points or ()]
+    if {point.number for point in new} != old:
+        told = ", ".join(point.label for point in new)
+        yield f"set too, because the grid moves and these positions stay: {told}"
+    if facts.beside:
+        told = "; ".join(each for each in facts.beside.split("; ") if "parameter" in each)
+        yield f"leave as it is what acts beside the table: {told}"
 
 
 def _further(axis: Axis, facts: IncrementFacts) -> str:

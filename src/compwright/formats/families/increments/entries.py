@@ -10,10 +10,12 @@ from decimal import Decimal
 
 import numpy as np
 
+from compwright.formats.definition.schema import Definition
 from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.families.increments.axis_reading import increment_limit
 from compwright.formats.families.increments.axis_values import INCH
 from compwright.formats.families.increments.backlash import both_backlashes
+from compwright.formats.families.increments.moving import moved_numbers
 from compwright.formats.families.increments.numbering import (
     NoRoom,
     Place,
@@ -21,11 +23,12 @@ from compwright.formats.families.increments.numbering import (
     kept_place,
     used_numbers,
 )
+from compwright.formats.families.increments.smooth import covers
 from compwright.formats.text.scale import NotHeld, Scale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation
-from compwright.records.facts import IncrementFacts
+from compwright.records.facts import IncrementFacts, PointNumber
 
 #: How far a node may be from its place on the grid, in spacings: arithmetic dust, not a wrong grid.
 _ON_GRID = 1e-6
@@ -41,7 +44,8 @@ class Entries:
     ``cleared``: numbers that the axis no longer uses. ``interval``: that of the points, mm or deg.
     ``switches``: whether 3605#0 has to change for it, as far as the control's files say. ``inch``:
     what they say of its unit (1001#0). ``kept``: interval, reference and numbers are those that the
-    control has now, so that what hangs on them stays as it is; False: they move.
+    control has now, so that what hangs on them stays as it is; False: they move. ``moved``: numbers
+    by which other functions hang on the grid, and what they have to be under the new one.
     """
 
     address: str
@@ -54,6 +58,7 @@ class Entries:
     switches: bool
     inch: bool | None
     kept: bool
+    moved: tuple[tuple[PointNumber, int], ...]
 
 
 def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, ...]:
@@ -156,6 +161,7 @@ class _Axis:
             shift = numbers.start - place.first
             each = self._points(counts, steps, place, magnification)
             points |= {number + shift: value for number, value in each.items()}
+        moved = moved_numbers(self.axis, self.facts, place, interval, magnification)
         parameters = self._parameters(place, magnification, interval)
         if self.axis.modulo is not None and kept is None:
             parameters["turn"] = self._length(float(self.axis.modulo))
@@ -173,6 +179,7 @@ class _Axis:
             switches=two or self.facts.two_sets,
             inch=self.facts.inch,
             kept=kept is not None,
+            moved=moved,
         )
 
     def _parameters(
@@ -188,10 +195,18 @@ class _Axis:
         }
         count = int(self.scale.write("backlash", self.compensation.backlash))
         for name, value in both_backlashes(self.axis, self.facts, count).items():
-            parameters[name] = self._backlash(value)
+            old = self.facts.backlash if name == "backlash" else self.facts.backlash_rapid
+            parameters[name] = self._backlash(value, old)
         return parameters
 
-    def _backlash(self, count: int) -> str:
+    def _backlash(self, count: int, old: int | None) -> str:
+        stage = self.facts.first_stage
+        if covers(old, stage) and not covers(count, stage):
+            raise NotHeld(
+                f"1848 = {stage} is the part of the backlash that comes out at once (smooth"
+                f" backlash); a new backlash of {count} instead of {old} does not hold it: set 1848"
+                " to 0 and measure again"
+            )
         low, high = self.definition.measure("backlash").range
         if not low <= count <= high:
             raise NotHeld(
@@ -262,10 +277,10 @@ class _Axis:
         """
         steps = np.concatenate(differences).astype(np.int64)
         limit = increment_limit(self.options)
-        most = self.definition.limit_number("max_magnification") or 1
+        candidates = magnifications(self.definition, self.facts)
         divisor = int(np.gcd.reduce(np.abs(steps))) or 1
         largest = int(np.max(np.abs(steps), initial=0))
-        for candidate in range(1, most + 1):
+        for candidate in candidates:
             if divisor % candidate == 0 and largest <= limit * candidate:
                 return candidate
         raise NotHeld(
@@ -352,6 +367,15 @@ class _Axis:
         if not low <= value <= high:
             raise NotHeld(f"{value:.9g} {unit} is outside {low:g} .. {high:g} {unit}")
         return count
+
+
+def magnifications(definition: Definition, facts: IncrementFacts) -> tuple[int, ...]:
+    """Return the magnifications that may be chosen, ascending: only the one that is there where
+    something else hangs on the table, because whether it counts for that is not known.
+    """
+    if facts.hung and facts.magnification:
+        return (facts.magnification,)
+    return tuple(range(1, (definition.limit_number("max_magnification") or 1) + 1))
 
 
 def length_step(scale: Scale, facts: IncrementFacts) -> Decimal:

@@ -23,10 +23,12 @@ PATH_OF_AXIS = 981
 INCH, SYSTEM_OF_MACHINE, KIND, SYSTEM, NAME = 1001, 1004, 1006, 1013, 1020
 TURN, RAPID = 1260, 1420
 BACKLASH_BITS, BACKLASH_RAPID, MULTIPLIER = 1800, 1852, 1820
-SMOOTH_BACKLASH = range(1846, 1850)
+SMOOTH_BACKLASH, SMOOTH_FIRST = range(1846, 1850), 1848
 TOTALS, PITCH_BITS = 3602, 3605
 STRAIGHTNESS_MOVING, STRAIGHTNESS_BENT = range(5711, 5721), range(5721, 5731)
 STRAIGHTNESS_POINTS, STRAIGHTNESS_AMOUNTS = range(5731, 5761), range(5761, 5800)
+#: Pairs of axes of which the points are known: four numbers each from 5731, 5741 and 5751 on.
+STRAIGHTNESS_PAIRS = 3
 INCLINATION_POINTS, INCLINATION_AMOUNTS = range(5861, 5865), range(5871, 5875)
 SPATIAL = range(10800, 10803)
 STRAIGHTNESS_MORE = range(13381, 13400)
@@ -67,7 +69,7 @@ _BITS = re.compile("[01]{8}")
 @dataclass(frozen=True, slots=True)
 class Value:
     """One value: ``owner`` A (axis), L (path) or empty (the machine), ``index`` its number; ``key``
-    P, M (metric) or I (inch).
+    P, M (metric) or I (inch). It stands in the bytes of the file from ``start`` on.
     """
 
     number: int
@@ -77,6 +79,7 @@ class Value:
     text: str
     file: str
     line: int
+    start: int
 
     @property
     def whose(self) -> tuple[str, int]:
@@ -87,6 +90,11 @@ class Value:
     def acts(self) -> bool:
         """Whether it is anything but zero."""
         return bool(self.text.strip("-0."))
+
+    @property
+    def place(self) -> str:
+        """The parameter, its value, and where it stands."""
+        return f"{self.label} ({self.file}, line {self.line})"
 
     @property
     def label(self) -> str:
@@ -128,14 +136,17 @@ class Parameters:
         return [value for number in numbers for value in self.values.get(number, ())]
 
     def _read(self, file: ControlFile) -> None:
-        for number, line in enumerate(
-            file.content.decode("latin-1").replace("\r", "").split("\n"), start=1
-        ):
-            match = NUMBERED.match(line)
+        place = 0
+        for line, text in enumerate(file.content.decode("latin-1").split("\n"), start=1):
+            start = place + len(text) - len(text.lstrip("\r"))
+            place += len(text) + 1
+            match = NUMBERED.match(text.strip("\r"))
             if match is None or int(match[1]) not in _WATCHED:
                 continue
-            for value in _values(int(match[1]), _COMMENT.sub(" ", match[2]), file.name, number):
-                self.values.setdefault(value.number, []).append(value)
+            rest = _COMMENT.sub(lambda comment: " " * len(comment[0]), match[2])
+            number, where = int(match[1]), (file.name, line, start + match.start(2))
+            for value in _values(number, rest, where):
+                self.values.setdefault(number, []).append(value)
 
 
 @dataclass(frozen=True, slots=True)
@@ -229,15 +240,16 @@ class AxisParameters:
         return [("A", self.index), ("L", self.path or 1), ("", 0)]
 
 
-def _values(number: int, rest: str, file: str, line: int) -> list[Value]:
+def _values(number: int, rest: str, where: tuple[str, int, int]) -> list[Value]:
     """Return the values of one line; pitch data (Q0, or a large number with neither Q1 nor owner)
-    and spindles have none here.
+    and spindles have none here. ``where``: file, line, and the byte at which ``rest`` begins.
     """
+    file, line, begin = where
     owner, index = "", 0
     plain = number >= POINTS_FROM
     values = []
-    for letter, text in _WORD.findall(rest):
-        key = letter.upper()
+    for word in _WORD.finditer(rest):
+        key, text = word[1].upper(), word[2]
         if key == "Q":
             if text != "1":
                 return []
@@ -246,6 +258,7 @@ def _values(number: int, rest: str, file: str, line: int) -> list[Value]:
             owner, index = key, int(Decimal(text))
         elif key in "PMI":
             if owner in ("A", "L") or (owner == "" and not plain):
-                values.append(Value(number, owner, index, key, text, file, line))
+                start = begin + word.start(2)
+                values.append(Value(number, owner, index, key, text, file, line, start))
             owner, index = "", 0
     return values

@@ -20,7 +20,7 @@ from compwright.formats.definition.options import (
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.acting import pointed_numbers, refusals
-from compwright.formats.families.increments.axis_facts import facts_of
+from compwright.formats.families.increments.axis_facts import facts_of, with_beside
 from compwright.formats.families.increments.axis_reading import IncrementReader
 from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.formats.families.increments.detection_unit import settled_options
@@ -126,8 +126,9 @@ class StateReader:
         values = self._values(address, self.notes)
         options = settled_options(values, self.family.options)
         reader = IncrementReader(values, self.points, options)
-        self.facts[address] = replace(facts_of(values), rapid_more=reader.rapid_more())
         compensation = reader.read()
+        facts = replace(facts_of(values), rapid_more=reader.rapid_more())
+        self.facts[address] = with_beside(facts, values.own, options)
         if compensation is not None:
             self.compensations[address] = compensation
 
@@ -135,11 +136,14 @@ class StateReader:
         """Tell what is odd about an axis that nobody asked for: it stops no work on another one."""
         notes = Notes()
         values = self._values(address, notes)
-        facts = self.facts[address] = facts_of(values)
+        facts = with_beside(facts_of(values), values.own, self.family.options)
+        self.facts[address] = facts
         if self.points:
             options = {**self.family.options, DETECTION_UNIT: 1.0}
             IncrementReader(values, self.points, options).read()
-        odd = [finding for finding in notes.findings if finding.code == "CW-S041"]
+        partner = address in {axis.gantry for axis in self.axes}
+        codes = {"CW-S041", *(("CW-S046", "CW-S047") if partner else ())}
+        odd = [finding for finding in notes.findings if finding.code in codes]
         self.notes.findings.extend(odd)
         if notes.faults and facts.enabled:
             told = (f"{fault.message} ({fault.place}: {fault.found})" for fault in notes.faults)

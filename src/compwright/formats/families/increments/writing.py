@@ -20,7 +20,7 @@ from compwright.formats.families.increments.points import POINTS_FROM, point_num
 from compwright.formats.families.increments.reading import read_texts
 from compwright.formats.text.entry_sheet import SheetRow, is_entry_sheet
 from compwright.formats.text.gathering import Found, gather
-from compwright.formats.text.patching import Patches, fresh_file, set_field
+from compwright.formats.text.patching import Change, Patches, fresh_file, set_field
 from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
 from compwright.records.axis import AxisKind
@@ -79,6 +79,10 @@ class _OwnFiles(Patches):
         for number, value in {**entry.points, **dict.fromkeys(entry.cleared, 0)}.items():
             for row in self.rows.get(number, ()):
                 self._set(row, "value", str(value))
+        names = [file.name for file in self.files]
+        for point, new in entry.moved:
+            change = Change(point.start, point.start + point.size, str(new).encode("ascii"))
+            self.replace(names.index(point.file), change)
         missing = {
             number: value for number, value in entry.points.items() if number not in self.rows
         }
@@ -129,7 +133,7 @@ class _OwnFiles(Patches):
         """Return the user's files that say something of the axes or hold point data, with all
         changes made.
         """
-        speaking = {row.number for rows in self.rows.values() for row in rows}
+        speaking = {row.number for rows in self.rows.values() for row in rows} | self.changed()
         for (address, _), singles in self.gathered.singles.items():
             if address in addresses:
                 speaking |= {place.number for places in singles.values() for place in places}
@@ -215,6 +219,9 @@ def _program(definition: Definition, file: WrittenFile, entry: Entries) -> Itera
         )
         if quantity != "bidirectional":
             yield f"N{name_of(definition, quantity)}P{entry.address}R{text}"
+    for moved, new in entry.moved:
+        by_hand = f"(SET {moved.label.upper()} TO {new} BY HAND)"
+        yield f"N{moved.parameter}P{entry.address}R{new}" if moved.parameter else by_hand
     if entry.switches:  # single bits are known under G10 L52 only; else the engineer does it
         number, value = name_of(definition, "bidirectional"), entry.parameters["bidirectional"]
         known = any("L52" in line for line in file.header)
@@ -235,6 +242,9 @@ def sheet_rows(definition: Definition, entry: Entries) -> Iterator[SheetRow]:
             yield SheetRow(f"{number}#0", "", value, "")
         else:
             yield SheetRow(number, "", value, "pulse")
+    for moved, new in entry.moved:
+        if moved.parameter:
+            yield SheetRow(moved.parameter, "", str(new), "")
     place = entry.place
     for point, increment in entry.points.items():
         own = next((numbers for numbers in place.ranges if point in numbers), place.ranges[0])

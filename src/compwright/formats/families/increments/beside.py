@@ -1,0 +1,139 @@
+"""What acts on an axis of a FANUC beside its table and stays as it is: inclination, straightness,
+the second (cyclic) table, three-dimensional compensation.
+
+What acted while a test was taken and acts the same afterwards cancels, whatever its sign and its
+unit: the new total is the old one less the error. So it is named and left alone, as long as the
+grid on which it hangs stays. Sources: inclination and straightness FANUC B-63522EN/02 page 222,
+cyclic table A-78868E pages 3 and 6; further pairs, three-dimensional compensation: unconfirmed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.parameters import AxisParameters, Value
+from compwright.records.facts import Hung, PointNumber
+
+#: The option of each function by which the user says that compwright may count and write it.
+OPTION_OF = {"inclination compensation": "inclination", "the second (cyclic) table": "cyclic"}
+
+
+@dataclass(frozen=True, slots=True)
+class Function:
+    """A function that acts on the axis, or from it on another one: the parameters that say so.
+
+    ``points``: the parameters that name a number of the axis' own sections; None: which numbers it
+    hangs on is not known. ``moves``: it changes with the axis' own position.
+    """
+
+    words: str
+    values: tuple[Value, ...]
+    points: tuple[Value, ...] | None
+    moves: bool = True
+
+    @property
+    def told(self) -> str:
+        """The function with its parameters and values."""
+        return f"{self.words} ({', '.join(value.label for value in self.values)})"
+
+
+def functions(own: AxisParameters) -> Iterator[Function]:
+    """Yield everything that acts beside table and backlash, and stays."""
+    yield from _inclination(own)
+    cyclic = _acting(own, (known.CYCLIC_FIRST, known.CYCLIC_LAST, known.CYCLIC_INTERVAL))
+    if cyclic:
+        yield Function("the second (cyclic) table", cyclic, None)
+    yield from _straightness(own)
+    spatial = tuple(
+        value for value in own.all.of(known.SPATIAL) if value.acts and own.named_by(value)
+    )
+    if spatial:
+        yield Function("three-dimensional error compensation", spatial, None)
+
+
+def left_alone(own: AxisParameters, options: Mapping[str, object]) -> list[Function]:
+    """Return those functions that compwright neither counts nor writes, by the options."""
+    return [
+        function
+        for function in functions(own)
+        if options.get(OPTION_OF.get(function.words, "")) != "available"
+    ]
+
+
+def hung(own: AxisParameters, options: Mapping[str, object]) -> tuple[Hung, ...]:
+    """Return what hangs on the numbers of the axis' sections, for whoever moves them."""
+    return tuple(
+        Hung(
+            label=f"{function.words}, {function.values[0].place}",
+            points=None if function.points is None else tuple(map(_point, function.points)),
+        )
+        for function in left_alone(own, options)
+        if function.points is None or function.points
+    )
+
+
+def _point(value: Value) -> PointNumber:
+    return PointNumber(
+        number=value.whole,
+        parameter=str(value.number) if value.owner == "A" else "",
+        label=value.label,
+        file=value.file,
+        start=value.start,
+        size=len(value.text),
+    )
+
+
+def _acting(own: AxisParameters, numbers: tuple[int, ...]) -> tuple[Value, ...]:
+    values = (own.get(number) for number in numbers)
+    return tuple(value for value in values if value is not None and value.acts)
+
+
+def _inclination(own: AxisParameters) -> Iterator[Function]:
+    amounts = _acting(own, tuple(known.INCLINATION_AMOUNTS))
+    if amounts:
+        points = tuple(value for n in known.INCLINATION_POINTS if (value := own.get(n)) is not None)
+        yield Function("inclination compensation", (*points, *amounts), points)
+
+
+def _straightness(own: AxisParameters) -> Iterator[Function]:
+    """Yield the pairs of axes that name the axis: as the one that moves, whose points are those of
+    its own sections, or as the one that is corrected.
+    """
+    for value in own.all.of(known.STRAIGHTNESS_MOVING):
+        if not value.acts or not own.named_by(value):
+            continue
+        pair = value.number - known.STRAIGHTNESS_MOVING[0]
+        words = "straightness compensation of another axis by this one"
+        if pair >= known.STRAIGHTNESS_PAIRS:
+            yield Function(words, (value,), None)
+            continue
+        first = known.STRAIGHTNESS_POINTS[0] + 10 * pair
+        points = tuple(
+            point for point in own.all.of(range(first, first + 4)) if point.whose == value.whose
+        )
+        yield Function(words, (value, *points), points)
+    for value in own.all.of(known.STRAIGHTNESS_BENT):
+        if value.acts and own.named_by(value):
+            words = "straightness compensation of this axis by another one"
+            yield Function(words, (value,), (), moves=False)
+    # Which axes the further pairs mean is not known: they may mean this one.
+    more = tuple(value for value in own.all.of(known.STRAIGHTNESS_MORE) if value.acts)
+    if more:
+        yield Function("further straightness compensation", more, None)
+
+
+def stays(function: Function) -> str:
+    """Return what is said of a function that is left as it is."""
+    if not function.moves:
+        return (
+            f"{function.told} is left as it is; it moves the axis by another one's position, which"
+            " stands still in a test of this axis"
+        )
+    return (
+        f"{function.told} acts beside the table and is left as it is: it acted in the tests and"
+        " acts the same afterwards, so that it cancels, and is in none of the numbers shown here."
+        " It hangs on the grid: do not change it, or the numbers by which it is given, before the"
+        " new table is verified"
+    )

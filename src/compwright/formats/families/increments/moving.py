@@ -1,0 +1,111 @@
+"""A grid that moves, and what hangs on its numbers: the numbers move with it, or the new table is
+refused by the parameter's name.
+"""
+
+from __future__ import annotations
+
+from compwright.formats.families.increments.numbering import Place
+from compwright.formats.text.scale import NotHeld
+from compwright.records.axis import Axis
+from compwright.records.facts import Hung, IncrementFacts, PointNumber
+
+#: How far a position may lie beside a node, in spacings: arithmetic dust.
+_ON_GRID = 1e-6
+_HELP = (
+    "leave out spacing, start and end of the table, so that the grid that is there stays, or take"
+    " it out and measure again"
+)
+
+
+def moved_numbers(
+    axis: Axis, facts: IncrementFacts, place: Place, interval: float, magnification: int
+) -> tuple[tuple[PointNumber, int], ...]:
+    """Return the numbers that other functions have to name so that they mean the same positions
+    under the new grid; none where it does the same over the travel as the old one.
+
+    ``place``, ``interval`` (mm or deg), ``magnification``: those of the new table. Raises NotHeld
+    with the first function that the new grid would change.
+    """
+    for each in facts.hung:
+        _check_kept(each, facts, magnification)
+    if not facts.hung or _stays(axis, facts, place, interval):
+        return ()
+    return tuple(
+        (point, new)
+        for each in facts.hung
+        for point in _known(each, facts, place, interval)
+        if (new := _there(each, point, facts, place, interval)) != point.number
+    )
+
+
+def _stays(axis: Axis, facts: IncrementFacts, place: Place, interval: float) -> bool:
+    """Whether every number keeps its position, and both grids end alike, or beyond the travel."""
+    if (facts.reference_number, facts.interval) != (place.reference, interval):
+        return False
+    if axis.modulo is not None:  # a full turn, with or without the reference's own number
+        return True
+    low, high = ((end - axis.reference) / interval for end in axis.travel)
+    old, new = (facts.first_number, facts.last_number), (place.first, place.last)
+    first, last = (
+        [int(number or 0) - place.reference for number in numbers]
+        for numbers in zip(old, new, strict=True)
+    )
+    below = first[0] == first[1] or max(first) - 1 <= low + _ON_GRID
+    above = last[0] == last[1] or min(last) >= high - _ON_GRID
+    return below and above
+
+
+def _check_kept(each: Hung, facts: IncrementFacts, magnification: int) -> None:
+    """What hangs on a table that is off may wake with it, and whether the magnification counts for
+    it is not known.
+    """
+    if not facts.magnification or facts.first_number == facts.last_number:
+        raise NotHeld(
+            f"{each.label}, stands beside a table that is off: a new table may wake it, and nobody"
+            " measured what it does; set it to 0, or switch it on and measure with it"
+        )
+    if magnification != facts.magnification:
+        raise NotHeld(
+            f"{each.label}, acts beside a table with 3623 = {facts.magnification}, and whether that"
+            f" multiplies it is not known; the new table needs 3623 = {magnification}"
+        )
+
+
+def _known(
+    each: Hung, facts: IncrementFacts, place: Place, interval: float
+) -> tuple[PointNumber, ...]:
+    if each.points is None:
+        raise NotHeld(
+            f"{each.label}, acts beside the table, and on which numbers it hangs is not known:"
+            f" {_grids(facts, place, interval)}; {_HELP}"
+        )
+    return each.points
+
+
+def _there(
+    each: Hung, point: PointNumber, facts: IncrementFacts, place: Place, interval: float
+) -> int:
+    """Return the number of a point's position in the new grid."""
+    old, first, last = (
+        int(number or 0)
+        for number in (facts.reference_number, facts.first_number, facts.last_number)
+    )
+    steps = (point.number - old) * float(facts.interval or 0.0) / interval
+    new = place.reference + round(steps)
+    on_node = abs(steps - round(steps)) <= _ON_GRID
+    inside = first - 1 <= point.number <= last and place.first - 1 <= new <= place.last
+    if on_node and inside:
+        return new
+    why = "is no node of the new grid" if not on_node else "lies outside the old or the new grid"
+    raise NotHeld(
+        f"{each.label}, acts beside the table: the position of {point.label} {why}"
+        f" ({_grids(facts, place, interval)}); {_HELP}"
+    )
+
+
+def _grids(facts: IncrementFacts, place: Place, interval: float) -> str:
+    return (
+        f"3620 to 3622 are {facts.reference_number}, {facts.first_number}, {facts.last_number} with"
+        f" an interval of {facts.interval:g}, the new grid would be {place.reference},"
+        f" {place.first}, {place.last} with {interval:g}"
+    )

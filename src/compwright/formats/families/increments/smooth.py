@@ -1,0 +1,69 @@
+"""Smooth backlash: after a reversal a part of the backlash comes out at once and the rest on the
+way, between two distances.
+
+Behind the second distance the whole of 1851 (1852) has come out, so that a target further away from
+the reversal sees the plain backlash. Which of 1846 to 1849 is a distance and which a part is from
+memory: the largest of them is taken for the distance.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.parameters import AxisParameters, Value
+from compwright.foundations.errors import Fault
+from compwright.records.axis import AxisKind
+
+#: A test turns further outside its first and last target than this, mm or deg: the standard's
+#: cycles overrun by more, so that its targets see the whole backlash.
+NEAR = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class SmoothBacklash:
+    """The parameters that are not zero."""
+
+    values: tuple[Value, ...]
+
+    def judged(self, label: str, kind: AxisKind, unit: float) -> tuple[list[Fault], str]:
+        """Return the fault where it may reach to targets of a test, and what has to be said.
+        ``unit``: the detection unit.
+        """
+        farthest = max(self.values, key=lambda value: abs(value.whole))
+        reach = abs(farthest.whole) * unit
+        told = ", ".join(value.label for value in self.values)
+        message = (
+            f"{label}: smooth backlash compensation divides 1851 into stages ({told}): it is left"
+            f" as it is, and shapes the {reach:g} {kind.unit} behind a reversal at most"
+            " (unconfirmed); a target nearer to one, in a test or in a part, sees another value"
+            " than 1851"
+        )
+        if reach <= NEAR:
+            return [], message
+        fault = farthest.fault(
+            f"{label}: smooth backlash compensation divides 1851 into stages, perhaps up to"
+            f" {reach:g} {kind.unit} behind a reversal: what a target of a test saw is not known",
+            f"at most {NEAR:g} {kind.unit} in detection units of {unit:g}, or 0 and a new test",
+        )
+        return [fault], message
+
+
+def smooth_backlash(own: AxisParameters) -> SmoothBacklash | None:
+    """Return the smooth backlash of an axis; None where it has none."""
+    values = (own.get(number) for number in known.SMOOTH_BACKLASH)
+    acting = tuple(value for value in values if value is not None and value.acts)
+    return SmoothBacklash(acting) if acting else None
+
+
+def first_stage(own: AxisParameters) -> int:
+    """Return the part that comes out at once (1848), detection units; 0 without."""
+    value = own.get(known.SMOOTH_FIRST)
+    return 0 if value is None else value.whole
+
+
+def covers(backlash: int | None, stage: int) -> bool:
+    """Return whether the whole backlash holds the part that comes out at once: of its sign, and no
+    less.
+    """
+    return stage == 0 or (backlash is not None and backlash * stage >= stage * stage)
