@@ -153,7 +153,7 @@ def test_inclination_cancels_whatever_its_sign_and_unit(
     changed = {number for number, _ in bench.changed()}
     assert not changed & {*range(5861, 5865), *range(5871, 5875), 3620, 3623, 3624}
     shown = capsys.readouterr().out
-    assert "CW-S046" in shown
+    assert "CW-S048" in shown
     assert "parameter 5871 of axis 1 = -90" in " ".join(shown.split())
 
 

@@ -84,7 +84,7 @@ class IncrementReader:
         for remark in acting.remarks(own):
             notes.find("CW-S040", "warning", remark)
         for function in left_alone(own, self.options):
-            notes.find("CW-S046", "warning", f"{values.label}: {stays(function)}")
+            notes.find("CW-S048", "warning", f"{values.label}: {stays(function)}")
         near = smooth_backlash(own)
         if near is not None:
             unit = detection_unit(own, kind)

@@ -142,7 +142,7 @@ class StateReader:
             options = {**self.family.options, DETECTION_UNIT: 1.0}
             IncrementReader(values, self.points, options).read()
         partner = address in {axis.gantry for axis in self.axes}
-        codes = {"CW-S041", *(("CW-S046", "CW-S047") if partner else ())}
+        codes = {"CW-S041", *(("CW-S048", "CW-S047") if partner else ())}
         odd = [finding for finding in notes.findings if finding.code in codes]
         self.notes.findings.extend(odd)
         if notes.faults and facts.enabled:
