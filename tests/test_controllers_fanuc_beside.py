@@ -14,6 +14,7 @@ from compwright.controllers.virtual import VirtualControl, virtual_control
 from compwright.foundations.errors import InputError
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import ControlFile
+from virtual_fanuc import VirtualFanuc, loaded
 
 UP, DOWN = Direction.POSITIVE, Direction.NEGATIVE
 UM = {"detection_unit": 0.001}
@@ -492,3 +493,38 @@ def test_rotary_axis_without_the_copy_of_its_last_section() -> None:
     wanted = [int(total) for total in np.cumsum([0, *amounts.values()])]
     assert um(box, [30.0 * i for i in range(13)], address="5") == wanted
     assert um(box, (-30.0, 390.0), address="5") == [1, 2]
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_agrees_with_the_virtual_control_of_the_tests(seed: int) -> None:
+    """Two readers written apart from the same pages, on random tables with all three functions."""
+    rng = np.random.default_rng(seed)
+    first, count = int(rng.integers(5, 40)), int(rng.integers(6, 30))
+    last, interval = first + count, float(rng.integers(4, 40))
+    reference = int(rng.integers(first, last))
+    at = np.sort(rng.choice(np.arange(first, last + 1), 4, replace=False))
+    period = rng.integers(-7, 8, 6)
+    amounts = [int(v) for v in rng.integers(-90, 90, 4)]
+    text = tape(
+        "N01013Q1A1P00000000A2P00000010\nN01820Q1A1P20A2P102\nN01800Q1P00010000\n",
+        "N01851Q1A1P7A2P0\nN01852Q1A1P-3A2P0\n",
+        grid(reference, first, last, interval, factor=int(rng.integers(1, 11))),
+        lines([int(n) for n in at], [int(v) for v in rng.integers(-90, 90, 4)]),
+        f"N14985Q1A1P100\nN14986Q1A1P107\nN14987Q1A1P{float(rng.integers(1, 9))}\n",
+        "N05711Q1L1P1\nN05721Q1L1P2\n",
+        *(f"N0{5731 + i}Q1L1P{n}\nN0{5761 + i}Q1L1P{amounts[i]}\n" for i, n in enumerate(at)),
+        points({first + i: int(v) for i, v in enumerate(rng.integers(-7, 8, count + 1))}),
+        points({100 + i: int(v) for i, v in enumerate([0, *period, -period.sum()])}),
+    )
+    counted = {"inclination": "available", "cyclic": "available", "straightness": "available"}
+    wide = {"increment_limit": "127"}
+    other = VirtualFanuc(loaded([text.encode()]))
+    x = rng.uniform(-700, 700, 500)
+    for motion in ("feed", "rapid"):
+        box = control(text, options={**counted, **wide, "motion": motion})
+        for direction in Direction:
+            theirs = other.correction(1, x, direction.sign, rapid=motion == "rapid")
+            assert box.correction("1", x, direction) == pytest.approx(theirs, abs=EXACT)
+    nodes = interval * np.arange(first - 1 - reference, last + 1 - reference, dtype=np.float64)
+    bent = other.straightness(1, nodes)[2]
+    assert box.cross_correction("1", "2", nodes, UP) == pytest.approx(bent, abs=EXACT)
