@@ -127,6 +127,48 @@ def compare(
     return outcome.exit_code
 
 
+@compwright.command()
+@click.argument("old", nargs=-1, required=True, metavar="OLD...", type=PATH)
+@click.option(
+    "--with",
+    "new",
+    multiple=True,
+    required=True,
+    type=PATH,
+    metavar="NEW...",
+    help="The other backup of the same machine; files or folders.",
+)
+@click.option(
+    "--format",
+    "format_id",
+    required=True,
+    metavar="ID",
+    help="The control: its id, see compwright formats list, or your own definition (*.yaml).",
+)
+@control_options
+@json_option
+@force_option
+@exiting
+def diff(
+    old: tuple[Path, ...],
+    new: tuple[Path, ...],
+    format_id: str,
+    options: tuple[str, ...],
+    json_path: Path | None,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Say what differs between two backups of one machine."""
+    from compwright.workflow.commands.diff import diff_files
+    from compwright.workflow.showing.answers import diff_summary, write_document
+
+    outcome = diff_files(old, new, format_id, pairs(options))
+    to_file = json_file(json_path)
+    if to_file is not None:
+        write_document(outcome.document, to_file, force=force)
+    answer(outcome.document, json_path, lambda: diff_summary(outcome.document))
+    return outcome.exit_code
+
+
 @compwright.group()
 def formats() -> None:
     """List, show and check the definitions of the controls."""

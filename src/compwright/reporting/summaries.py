@@ -85,7 +85,7 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
 
 
 def _prediction_table(test: Mapping[str, Any], accept: Mapping[str, Any], unit: str) -> Table:
-    table = _plain_table()
+    table = plain_table()
     table.add_column("", no_wrap=True)
     for heading in (f"before, {unit}", "predicted", "5 to 95 %", "new targets", "limit"):
         table.add_column(heading, justify="right", no_wrap=True)
@@ -144,7 +144,7 @@ def circle_tables(circles: Mapping[str, Any]) -> list[RenderableType]:
     shown: list[RenderableType] = []
     for name, circle in circles.items():
         after = circle.get("after")
-        table = _plain_table()
+        table = plain_table()
         table.add_column("", no_wrap=True)
         for heading in ("before", "predicted", "5 to 95 %", *(["after"] if after else []), ""):
             table.add_column(heading, justify="right", no_wrap=True)
@@ -171,7 +171,7 @@ def assumed_table(assumed: Sequence[Mapping[str, str]]) -> list[RenderableType]:
     """Return what had to be assumed, or nothing."""
     if not assumed:
         return []
-    table = _plain_table()
+    table = plain_table()
     table.add_column("Assumed", overflow="fold")
     table.add_column("value", overflow="fold")
     table.add_column("evidence", overflow="fold")
@@ -205,7 +205,7 @@ def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     for address, axis in document["axes"].items():
         unit = unit_text(axis["unit"])
         position = "deg" if axis["unit"] == "arcsec" else "mm"
-        table = _plain_table()
+        table = plain_table()
         for heading in (f"position, {position}", f"+ {unit}", f"− {unit}"):
             table.add_column(heading, justify="right", no_wrap=True)
         rows = list(
@@ -247,7 +247,7 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
         shown.append(Text(f"axis {name}: {message}", style="green" if same else "bold red"))
     rows = document["differences"]
     if rows:
-        table = _plain_table()
+        table = plain_table()
         for heading in ("axis", "quantity"):
             table.add_column(heading)
         for heading in ("planned", "in the control", ""):
@@ -273,7 +273,7 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     shown: list[RenderableType] = []
     for name, axis in document["axes"].items():
         unit = unit_text(axis["unit"])
-        table = _plain_table()
+        table = plain_table()
         table.add_column("", no_wrap=True)
         for heading in (f"before, {unit}", "predicted", "5 to 95 %", "after", "within", "limit"):
             table.add_column(heading, justify="right", no_wrap=True)
@@ -313,7 +313,8 @@ def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     ]
 
 
-def _plain_table() -> Table:
+def plain_table() -> Table:
+    """Return an empty table without frames."""
     return Table(box=None, pad_edge=False, padding=(0, 2, 0, 0), header_style="bold")
 
 

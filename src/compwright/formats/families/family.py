@@ -23,6 +23,7 @@ from compwright.formats.families.card_words import file_names
 from compwright.formats.families.delivery import Delivery
 from compwright.formats.families.gantry import partner_of
 from compwright.formats.text.addresses import normal_address, normal_text
+from compwright.formats.text.entered import Entered, Entries, by_statements
 from compwright.formats.text.scale import Scale
 from compwright.foundations.errors import CapacityError, Fault, UsageError, raise_all
 from compwright.records.axis import Axis, FloatArray
@@ -332,6 +333,22 @@ class Family(ABC):
         one = len(self.definition.texts) == 1
         file = "a file" if one else f"the whole {statement.text.upper()} file"
         return rule, f"{file} with {key} among the files"
+
+    def entered(self, files: Sequence[ControlFile]) -> Entries:
+        """Return everything that files enter, whether it acts or not, by what tells each value
+        from all others. Raises InputError for files that cannot be read.
+        """
+        return by_statements(self.definition, files)
+
+    def whereabouts(
+        self, entry: Entered, entries: Entries, state: ControlState | None
+    ) -> tuple[tuple[str, ...], float | None]:
+        """Return the addresses of the axes that one of ``entries`` belongs to, and the position of
+        a value of a table as the files count it; ``state``: what the files say, where that could be
+        read.
+        """
+        del entries, state
+        return ((entry.axis,) if entry.axis else ()), None
 
     def for_a_view(self) -> Self:
         """Return the control as it reads files that are only shown: what no readings hang on may

@@ -46,7 +46,9 @@ class FileDiff:
 
 
 @dataclass(frozen=True, slots=True)
-class _Entry:
+class Entry:
+    """One value of a statement: as the control writes it up to the value, its axis, its text."""
+
     label: str
     address: str | None
     text: str
@@ -61,7 +63,7 @@ def compare_files(
     Both sets were read before: what cannot be read here is left out.
     """
     old, new = unpacked(old, []), unpacked(new, [])
-    before, after = dict(_entries(definition, old)), dict(_entries(definition, new))
+    before, after = dict(entries_of(definition, old)), dict(entries_of(definition, new))
     changes = []
     for key, entry in after.items():
         was = before.get(key)
@@ -87,9 +89,12 @@ def _untouched(old: Sequence[ControlFile], new: Sequence[ControlFile]) -> int:
     return count
 
 
-def _entries(
+def entries_of(
     definition: Definition, files: Sequence[ControlFile]
-) -> Iterator[tuple[tuple[str, ...], _Entry]]:
+) -> Iterator[tuple[tuple[str, ...], Entry]]:
+    """Yield the values of all statements, each with what tells it from all others: its scope and
+    its statement first.
+    """
     faults: list[Fault] = []
     reader = text_reader(definition)
     for file in unpacked(files, faults):
@@ -99,7 +104,7 @@ def _entries(
                 label = f"{row.point} at {row.position}" if row.position else row.point
                 yield (
                     (file.name, row.point),
-                    _Entry(f"{file.name}: {label}", sheet.axis if sheet else None, row.value),
+                    Entry(f"{file.name}: {label}", sheet.axis if sheet else None, row.value),
                 )
             continue
         text = reader.read(file, faults)
@@ -111,7 +116,7 @@ def _entries(
 
 def _values(
     definition: Definition, occurrence: Occurrence, row: int
-) -> Iterator[tuple[tuple[str, ...], _Entry]]:
+) -> Iterator[tuple[tuple[str, ...], Entry]]:
     """Yield the values of a statement, the ``row``-th of its kind in its file: a bare number is
     known by that alone.
     """
@@ -130,7 +135,7 @@ def _values(
             continue
         yield (
             (scope, statement.name, *identity, field),
-            _Entry(
+            Entry(
                 _label(statement, occurrence, field)
                 or f"{occurrence.file}: {statement.name} {row}",
                 address,

@@ -81,6 +81,13 @@ def compare_summary(document: Mapping[str, Any]) -> list[Any]:
     return summaries.compare_tables(document)
 
 
+def diff_summary(document: Mapping[str, Any]) -> list[Any]:
+    """Return what ``diff`` says."""
+    from compwright.reporting import differing
+
+    return differing.diff_tables(document)
+
+
 def verify_summary(outcome: Any) -> list[Any]:
     """Return what ``verify`` says."""
     from compwright.reporting import summaries

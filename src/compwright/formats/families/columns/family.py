@@ -16,10 +16,13 @@ from compwright.formats.families.columns.capacity import (
     card_values,
     columns_capacity,
 )
+from compwright.formats.families.columns.entered import entered, whereabouts
 from compwright.formats.families.columns.reading import read_columns
+from compwright.formats.families.columns.sources import AxisNumbers
 from compwright.formats.families.columns.table import VALUES
 from compwright.formats.families.columns.writing import write_columns
 from compwright.formats.families.family import AxisTable, Family
+from compwright.formats.text.entered import Entered, Entries
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
@@ -91,6 +94,21 @@ class ColumnsFamily(Family):
     def between(self, asked: Asked) -> Between:
         """See `Family.between`: columns to type in."""
         return columns_between(self, asked)
+
+    def entered(self, files: Sequence[ControlFile]) -> Entries:
+        """See `Family.entered`."""
+        return entered(self.definition, files)
+
+    def whereabouts(
+        self, entry: Entered, entries: Entries, state: ControlState | None
+    ) -> tuple[tuple[str, ...], float | None]:
+        """See `Family.whereabouts`: a cell belongs to the axis of its column and to that which
+        moves.
+        """
+        del state
+        numbers = AxisNumbers(self.definition, ()).by_number if self.counts_axes else {}
+        columns = {f"{number}=F()": address for number, address in numbers.items()}
+        return whereabouts(entry, entries, columns)
 
     def partner_sheet(self, leading: str, address: str) -> str:
         """See `Family.partner_sheet`."""

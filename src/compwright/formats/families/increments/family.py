@@ -13,9 +13,12 @@ from compwright.formats.families.family import AxisTable, Family, LeftOpen, soun
 from compwright.formats.families.increments.between import straightness_between
 from compwright.formats.families.increments.capacity import AxisLimits
 from compwright.formats.families.increments.card import increment_values
+from compwright.formats.families.increments.entered import entered, whereabouts
 from compwright.formats.families.increments.reading import StateReader
 from compwright.formats.families.increments.sheets import increment_sheets
 from compwright.formats.families.increments.writing import write_increments
+from compwright.formats.text.entered import Entered, Entries, by_statements
+from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
@@ -79,6 +82,19 @@ class IncrementsFamily(Family):
     def between(self, asked: Asked) -> Between:
         """See `Family.between`: one straight line in parameters to type in, as an option."""
         return straightness_between(self, asked)
+
+    def entered(self, files: Sequence[ControlFile]) -> Entries:
+        """See `Family.entered`."""
+        sheets = [file for file in files if is_entry_sheet(file)]
+        own = [file for file in files if not is_entry_sheet(file)]
+        return {**by_statements(self.definition, sheets), **entered(own)}
+
+    def whereabouts(
+        self, entry: Entered, entries: Entries, state: ControlState | None
+    ) -> tuple[tuple[str, ...], float | None]:
+        """See `Family.whereabouts`: points by the numbers that the axes claim."""
+        del entries
+        return whereabouts(entry, state)
 
     @property
     def one_by_one(self) -> Sequence[str]:

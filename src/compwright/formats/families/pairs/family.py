@@ -18,12 +18,15 @@ from compwright.formats.families.family import AxisTable
 from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.pairs.between import pairs_between
 from compwright.formats.families.pairs.capacity import PairLimits
+from compwright.formats.families.pairs.entered import entered, whereabouts
 from compwright.formats.families.pairs.options import available, holds_two_curves, reserving
 from compwright.formats.families.pairs.small_files import SmallFiles
 from compwright.formats.families.pairs.state import PairsReader
 from compwright.formats.families.pairs.state_writing import PairsWriter
 from compwright.formats.families.pairs.view import with_sign_unknown
 from compwright.formats.text.container import is_container
+from compwright.formats.text.entered import Entered, Entries, by_statements
+from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
@@ -56,6 +59,18 @@ class PairsFamily(GridFamily):
         """See `Family.read`."""
         state = super().read(files, axes, address=address, activity=activity)
         return with_sign_unknown(state) if self.sign_assumed else state
+
+    def entered(self, files: Sequence[ControlFile]) -> Entries:
+        """See `Family.entered`."""
+        sheets = [file for file in files if is_entry_sheet(file)]
+        own = [file for file in files if not is_entry_sheet(file)]
+        return {**by_statements(self.definition, sheets), **entered(own)}
+
+    def whereabouts(
+        self, entry: Entered, entries: Entries, state: ControlState | None
+    ) -> tuple[tuple[str, ...], float | None]:
+        """See `Family.whereabouts`: tables between axes belong to both."""
+        return whereabouts(entry, entries, state)
 
     def for_a_view(self) -> Self:
         """See `Family.for_a_view`: tables between axes are shown as corrections where nobody says

@@ -1,0 +1,121 @@
+"""The answer of ``diff``: what differs between two backups of one machine."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from compwright.documents.decode import finding_documents
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, outside_unit
+from compwright.records.axis import AxisKind, Direction
+
+SCHEMA = "compwright/diff/1"
+#: Entries of a group of others that are shown.
+MOST_EXAMPLES = 5
+
+
+@dataclass(frozen=True, slots=True)
+class EntryDifference:
+    """One value that differs, as the control writes it. ``quantity``: its name up to the value;
+    ``group``: what many such are counted by; ``addresses``: the axes that it belongs to; ``old``,
+    ``new`` None: not there; ``at``: the position of a value of a table.
+    """
+
+    quantity: str
+    group: str
+    addresses: tuple[str, ...]
+    old: str | None
+    new: str | None
+    meaning: str
+    acts: bool
+    at: float | None
+
+
+@dataclass(frozen=True, slots=True)
+class Changed:
+    """By how much a correction changed at most, mm or deg, and where."""
+
+    kind: AxisKind
+    most: float
+    at: float
+    direction: Direction
+
+
+def diff_document(
+    format_id: str,
+    names: Mapping[str, str],
+    entries: Sequence[EntryDifference],
+    corrections: Mapping[str, Changed],
+    cross: Mapping[tuple[str, str], Changed],
+    findings: Sequence[Finding],
+) -> dict[str, Any]:
+    """Return the document. ``names``: what the control's files call the axes, by address."""
+    acting = [entry for entry in entries if entry.acts]
+    named = (address for entry in acting for address in entry.addresses)
+    known = dict.fromkeys((*corrections, *named))
+    return {
+        "schema": SCHEMA,
+        "format": format_id,
+        "same": not (entries or corrections or cross),
+        "axes": {
+            address: {
+                "name": names.get(address),
+                "entries": [_entry(one, address) for one in acting if address in one.addresses],
+                "correction": (
+                    change_document(corrections[address]) if address in corrections else None
+                ),
+            }
+            for address in known
+        },
+        "cross": [
+            {"input": pair[0], "output": pair[1], **change_document(change)}
+            for pair, change in cross.items()
+        ],
+        "machine": [_entry(one, None) for one in acting if not one.addresses],
+        "other": others_document(one for one in entries if not one.acts),
+        "findings": finding_documents(findings),
+    }
+
+
+def change_document(change: Changed) -> dict[str, Any]:
+    """Return the largest change of a correction: new minus old, in µm or arcsec."""
+    key = f"max_change_{outside_unit(change.kind.unit)}"
+    return {
+        key: change.most * outside_factor(change.kind.unit),
+        "at": change.at,
+        "direction": change.direction.value,
+    }
+
+
+def _entry(entry: EntryDifference, address: str | None) -> dict[str, Any]:
+    return {
+        "quantity": entry.quantity,
+        "address": address,
+        "old": entry.old,
+        "new": entry.new,
+        "meaning": entry.meaning or None,
+        "at": entry.at,
+    }
+
+
+def others_document(entries: Iterable[EntryDifference]) -> list[dict[str, Any]]:
+    """Return what belongs to no compensation, counted by parameter."""
+    groups: dict[str, list[EntryDifference]] = {}
+    for entry in entries:
+        groups.setdefault(entry.group, []).append(entry)
+    return [
+        {
+            "quantity": group,
+            "meaning": found[0].meaning or None,
+            "changed": sum(None not in (one.old, one.new) for one in found),
+            "only_old": sum(one.new is None for one in found),
+            "only_new": sum(one.old is None for one in found),
+            "examples": [
+                _entry(one, one.addresses[0] if one.addresses else None)
+                for one in found[:MOST_EXAMPLES]
+            ],
+        }
+        for group, found in groups.items()
+    ]

@@ -1,0 +1,160 @@
+"""Every assignment of a SINUMERIK's files: machine and setting data, tables, whatever else an
+archive sets, by variable, index and axis; X1 and AX1 are one axis where MD10000 says so.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+
+from compwright.formats.text.entered import Entered, texts_of
+from compwright.formats.text.texts import BY_HAND
+from compwright.records.correction import ControlFile, ControlState
+
+_LINE = re.compile(
+    r"[ \t]*(?:N[0-9]+[ \t]+)?(?P<name>\$?[A-Z_][A-Z0-9_]*)[ \t]*(?:\[(?P<index>[^\]]*)\])?"
+    r"[ \t]*=[ \t]*(?P<text>[^;]*?)(?:[ \t]+'[0-9A-F]{4})?[ \t]*(?:;.*)?",
+    re.IGNORECASE,
+)
+_CHANNEL = re.compile(r"[ \t]*CHANDATA\(([0-9]+)\)[ \t]*", re.IGNORECASE)
+_SYSTEM = re.compile(r"[ \t]*(METRIC|INCH)[ \t]*", re.IGNORECASE)
+_PLACE = re.compile(r"AX([0-9]{1,2})")
+_BASIC = "basic system"
+_NAMES = "$MN_AXCONF_MACHAX_NAME_TAB"
+_OF_CHANNEL = ("$MC_", "$P_", "$SC_", "_")
+#: Beginnings of the variables that act on an axis or decide its units, kind or zero, with what they
+#: are (SINUMERIK lists of machine and setting data; docs/controllers/sinumerik.md).
+_MEANINGS = {
+    "$AA_ENC_COMP_STEP": "EEC: spacing",
+    "$AA_ENC_COMP_MIN": "EEC: first position",
+    "$AA_ENC_COMP_MAX": "EEC: last position",
+    "$AA_ENC_COMP_IS_MODULO": "EEC: repeats each turn",
+    "$AA_ENC_COMP": "EEC: value",
+    "$AA_QEC": "quadrant error compensation",
+    "$AN_CEC_INPUT": "CEC: moving axis",
+    "$AN_CEC_OUTPUT": "CEC: compensated axis",
+    "$AN_CEC_STEP": "CEC: spacing",
+    "$AN_CEC_MIN": "CEC: first position",
+    "$AN_CEC_MAX": "CEC: last position",
+    "$AN_CEC_DIRECTION": "CEC: direction",
+    "$AN_CEC_MULT_BY_TABLE": "CEC: multiplied by the table before",
+    "$AN_CEC": "CEC: value",
+    "$SN_CEC_TABLE_ENABLE": "SD41300: CEC table on",
+    "$SN_CEC_TABLE_WEIGHT": "SD41310: weight of a CEC table",
+    "$SN_CEC": "SD41320, SD41321: added to a CEC table",
+    "$MA_ENC_COMP_ENABLE": "MD32700: EEC on",
+    "$MA_CEC_ENABLE": "MD32710: CEC on",
+    "$MA_CEC_MAX_SUM": "MD32720: limit of the sum of CEC tables",
+    "$MA_CEC": "MD32711, MD32730: CEC",
+    "$MA_BACKLASH": "MD32450: backlash",
+    "$MA_FRICT": "friction compensation",
+    "$MA_TEMP_COMP": "temperature compensation",
+    "$SA_TEMP_COMP": "temperature compensation",
+    "$MA_MM_ENC_COMP_MAX_POINTS": "MD38000: points of EEC",
+    "$MN_MM_CEC_MAX_POINTS": "MD18342: points of CEC",
+    "$MN_SCALING": "unit of lengths",
+    "$MN_CONVERT_SCALING": "unit of lengths",
+    _NAMES: "MD10000: name of a machine axis",
+    "$MA_IS_ROT_AX": "MD30300: rotary axis",
+    "$MA_ROT_IS_MODULO": "MD30310: endless axis",
+    "$MA_MODULO_RANGE": "one turn of the axis",
+    "$MA_NUM_ENCS": "MD30200: number of encoders",
+    "$MA_GANTRY_AXIS_TYPE": "MD37100: gantry",
+    "$MA_ENC_IS_LINEAR": "MD31000: linear scale",
+    "$MA_ENC_GRID_POINT_DIST": "MD31010: period of the scale",
+    "$MA_LEADSCREW_PITCH": "MD31030: lead of the screw",
+    "$MA_REFP": "reference point: moves the machine's zero",
+    "$MA_ENC_REFP": "state and zero of an absolute encoder",
+    "$MA_POS_LIMIT": "software limit",
+}
+_SILENT = ("$MA_POS_LIMIT",)
+
+
+def entered(files: Sequence[ControlFile]) -> dict[str, Entered]:
+    """Return every assignment of the files; what is assigned last counts."""
+    lines = [
+        (file.name, number, line)
+        for file in texts_of(files)
+        for number, line in enumerate(
+            re.split(r"\r\n|\r|\n", file.content.decode("latin-1")), start=1
+        )
+    ]
+    names = dict(_named(line for _, _, line in lines))
+    found: dict[str, Entered] = {}
+    channel = "1"
+    for file, number, line in lines:
+        scope = _CHANNEL.fullmatch(line)
+        if scope is not None:
+            channel = scope[1]
+        system = _SYSTEM.fullmatch(line)
+        if system is not None:
+            name = f"{file}: {_BASIC}"
+            meaning = "unit of lengths of this file"
+            found[name] = Entered(
+                name, _BASIC, system[1].upper(), file, number, acts=True, meaning=meaning
+            )
+        match = _LINE.fullmatch(line.replace(f";{BY_HAND}", "", 1))
+        if match is None:
+            continue
+        entry = _entry(match, file, number, channel, names)
+        found[entry.name] = entry
+    return found
+
+
+def _named(lines: Iterator[str]) -> Iterator[tuple[str, str]]:
+    """Yield the machine's name of each axis, and its place."""
+    for line in lines:
+        if _NAMES not in line.upper():
+            continue
+        match = _LINE.fullmatch(line)
+        name = match["text"].strip('" ').upper() if match is not None else ""
+        index = (match["index"] or "").split(",")[0].strip() if match is not None else ""
+        if name and index.isdigit():
+            yield name, f"AX{int(index) + 1}"
+
+
+def _entry(
+    match: re.Match[str], file: str, line: int, channel: str, names: Mapping[str, str]
+) -> Entered:
+    group = match["name"].upper()
+    index = [part.strip().upper() for part in (match["index"] or "").split(",")]
+    index = [names.get(part, part) for part in index]
+    axis = index[-1] if _PLACE.fullmatch(index[-1]) else ""
+    if group == _NAMES:  # the place stands first, a kind of axis may follow
+        index = index[:1]
+    scope = f"CHANDATA({channel}) " if channel != "1" and group.startswith(_OF_CHANNEL) else ""
+    name = f"{scope}{group}[{','.join(index)}]" if match["index"] is not None else scope + group
+    meaning = next((words for start, words in _MEANINGS.items() if group.startswith(start)), "")
+    acts = bool(meaning) and not group.startswith(_SILENT)
+    return Entered(name, group, match["text"], file, line, axis, acts, meaning)
+
+
+def whereabouts(
+    entry: Entered, entries: Mapping[str, Entered], state: ControlState | None
+) -> tuple[tuple[str, ...], float | None]:
+    """Return the axes that a value belongs to, and the position of a value of a table, in the unit
+    of its file.
+    """
+    del state
+    index = entry.name.partition("[")[2].rstrip("]").split(",")
+    if entry.group == "$AA_ENC_COMP" and len(index) == 3:
+        return (entry.axis,), _position(entries, entry.group, f"{index[0]},{index[2]}", index[1])
+    if not entry.group.startswith(("$AN_CEC", "$SN_CEC")):
+        return ((entry.axis,) if entry.axis else ()), None
+    pair = tuple(
+        entries[key].text.strip("() ").upper()
+        for key in (f"$AN_CEC_OUTPUT_AXIS[{index[0]}]", f"$AN_CEC_INPUT_AXIS[{index[0]}]")
+        if key in entries
+    )
+    named = tuple(dict.fromkeys(axis for axis in pair if _PLACE.fullmatch(axis)))
+    at = _position(entries, "$AN_CEC", index[0], index[1]) if entry.group == "$AN_CEC" else None
+    return named, at
+
+
+def _position(entries: Mapping[str, Entered], group: str, table: str, number: str) -> float | None:
+    keys = (f"{group}_MIN[{table}]", f"{group}_STEP[{table}]")
+    try:
+        start, step = (float(entries[key].text) for key in keys)
+        return start + int(number) * step
+    except (KeyError, ValueError):
+        return None

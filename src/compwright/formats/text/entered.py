@@ -1,0 +1,129 @@
+"""Everything that a control's files enter, whether compwright knows it or not: each value by the
+control's own name of it, so that order, line ends, blanks and block numbers say nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from compwright.formats.definition.schema import Definition
+from compwright.formats.text.container import unpacked
+from compwright.formats.text.diff import entries_of
+from compwright.formats.text.entry_sheet import is_entry_sheet
+from compwright.formats.text.gathering import same_value
+from compwright.formats.text.texts import text_reader
+from compwright.foundations.errors import Fault, InputError, raise_all
+from compwright.records.correction import ControlFile
+
+_SETTING = re.compile(r"[ \t]*([^=:]+?)[ \t]*[=:][ \t]*(.*?)[ \t]*")
+_SECTION = re.compile(r"[ \t]*\[([^\]]+)\][ \t]*")
+
+
+@dataclass(frozen=True, slots=True)
+class Entered:
+    """One value. ``name``: as the control writes it up to the value; ``group``: what many such
+    entries are counted by; ``axis``: the address that the entry names, empty where it names none.
+
+    ``acts``: it belongs to a compensation of an axis, or decides its unit, kind or zero;
+    ``meaning``: in words, empty where it is not known.
+    """
+
+    name: str
+    group: str
+    text: str
+    file: str
+    line: int
+    axis: str = ""
+    acts: bool = False
+    meaning: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class EnteredChange:
+    """One entry that differs; None: it is not there."""
+
+    old: Entered | None
+    new: Entered | None
+
+    @property
+    def entry(self) -> Entered:
+        """The entry as it is, or was."""
+        found = self.new or self.old
+        if found is None:
+            raise ValueError
+        return found
+
+
+Entries = Mapping[str, Entered]
+
+
+def changes(old: Entries, new: Entries) -> tuple[EnteredChange, ...]:
+    """Return what differs, in the order of the new files, then what is in the old ones only.
+
+    Numbers are the same whatever their decimals; TRUE is 1.
+    """
+    found = [
+        EnteredChange(old.get(key), entry)
+        for key, entry in new.items()
+        if key not in old or not same_text(old[key].text, entry.text)
+    ]
+    return (*found, *(EnteredChange(entry, None) for key, entry in old.items() if key not in new))
+
+
+def same_text(first: str, second: str) -> bool:
+    """Return whether two values are one: equal as text, as numbers, or as truth."""
+    truth = {"TRUE": "1", "FALSE": "0"}
+    one, other = (truth.get(text.upper(), text) for text in (first, second))
+    return one == other or same_value(one, other)
+
+
+def texts_of(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
+    """Return the texts among files, those of containers in their place, named without the
+    container. Raises InputError for one that cannot be opened.
+    """
+    faults: list[Fault] = []
+    texts = unpacked(files, faults)
+    raise_all(InputError, faults)
+    return tuple(ControlFile(text.name.rpartition(": ")[2], text.content) for text in texts)
+
+
+def by_statements(definition: Definition, files: Sequence[ControlFile]) -> dict[str, Entered]:
+    """Return the entries of files: those of the definition's statements by these, every other line
+    ``name = value`` by its name, within its section; the rest line by line.
+    """
+    found: dict[str, Entered] = {}
+    texts = texts_of(files)
+    for key, entry in entries_of(definition, texts):
+        name = entry.label
+        found["|".join(key)] = Entered(
+            name, key[1], entry.text, key[0], 0, entry.address or "", acts=True
+        )
+    for text in texts:
+        if not is_entry_sheet(text):
+            found.update(_other_lines(definition, text))
+    return found
+
+
+def _other_lines(definition: Definition, file: ControlFile) -> Iterator[tuple[str, Entered]]:
+    reader = text_reader(definition)
+    read = reader.read(file, [])
+    known = {place.line for place in read.occurrences} if read is not None else set()
+    section = ""
+    lines: Counter[str] = Counter()
+    for line in reader.lines(file.content.decode("latin-1")):
+        text = line.text.strip()
+        opened = _SECTION.fullmatch(text)
+        if opened is not None:
+            section = opened[1]
+        if not text or text[0] in "#;%(" or opened is not None or line.number in known:
+            continue
+        setting = _SETTING.fullmatch(text)
+        name = " ".join((setting[1] if setting is not None else text).split())
+        lines[section + name] += 1
+        shown = f"[{section}] {name}" if section else name
+        key = f"{file.name}|{section}|{name}|{lines[section + name]}"
+        value = setting[2] if setting is not None else "there"
+        yield key, Entered(f"{file.name}: {shown}", shown, value, file.name, line.number)

@@ -1,0 +1,112 @@
+"""What diff says at the terminal, as rich renderables: a page, not a list of thousands."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
+
+from rich.console import RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from compwright.reporting.numbers import number, plain, unit_text
+from compwright.reporting.summaries import finding_lines, plain_table
+
+#: Rows for one axis, and groups of others; the JSON has all of them.
+_MOST_ROWS: Final = 20
+#: Entries that one side alone has are listed while there are no more than these.
+_FEW: Final = 8
+_UNITS: Final = ("um", "arcsec")
+_ABSENT: Final = "not there"
+
+
+def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
+    """Return what differs axis by axis, then between axes, of the whole machine, and the rest
+    counted.
+    """
+    if document["same"]:
+        shown: list[RenderableType] = [Text("same: both enter the same values", style="green")]
+        return [*shown, *finding_lines(document["findings"])]
+    shown = []
+    for address, axis in document["axes"].items():
+        called = f" ({axis['name']})" if axis["name"] and axis["name"] != address else ""
+        shown.append(Text(f"axis {address}{called}: {_correction(axis['correction'])}", "bold"))
+        shown += entry_tables(axis["entries"])
+    for pair in document["cross"]:
+        words = f"{pair['output']} over {pair['input']}: {_correction(pair)}"
+        shown.append(Text(words, "bold"))
+    if document["machine"]:
+        shown.append(Text("of the machine, or of no axis that the files name", "bold"))
+        shown += entry_tables(document["machine"])
+    if document["other"]:
+        shown += other_tables(document["other"])
+    return [*shown, *finding_lines(document["findings"])]
+
+
+def _correction(change: Mapping[str, Any] | None) -> str:
+    """Return by how much a correction changed."""
+    if change is None:
+        return "the correction is the same"
+    unit = next(unit for unit in _UNITS if f"max_change_{unit}" in change)
+    most = change[f"max_change_{unit}"]
+    return (
+        f"the correction changes by up to {number(most)} {unit_text(unit)}, at"
+        f" {plain(change['at'])} arriving in {change['direction']}"
+    )
+
+
+def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
+    """Return entries that differ as a table, those that only one side has counted; a long one is
+    cut visibly.
+    """
+    both = [entry for entry in entries if None not in (entry["old"], entry["new"])]
+    alone = [
+        f"{count} only in {side}"
+        for side, key in (("OLD", "new"), ("NEW", "old"))
+        if (count := sum(entry[key] is None for entry in entries))
+    ]
+    if len(entries) <= _FEW:
+        both, alone = list(entries), []
+    counted = [Text(f"entries: {', '.join(alone)}", style="dim")] if alone else []
+    if not both:
+        return [*counted]
+    table = plain_table()
+    for heading in ("entry", "meaning"):
+        table.add_column(heading)
+    for heading in ("at", "old", "new"):
+        table.add_column(heading, justify="right")
+    for entry in both[:_MOST_ROWS]:
+        table.add_row(
+            entry["quantity"],
+            entry["meaning"] or "",
+            "" if entry["at"] is None else plain(entry["at"]),
+            *(_ABSENT if entry[key] is None else entry[key] for key in ("old", "new")),
+        )
+    return [table, *_rest(len(both)), *counted, Text()]
+
+
+def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
+    """Return what belongs to no compensation, counted by parameter."""
+    table: Table = plain_table()
+    for heading in ("elsewhere", "meaning"):
+        table.add_column(heading)
+    for heading in ("changed", "only old", "only new"):
+        table.add_column(heading, justify="right")
+    table.add_column("such as")
+    for group in groups[:_MOST_ROWS]:
+        first = group["examples"][0]
+        told = " -> ".join(
+            _ABSENT if first[key] is None else str(first[key])[:30] for key in ("old", "new")
+        )
+        table.add_row(
+            group["quantity"],
+            group["meaning"] or "",
+            *(str(group[key] or "") for key in ("changed", "only_old", "only_new")),
+            f"{first['quantity']}: {told}",
+        )
+    return [table, *_rest(len(groups)), Text()]
+
+
+def _rest(count: int) -> list[RenderableType]:
+    left = count - _MOST_ROWS
+    return [Text(f"({left} more: see --json)", style="dim")] if left > 0 else []

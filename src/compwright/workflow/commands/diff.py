@@ -1,0 +1,69 @@
+"""``diff``: two backups of one machine, in words of its control."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from compwright.documents.diff import Changed, EntryDifference, diff_document
+from compwright.workflow.stages.control import open_control, read_files
+from compwright.workflow.stages.differences import CorrectionChange, Placed, differences, side
+
+
+@dataclass(frozen=True, slots=True)
+class DiffOutcome:
+    """The document, and 0 where both backups enter the same, else 1."""
+
+    exit_code: int
+    document: Mapping[str, Any]
+
+
+def diff_files(
+    old: Sequence[Path], new: Sequence[Path], format_id: str, options: dict[str, object]
+) -> DiffOutcome:
+    """Hold two backups of one machine against each other.
+
+    Raises UsageError for an unknown format or option, InputError for files that cannot be read.
+    """
+    control = open_control(format_id, options)
+    before, after = (
+        side(control, read_files(paths), name) for paths, name in ((old, "OLD"), (new, "NEW"))
+    )
+    found = differences(control, before, after)
+    names = {
+        address: facts.name
+        for state in (before.state, after.state)
+        if state is not None
+        for address, facts in state.facts.items()
+        if facts.name
+    }
+    document = diff_document(
+        control.id,
+        names,
+        [entry_difference(one) for one in found.entries],
+        {address: _changed(one) for address, one in found.corrections.items()},
+        {pair: _changed(one) for pair, one in found.cross.items()},
+        (*control.findings, *found.findings),
+    )
+    return DiffOutcome(0 if document["same"] else 1, document)
+
+
+def entry_difference(placed: Placed) -> EntryDifference:
+    """Return an entry that differs as documents show it."""
+    entry, change = placed.entry, placed.change
+    return EntryDifference(
+        quantity=entry.name,
+        group=entry.group,
+        addresses=placed.axes,
+        old=change.old.text if change.old is not None else None,
+        new=change.new.text if change.new is not None else None,
+        meaning=entry.meaning,
+        acts=entry.acts,
+        at=placed.at,
+    )
+
+
+def _changed(change: CorrectionChange) -> Changed:
+    return Changed(change.kind, change.most, change.at, change.direction)

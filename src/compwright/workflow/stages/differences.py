@@ -1,0 +1,224 @@
+"""What differs between two sets of a control's files: the corrections that come out, and every
+value that they enter, in the control's words.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from compwright.formats.text.container import is_container
+from compwright.formats.text.entered import Entered, EnteredChange, Entries, changes
+from compwright.foundations.errors import CompwrightError, Fault, InputError, UsageError
+from compwright.foundations.findings import Finding
+from compwright.records.axis import AxisKind, Direction, FloatArray
+from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.workflow.stages.control import Control, decode
+from compwright.workflow.stages.two_readers import EVERYWHERE, probe_positions
+
+#: Two corrections are the same below this many mm or deg: far below every quantum of a control.
+SAME = 1e-6
+
+
+@dataclass(frozen=True, slots=True)
+class Side:
+    """One set of files: everything that they enter, and what the control makes of it (None: that
+    cannot be read; ``findings`` say why).
+    """
+
+    files: tuple[ControlFile, ...]
+    entries: Entries
+    state: ControlState | None
+    findings: tuple[Finding, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """One entry that differs, the axes that it belongs to (addresses), and the position of a value
+    of a table.
+    """
+
+    change: EnteredChange
+    axes: tuple[str, ...]
+    at: float | None
+
+    @property
+    def entry(self) -> Entered:
+        """The entry as it is, or was."""
+        return self.change.entry
+
+
+@dataclass(frozen=True, slots=True)
+class CorrectionChange:
+    """By how much the correction of an axis (or what ``moving`` does to it) changed at most, mm or
+    deg, with its sign: new minus old; ``at`` which position, arriving in which ``direction``.
+    """
+
+    kind: AxisKind
+    most: float
+    at: float
+    direction: Direction
+    moving: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Differences:
+    """``entries``: every value that differs, those that compensate first. ``corrections`` by
+    address, of axes whose correction changed; ``cross`` by moving and corrected axis.
+    """
+
+    entries: tuple[Placed, ...]
+    corrections: Mapping[str, CorrectionChange] = field(default_factory=dict)
+    cross: Mapping[tuple[str, str], CorrectionChange] = field(default_factory=dict)
+    findings: tuple[Finding, ...] = ()
+
+
+def side(control: Control, files: Sequence[ControlFile], name: str) -> Side:
+    """Return one set of files, read as far as it can be. ``name``: what it is called in findings.
+
+    Raises InputError where the files enter nothing at all, or cannot be opened.
+    """
+    entries = control.format.entered(files)
+    if not entries:
+        raise InputError(*_nothing(control, files))
+    files, idle = _with_data(files, entries)
+    left = (
+        (Finding("CW-S082", "info", f"{name}: no data of the control in {idle}"),) if idle else ()
+    )
+    try:
+        state, findings = _viewed(control, files, name)
+    except (InputError, UsageError) as error:
+        faults = "; ".join(str(fault) for fault in error.faults)
+        finding = Finding(
+            "CW-S080",
+            "warning",
+            f"{name}: what the control makes of these files cannot be told, only their entries are"
+            f" compared ({faults})",
+        )
+        return Side(tuple(files), entries, None, (*left, finding))
+    return Side(tuple(files), entries, state, (*left, *findings))
+
+
+def _with_data(
+    files: Sequence[ControlFile], entries: Entries
+) -> tuple[tuple[ControlFile, ...], str]:
+    """Return the files that enter something, and the names of the others: a folder holds notes
+    too.
+    """
+    used = {entry.file for entry in entries.values()}
+    kept = tuple(file for file in files if file.name in used or is_container(file))
+    names = {file.name for file in kept}
+    return kept, ", ".join(file.name for file in files if file.name not in names)
+
+
+def _viewed(
+    control: Control, files: Sequence[ControlFile], name: str
+) -> tuple[ControlState, tuple[Finding, ...]]:
+    """Return what the files say; by one reader alone where the other refuses them."""
+    try:
+        return decode(control, files).state, ()
+    except CompwrightError as error:
+        reading = control.format.for_a_view()
+        state = reading.read(files)
+        why = "; ".join(str(fault) for fault in error.faults[:1])
+        message = f"{name}: corrections are those of one reader alone; the second one says: {why}"
+        return state, (Finding("CW-S081", "warning", message),)
+
+
+def _nothing(control: Control, files: Sequence[ControlFile]) -> list[Fault]:
+    return [
+        Fault(
+            message=f"nothing in it is data of {control.id}",
+            file=", ".join(file.name for file in files),
+            expected="files as the control exports them",
+        )
+    ]
+
+
+def differences(control: Control, old: Side, new: Side) -> Differences:
+    """Return what differs between two sets of files."""
+    placed = [_placed(control, change, old, new) for change in changes(old.entries, new.entries)]
+    placed.sort(key=lambda one: not one.entry.acts)
+    corrections: dict[str, CorrectionChange] = {}
+    cross: dict[tuple[str, str], CorrectionChange] = {}
+    if old.state is not None and new.state is not None:
+        corrections = _corrections(old.state, new.state)
+        cross = _cross(old.state, new.state)
+    return Differences(tuple(placed), corrections, cross, (*old.findings, *new.findings))
+
+
+def _placed(control: Control, change: EnteredChange, old: Side, new: Side) -> Placed:
+    axes: tuple[str, ...] = ()
+    at = None
+    for one in (old, new):
+        named, position = control.format.whereabouts(change.entry, one.entries, one.state)
+        axes = tuple(dict.fromkeys((*axes, *named)))
+        at = position if position is not None else at
+    return Placed(change, axes, at)
+
+
+def _corrections(old: ControlState, new: ControlState) -> dict[str, CorrectionChange]:
+    found = {}
+    for address in dict.fromkeys((*old.axes, *new.axes)):
+        was, now = (state.axes.get(address) for state in (old, new))
+        known = now or was
+        if known is None:
+            continue
+        where = np.unique(np.concatenate([_probes(one) for one in (was, now) if one is not None]))
+        change = _most(known.kind, where, _curve(was, where), _curve(now, where))
+        if change is not None:
+            found[address] = change
+    return found
+
+
+def _probes(axis: AxisCompensation) -> FloatArray:
+    return probe_positions(axis.positions)
+
+
+def _curve(axis: AxisCompensation | None, where: FloatArray) -> dict[Direction, FloatArray]:
+    if axis is None:
+        return {side: np.zeros(where.size) for side in Direction}
+    return {side: axis.at(where, side) for side in Direction}
+
+
+def _most(
+    kind: AxisKind,
+    where: FloatArray,
+    was: Mapping[Direction, FloatArray],
+    now: Mapping[Direction, FloatArray],
+    moving: str = "",
+) -> CorrectionChange | None:
+    gaps = {side: now[side] - was[side] for side in Direction}
+    side = max(Direction, key=lambda one: float(np.max(np.abs(gaps[one]))))
+    index = int(np.argmax(np.abs(gaps[side])))
+    most = float(gaps[side][index])
+    if abs(most) <= SAME:
+        return None
+    return CorrectionChange(kind, most, float(where[index]), side, moving)
+
+
+def _cross(old: ControlState, new: ControlState) -> dict[tuple[str, str], CorrectionChange]:
+    pairs = dict.fromkeys((entry.input, entry.output) for entry in (*old.cross, *new.cross))
+    found = {}
+    for pair in pairs:
+        tables = [
+            [entry for entry in state.cross if (entry.input, entry.output) == pair]
+            for state in (old, new)
+        ]
+        known = [*tables[0], *tables[1]]
+        where = np.unique(
+            np.concatenate([EVERYWHERE, *(probe_positions(entry.positions) for entry in known)])
+        )
+        was, now = (
+            {
+                side: sum((entry.at(where, side) for entry in group), np.zeros(where.size))
+                for side in Direction
+            }
+            for group in tables
+        )
+        change = _most(known[0].output_kind, where, was, now, pair[0])
+        if change is not None:
+            found[pair] = change
+    return found
