@@ -258,7 +258,13 @@ def test_a_product_counts_only_where_it_acts_and_for_whom_it_acts() -> None:
         + "$MA_BACKLASH[0,AX2]=0\n"
     )
     with pytest.raises(InputError, match="multiplied"):
-        siemens(text, axis_of("AX2"))
+        siemens(text)  # a view of everything
+    with pytest.raises(InputError, match="multiplied"):
+        siemens(text, axis_of("AX2"), options={"cec_tables": [0]})
+    left = siemens(text, axis_of("AX2"))  # it stays: alike in the readings and afterwards
+    assert "CW-S011" in codes(left)
+    assert left.cross == ()
+    assert "CEC table 0" in left.facts["AX2"].beside
     assert siemens(text + "$SN_CEC_TABLE_ENABLE[0]=0\n").cross == ()
 
 
@@ -530,13 +536,26 @@ def test_an_old_pair_is_emptied_where_one_curve_is_written() -> None:
     assert "$AN_CEC[0,1]=-0.0160000" in lines  # another pair of axes
     assert "$MA_BACKLASH[0,AX1]=0.003" in lines
     assert "AX1_EEC.INI" in written
-    with pytest.raises(CapacityError, match="would act beside the new table") as caught:
-        patch(
-            PAIR + MD + "M17\n",
-            ONE,
-            {"cec": "available", "cec_tables": [4, 1], "cec_sign": "correction"},
-        )
-    assert "7" in str(caught.value)
+
+
+def test_an_own_table_that_nobody_gave_to_be_written_stays() -> None:
+    """Of a pair the job names one: the other is somebody else's, and what is written acts beside
+    it.
+    """
+    options = {"cec": "available", "cec_tables": [4, 1], "cec_sign": "correction"}
+    given = files(A__INI=PAIR + MD + "M17\n")
+    state = control_format(SIEMENS, options).read(given, [axis_of("AX1")])
+    (stays,) = state.stays["AX1"]
+    assert (stays.positive.tolist(), stays.negative.tolist()) == (
+        [0, 0, 0],
+        [-0.004, -0.001, -0.0065],
+    )
+    (other,) = state.axes["AX1"].others
+    (beside,) = control_format(SIEMENS, options, state).capacity(axis_of("AX1")).stays
+    assert other.negative.tolist() == beside.negative.tolist() == stays.negative.tolist()
+    written = patch(PAIR + MD + "M17\n", ONE, options)
+    assert "$AN_CEC[7,0]=-0.0040000" in written["A.INI"]
+    assert "$AN_CEC[4,1]=0.0000000" in written["A.INI"]
 
 
 def test_an_own_table_that_is_switched_off_stays_as_it_is() -> None:

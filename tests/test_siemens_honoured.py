@@ -13,6 +13,7 @@ from dataclasses import replace
 import pytest
 
 from compwright.formats.control_format import control_format
+from compwright.formats.families.activity import Activity
 from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Encoder
@@ -69,6 +70,15 @@ def both_readers(
         active=active,
         asking=asking,
     ).state
+
+
+def alone(
+    text: str, *, asking: bool = False, active: bool | None = None, **options: object
+) -> ControlState:
+    """AX1 as a job reads it, by the reader of this room."""
+    given, activity = files(A__INI=text + "M17\n"), Activity(active, asking)
+    control = control_format(SIEMENS, options)
+    return control.read(given, [axis_of("AX1")], activity=activity)
 
 
 def unsaid(address: str = "AX1") -> Axis:
@@ -321,7 +331,10 @@ def test_what_makes_a_table_special_is_never_overlooked(line: str) -> None:
         if value == "0" and not name.startswith("$SN"):
             continue  # a table of zeros does nothing, whatever it is
         with pytest.raises(InputError, match=re.escape(name)):
-            both_readers(eec() + own, axis_of("AX1"), cec_sign="error")
+            alone(eec() + own, cec_tables=[0], cec_sign="error")
+        stays = alone(eec() + own, cec_sign="error")
+        assert stays.axes["AX1"].others == ()
+        assert "CEC table 0" in stays.facts["AX1"].beside
     harmless = cec(0, ("AX2", "AX1"), step=85) + re.sub("=.*", "=0", line) + "\n"
     assert both_readers(eec() + harmless, axis_of("AX1"), cec_sign="error").cross
 
@@ -359,7 +372,7 @@ def test_a_turn_of_another_axis_that_does_not_close_stops_nothing() -> None:
 def test_an_own_table_that_cannot_be_read_stops_its_axis_alone() -> None:
     text = cec(0, ("AX1", "AX1")) + eec() + eec("AX2")
     with pytest.raises(InputError, match="does not divide"):
-        both_readers(text, axis_of("AX1"), cec_sign="error")
+        alone(text, cec_tables=[0], cec_sign="error")
     assert both_readers(text, axis_of("AX2")).axes["AX2"].positions.size == 3
 
 

@@ -170,7 +170,7 @@ def with_cec(pair: tuple[str, str]) -> str:
 
 def test_an_own_table_in_unknown_units_is_refused_by_name() -> None:
     with pytest.raises(InputError, match=r"AX1.*MD32711"):
-        read(with_cec(("AX1", "AX1")), inch(EEC), cec_sign="error")
+        read(with_cec(("AX1", "AX1")), inch(EEC), cec_sign="error", cec_tables=[3])
 
 
 def test_tables_of_others_in_unknown_units_are_kept_and_not_shown() -> None:
@@ -195,7 +195,12 @@ def test_md32711_says_their_unit_whatever_the_basic_system_is() -> None:
     assert control.capacity(X).curves == 2
     assert control.capacity(X).quantum == pytest.approx(1e-6, rel=1e-12)
     with pytest.raises(InputError, match="MD32711"):
-        read(md.replace("METRIC[AX1]=1", "METRIC[AX1]=0"), inch(EEC), cec_sign="correction")
+        read(
+            md.replace("METRIC[AX1]=1", "METRIC[AX1]=0"),
+            inch(EEC),
+            cec_sign="correction",
+            cec_tables=[3],
+        )
 
 
 def test_rotary_axes_know_no_inch() -> None:

@@ -54,16 +54,21 @@ def test_the_828d_has_eight_tables_of_two_hundred_points_and_nothing_to_reserve(
 
 
 def test_a_table_that_the_828d_cannot_have_is_of_another_control() -> None:
-    def read(index: int, points: int, pair: tuple[str, str] = ("AX2", "AX1")) -> set[str]:
+    def read(
+        index: int, points: int, pair: tuple[str, str] = ("AX2", "AX1"), **options: object
+    ) -> set[str]:
         text = EEC + cec_lines(index, *pair, 0, 1, [0.001] * points) + "M17\n"
         given = files(A__INI=text)
-        return codes(control_format(SMALL, {"cec_sign": "error"}).read(given, [axis_of("AX1")]))
+        control = control_format(SMALL, {"cec_sign": "error", **options})
+        return codes(control.read(given, [axis_of("AX1")]))
 
     assert "CW-S050" not in read(7, 200)
     assert "CW-S050" in read(8, 200)
     assert "CW-S050" in read(7, 201)
     with pytest.raises(InputError, match="8 tables only"):
-        read(8, 10, ("AX1", "AX1"))
+        control_format(SMALL, {"cec_sign": "error"}).read(
+            files(A__INI=EEC + cec_lines(8, "AX1", "AX1", 0, 1, [0.001] * 10) + "M17\n")
+        )
 
 
 @pytest.mark.parametrize("name", RELATIVES)

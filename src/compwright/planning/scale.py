@@ -20,7 +20,7 @@ from compwright.planning.axes import CapacityOf
 from compwright.planning.checks import Checks, mismatch, scale_error
 from compwright.planning.circles import CircleWork
 from compwright.planning.stated import SIGNIFICANT, Stated
-from compwright.planning.tables import fit_staying
+from compwright.planning.tables import fit_beside, fit_staying
 from compwright.planning.wanted import dense_positions, held_by, wanted_correction
 from compwright.prediction.acting import IDLE, Acting
 from compwright.records.axis import Axis, Direction
@@ -259,7 +259,7 @@ def _planned(
     limits = capacity(axis)
 
     def fit(request: TableRequest) -> FittedTable:
-        return fit_table(wanted, limits, request, address=axis.address)
+        return fit_beside(wanted, limits, request, address=axis.address)
 
     fitted = fit_staying(fit, limits, entry.table, axis.kind.unit)
     return PlannedAxis(

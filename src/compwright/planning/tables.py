@@ -17,6 +17,7 @@ from compwright.foundations.errors import CapacityError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.outlook import yardstick
+from compwright.planning.wanted import beside
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
@@ -30,16 +31,28 @@ _BAND: Final = 3.29
 def fit_within(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str
 ) -> FittedTable:
-    """Return the fitted table. Raises CapacityError where the control cannot hold it by more than
-    the noise of a reading.
+    """Return the fitted table, beside those of the axis that stay. Raises CapacityError where the
+    control cannot hold it by more than the noise of a reading.
     """
+    own = beside(wanted, capacity.stays)
 
     def fit(asked: TableRequest) -> FittedTable:
-        table = fit_table(wanted, capacity, asked, address=address)
-        raise_all(CapacityError, list(beyond_limits(table, wanted, capacity)))
+        table = fit_beside(wanted, capacity, asked, address=address)
+        raise_all(CapacityError, list(beyond_limits(table, own, capacity)))
         return table
 
     return fit_staying(fit, capacity, request, wanted.kind.unit)
+
+
+def fit_beside(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str
+) -> FittedTable:
+    """Return the table that does, together with those of the axis that stay, what is wanted.
+
+    Raises CapacityError where the control cannot hold it.
+    """
+    table = fit_table(beside(wanted, capacity.stays), capacity, request, address=address)
+    return replace(table, compensation=replace(table.compensation, others=capacity.stays))
 
 
 def fit_staying(
@@ -78,14 +91,14 @@ def freely_chosen(
     """Return the table on the grid that compwright would choose, where ``table`` stands on the one
     that was there and this loses more than a chosen one may; else None.
     """
-    nodes = table.compensation.positions
-    if not table.keeps_grid or good_enough(nodes, wanted, capacity):
+    nodes, own = table.compensation.positions, beside(wanted, capacity.stays)
+    if not table.keeps_grid or good_enough(nodes, own, capacity):
         return None
     try:
-        chosen = fit_table(wanted, capacity, replace(request, spacing="auto"), address=address)
+        chosen = fit_beside(wanted, capacity, replace(request, spacing="auto"), address=address)
     except CapacityError:
         return None
-    return None if any(beyond_limits(chosen, wanted, capacity)) else chosen
+    return None if any(beyond_limits(chosen, own, capacity)) else chosen
 
 
 def grid_words(nodes: FloatArray, unit: str) -> str:

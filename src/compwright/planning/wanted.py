@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -188,6 +189,20 @@ def wanted_correction(
         reversal_log_odds=reversal_log_odds,
         periods=axis.screw_pitch,
     )
+
+
+def beside(wanted: WantedCorrection, stays: Sequence[AxisCompensation]) -> WantedCorrection:
+    """Return what a table has to do beside others that stay, zero at the reference again."""
+    if not stays:
+        return wanted
+    curves = {}
+    for direction in Direction:
+        theirs = np.sum([one.at(wanted.positions, direction) for one in stays], axis=0)
+        curves[direction] = wanted.total(direction) - theirs
+    at_reference = curves[wanted.reference_return]
+    shift = float(np.interp(wanted.reference, wanted.positions, at_reference))
+    positive, negative = (curves[direction] - shift for direction in Direction)
+    return replace(wanted, positive=positive, negative=negative)
 
 
 def with_change(

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from compwright.records.axis import Direction
-from compwright.records.correction import Assumption, Beyond, Interpolation
+from compwright.records.correction import Assumption, AxisCompensation, Beyond, Interpolation
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +53,8 @@ class Capacity:
     nobody knows what the control does behind its ends. ``shared_points``: ``max_points`` is what
     all axes share. ``zero``: the direction in which the correction is zero at the reference,
     however that is approached (None: that of the reference return); of two curves, the correction
-    in + less that in - at the reference then lies in ``backlash_range``.
+    in + less that in - at the reference then lies in ``backlash_range``. ``stays``: tables that act
+    on the axis and stay beside whatever is written.
     """
 
     format: str
@@ -84,6 +85,7 @@ class Capacity:
     zero: Direction | None = None
     below: Beyond = "hold"
     above: Beyond = "hold"
+    stays: tuple[AxisCompensation, ...] = ()
     assumed: tuple[Assumption, ...] = ()
 
     @property

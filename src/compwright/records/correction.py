@@ -172,7 +172,8 @@ class ControlState:
     what else they fix.
 
     ``facts``: by address. ``tables``: those between axes, whatever they do. ``reserved``: numbers
-    of an array that all axes share which hold data, or to which another function points.
+    of an array that all axes share which hold data, or to which another function points. ``stays``:
+    by address, those of an axis' tables that stay beside whatever is written for it.
     """
 
     format: str
@@ -181,6 +182,7 @@ class ControlState:
     facts: Mapping[str, AxisFacts] = field(default_factory=dict)
     tables: PairTables = field(default_factory=PairTables)
     reserved: frozenset[int] = frozenset()
+    stays: Mapping[str, tuple[AxisCompensation, ...]] = field(default_factory=dict)
     assumed: tuple[Assumption, ...] = ()
     findings: tuple[Finding, ...] = ()
 

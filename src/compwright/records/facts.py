@@ -154,8 +154,9 @@ class AxisFacts:
 @dataclass(frozen=True, slots=True)
 class PairTables:
     """The tables between axes that a control's files hold, by index: input and output axis, and the
-    points that are reserved.
+    points that are reserved. ``stay``: those over an axis itself that stay whatever is written.
     """
 
     used: Mapping[int, tuple[str, str]] = field(default_factory=dict)
     reserved: Mapping[int, int] = field(default_factory=dict)
+    stay: frozenset[int] = frozenset()

@@ -136,6 +136,10 @@ class Family(ABC):
             )
         return bool(np.max(np.abs(there - nodes)) <= 2 * slack)
 
+    def stays(self, address: str) -> tuple[AxisCompensation, ...]:
+        """Return which tables of an axis stay beside whatever is written for it."""
+        return () if self.state is None else self.state.stays.get(address, ())
+
     def scale_of(self, axis: Axis) -> Scale:
         """Return how numbers of an axis are written; choices are those that its options ask for."""
         options = self.options_of(axis)

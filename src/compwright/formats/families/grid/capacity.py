@@ -57,6 +57,9 @@ class AxisLimits:
             period=self._period(),
             there=self.control.grid_there(self.axis),
             spacings=self._spacings(quantum),
+            stays=()
+            if self.control.state is None
+            else self.control.state.stays.get(self.address, ()),
             assumed=tuple(assumed),
         )
 

@@ -34,7 +34,12 @@ from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import ReadText, text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis
-from compwright.records.correction import ControlFile, ControlState, CrossCompensation
+from compwright.records.correction import (
+    AxisCompensation,
+    ControlFile,
+    ControlState,
+    CrossCompensation,
+)
 from compwright.records.facts import PairTables
 
 #: What corrects an axis, or switches that on, where it is not zero.
@@ -116,6 +121,7 @@ class GridReader:
             cross=cross,
             facts={address: reading.facts for address, reading in readings.items()},
             tables=self.pair_tables(),
+            stays={address: found for address in axes if (found := self.staying(axes[address]))},
             assumed=tuple(self.notes.assumed),
             findings=tuple(dict.fromkeys(self.notes.findings)),
         )
@@ -137,6 +143,11 @@ class GridReader:
 
     def cross(self) -> tuple[CrossCompensation, ...]:
         """Return what one axis does to another."""
+        return ()
+
+    def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
+        """Return which of an axis' tables stay beside whatever is written for it."""
+        del compensation
         return ()
 
     def pair_tables(self) -> PairTables:

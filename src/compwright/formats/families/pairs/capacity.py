@@ -117,4 +117,8 @@ class PairLimits(AxisLimits):
             for entry in state.cross
             if entry.output == address
         )
-        return max(0.0, facts.max_sum - others - facts.odd_sum)
+        stays = sum(
+            float(np.max(np.abs([one.positive, one.negative])))
+            for one in self.control.stays(address)
+        )
+        return max(0.0, facts.max_sum - others - stays - facts.odd_sum)

@@ -127,15 +127,28 @@ class TableLines(Lines):
         )
         return all(self._ends_on(quantity, last(quantity, places)) for quantity, places in ends)
 
+    def told_on(self) -> bool:
+        """Return whether the files, or the job where they do not say it, tell that the table is
+        on; where nobody asks, what they do not say counts as on.
+        """
+        output = self.pair[1]
+        ends = (
+            last("cross_table_enabled", self.places),
+            last("cross_axis_enabled", of_axis(self.gathered, output)),
+        )
+        said = all(ends) or self.activity.said is True or not self.activity.asking
+        return said and self.on()
+
     def _ends_on(self, quantity: str, found: Found | None) -> bool:
         values, binding = self.values(self.label), self.definition.choice(quantity)
         if found is None:
             return values.absent(quantity, tell=False) == "yes"
         return values.known_word(binding, found.text) == "yes"
 
-    def acts(self, *, asked: bool) -> bool:
+    def acts(self, *, asked: bool, stays: bool) -> bool:
         """Return whether no file switches the table off, itself or the sum on its output axis; inch
-        data are not read. ``asked``: its output axis is asked for.
+        data are not read. ``asked``: its output axis is asked for. ``stays``: nobody gave its index
+        to be written; then nothing hangs on whether one that no file switches off acted.
         """
         owner = f"axis {self.pair[1]}"
         on_axis = of_axis(self.gathered, self.pair[1])
@@ -144,7 +157,8 @@ class TableLines(Lines):
             self._switch("cross_axis_enabled", on_axis, owner),
         ]
         acts = None
-        if self.itself and asked and not is_zero(self.places):
+        alike = stays and all(end.word == "yes" for end in ends)
+        if self.itself and asked and not alike and not is_zero(self.places):
             acts = self._acted(ends)
         if acts is None:
             off = next((end for end in ends if end.word == "no"), None)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from compwright.formats.definition.statements import name_in_form
 from compwright.formats.families.family import Family
@@ -28,7 +28,8 @@ class OwnTables:
     """The tables of one control. ``own``: its files, None where none are patched.
 
     ``allowed``: indices that may be written; ``in_use``: input and output axis of every table that
-    there is; ``kept``: the indices that are ours now.
+    there is; ``kept``: the indices that are ours now; ``stay``: those over an axis itself that stay
+    as they are.
     """
 
     def __init__(self, control: Family, own: OwnFiles | None) -> None:
@@ -37,6 +38,7 @@ class OwnTables:
         self.allowed = allowed_tables(control.definition, control.options)
         tables = control.state.tables if control.state is not None else PairTables()
         self.reserved = tables.reserved
+        self.stay = tables.stay
         self.places: Mapping[int, Places] = places_of(own.gathered) if own is not None else {}
         self.in_use: Mapping[int, Pair] = self._used() if own is not None else tables.used
         self.kept: set[int] = set()
@@ -82,6 +84,23 @@ class OwnTables:
     def said_of_axis(self, output: str, quantity: str) -> Sequence[Found]:
         """Return the places of a quantity of all tables on one axis together."""
         return () if self.own is None else of_axis(self.own.gathered, output).get(quantity, ())
+
+    def factors(self, changed: Collection[int]) -> Iterator[Fault]:
+        """Yield where one of these tables, which change, is what another one is multiplied by."""
+        for index in self.places:
+            for place in self.said(index, "cross_multiplier")[-1:]:
+                if index in changed or int(place.text) - 1 not in changed or self.quiet(index):
+                    continue
+                yield Fault(
+                    message=(
+                        f"CEC table {index} is multiplied by table {int(place.text) - 1}"
+                        " ($AN_CEC_MULT_BY_TABLE), to be written"
+                    ),
+                    file=place.occurrence.file,
+                    place=place.occurrence.place,
+                    expected="other indices in the option cec_tables",
+                    found=place.text,
+                )
 
     def quiet(self, index: int) -> bool:
         """Whether the files hold nothing but zeros in a table."""

@@ -7,7 +7,8 @@ another is not read.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, replace
 from decimal import Decimal
 
 from compwright.formats.families.activity import Activity
@@ -15,6 +16,7 @@ from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.tables import Table, TableSource
 from compwright.formats.families.pairs.lines import Lines, TableLines, Units
 from compwright.formats.families.pairs.places import (
+    ADDED,
     AS_TABLE,
     DATA,
     NEEDED,
@@ -45,6 +47,32 @@ _ODD = (
 _DIRECTIONS = {"0": tuple(Direction), "1": (Direction.POSITIVE,), "-1": (Direction.NEGATIVE,)}
 
 
+@dataclass(frozen=True, slots=True)
+class Writable:
+    """Which tables may be written, by the address of each axis of a job. ``sign_known``: somebody
+    said what a value means.
+    """
+
+    indices: Mapping[str, Collection[int]]
+    sign_known: bool
+
+    def stays(self, one: TableLines) -> bool:
+        """Return whether a table that acts on an axis of a job by its own position stays as it is:
+        nobody gave its index to be written, and it is told that it is on.
+        """
+        given = self.indices.get(one.pair[1])
+        return given is not None and one.index not in given and one.told_on()
+
+
+def _largest(places: Places) -> float:
+    """Return the largest amount of a table, weighted, in the unit of the files."""
+    weight = last("cross_weight", places)
+    factor = abs(float(weight.text)) if weight is not None else 1.0
+    amounts = [abs(float(row.text)) for row in places.get("cross_value", ())]
+    added = [abs(float(place.text)) for name in ADDED for place in places.get(name, ())[-1:]]
+    return factor * (max(amounts, default=0.0) + max(added, default=0.0))
+
+
 class CecReader(Lines):
     """Reads the tables between axes; what is wrong with them goes to ``notes``.
 
@@ -52,7 +80,8 @@ class CecReader(Lines):
     for (none: all). ``units``: in what numbers stand. A table that cannot be read as a curve (its
     range no multiple of its step, an output that is no machine axis, a key that is not known, a
     product with another table, an unknown unit) is a fault where it acts on one of them over
-    itself; elsewhere it is left alone and named.
+    itself and may be written, or no job says what may (``writable``); else it is left alone and
+    named.
     """
 
     def __init__(
@@ -63,19 +92,22 @@ class CecReader(Lines):
         wanted: Mapping[str, Axis | None],
         activity: Activity,
         units: Units,
+        writable: Writable,
     ) -> None:
         super().__init__(gathered, notes)
         self.units = units
+        self.writable = writable
         self.scale = scale
         self.wanted = wanted
         self.activity = activity
+        self.places = dict(sorted(places_of(gathered).items()))
         self.occupied: dict[int, Pair] = {}
         self.odd: list[OddTable] = []
         self.quiet: list[int] = []
 
     def read(self) -> Cec:
         """Return everything that the files say about tables between axes."""
-        places = dict(sorted(places_of(self.gathered).items()))
+        places = self.places
         tables = [self._table(index, found) for index, found in places.items()]
         self._name_quiet()
         reserved = {
@@ -103,11 +135,17 @@ class CecReader(Lines):
         if not any(name in places for name in DATA) or is_unused(places):
             return None
         one = _TableReader(self.gathered, index, places, self.activity, self.units)
-        table = one.curve(self.scale, asked=one.pair[1] in self.wanted)
+        stays = self.writable.stays(one)
+        table = one.curve(self.scale, asked=one.pair[1] in self.wanted, stays=stays)
         self.occupied[index] = one.pair
         if not one.notes.faults:
             self.notes.take(one.notes)
-            return table
+            if table is None or not (stays and table.active and table.values.any()):
+                return table
+            if self.writable.sign_known:
+                return replace(table, stays=True)
+            self._name_left(one, "nobody says the sign of its values (option cec_sign)")
+            return None
         if is_zero(places) and "cross_value" in places and is_whole(places) and not one.damaged:
             self.quiet.append(index)
         else:
@@ -128,19 +166,24 @@ class CecReader(Lines):
         """Keep a table that cannot be read where the work does not touch it; else its faults are
         those of the files.
         """
-        acts, faults = one.on(), one.notes.faults
-        product = any("MULT_BY_TABLE" in fault.message for fault in faults)
+        faults = one.notes.faults
         damaged = "cross_value" not in one.places or not is_whole(one.places) or one.damaged
-        touched = not self.wanted or any(self._touches(one.pair, each) for each in self.wanted)
-        if damaged or (acts and touched and (product or one.itself)):
+        ours = one.on() and self._touched(one) and (one.times is not None or one.itself)
+        if damaged or (ours and not self.writable.stays(one)):
             self.notes.faults.extend(fault for fault in faults if fault not in self.notes.faults)
             return
-        weight = last("cross_weight", one.places)
-        factor = abs(float(weight.text)) if weight is not None else 1.0
-        amounts = [abs(float(row.text)) for row in one.places.get("cross_value", ())]
-        largest = factor * max(amounts, default=0.0) if acts else 0.0
-        why = faults[0].message.removeprefix(f"{one.label}: ")
-        self.odd.append(OddTable(one.index, *one.pair, why, largest))
+        self._name_left(one, faults[0].message.removeprefix(f"{one.label}: "))
+
+    def _touched(self, one: _TableReader) -> bool:
+        return not self.wanted or any(self._touches(one.pair, each) for each in self.wanted)
+
+    def _name_left(self, one: _TableReader, why: str) -> None:
+        """Keep a table as it is, name it, and note what it adds at most."""
+        acts, product, touched = one.on(), one.times is not None, self._touched(one)
+        largest = _largest(one.places) if acts else 0.0
+        if one.times is not None:
+            largest *= 1.0 + _largest(self.places.get(one.times, {}))
+        self.odd.append(OddTable(one.index, *one.pair, why, largest, one.times))
         base, corrected = one.pair
         state = (
             "it is switched off"
@@ -200,8 +243,16 @@ class _TableReader(TableLines):
         """Whether its lines contradict each other."""
         return any("contradicts" in fault.message for fault in self.notes.faults)
 
-    def curve(self, scale: Scale, *, asked: bool) -> CecTable | None:
-        """Return the table as a curve; what keeps it from being one goes to the notes."""
+    @property
+    def times(self) -> int | None:
+        """The table by which it is multiplied; None: by none."""
+        found = last("cross_multiplier", self.places)
+        return None if found is None or int(found.text) == 0 else int(found.text) - 1
+
+    def curve(self, scale: Scale, *, asked: bool, stays: bool) -> CecTable | None:
+        """Return the table as a curve; what keeps it from being one goes to the notes. See
+        `TableLines.acts`.
+        """
         singles = {name: self._one(name) for name in DATA if name != "cross_value"}
         count, anything = self.definition.limit_number("cross_tables"), next(iter(self.places))
         if count is not None and self.index >= count:
@@ -221,7 +272,7 @@ class _TableReader(TableLines):
         directions = self._directions(said["cross_direction"])
         if table is None or directions is None:
             return None
-        active = self.acts(asked=asked)
+        active = self.acts(asked=asked, stays=stays)
         if active and not self._simple(said.get("cross_multiplier")):
             return None
         self._check_reserved(table)

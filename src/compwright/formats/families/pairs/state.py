@@ -12,14 +12,20 @@ from compwright.formats.families.grid.axis_reading import AxisReading
 from compwright.formats.families.grid.reading import GridReader
 from compwright.formats.families.pairs.lines import Units
 from compwright.formats.families.pairs.options import (
+    allowed_tables,
     scale_of_pairs,
     sign_known,
     sign_question,
 )
-from compwright.formats.families.pairs.reading import CecReader
-from compwright.formats.families.pairs.sums import check_sums, cross_tables, with_own_tables
+from compwright.formats.families.pairs.reading import CecReader, Writable
+from compwright.formats.families.pairs.sums import (
+    check_sums,
+    cross_tables,
+    staying,
+    with_own_tables,
+)
 from compwright.records.axis import Axis, AxisKind
-from compwright.records.correction import ControlFile, CrossCompensation
+from compwright.records.correction import AxisCompensation, ControlFile, CrossCompensation
 from compwright.records.facts import PairTables
 
 
@@ -37,8 +43,21 @@ class PairsReader(GridReader):
         super().__init__(control, files, axes, address, activity)
         scale = scale_of_pairs(control, AxisKind.LINEAR)
         units = Units(self.unit == "inch", self._kind)
-        self.cec = CecReader(self.gathered, scale, self.notes, self.wanted, activity, units).read()
         self.sign_known = sign_known(control)
+        given = {
+            one: allowed_tables(self.definition, control.options_of(axis))
+            for one, axis in self.wanted.items()
+            if axis is not None
+        }
+        self.cec = CecReader(
+            self.gathered,
+            scale,
+            self.notes,
+            self.wanted,
+            activity,
+            units,
+            Writable(given, self.sign_known),
+        ).read()
         check_sums(self.cec, self.notes, self.wanted)
 
     def named(self) -> list[str]:
@@ -58,14 +77,21 @@ class PairsReader(GridReader):
             named = " and ".join(str(table.index) for table in acting)
             why = f"axis {address}: CEC table {named} corrects the axis over itself"
             self.notes.ask(sign_question(why, "it"))
-        return bool(acting)
+        return bool(acting) or bool(self.cec.uncounted(address))
 
     def axis(self, address: str, axis: Axis | None) -> AxisReading:
         """See `GridReader.axis`: its own table, and those of the axis over itself."""
         own = super().axis(address, axis)
         pairs = self.cec.facts(address, sign_known=self.sign_known)
         compensation = with_own_tables(self.cec, own.compensation)
-        return AxisReading(compensation, replace(own.facts, pairs=pairs))
+        beside = "; ".join(filter(None, (own.facts.beside, self.cec.uncounted(address))))
+        return AxisReading(compensation, replace(own.facts, pairs=pairs, beside=beside))
+
+    def staying(self, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
+        """See `GridReader.staying`: tables of the axis over itself that nobody gave to be
+        written.
+        """
+        return staying(self.cec, compensation)
 
     def cross(self) -> tuple[CrossCompensation, ...]:
         """See `GridReader.cross`. Without their sign such tables are left as they are."""
@@ -82,7 +108,7 @@ class PairsReader(GridReader):
 
     def pair_tables(self) -> PairTables:
         """See `GridReader.pair_tables`."""
-        return PairTables(self.cec.occupied, self.cec.reserved)
+        return PairTables(self.cec.occupied, self.cec.reserved, self.cec.stay())
 
     def _kind(self, address: str) -> AxisKind:
         """Return the kind of an axis of a table between axes: the job's, the files', else linear,

@@ -79,7 +79,25 @@ def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensatio
     """Return what acts on an axis together with its tables over itself: they are its table where it
     has no other one.
     """
-    own = [
+    mine = cec.acting((compensation.address, compensation.address))
+    own = _as_tables(compensation, [table for table in mine if not table.stays])
+    stay = staying(cec, compensation)
+    if not own or compensation.positions.size:
+        return replace(compensation, others=(*own, *stay))
+    return replace(own[0], backlash=compensation.backlash, others=(*own[1:], *stay))
+
+
+def staying(cec: Cec, compensation: AxisCompensation) -> tuple[AxisCompensation, ...]:
+    """Return the tables of an axis over itself that stay beside whatever is written."""
+    mine = cec.acting((compensation.address, compensation.address))
+    return _as_tables(compensation, [table for table in mine if table.stays])
+
+
+def _as_tables(
+    compensation: AxisCompensation, tables: Sequence[CecTable]
+) -> tuple[AxisCompensation, ...]:
+    """Return what tables over an axis itself do, as tables of that axis."""
+    return tuple(
         replace(
             compensation,
             positions=nodes,
@@ -89,16 +107,10 @@ def with_own_tables(cec: Cec, compensation: AxisCompensation) -> AxisCompensatio
             period=period,
             below="hold",
             above="hold",
+            others=(),
         )
-        for period, nodes, positive, negative in _merged(
-            cec.acting((compensation.address, compensation.address))
-        )
-    ]
-    if not own:
-        return compensation
-    if compensation.positions.size == 0:
-        return replace(own[0], backlash=compensation.backlash, others=tuple(own[1:]))
-    return replace(compensation, others=tuple(own))
+        for period, nodes, positive, negative in _merged(tables)
+    )
 
 
 def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:

@@ -101,23 +101,7 @@ class Switches:
     def _check_shared(self, output: str, faults: list[Fault]) -> None:
         """Other tables must not be multiplied by ours, and the axis must take values in mm."""
         tables = self.tables
-        faults.extend(
-            Fault(
-                message=(
-                    f"CEC table {index} is multiplied by table {int(place.text) - 1}"
-                    " ($AN_CEC_MULT_BY_TABLE), to be written"
-                ),
-                file=place.occurrence.file,
-                place=place.occurrence.place,
-                expected="other indices in the option cec_tables",
-                found=place.text,
-            )
-            for index in tables.places
-            for place in tables.said(index, "cross_multiplier")[-1:]
-            if index not in tables.kept
-            and int(place.text) - 1 in tables.kept
-            and not tables.quiet(index)
-        )
+        faults.extend(tables.factors(tables.kept))
         faults.extend(
             Fault(
                 message=(

@@ -18,7 +18,7 @@ class CecTable:
     ``positions`` (k,) of ``input``.
 
     ``directions``: in which it acts. ``period``: the table repeats. ``active``: no file switches it
-    off.
+    off. ``stays``: it corrects an axis over itself, and nobody gave its index to be written.
     """
 
     index: int
@@ -29,6 +29,7 @@ class CecTable:
     values: FloatArray
     period: float | None
     active: bool
+    stays: bool = False
 
     @property
     def pair(self) -> Pair:
@@ -38,8 +39,8 @@ class CecTable:
 
 @dataclass(frozen=True, slots=True)
 class OddTable:
-    """A table that cannot be read as a curve, and why. ``largest``: its largest amount, weighted,
-    mm or deg, 0 where it is off.
+    """A table that cannot be counted, and why. ``largest``: its largest amount, weighted, mm or
+    deg, 0 where it is off. ``times``: the table by which it is multiplied.
     """
 
     index: int
@@ -47,6 +48,17 @@ class OddTable:
     output: str
     why: str
     largest: float
+    times: int | None = None
+
+    @property
+    def pair(self) -> Pair:
+        """Input and output axis."""
+        return self.input, self.output
+
+    @property
+    def made_of(self) -> tuple[int, ...]:
+        """The tables on which its values hang."""
+        return (self.index,) if self.times is None else (self.index, self.times)
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,9 +83,13 @@ class Cec:
 
     def own_axes(self) -> list[str]:
         """Return the axes with tables over themselves, switched on or not."""
-        return list(
-            dict.fromkeys(table.output for table in self.tables if table.input == table.output)
-        )
+        pairs = [*(table.pair for table in self.tables), *(table.pair for table in self.odd)]
+        return list(dict.fromkeys(output for base, output in pairs if base == output))
+
+    def stay(self) -> frozenset[int]:
+        """Return the tables over an axis itself that stay whatever is written."""
+        counted = (table.index for table in self.tables if table.stays)
+        return frozenset((*counted, *(table.index for table in self.odd if table.largest)))
 
     def acting(self, pair: Pair) -> list[CecTable]:
         """Return the tables that act on a pair of axes."""
@@ -81,7 +97,8 @@ class Cec:
 
     def facts(self, address: str, *, sign_known: bool) -> PairFacts:
         """Return what the tables mean for one axis."""
-        own = {table.directions: table.index for table in self.acting((address, address))}
+        mine = (table for table in self.acting((address, address)) if not table.stays)
+        own = {table.directions: table.index for table in mine}
         up, down = (own.get((direction,)) for direction in Direction)
         return PairFacts(
             own=(up, down) if len(own) == 2 and up is not None and down is not None else None,
@@ -90,6 +107,21 @@ class Cec:
             odd_sum=sum(table.largest for table in self.odd if table.output == address),
             untold=self._untold(address, sign_known=sign_known),
         )
+
+    def uncounted(self, address: str) -> str:
+        """Return the tables over an axis itself, and products on it, that act on it and are not
+        counted, in words that change with their values.
+        """
+        mine = [table for table in self.odd if table.largest and table.output == address]
+        return ", ".join(
+            f"CEC table {table.index} ({self._print(table)})"
+            for table in mine
+            if table.times is not None or table.input == address
+        )
+
+    def _print(self, table: CecTable | OddTable) -> str:
+        parts = table.made_of if isinstance(table, OddTable) else (table.index,)
+        return ", ".join(self.prints.get(index, "-") for index in parts)
 
     def _untold(self, address: str, *, sign_known: bool) -> str:
         """Return the tables from other axes that act on one and cannot be counted with, in words
@@ -100,6 +132,6 @@ class Cec:
             acting += [table for table in self.tables if table.active and table.values.any()]
         mine = [table for table in acting if table.output == address != table.input]
         return ", ".join(
-            f"CEC table {table.index} over {table.input} ({self.prints[table.index]})"
+            f"CEC table {table.index} over {table.input} ({self._print(table)})"
             for table in sorted(mine, key=lambda table: table.index)
         )

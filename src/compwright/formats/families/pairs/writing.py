@@ -126,6 +126,8 @@ class CecWriter:
                 continue
             if tables.quiet(index) or tables.off(index, address):
                 continue
+            if index in tables.stay and index not in tables.allowed:
+                continue  # as it is in the readings, it is in what acts afterwards
             if self.own is None or index not in tables.allowed:
                 work.faults.append(
                     Fault(
@@ -143,6 +145,7 @@ class CecWriter:
                 )
                 continue
             tables.check_protected(index, address, work.faults)
+            work.faults.extend(tables.factors({index}))
             self.own.clear_rows(tables.table_places(index))
 
     def _entry(
