@@ -415,7 +415,7 @@ def test_values_in_inch_are_not_written_to() -> None:
         pair_into(eec() + "$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=0\n")
 
 
-def test_the_sign_is_asked_for_where_a_pair_is_written_or_an_own_table_is_read() -> None:
+def test_the_sign_is_asked_for_where_a_pair_is_written_or_replaced() -> None:
     unknown = {**OPTIONS, "cec_sign": None}
     with pytest.raises(UsageError, match="dial gauge"):
         control_format(SIEMENS, unknown).write([TWO], [axis_of("AX1")])
@@ -425,7 +425,9 @@ def test_the_sign_is_asked_for_where_a_pair_is_written_or_an_own_table_is_read()
         + eec()
     )
     with pytest.raises(UsageError, match="cec_sign"):
-        both_readers(own, axis_of("AX1"))
+        both_readers(own, axis_of("AX1"), cec_tables=[0])
+    stays = both_readers(own, axis_of("AX1"))  # nobody gave it to be written: no answer is needed
+    assert "CEC table 0" in stays.facts["AX1"].beside
     others = both_readers(cec(0, ("AX3", "AX2"), step=85) + eec(), axis_of("AX1"))
     assert (others.cross, "CW-S051" in codes(others)) == ((), True)
 

@@ -207,4 +207,5 @@ def test_a_job_beside_a_builders_table_of_the_axis(
         assert case.cec is not None
         assert outcome.files.get("NC_CEC.INI", case.cec.encode()) == case.cec.encode()
         predicted.append(outcome.predicted)
-    assert predicted[0] < predicted[1] + 1.0  # um: another datum and grid
+    # The grid that is there stays, and the other table bends between its nodes; uncounted it is 33 um.
+    assert predicted[0] < 1.5 * predicted[1]

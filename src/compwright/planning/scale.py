@@ -13,7 +13,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.estimation.circle_model import SOFTEST_LOOP
-from compwright.fitting.fit import fit_table
 from compwright.foundations.errors import CapacityError
 from compwright.foundations.findings import Finding
 from compwright.planning.axes import CapacityOf
