@@ -614,9 +614,12 @@ class TestNck:
         )
         assert facts(loaded)["BACKLASH in X.COM"].startswith("the whole curve")
 
-    def test_backlash_column_of_unknown_meaning(self) -> None:
-        with pytest.raises(InputError, match="meaning of the column BACKLASH is unconfirmed"):
-            nck({"X.COM": NCK_COM})
+    def test_backlash_column_is_the_curve_towards_minus(self) -> None:
+        # MANUALplus 620 p. 715: no option is needed; a file may speak against it
+        assert values(nck({"X.COM": NCK_COM}), "X", [-400, 0], DOWN) == [-0.004, -0.0043]
+        assert values(nck({"X.COM": NCK_COM}), "X", [-400, 0], UP) == [0.0, -0.0007]
+        with pytest.raises(InputError, match="column BACKLASH is not blank"):
+            nck({"X.COM": NCK_COM}, options={"backlash_column": "absent"})
         equal = (
             NCK_COM.replace("+0.0040", "+0.0000")
             .replace("+0.0021", "-0.0018")
@@ -639,6 +642,65 @@ class TestNck:
                     )
         with pytest.raises(InputError, match="BACKLASH is blank at an end"):
             nck({"X.COM": equal}, options={"backlash_column": "second_curve"})
+
+    def test_first_line_with_an_edition(self) -> None:
+        for more in (
+            " Version: 'Update:110.24'",
+            " VERSION: 'Update:120.17 Date:2004-08-01'",
+            " Version: 'Update:120.17 Date:2004-08-01' U",
+            " U",
+        ):
+            loaded = nck({"X.COM": NCK_COM.replace("X.COM MM", "X.COM MM" + more)})
+            assert values(loaded, "X", [-200], UP) == [0.0018]
+        with pytest.raises(InputError, match="head of the table"):
+            nck({"X.COM": NCK_COM.replace("X.COM MM", "X.COM MM Edition: 'x'")})
+
+    def test_tables_that_describe_their_columns(self) -> None:
+        # the value of X in row 1 begins beside the name X: only the widths say whose cell it is
+        rows = (
+            "NR      AXISPOS    BACKLASH  X        Y\n"
+            "0       -400                 +0.0000  +0.0000\n"
+            "1       -200                  -0.0018 +0.0015\n"
+            "2       +0                   +0.0007  +0.0030\n[END]\n"
+        )
+        widths = {"NR": 8, "AXISPOS": 11, "BACKLASH": 10, "X": 9, "Y": 9}
+        named = "BEGIN X.COM MM Version: 'Update:110.24'\n"
+        new = "TableDescription (\n  columns:= [\n" + "".join(
+            f'    CfgColumnDescription (\n      key:="{name}",\n      width:={width},\n'
+            '      unit:=TEXT,\n      initial:="(0",\n      readonly:=FALSE\n    ),\n'
+            for name, width in widths.items()
+        )
+        new += '  ],\n  primaryKey:="NR"\n)\n'
+        old = "#STRUCTBEGIN\n" + "".join(
+            f"   NAME = {name}\n     TYPE = N\n     WIDTH = {width - 1}\n     DEC = 4\n*   // x\n"
+            for name, width in widths.items()
+            if name != "NR"
+        )
+        old += "#STRUCTEND\n"
+        key = new.replace('"NR"', '"KEY"')
+        for text, table in (
+            (new, rows),
+            (old, rows),
+            (key, rows.replace("NR      ", "KEY     ")),
+        ):
+            loaded = nck({"X.COM": named + text + table})
+            assert values(loaded, "X", [-400, -200, 0], DOWN) == [0.0, 0.0018, -0.0007]
+        for text in ("", new.replace("width:=9", "width:=12")):
+            with pytest.raises(InputError, match="column of a cell is ambiguous"):
+                nck({"X.COM": named + text + rows})
+
+    def test_descriptions_that_are_refused(self) -> None:
+        begin = NCK_COM.split("\n", 1)
+        for text, says in (
+            ("#STRUCTBEGIN\n   NAME = X\n", "description of the table has no end"),
+            ("TableDescription (\n  columns:= [\n", "description of the table has no end"),
+            (
+                'TableDescription (\n  key:="X",\n  unitIsInch:=TRUE\n)\n',
+                "X is in inch of its own",
+            ),
+        ):
+            with pytest.raises(InputError, match=says):
+                nck({"X.COM": "\n".join([begin[0], text + begin[1]])})
 
     def test_second_curve_with_a_blank(self) -> None:
         loaded = nck(
@@ -828,7 +890,8 @@ class TestRefusals:
         long = head + "".join(f"{k},{k},0,mm\n" for k in range(257))
         with pytest.raises(InputError, match="at most 256"):
             itnc({"entry_X.csv": long})
-        assert nck({"entry_X.csv": long}).nodes("X").size == 257
+        with pytest.raises(InputError, match="at most 256, found 257"):
+            nck({"entry_X.csv": long})
 
     @pytest.mark.parametrize(
         ("old", "new", "message"),
@@ -919,8 +982,8 @@ class TestProtocol:
     def test_quick(self) -> None:
         rows = "".join(f"{k}  {k}  {k % 7 / 1000}\n" for k in range(15000))
         started = time.process_time()
-        loaded = nck({"X.COM": f"BEGIN X.COM MM\nNR AXISPOS X\n{rows}[END]\n"})
-        loaded.correction("X", np.linspace(0, 15000, 100_000), UP)
+        with pytest.raises(InputError, match="at most 256"):
+            nck({"X.COM": f"BEGIN X.COM MM\nNR AXISPOS X\n{rows}[END]\n"})
         assert (
             time.process_time() - started < 2.0
         )  # s of the processor; 0.1 s here, and anything quadratic takes minutes
@@ -1109,3 +1172,31 @@ def test_any_bytes_nck(table: bytes, cma: bytes, sheet: bytes) -> None:
     ask_everything("heidenhain-nck", {"X.COM": table})
     ask_everything("heidenhain-nck", {"X.COM": NCK_COM.encode(), "C.CMA": cma}, options=options)
     ask_everything("heidenhain-nck", {"entry_C.csv": sheet})
+
+
+class TestHowTheControlCountsItsAxes:
+    """The numbers of columns, parameters and bits, as the caller tells them."""
+
+    def test_columns_of_com_and_cma(self) -> None:
+        # column 2 is A here, not Y; Y, whose usual number it is, is none of them
+        files = {"X.COM": COM, "CONFIG.CMA": CMA}
+        usual = itnc(files)
+        assert usual.cross() == (("X", "Y"),)
+        told = itnc(files, axis_number={"X": 1, "a": 2})
+        assert told.cross() == (("X", "A"),)
+        assert crossed(told, "X", "A", [-384]) == [-0.0003]
+        with pytest.raises(UsageError):
+            told.cross_correction("X", "Y", np.zeros(1), UP)
+
+    def test_index_of_a_parameter_and_bit_of_mp730(self) -> None:
+        # C is the fourth axis: index 3, bit 3; A, whose usual number that is, gets nothing
+        files = {"mp": "MP710.3 : 0.004\nMP710.5 : 0.1\nMP720.3 : 0\nMP730 : %01000\n"}
+        told = itnc(files, axis_number={"C": 4}, reference_return={"C": UP})
+        assert values(told, "C", [0], DOWN) == [-0.004]
+        assert "A" not in told.addresses()
+        assert "6" in told.addresses()  # the sixth axis, which is not called C here
+        assert values(itnc(files, reference_return={"A": UP}), "A", [0], DOWN) == [-0.004]
+
+    def test_missing_mp730_is_assumed_and_said(self) -> None:
+        facts_of = {one.fact: one.value for one in itnc({"X.COM": COM}).assumed}
+        assert facts_of["MP730 of X"] == "1"

@@ -12,14 +12,17 @@ Stated from the manuals, apart from the definitions that write the files:
 - MP710 / backLash positive: the encoder runs ahead, the travel is too short (TNC 426/430 p. 366,
   MANUALplus 620 p. 707). Nothing in the direction of referencing, on reversal the whole value in
   the direction of motion; that zero state is not confirmed.
+- The column BACKLASH of an NCK table holds the values of the axis' own column for travel towards -;
+  a table has at most 256 points (MANUALplus 620 p. 715).
+- The control counts its axes as told (``axis_number``), else X, Y, Z, A, B, C from 1.
 - Unconfirmed and so an option or an assumption: the sign of the table values, what acts outside a
-  table, BACKLASH.
+  table.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -119,7 +122,7 @@ def nck_control(files: Sequence[ControlFile], request: Request) -> HeidenhainCon
     """Return an NCK control with entry sheets, .COM and .CMA loaded, in any order.
 
     Options: ``table_values`` (``error``, ``correction``) of exported tables, ``backlash_column``
-    (``absent``, ``second_curve``). Raises InputError and UsageError as ``itnc530_control`` does.
+    (``second_curve``, ``absent``). Raises InputError and UsageError as ``itnc530_control`` does.
     """
     return _control(files, request, NCK)
 
@@ -127,6 +130,12 @@ def nck_control(files: Sequence[ControlFile], request: Request) -> HeidenhainCon
 def _control(
     files: Sequence[ControlFile], request: Request, generation: Generation
 ) -> HeidenhainControl:
+    told = {
+        number: generation.address(axis)
+        for axis, number in request.axis_number.items()
+        if number > 0
+    }
+    generation = replace(generation, numbers=told)
     sheets: list[Sheet] = []
     contents: list[Content] = []
     faults: list[Fault] = []

@@ -13,12 +13,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from compwright.controllers.heidenhain.description import described
 from compwright.controllers.heidenhain.words import Place, number
 from compwright.foundations.errors import Fault, InputError
 from compwright.records.axis import FloatArray
 
 _WORD = re.compile(r"\S+")
 _WHOLE = re.compile(r"[0-9]{1,6}")
+#: What newer controls add to the first line of a table.
+_EDITION = re.compile(r"\s+VERSION:\s*'[^']*'(?=\s|$)|\s+U\s*$", re.IGNORECASE)
 #: More columns than any such table has; bounds the work on a line of rubbish.
 _MOST_COLUMNS = 64
 
@@ -111,7 +114,7 @@ def _table_name(words: list[str]) -> tuple[str, str, list[str]]:
 
 
 def _opened(line: str, place: Place, faults: list[Fault]) -> Block | None:
-    name, kind, words = _table_name(line.split()[1:])
+    name, kind, words = _table_name(_EDITION.sub("", line).split()[1:])
     unit = words[0].upper() if words else ""
     if not kind or (kind == "COM" and unit not in {"MM", "INCH"}):
         faults.append(
@@ -129,18 +132,19 @@ def _opened(line: str, place: Place, faults: list[Fault]) -> Block | None:
 
 def read_grid(block: Block) -> Grid:
     """Return the cells of a table. Raises InputError with every row that cannot be told apart."""
-    filled = [(place, line) for place, line in block.lines if line.strip()]
+    description, lines = described(block.lines)
+    filled = [(place, line) for place, line in lines if line.strip()]
     heading = (
         [(match.group().upper(), match.span()) for match in _WORD.finditer(filled[0][1])]
         if filled
         else []
     )
-    if not heading or heading[0][0] != "NR" or len(heading) > _MOST_COLUMNS:
+    if not heading or heading[0][0] != description.first or len(heading) > _MOST_COLUMNS:
         place = filled[0][0] if filled else block.place
         raise InputError(
             place.fault(
                 "no line of column headings",
-                expected="NR and the columns",
+                expected=f"{description.first} and the columns",
                 found=repr(filled[0][1][:80] if filled else ""),
             )
         )
@@ -150,9 +154,12 @@ def read_grid(block: Block) -> Grid:
         for name in dict.fromkeys(names)
         if names.count(name) > 1
     ]
+    starts = [start for _, (start, _) in heading]
+    whole = [*(name for name, _ in heading)]
+    fixed = starts if description.cells(whole, starts) else None
     rows: list[tuple[str | None, ...]] = []
     for wanted, (place, line) in enumerate(filled[1:]):
-        row = _row(line, [span for _, span in heading], place, wanted)
+        row = _row(line, [span for _, span in heading], place, wanted, fixed)
         if isinstance(row, Fault):
             faults.append(row)
         else:
@@ -163,18 +170,29 @@ def read_grid(block: Block) -> Grid:
 
 
 def _row(
-    line: str, spans: Sequence[tuple[int, int]], place: Place, wanted: int
+    line: str,
+    spans: Sequence[tuple[int, int]],
+    place: Place,
+    wanted: int,
+    starts: Sequence[int] | None,
 ) -> tuple[str | None, ...] | Fault:
     """Return the cells of a row without its number, or what is wrong with it.
 
-    With every cell filled the blanks tell the columns apart; with fewer, a cell must stand under
-    exactly one heading.
+    Where the table's description says so, a cell stands from its column's first character (one of
+    ``starts``) to the next one's. Else, with every cell filled, the blanks tell the columns apart;
+    with fewer, a cell must stand under exactly one heading.
     """
     words = [(match.group(), match.span()) for match in _WORD.finditer(line)]
     if not _WHOLE.fullmatch(words[0][0]) or int(words[0][0]) != wanted:
         return place.fault(
             "row number (a line lost?)", expected=str(wanted), found=repr(words[0][0][:40])
         )
+    if starts is not None and "\t" not in line:
+        ends = [*starts[1:], len(line)]
+        cut = [line[start:end].strip() for start, end in zip(starts, ends, strict=True)]
+        if all(len(cell.split()) < 2 for cell in cut):
+            return tuple(cell or None for cell in cut[1:])
+        return place.fault("a cell holds two words", found=repr(line.strip()[:80]))
     if len(words) == len(spans):
         return tuple(word for word, _ in words[1:])
     cells: list[str | None] = [None] * (len(spans) - 1)

@@ -128,7 +128,7 @@ class Loader:
 
     def _check_keys(self, cma: Cma) -> None:
         """NCK: the columns of .COM and .CMA bear the same axis keys (CfgAxes/axisList)."""
-        if self.generation is ITNC530:
+        if self.generation.name == ITNC530.name:
             return
         for com in self.coms:
             self.faults += [
@@ -281,10 +281,10 @@ class Loader:
         return -1.0 if chosen == "error" else 1.0
 
     def _second_curve(self, com: Com, moving: str, nodes: FloatArray, sign: float) -> Curve | None:
-        """Return the curve arriving in -, None where one curve serves both (NCK, column BACKLASH;
-        its meaning is unconfirmed).
+        """Return the curve arriving in - (NCK, column BACKLASH), None where one curve serves
+        both.
         """
-        chosen = self._choice("backlash_column", ("absent", "second_curve"), moving)
+        chosen = self._choice("backlash_column", ("second_curve", "absent"), moving)
         if com.negative is None or np.all(np.isnan(com.negative)):
             return None
         if chosen == "second_curve":
@@ -296,7 +296,11 @@ class Loader:
                 )
                 return None
             self.assumed.append(
-                Assumption(f"BACKLASH in {com.name}.COM", "the whole curve arriving in -", "option")
+                Assumption(
+                    f"BACKLASH in {com.name}.COM",
+                    "the whole curve arriving in -",
+                    "MANUALplus 620 technical manual p. 715",
+                )
             )
             return self._curve(
                 moving, nodes, sign * com.negative * self._length(com, moving), com.place
@@ -306,7 +310,7 @@ class Loader:
         if not np.array_equal(com.negative[filled], own[filled]):
             self.faults.append(
                 com.place.fault(
-                    "the meaning of the column BACKLASH is unconfirmed",
+                    "the column BACKLASH is not blank; the option backlash_column says absent",
                     expected=(
                         f"blank, or the values of {moving}, or the option"
                         " backlash_column=second_curve"
@@ -330,7 +334,7 @@ class Loader:
         """iTNC 530: only DATUM and a spacing can be typed in, so the positions lie on a regular
         grid.
         """
-        if self.generation is not ITNC530 or sheet.nodes.size < 2:
+        if self.generation.name != ITNC530.name or sheet.nodes.size < 2:
             return
         steps = np.arange(sheet.nodes.size)
         spacing = float(sheet.nodes[-1] - sheet.nodes[0]) / float(steps[-1])
@@ -368,7 +372,10 @@ class Loader:
             )
         endless = turn is not None or whole_turn(nodes)
         curve = Curve(
-            nodes, values, endless=endless, one_turn=not endless and self.generation is ITNC530
+            nodes,
+            values,
+            endless=endless,
+            one_turn=not endless and self.generation.name == ITNC530.name,
         )
         jump = float(np.interp(TURN, nodes, values) - np.interp(0.0, nodes, values))
         if endless and abs(jump) > _SAME_VALUE:
@@ -427,7 +434,7 @@ class Loader:
                     "unconfirmed",
                 )
             )
-            if self.generation is not ITNC530 and table is not None:
+            if self.generation.name != ITNC530.name and table is not None:
                 self.notes.append(
                     f"{address}: the control adds backLash also where only the table reverses the"
                     " motion; not judged"
@@ -468,9 +475,9 @@ class Loader:
 
     def _nonlinear(self, address: str, *, tabled: bool) -> bool:
         """Return whether the tables of an axis act, and not its linear error."""
-        unsaid = tabled and not self.cmas if self.generation is not ITNC530 else tabled
+        unsaid = tabled and not self.cmas if self.generation.name != ITNC530.name else tabled
         answer = self.request.active if unsaid else None  # where the files leave it open
-        if self.generation is not ITNC530:
+        if self.generation.name != ITNC530.name:
             return tabled and answer is not False
         bit = self._parameter(address, Quantity.NONLINEAR)
         if bit is None:
@@ -505,7 +512,7 @@ class Loader:
             why = "the nonlinear tables act instead" if nonlinear else "a rotary axis has none"
             self.notes.append(f"{given.place}: {name} of {address} has no effect: {why}")
             return 0.0
-        if self.generation is not ITNC530:
+        if self.generation.name != ITNC530.name:
             self.assumed.append(
                 Assumption(
                     f"{name} of {address}",

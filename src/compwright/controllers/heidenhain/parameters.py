@@ -10,10 +10,10 @@ from dataclasses import dataclass, field
 
 from compwright.controllers.heidenhain.words import (
     MOST_AXES,
+    Generation,
     Parameter,
     Place,
     Quantity,
-    axis_of_number,
     number,
 )
 from compwright.foundations.errors import Fault
@@ -38,21 +38,21 @@ class ParameterLines:
     faults: list[Fault] = field(default_factory=list)
 
 
-def read_parameters(lines: Sequence[tuple[Place, str]]) -> ParameterLines:
-    """Read MP710, MP720 and MP730; other parameters and comments (``;``, ``#``, ``*``) are passed
-    over.
+def read_parameters(lines: Sequence[tuple[Place, str]], generation: Generation) -> ParameterLines:
+    """Read MP710, MP720 and MP730 of the axes that ``generation`` counts; other parameters and
+    comments (``;``, ``#``, ``*``) are passed over.
     """
     found = ParameterLines()
     for place, line in lines:
         code = line.split(";", 1)[0].strip()
         if _MINE.match(code):
-            _read(code, place, found)
+            _read(code, place, found, generation)
         elif code and not code.startswith(("#", "*")) and not _OTHER.match(code):
             found.stray.append((place, code))
     return found
 
 
-def _read(code: str, place: Place, found: ParameterLines) -> None:
+def _read(code: str, place: Place, found: ParameterLines, generation: Generation) -> None:
     match = _PARAMETER.fullmatch(code)
     index = None if match is None or match.group(2) is None else int(match.group(2))
     if match is None or (index is None) != (match.group(1) == "730") or (index or 0) >= MOST_AXES:
@@ -66,7 +66,7 @@ def _read(code: str, place: Place, found: ParameterLines) -> None:
         return
     text = match.group(3)
     if index is None:
-        found.parameters += _mask(text, place, found)
+        found.parameters += _mask(text, place, found, generation)
         return
     value = number(text)
     if value is None:
@@ -77,10 +77,12 @@ def _read(code: str, place: Place, found: ParameterLines) -> None:
     quantity, unit = (
         (Quantity.BACKLASH, "") if match.group(1) == "710" else (Quantity.LINEAR, "mm/m")
     )
-    found.parameters.append(Parameter(quantity, axis_of_number(index + 1), value, unit, place))
+    found.parameters.append(Parameter(quantity, generation.axis(index + 1), value, unit, place))
 
 
-def _mask(text: str, place: Place, found: ParameterLines) -> list[Parameter]:
+def _mask(
+    text: str, place: Place, found: ParameterLines, generation: Generation
+) -> list[Parameter]:
     """Return the bits of MP730 that are written, bit 0 = first axis: all digits of ``%00011``, all
     axes of a decimal number.
     """
@@ -105,6 +107,6 @@ def _mask(text: str, place: Place, found: ParameterLines) -> list[Parameter]:
             )
         )
     return [
-        Parameter(Quantity.NONLINEAR, axis_of_number(index + 1), float(bit), "", place)
+        Parameter(Quantity.NONLINEAR, generation.axis(index + 1), float(bit), "", place)
         for index, bit in enumerate(bits)
     ]

@@ -19,7 +19,6 @@ from compwright.controllers.heidenhain.words import (
     Generation,
     Parameter,
     Place,
-    axis_of_number,
     binary_fault,
     lines_of,
     number,
@@ -113,8 +112,8 @@ def _read_outside(
     """Read what stands outside of tables: parameters. Anything else is a fault beside tables, else
     worth a note.
     """
-    read = read_parameters(lines)
-    if read.parameters and generation is not ITNC530:
+    read = read_parameters(lines, generation)
+    if read.parameters and generation.name != ITNC530.name:
         at = read.parameters[0].place
         read.faults.append(
             at.fault(
@@ -155,8 +154,10 @@ def _com(block: Block, generation: Generation, stem: str | None, found: Content)
         )
     if not grid.rows:
         faults.append(block.place.fault("the table holds no rows"))
-    read = _by_spacing if generation is ITNC530 else _by_position
-    com = read(block, grid, stem, found, faults)
+    if generation.name == ITNC530.name:
+        com = _by_spacing(block, grid, generation, stem, found, faults)
+    else:
+        com = _by_position(block, grid, stem, faults)
     if grid.rows and not faults and bool(np.all(np.isnan(com.values))):
         faults.append(
             block.place.fault(
@@ -190,7 +191,12 @@ def _values(grid: Grid, columns: dict[str, str], faults: list[Fault]) -> FloatAr
 
 
 def _by_spacing(
-    block: Block, grid: Grid, stem: str | None, found: Content, faults: list[Fault]
+    block: Block,
+    grid: Grid,
+    generation: Generation,
+    stem: str | None,
+    found: Content,
+    faults: list[Fault],
 ) -> Com:
     """iTNC 530: DATUM and DIST in the head, columns ``1=F()``."""
     head = _head(block, faults)
@@ -198,7 +204,7 @@ def _by_spacing(
     for name in grid.names:
         match = _COLUMN.fullmatch(name)
         if match and 1 <= int(match.group(1)) <= MOST_AXES:
-            columns[name] = axis_of_number(int(match.group(1)))
+            columns[name] = generation.axis(int(match.group(1)))
         elif name.upper() in _KINEMATICS:
             if any(grid.column(name)):
                 found.notes.append(
@@ -255,9 +261,7 @@ def _head(block: Block, faults: list[Fault]) -> dict[str, float]:
     return {"DATUM": 0.0, "DIST": 0.0, **head}
 
 
-def _by_position(
-    block: Block, grid: Grid, stem: str | None, _found: Content, faults: list[Fault]
-) -> Com:
+def _by_position(block: Block, grid: Grid, stem: str | None, faults: list[Fault]) -> Com:
     """NCK: AXISPOS, perhaps BACKLASH, then one column per axis key."""
     if block.rest:
         faults.append(
@@ -309,8 +313,8 @@ def _cma(block: Block, generation: Generation) -> Cma:
     in STATUS or ACTIVE.
     """
     grid = read_grid(block)
-    mark = "M" if generation is ITNC530 else "*"
-    states = ("STATUS", "ACTIVE") if generation is ITNC530 else ("ACTIVE",)
+    mark = "M" if generation.name == ITNC530.name else "*"
+    states = ("STATUS", "ACTIVE") if generation.name == ITNC530.name else ("ACTIVE",)
     state = next((name for name in grid.names if name.upper() in states), None)
     marks = grid.column(state) if state else [None] * len(grid.rows)
     faults = [
@@ -321,8 +325,8 @@ def _cma(block: Block, generation: Generation) -> Cma:
     axes = tuple(name for name in grid.names if name != state)
     named = tuple(
         (
-            axis_of_number(int(name))
-            if generation is ITNC530 and _AXIS_NUMBER.fullmatch(name)
+            generation.axis(int(name))
+            if generation.name == ITNC530.name and _AXIS_NUMBER.fullmatch(name)
             else generation.address(name)
         )
         for name in axes
@@ -332,7 +336,7 @@ def _cma(block: Block, generation: Generation) -> Cma:
         for name in axes
         if _AXIS_NUMBER.fullmatch(name)
         and not 1 <= int(name) <= MOST_AXES
-        and generation is ITNC530
+        and generation.name == ITNC530.name
     ]
     if len(set(named)) < len(named) or not named or beyond:
         faults.append(
@@ -341,9 +345,12 @@ def _cma(block: Block, generation: Generation) -> Cma:
             )
         )
     active = [index for index, cell in enumerate(marks) if cell == mark]
-    single = len(grid.rows) == 1 and (generation is ITNC530 or state is None)
+    single = len(grid.rows) == 1 and (generation.name == ITNC530.name or state is None)
     if len(active) > 1 or (
-        not active and not single and grid.rows and (state is None or generation is ITNC530)
+        not active
+        and not single
+        and grid.rows
+        and (state is None or generation.name == ITNC530.name)
     ):
         faults.append(
             block.place.fault(

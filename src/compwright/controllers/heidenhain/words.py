@@ -5,7 +5,8 @@ the two generations differ.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from enum import Enum
 
 from compwright.foundations.errors import Fault
@@ -34,7 +35,7 @@ class Quantity(Enum):
 @dataclass(frozen=True, slots=True)
 class Generation:
     """One of the two generations. ``parameters``: name -> quantity; ``largest``: range of backlash
-    and linear error, both signs.
+    and linear error, both signs; ``numbers``: axes by the control's own count from 1, as told.
     """
 
     name: str
@@ -42,6 +43,15 @@ class Generation:
     ignores_case: bool
     most_points: int | None
     largest: float | None
+    numbers: Mapping[int, str] = field(default_factory=dict)
+
+    def axis(self, number: int) -> str:
+        """Return the axis of a column number from 1: as told, else its letter unless that was told
+        of another number, or the number itself where no letter is fixed.
+        """
+        letter = LETTERS[number - 1] if number <= len(LETTERS) else str(number)
+        free = str(number) if letter in self.numbers.values() else letter
+        return self.numbers.get(number, free)
 
     def address(self, text: str) -> str:
         """Return an axis name as it is compared."""
@@ -65,12 +75,12 @@ ITNC530 = Generation(
     most_points=256,
     largest=1.0,
 )
-#: MANUALplus 620 technical manual p. 707; no range and no number of points is known.
+#: MANUALplus 620 technical manual p. 707; 256 points: p. 715; no range is known.
 NCK = Generation(
     name="NCK control",
     parameters={"backLash": Quantity.BACKLASH, "linearCompValue": Quantity.LINEAR},
     ignores_case=False,
-    most_points=None,
+    most_points=256,
     largest=None,
 )
 
@@ -108,13 +118,6 @@ class Parameter:
     value: float
     unit: str
     place: Place
-
-
-def axis_of_number(number: int) -> str:
-    """Return the axis of a column number from 1: its letter, or the number itself where no letter
-    is fixed.
-    """
-    return LETTERS[number - 1] if number <= len(LETTERS) else str(number)
 
 
 def number(text: str) -> float | None:
