@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from compwright.cli import run
 from compwright.foundations.errors import InputError, UsageError
 from compwright.instruments.reading import read_positioning
 from compwright.records.axis import Direction, FloatArray
@@ -517,3 +518,63 @@ def test_a_damaged_description_is_read_or_refused(data: st.DataObject) -> None:
         test = virtual.measure(axis, rng=rng())
         assert np.all(np.isfinite(test.positive))
         assert to_csv(test).decode().startswith("#")
+
+
+_TURNING = """\
+virtual_machine: 1
+controller: {format: fanuc-30i, options: {detection_unit: 0.001}}
+axes:
+  B:
+    kind: rotary
+    travel: [0, 360]
+    modulo: 360
+    address: 4
+    test: {targets: [46, 91, 181, 271], runs: 1, motion: MOTION}
+"""
+_TURN_TABLE = """\
+%
+N01006Q1A4P00000001
+N01800Q1L1P00010000
+N01851Q1A4P2
+N01852Q1A4P5
+N03620Q1A4P60
+N03621Q1A4P60
+N03622Q1A4P68
+N03623Q1A4P1
+N03624Q1A4P45.0
+N03625Q1A4P360.0
+N10060Q0P1
+N10061Q0P1
+N10062Q0P-2
+N10063Q0P1
+N10064Q0P3
+N10065Q0P-1
+N10066Q0P-1
+N10067Q0P-2
+N10068Q0P1
+%
+"""
+
+
+@pytest.mark.parametrize(("motion", "backlash"), [("feed", 2), ("rapid", 5)])
+def test_an_endless_axis_is_measured_with_the_tables_of_its_control(
+    motion: str, backlash: int, tmp_path: Path
+) -> None:
+    # Totals by hand from the increments of 61 to 66: +1, -1, 0, +3, +2, +1 thousandths of a degree
+    # at 45, 90, 135, 180, 225, 270; the backlash of the motion in - on top (1800#4 = 1).
+    (tmp_path / "control").mkdir()
+    (tmp_path / "control" / "ALL.TXT").write_text(_TURN_TABLE, encoding="ascii")
+    described = tmp_path / "machine.yaml"
+    described.write_text(_TURNING.replace("MOTION", motion), encoding="ascii")
+    out = tmp_path / "out"
+    arguments = ["simulate", described, "--out", out, "--with-tables", tmp_path / "control"]
+    assert run([str(each) for each in arguments]) == 0
+    test = read_positioning((out / "b.csv").read_bytes(), "b.csv")
+    totals = np.array([1, -1, 3, 1]) * 1e-3
+    np.testing.assert_allclose(test.positive[:, 0], totals, atol=1e-9)  # deg, digits of the file
+    np.testing.assert_allclose(test.negative[:, 0], totals - backlash * 1e-3, atol=1e-9)
+
+
+def test_a_modulo_belongs_to_a_rotary_axis() -> None:
+    with pytest.raises(UsageError, match="no meaning on a linear axis"):
+        machine(FULL.replace("    address: 0\n", "    address: 0\n    modulo: 360\n"))

@@ -14,7 +14,7 @@ import numpy as np
 from compwright.foundations.errors import Fault, UsageError, raise_all
 from compwright.foundations.units import TO_INSIDE
 from compwright.foundations.yaml_reader import read_yaml
-from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
+from compwright.records.axis import Axis, AxisKind, Direction, Encoder, FloatArray, Motion
 from compwright.records.positioning import Cycle
 from compwright.simulation.circles import read_circles
 from compwright.simulation.curves import FLAT, Curve, PointCurve, RandomCurve
@@ -148,16 +148,19 @@ def _axis(name: str, section: Section) -> VirtualAxis:
     if travel and travel[0] >= travel[1]:
         section.reject("travel", "does not ascend", "[low, high]")
         travel = ()
+    test = section.section("test")
     axis = Axis(
         name=name,
         kind=kind,
         travel=(travel[0], travel[1]) if travel else _NO_TRAVEL,
         address=section.text("address", name),
+        modulo=_modulo(section, kind),
         reference=section.number("reference", 0.0),
         reference_return=Direction(section.choice("reference_return", ["+", "-"], "+")),
+        encoder=_encoder(section),
+        motion=_motion(test),
     )
     error = section.section("error")
-    test = section.section("test")
     result = VirtualAxis(
         axis=axis,
         error=_error(axis, error) if error is not None else AxisError(),
@@ -169,6 +172,30 @@ def _axis(name: str, section: Section) -> VirtualAxis:
     )
     section.close()
     return result
+
+
+def _modulo(section: Section, kind: AxisKind) -> float | None:
+    if not section.has("modulo"):
+        return None
+    if kind is AxisKind.LINEAR:
+        section.reject("modulo", "has no meaning on a linear axis", "kind: rotary")
+    return section.number("modulo", above=0.0)
+
+
+def _encoder(section: Section) -> Encoder:
+    """Return the measuring system by which the tables act; not said: the control's files decide."""
+    given = section.section("encoder")
+    if given is None:
+        return Encoder(stated=False)
+    encoder = Encoder(system=given.whole("system", 1, least=1, most=2))
+    given.close()
+    return encoder
+
+
+def _motion(test: Section | None) -> Motion:
+    if test is None:
+        return "feed"
+    return cast("Motion", test.choice("motion", ["feed", "rapid"], "feed"))
 
 
 def _error(axis: Axis, section: Section) -> AxisError:
