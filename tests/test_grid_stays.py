@@ -1,0 +1,145 @@
+"""The grid that is in the control stays, on every control: the same nodes, and every byte that is
+no value.
+
+A second visit: a table every 50 mm is there, the job says no spacing. The error has become another
+one, which a grid of compwright's choice would hold with other nodes.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from compwright.cli import run as compwright
+from compwright.controllers.virtual import virtual_control
+from compwright.records.correction import ControlFile
+from loop import Floats, Machine, csv_of
+from test_every_control import (
+    ADDRESS,
+    FORMATS,
+    MET_OTHERWISE,
+    OPTIONS,
+    format_of,
+    loaded,
+    run_arguments,
+    start_of,
+    tables_in,
+)
+
+NOW, LATER = Machine(), Machine(bow=0.009)
+TARGETS = NOW.targets()
+#: Values by maker: what stands before them, and what a value of nothing is.
+VALUES = {
+    "siemens": [(r"^(\$AA_ENC_COMP\[\d+,\d+,\w+\]=|\$AN_CEC\[\d+,\d+\]=|\$MA_BACKLASH\[.*\]=).*", r"\g<1>0.0")],
+    "linuxcnc": [(r"^([-.\d]+) [-.\d]+ [-.\d]+$", r"\1 \1 \1")],
+    "fanuc": [(r"^(N1\d{4}.*P)-?\d+", r"\g<1>0"), (r"^(N01851.*P)-?\d+", r"\g<1>0")],
+    "heidenhain-itnc530": [
+        (r"^(\d+ +)[-+][.\d]+", r"\g<1>+0"),
+        (r"^(\d+,[^,]+,)[^,]+", r"\g<1>0.0"),
+        (r"^(MP710\D*: )\S+|^(MP710,,)[^,]+", r"\g<1>\g<2>0.0"),
+    ],
+    "heidenhain-nck": [
+        (r"^(\d+ +[-+][.\d]+ +)[-+][.\d]+", r"\g<1>+0"),
+        (r"^(\d+,[^,]+,)[^,]+", r"\g<1>0.0"),
+        (r"^(backLash,,)[^,]+", r"\g<1>0.0"),
+    ],
+    "isg": [(r"(\.(?:pos|neg) +)-?\d+", r"\g<1>0")],
+    "pmac": [(r"(?<=[ \n])-?\d+(?=[ \n])", "0"), (r"^(I186=)-?\d+", r"\g<1>0")],
+}  # fmt: skip
+
+
+def without_values(name: str, file: ControlFile) -> str:
+    """The text of a file with nothing in the place of every value."""
+    text = file.content.decode("latin-1")
+    of = next(rules for maker, rules in VALUES.items() if name.startswith(maker))
+    for form, nothing in of:
+        text = re.sub(form, nothing, text, flags=re.MULTILINE)
+    if name.startswith("fanuc"):  # the magnification belongs to the values
+        text = re.sub(r"^(N03623.*P)\d+", r"\g<1>1", text, flags=re.MULTILINE)
+    return text
+
+
+@dataclass(frozen=True)
+class Visit:
+    """A control with its files, and jobs on it. ``name``: the format, met as it is."""
+
+    name: str
+    folder: Path
+    files: list[ControlFile]
+
+    def run(self, *options: str, machine: Machine = LATER, travel: str = "") -> int:
+        home = self.folder / f"at-{machine.bow}"
+        home.mkdir(exist_ok=True)
+        for file in self.files:
+            (home / file.name).write_bytes(file.content)
+        now = loaded(self.files, self.name, machine) if self.files else None
+        (self.folder / "x.csv").write_text(csv_of(TARGETS, machine.measure(TARGETS, 1, now)))
+        states = [str(home / file.name) for file in self.files] or ["none"]
+        words = run_arguments(self.folder, self.name, machine, *states)
+        if travel:
+            words[words.index("--travel") + 1] = travel
+        return compwright([*words, "--force", *(f"--option={each}" for each in options)])
+
+    def written(self) -> list[ControlFile]:
+        return tables_in(self.folder, self.name)
+
+    def nodes(self, files: list[ControlFile]) -> Floats:
+        options = OPTIONS.get(format_of(self.name))
+        control = virtual_control(format_of(self.name), files, options=options)
+        return control.nodes(ADDRESS[format_of(self.name)])
+
+    def findings(self) -> dict[str, str]:
+        axis = json.loads((self.folder / "out" / "prediction.json").read_text())["axes"]["X"]
+        return {one["code"]: one["message"] for one in axis["findings"]}
+
+
+@pytest.fixture
+def visit(tmp_path: Path) -> Callable[[str], Visit]:
+    """A control whose table every 50 mm compwright wrote on the first visit."""
+
+    def first(name: str) -> Visit:
+        start = start_of(name, tmp_path / "start", NOW)
+        files = [
+            ControlFile(Path(each).name, Path(each).read_bytes())
+            for each in start
+            if each != "none"
+        ]
+        once = Visit(name, tmp_path, files)
+        assert once.run("spacing=50", machine=NOW) == 0
+        return Visit(name, tmp_path, once.written())  # fmt: skip
+
+    return first
+
+
+Start = Callable[[str], Visit]
+
+
+@pytest.mark.parametrize("name", FORMATS + MET_OTHERWISE)
+def test_no_node_moves_and_no_byte_but_values(name: str, visit: Start) -> None:
+    there = visit(name)
+    assert there.run() == 0
+    new = there.written()
+    assert np.array_equal(there.nodes(there.files), there.nodes(new))
+    assert new != there.files
+    assert [file.name for file in new] == [file.name for file in there.files]
+    for old, after in zip(there.files, new, strict=True):
+        assert without_values(name, after) == without_values(name, old)
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_a_table_of_zeros_has_a_grid_all_the_same(name: str, visit: Start) -> None:
+    there = visit(name)
+    zeros = [
+        ControlFile(file.name, without_values(name, file).encode("latin-1")) for file in there.files
+    ]
+    empty = Visit(name, there.folder, zeros)
+    assert empty.run() == 0
+    assert np.array_equal(there.nodes(there.files), empty.nodes(empty.written()))
+    for old, after in zip(there.files, empty.written(), strict=True):
+        assert without_values(name, after) == without_values(name, old)
