@@ -17,7 +17,17 @@ import backup_variations_sinumerik as variations
 from backup_cases_sinumerik import MUST_REFUSE, PLAIN, Case
 from backup_variations_sinumerik import Special, case_of, named
 from compwright.cli import run as compwright
-from sinumerik_archive import cec_lines, needs_archive, put, replace_cec
+from sinumerik_archive import (
+    ARCHIVE,
+    cec_lines,
+    cec_text,
+    eec_text,
+    machine_data,
+    needs_archive,
+    put,
+    replace_cec,
+)
+from sinumerik_container import container
 from sinumerik_judge import Outcome, control_before, foreign_bytes, fresh, load_by_card, try_case
 
 pytestmark = needs_archive
@@ -66,6 +76,85 @@ def test_no_job_does_harm(chunk: int, judged: Judge) -> None:
     harms = [outcome.line() for outcome in outcomes if outcome.harms]
     assert not harms, "\n".join(harms)
     assert sum(outcome.written for outcome in outcomes) >= 0.6 * EACH
+
+
+# -- the archive in its container
+# --------------------------------------------------------------------------------------------------
+
+
+class Packed(Case):
+    """A case whose job is given the archive in its container: the whole real one, or the texts of
+    the case in one."""
+
+    whole = False
+
+    @classmethod
+    def of(cls, case: Case, *, whole: bool = False) -> Packed:
+        packed = cls(**vars(case))
+        packed.whole = whole
+        packed.truth = [machine_data(), eec_text(), cec_text()] if whole else case.holds()
+        return packed
+
+    def given(self) -> dict[str, str]:
+        if self.whole:
+            return {"backup.arc": ARCHIVE.read_bytes().decode("latin-1")}
+        members = {"AX_EEC.INI": self.eec, "NC_CEC.INI": self.cec, "INITIAL.INI": self.md}
+        texts = [
+            ("\\_NC_ACT.DIR\\", name, text.encode("latin-1"))
+            for name, text in members.items()
+            if text is not None
+        ]
+        return {"backup.arc": container(texts).decode("latin-1")}
+
+
+@pytest.mark.parametrize("axis", ["AX1", "AX2", "AX3", "AX4", "AX5"])
+def test_every_axis_of_the_whole_archive(axis: str, judged: Judge, tmp_path: Path) -> None:
+    """A job on the archive alone: small files, loaded by the card; those of the way back bring the
+    old corrections back.
+    """
+    case = Packed.of(named(variations.nothing, axis=axis), whole=True)
+    outcome = good(judged(case), written=True)
+    name = {"AX1": "X1", "AX2": "Y1", "AX3": "Z1", "AX4": "C1", "AX5": "A1"}[axis]
+    small = [f"{name}_EEC.INI", f"{name}_MD.INI"]
+    assert sorted(outcome.files) == small
+    forward, _, way_back = outcome.card.replace("\\", "").partition("## Way back")
+    assert [forward.index(file) for file in small] == sorted(forward.index(file) for file in small)
+    assert f"load BACK_{small[0]}, then BACK_{small[1]}" in way_back
+
+    before, control = control_before(case), control_before(case)
+    load_by_card(control, outcome)
+    (folder,) = tmp_path.glob("*/out/rollback/*")
+    control.load(f"$MA_ENC_COMP_ENABLE[{case.system},{axis}]=0")
+    for file in small:
+        control.load((folder / f"BACK_{file}").read_text(encoding="ascii"))
+    x = np.linspace(*case.travel, 50)
+    for direction in (1, -1):
+        assert np.array_equal(
+            control.correction(axis, x, direction), before.correction(axis, x, direction)
+        )
+
+
+@pytest.mark.parametrize(
+    "special",
+    [
+        variations.half_by_name,
+        variations.stale_table_in_the_idle_system,
+        variations.pair_is_wanted,
+        variations.others_act_between_others,
+        variations.gantry_named,
+    ],
+)
+def test_what_stands_in_a_container_counts_as_in_text(special: Special, judged: Judge) -> None:
+    case = named(special)
+    good(judged(Packed.of(case)), written=True)
+
+
+@pytest.mark.parametrize("seed", [2, 5, 12])
+def test_small_files_instead_of_patched_ones(seed: int, judged: Judge) -> None:
+    case = case_of(seed)
+    case.options["files"] = "small"
+    outcome = good(judged(case), written=True)
+    assert not set(outcome.files) & set(case.given())
 
 
 # -- inches, names, foreign tables

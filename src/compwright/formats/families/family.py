@@ -245,7 +245,18 @@ class Family(ABC):
             for name in (address, self.file_stem(address))
         )
         if any(name in written for name in small.values()):
-            return small
+            partner = (
+                {}
+                if axis.gantry is None
+                else self._file_names(
+                    replace(axis, address=self.file_stem(normal_text(self.definition, axis.gantry)))
+                )
+            )
+            return {
+                key: " and ".join(one for one in (name, partner.get(key, "")) if one in written)
+                or name
+                for key, name in small.items()
+            }
         own = ", ".join(name for name in written if name not in fresh.values())
         return {
             key: f"your own {own}, as patched"
