@@ -15,7 +15,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from compwright.controllers.request import Request
-from compwright.controllers.sinumerik.control import SinumerikControl, sinumerik_control
+from compwright.controllers.sinumerik.control import (
+    SinumerikControl,
+    sinumerik_828d_control,
+    sinumerik_control,
+)
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile
@@ -637,6 +641,28 @@ class TestSwitches:
     def test_what_works_out_the_cylinder_error_does_not_act(self) -> None:
         control = load(self.TEXT, "$SN_CEC_BAS_0[0]=5\n$SN_CEC_COMP_STORE_1[0]=7\n")
         assert at(control, "AX1", [0], UP) == pytest.approx([0.11], abs=EXACT)
+
+
+class TestAControlOfFixedSize:
+    """828D: 8 tables of 200 points."""
+
+    def test_index_and_points(self) -> None:
+        def load_828d(text: str) -> SinumerikControl:
+            return sinumerik_828d_control(
+                [ControlFile("a.ini", text.encode())], Request(options={"cec_sign": "correction"})
+            )
+
+        two = (0.0, 100.0, 100.0)
+        assert at(load_828d(cec(7, [0.1, 0.2], two)), "AX1", [0], UP) == [0.1]
+        with pytest.raises(InputError, match="CEC table 8 is none of this control"):
+            load_828d(cec(8, [0.1, 0.2], two))
+        full = cec(0, [0.001] * 200, (0.0, 1.0, 199.0))
+        assert at(load_828d(full), "AX1", [0], UP) == [0.001]
+        with pytest.raises(InputError, match="at most 200 points, found 201"):
+            load_828d(cec(0, [0.001] * 201, (0.0, 1.0, 200.0)))
+        # lines of tables that it does not have, all zero, say nothing
+        zero = "".join(f"$AN_CEC_{key}[61]=0\n" for key in ("STEP", "MIN", "MAX"))
+        assert at(load_828d(zero + cec(7, [0.1, 0.2], two)), "AX1", [0], UP) == [0.1]
 
 
 class TestEndlessLeadscrewTable:

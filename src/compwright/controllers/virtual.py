@@ -17,7 +17,7 @@ from compwright.controllers.isg.control import isg_control
 from compwright.controllers.linuxcnc.control import linuxcnc_control
 from compwright.controllers.pmac.control import pmac_control
 from compwright.controllers.request import Request
-from compwright.controllers.sinumerik.control import sinumerik_control
+from compwright.controllers.sinumerik.control import sinumerik_828d_control, sinumerik_control
 from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import Assumption, ControlFile
@@ -90,7 +90,7 @@ _MAKERS: Mapping[str, Callable[[Sequence[ControlFile], Request], VirtualControl]
     "isg-kernel": isg_control,
     "linuxcnc": linuxcnc_control,
     "pmac": pmac_control,
-    "siemens-828d": sinumerik_control,
+    "siemens-828d": sinumerik_828d_control,
     "siemens-840d-pl": sinumerik_control,
     "siemens-840d-sl": sinumerik_control,
     "siemens-one": sinumerik_control,

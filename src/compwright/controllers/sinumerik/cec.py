@@ -39,6 +39,7 @@ def load_sag(
     names: AxisNames,
     lengths: Lengths,
     screws: frozenset[str] = frozenset(),
+    room: tuple[int, int] | None = None,
 ) -> Sag:
     """Return the tables from all assignments in the order of the files; what is wrong goes to
     ``remarks``.
@@ -46,7 +47,8 @@ def load_sag(
     ``spelling``: upper case -> the name by which an axis is already known; ``unknown_keys``: by
     table a key that is not known; ``names``: which names are those of machine axes; ``lengths``:
     which axes have lengths, and the basic system; ``screws``: axes (upper case) whose leadscrew
-    table is switched on. Raises UsageError for an option ``cec_sign`` that is neither
+    table is switched on; ``room``: how many tables of how many points the control has, None where
+    machine data say it. Raises UsageError for an option ``cec_sign`` that is neither
     ``correction`` nor ``error``.
     """
     sign = _sign(request)
@@ -58,6 +60,8 @@ def load_sag(
     tables = loader.tables()
     if remarks.faults:  # a table may be missing: what follows would be wrong about the others
         return Sag({}, frozenset(), {}, sign)
+    if room is not None:
+        remarks.faults += loader.beyond(tables, room)
     counted = _without_products(tables, remarks)
     by_pair: dict[Pair, list[SagTable]] = defaultdict(list)
     for table in counted:

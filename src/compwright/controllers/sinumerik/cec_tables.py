@@ -21,6 +21,7 @@ from compwright.controllers.sinumerik.tables import (
     too_few_points,
 )
 from compwright.controllers.sinumerik.text import Assignment
+from compwright.foundations.errors import Fault
 from compwright.records.correction import Assumption
 
 _PREFIX = "AN_CEC"
@@ -99,6 +100,21 @@ class TableLoader:
                 f"CEC tables {_ranges(self.left_out)} are no curves and left alone"
             )
         return found
+
+    def beyond(self, tables: Mapping[int, SagTable], room: tuple[int, int]) -> list[Fault]:
+        """Return the faults of tables for which a control of fixed size has no ``room`` (tables,
+        points).
+        """
+        most, points = room
+        return [
+            self.by_table[index][0].fault(
+                f"{label_of(index)} is none of this control, or has too many points",
+                expected=f"tables 0 to {most - 1} of at most {points} points",
+                found=f"{table.table.values.size} points",
+            )
+            for index, table in tables.items()
+            if index >= most or table.table.values.size > points
+        ]
 
     def of_axis(self, axis: str, name: str) -> float | None:
         """Return the last value of a machine data of an axis, None where the files do not hold

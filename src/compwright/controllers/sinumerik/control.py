@@ -48,6 +48,8 @@ from compwright.records.correction import Assumption, ControlFile
 _PREFIX = "AA_ENC_COMP"
 #: No position, value or factor of a machine is larger; what is would overflow in a product.
 _LARGEST = 1e9
+#: Sag tables of an 828D, and points of each.
+_ROOM_828D = (8, 200)
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,7 +166,16 @@ class SinumerikControl:
         return name, self.axes[name]
 
 
-def sinumerik_control(files: Sequence[ControlFile], request: Request) -> SinumerikControl:
+def sinumerik_828d_control(files: Sequence[ControlFile], request: Request) -> SinumerikControl:
+    """Return an 828D with ``files`` loaded: it has 8 sag tables of 200 points, whatever machine
+    data say (Function Manual 03/2013, p. 264). All else as ``sinumerik_control``.
+    """
+    return sinumerik_control(files, request, room=_ROOM_828D)
+
+
+def sinumerik_control(
+    files: Sequence[ControlFile], request: Request, *, room: tuple[int, int] | None = None
+) -> SinumerikControl:
     """Return the control with ``files`` loaded: commissioning archives in their container, and over
     them table files, machine data and whole text archives in any order.
 
@@ -172,7 +183,8 @@ def sinumerik_control(files: Sequence[ControlFile], request: Request) -> Sinumer
     table, and this is listed in ``assumed``. Option ``cec_sign``: ``correction`` when a positive
     CEC value moves the output axis towards +, ``error`` when towards -; without it nothing is said
     of what CEC tables do. Option ``units``: ``inch`` where no file says the basic system. All names
-    of a machine axis (MD10000, MD20080) are one axis. Raises InputError for what the control would
+    of a machine axis (MD10000, MD20080) are one axis. ``room``: sag tables and points of each,
+    where the control has a fixed number. Raises InputError for what the control would
     not take or what contradicts itself: every fault with file and line. UsageError for a measuring
     system other than 1 or 2, or another ``cec_sign``.
     """
@@ -212,6 +224,7 @@ def sinumerik_control(files: Sequence[ControlFile], request: Request) -> Sinumer
         names,
         lengths,
         screws,
+        room,
     )
     raise_all(InputError, remarks.faults)
     for base, corrected in sag.pairs():
