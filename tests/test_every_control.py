@@ -35,6 +35,8 @@ FORMATS = (
     "linuxcnc",
     "fanuc-30i",
     "fanuc-0i-16i",
+    "fanuc-0i-d",
+    "fanuc-0i-f",
     "heidenhain-itnc530",
     "heidenhain-nck",
     "isg-kernel",
@@ -51,6 +53,8 @@ ADDRESS = {
     "linuxcnc": "0",
     "fanuc-30i": "1",
     "fanuc-0i-16i": "1",
+    "fanuc-0i-d": "1",
+    "fanuc-0i-f": "1",
     "heidenhain-itnc530": "X",
     "heidenhain-nck": "X",
     "isg-kernel": "1",
@@ -62,6 +66,8 @@ TWO_CURVES = ("linuxcnc", "isg-kernel", "pmac")
 OPTIONS: dict[str, dict[str, object]] = {
     "fanuc-30i": {"detection_unit": 0.001, "first_point": 0},
     "fanuc-0i-16i": {"detection_unit": 0.001, "first_point": 0},
+    "fanuc-0i-d": {"detection_unit": 0.001, "first_point": 0},
+    "fanuc-0i-f": {"detection_unit": 0.001, "first_point": 0},
     "pmac": {"counts_per_unit": 62500.0},  # a table value of 1 is 1e-6 mm
 }
 #: What a control met otherwise has.
@@ -69,11 +75,13 @@ MORE_OPTIONS = {
     "siemens-840d-sl+cec": {"cec": "available", "cec_tables": "3,8", "cec_sign": "correction"}
 }
 #: Controls that hold whole steps of 1 µm which come out in the middle of a section.
-STEPS = ("fanuc-30i", "fanuc-0i-16i")
+STEPS = ("fanuc-30i", "fanuc-0i-16i", "fanuc-0i-d", "fanuc-0i-f")
 #: Decimal places of a table value in mm, where it is not 6.
 DIGITS = {
     "fanuc-30i": 3,
     "fanuc-0i-16i": 3,
+    "fanuc-0i-d": 3,
+    "fanuc-0i-f": 3,
     "heidenhain-itnc530": 4,
     "heidenhain-nck": 4,
     "isg-kernel": 4,

@@ -378,10 +378,14 @@ class Series:
     interval: str = "M50.0"
     angles: tuple[str, str] = ("45.0", "360.0")
     program: str = "G10L52"
+    #: 8135#0 switches the function off.
+    switch: bool = False
 
 
 SERIES = {
     "fanuc-30i": Series(127, 1535),
+    "fanuc-0i-d": Series(7, 1023, switch=True),
+    "fanuc-0i-f": Series(7, 1535, switch=True),
     "fanuc-0i-16i": Series(7, 1023, "", "", "P50000", ("45000", "360000"), "G10L50"),
 }
 
@@ -493,6 +497,23 @@ def choices(definition: Definition) -> None:
     assert len(control(definition, first_point=0).sheets([table], [mine])) == 1
 
 
+def off(definition: Definition) -> None:
+    """Where a series switches the whole function off, no table is read for an axis under work."""
+    switch = SERIES[definition.id].switch
+    for mark in ("Q1", ""):
+        for bits, expected in (("00000001", switch), ("11111110", False)):
+            said = refusal(definition, f"{PARAMETERS}N08135{mark}P{bits}\n{PITCH}")
+            assert ("8135#0" in said, bool(said)) == (expected, expected), (mark, bits)
+    if switch:
+        damaged = refusal(definition, f"{PARAMETERS}N08135Q1P00000000 more\n{PITCH}")
+        assert f"line {PARAMETERS.count(chr(10)) + 1}:" in damaged
+        text = f"{PARAMETERS}N08135Q1P00000000\nN08135Q1P00000001\n{PITCH}"
+        assert "8135 contradicts" in refusal(definition, text)
+        text = f"{PARAMETERS}N08135Q1P00000001\n{PITCH}"
+        state = control(definition).read([ControlFile("ALL.TXT", text.encode())], address="1")
+        assert state.axes["1"].positions.size == 0
+
+
 # --- the real backup
 # --------------------------------------------------------------------------------------------------
 
@@ -504,7 +525,7 @@ def real_backup() -> tuple[ControlFile, ...]:
 
 def real(definition: Definition) -> None:
     """X, Y, Z and B of the real backup as the virtual control has them, by series that hold it."""
-    if SERIES[definition.id].number < 1535:
+    if SERIES[definition.id].increment < 10:
         return
     travel = {"1": (-1000.0, 1.0), "2": (-1101.0, 1.0), "3": (-781.0, 30.0)}
     axes = [axis(each, reference_return=UP, travel=low) for each, low in travel.items()]
@@ -515,7 +536,7 @@ def real(definition: Definition) -> None:
 
 CHECKS: dict[str, Check] = {
     each.__name__: each
-    for each in (gate, decode, facts, patch, writings, damage, limits, fresh, turned, choices)
+    for each in (gate, decode, facts, patch, writings, damage, limits, fresh, turned, choices, off)
 }
 if FOLDER.is_dir():
     CHECKS["real"] = real
@@ -536,7 +557,12 @@ DECIDES_NOTHING = {
     r"limits\[0\]: removed": "fewer than two points are no table anywhere",
 }
 SHARES = 10
-BESIDE = {"fanuc-30i": "", "fanuc-0i-16i": "fanuc-30i"}
+BESIDE = {
+    "fanuc-30i": "",
+    "fanuc-0i-d": "fanuc-30i",
+    "fanuc-0i-f": "fanuc-30i",
+    "fanuc-0i-16i": "fanuc-30i",
+}
 
 
 @cache

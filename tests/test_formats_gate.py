@@ -52,9 +52,9 @@ def test_a_writer_that_takes_everything_is_noticed(
         # Definition and hand-worked value are wrong in the same way: only the virtual control knows
         # better.
         (
-            "fanuc-30i.yaml",
-            "{position: 500, positive: 2, negative: -2}",
-            "{position: 500, positive: 2, negative: 6}",
+            "fanuc-0i-d.yaml",
+            "{position: 90, positive: -1, negative: -3}",
+            "{position: 90, positive: -1, negative: 1}",
         ),
         (
             "siemens-840d-sl.yaml",

@@ -25,8 +25,7 @@ MACHINE = Machine()
 ADDRESSES = {name: one.expect[0].axis for name, one in DEFINITIONS.items()}
 PULSE: dict[str, object] = {"detection_unit": 0.001, "first_point": 0}
 OPTIONS: dict[str, dict[str, object]] = {
-    "fanuc-30i": PULSE,
-    "fanuc-0i-16i": PULSE,
+    **{name: PULSE for name in DEFINITIONS if name.startswith("fanuc")},
     "pmac": {"counts_per_unit": 1000.0},
 }
 COLUMNS = {
@@ -45,7 +44,12 @@ def old_files(format_id: str) -> dict[str, bytes]:
     address = ADDRESSES[format_id]
     control = control_format(DEFINITIONS[format_id], OPTIONS.get(format_id, {}))
     old = table(address, nodes, [0.0, *[0.001] * 7, 0.0])
-    files = control.write([old], [axis_of(address)])
+    own = [
+        ControlFile(name, text.encode())
+        for name, text in DEFINITIONS[format_id].sample_files.items()
+        if DEFINITIONS[format_id].limit("only_patching") is not None
+    ]
+    files = control.write([old], [axis_of(address)], own)
     return {file.name: file.content for file in files}
 
 

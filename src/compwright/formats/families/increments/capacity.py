@@ -46,7 +46,7 @@ class AxisLimits:
         bound = 10.0 if axis.kind.unit == "mm" else 1.0
         return Capacity(
             format=definition.id,
-            curves=2 if axis.modulo is None else 1,
+            curves=2 if axis.modulo is None and "bidirectional" in definition.bindings else 1,
             second_curve="asked",
             spacing="equidistant",
             quantum=scale.quantum("value"),

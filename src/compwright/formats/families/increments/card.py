@@ -7,9 +7,19 @@ from collections.abc import Iterator
 from compwright.formats.families.card_words import REFERENCING, UNKNOWN
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.backlash import backlash_words
+from compwright.formats.text.values import name_of
 from compwright.records.axis import Axis
 from compwright.records.correction import AxisCompensation
 from compwright.records.facts import AxisFacts, IncrementFacts
+
+#: Words of the fields that name a parameter, each with what stands in it.
+_PARAMETERS = {
+    "reference": "reference_number",
+    "first": "first_number",
+    "last": "last_number",
+    "magnification": "magnification",
+    "spacing": "table_spacing",
+}
 
 
 def increment_values(
@@ -21,6 +31,10 @@ def increment_values(
     said = {name: getattr(facts.increments, name) for name in names}
     values = {
         **{name: str(number) for name, number in said.items() if number is not None},
+        **{
+            f"at_{word}": name_of(family.definition, quantity)
+            for word, quantity in _PARAMETERS.items()
+        },
         "unit": axis.kind.unit,
         "detection_unit": f"{scale.quantum('value'):g} {axis.kind.unit}",
         "backlash": _feed_backlash(scale.write("backlash", compensation.backlash), facts),

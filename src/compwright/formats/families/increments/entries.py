@@ -191,8 +191,9 @@ class _Axis:
             "last_number": str(place.last),
             "magnification": str(magnification),
             "table_spacing": self._length(interval),
-            "bidirectional": "0" if place.negative_first is None else "1",
         }
+        if "bidirectional" in self.definition.bindings:
+            parameters["bidirectional"] = "0" if place.negative_first is None else "1"
         count = int(self.scale.write("backlash", self.compensation.backlash))
         for name, value in both_backlashes(self.axis, self.facts, count).items():
             old = self.facts.backlash if name == "backlash" else self.facts.backlash_rapid

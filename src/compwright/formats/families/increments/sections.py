@@ -11,7 +11,7 @@ from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.formats.text.notes import Notes
 from compwright.records.axis import AxisKind, FloatArray
 
-_ORDER, _DISORDER = "3621 <= 3620 <= 3622", "the numbers are not in order"
+_DISORDER = "the numbers are not in order"
 #: Quantities that say where an axis' table lies.
 GRID = ("reference_number", "first_number", "last_number", "magnification", "table_spacing")
 
@@ -60,14 +60,19 @@ def read_sections(values: AxisValues, kind: AxisKind) -> Sections | None:
     """Return where the table lies; None where there is none, or where something is wrong (then the
     notes have faults).
     """
+    if values.yes("compensation_off"):
+        _tell_off(values)
+        return None
     present = {name: values.found(name) for name in GRID}
     if not any(present.values()):
-        why = "unconfirmed: no file that was given holds its parameters 3620 to 3624"
+        ends = f"{values.name('reference_number')} to {values.name('table_spacing')}"
+        why = f"unconfirmed: no file that was given holds its parameters {ends}"
         values.notes.assume(f"{values.label}: table", "none", why)
         values.notes.no_table(values.label)
         return None
     if values.integer("magnification") == 0:
-        values.notes.switched_off(values.label, "3623 is 0, the table is off")
+        number = values.name("magnification")
+        values.notes.switched_off(values.label, f"{number} is 0, the table is off")
         return None
     missing = [values.name(name) for name, found in present.items() if found is None]
     if missing:
@@ -79,6 +84,26 @@ def read_sections(values: AxisValues, kind: AxisKind) -> Sections | None:
         )
         return None
     return _checked(values, kind)
+
+
+def _tell_off(values: AxisValues) -> None:
+    """Stored pitch error compensation is off as a whole: no table of an axis under work can act."""
+    number = values.name("compensation_off")
+    values.notes.switched_off(values.label, f"{number}#0 is 1: pitch error compensation is off")
+    if values.axis is not None:
+        values.wrong(
+            "compensation_off",
+            f"stored pitch error compensation is off on this control ({number}#0), a table would"
+            " not act",
+            f"{number}#0 = 0 (it needs the option), then a power cycle and a new measurement",
+            f"{number}#0 = 1",
+        )
+
+
+def order(values: AxisValues) -> str:
+    """Return how the three numbers of an axis have to lie, by the names of their parameters."""
+    names = ("first_number", "reference_number", "last_number")
+    return " <= ".join(values.name(name) for name in names)
 
 
 def repeats(values: AxisValues, kind: AxisKind, sections: Sections) -> bool:
@@ -119,7 +144,7 @@ def _checked(values: AxisValues, kind: AxisKind) -> Sections | None:
     before = len(values.notes.faults)
     round_from_next = kind is AxisKind.ROTARY and first == reference + 1 and first < last
     if not first <= reference <= last and not round_from_next:
-        values.wrong("first_number", _DISORDER, _ORDER, f"{first}, {reference}, {last}")
+        values.wrong("first_number", _DISORDER, order(values), f"{first}, {reference}, {last}")
     if last > highest:
         values.wrong(
             "last_number", "a number beyond those of the control", f"at most {highest}", str(last)
@@ -129,7 +154,8 @@ def _checked(values: AxisValues, kind: AxisKind) -> Sections | None:
             "magnification", "the magnification does not exist", f"0 .. {most}", str(magnification)
         )
     if first == last and len(values.notes.faults) == before:
-        values.notes.switched_off(values.label, f"3621 = 3622 = {first}, the table has no section")
+        same = f"{values.name('first_number')} = {values.name('last_number')} = {first}"
+        values.notes.switched_off(values.label, f"{same}, the table has no section")
         return None
     interval = values.length("table_spacing", kind)
     if interval is not None and interval <= 0:
@@ -148,14 +174,15 @@ def _next_to_reference(values: AxisValues, kind: AxisKind, sections: Sections) -
     first, reference, last = sections.first, sections.reference, sections.last
     turn = values.turn(kind)
     if not sections.goes_round(turn) or sections.negative is not None:
-        expected = f"{_ORDER}, or a full turn of {turn:g} deg"
+        expected = f"{order(values)}, or a full turn of {turn:g} deg"
         values.wrong("first_number", _DISORDER, expected, f"{first}, {reference}, {last}")
         return None
+    own, zero = values.name("first_number"), values.name("reference_number")
     values.notes.find(
         "CW-S041",
         "warning",
-        f"{values.label}: 3621 = {first} is 3620 + 1 on a full turn, where the manual has"
-        f" 3621 = 3620: numbers {first} to {last} are read as its sections, and"
+        f"{values.label}: {own} = {first} is {zero} + 1 on a full turn, where the manual has"
+        f" {own} = {zero}: numbers {first} to {last} are read as its sections, and"
         f" number {reference} is kept for the axis too",
     )
     return sections

@@ -39,13 +39,32 @@ def write_increments(
     own = [file for file in files if not is_entry_sheet(file)]
     patched = _OwnFiles(family.definition, own)
     names = {file.name for file in own}
-    fresh = [
-        file
-        for entry in entries
-        for file in _fresh(family.definition, patched.put(entry, faults), names)
-    ]
+    left = [patched.put(entry, faults) for entry in entries]
+    if family.definition.limit("only_patching") is not None:
+        faults.extend(fault for entry in left for fault in _homeless(family.definition, entry))
+    fresh = [file for entry in left for file in _fresh(family.definition, entry, names)]
     raise_all(CapacityError, faults)
     return (*patched.speaking({entry.address for entry in entries}), *fresh)
+
+
+def _homeless(definition: Definition, left: Entries) -> Iterator[Fault]:
+    """Yield a fault for what found no place in the control's own files, where nothing else proves
+    that the control has such a parameter.
+    """
+    numbers = [name_of(definition, name) for name in left.parameters]
+    numbers += [f"N{POINTS_FROM + number}" for number in left.points]
+    if numbers:
+        rule = definition.limit("only_patching")
+        evidence = "" if rule is None else f": {rule.evidence.source}"
+        yield Fault(
+            message=(
+                f"axis {left.axis.name} ({left.address}): {definition.id} is written only into the"
+                f" control's own files{evidence}"
+            ),
+            expected=f"lines of {', '.join(numbers[:8])}{' ..' if len(numbers) > 8 else ''} of axis"
+            f" {left.address} among the files of the state",
+            found="none",
+        )
 
 
 class _OwnFiles(Patches):
