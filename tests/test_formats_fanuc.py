@@ -1074,14 +1074,16 @@ MUTATIONS = {
     "points marked as parameters": [('form: "N{number}Q0P{value}"', 'form: "N{number}Q2P{value}"')],
     "magnification under another number": [("N#03623Q1", "N#03628Q1")],
 }
+BASE = "fanuc.base.yaml"
 WANTED = table(list(range(-4, 5)), list(TOTALS.values()), backlash=4 * UM)
 
 
-def judged_with(text: bytes) -> float:
-    """The largest difference, mm, between what was meant and what the judge makes of the files of a
-    definition.
+def judged_with(base: bytes) -> float:
+    """The largest difference, mm, between what was meant and what the judge makes of the files of
+    the definition of the 30i, with this text of what the series have in common.
     """
-    definition = load_definition(text, "fanuc-30i.yaml", found_in(CONTENT))
+    found = found_in({**CONTENT, BASE: base})
+    definition = load_definition(CONTENT["fanuc-30i.yaml"], "fanuc-30i.yaml", found)
     options = resolve_options(definition, {"detection_unit": 0.001, "first_point": 0})
     new = control_format(definition, options).write([WANTED], [axis()])
     judge = virtual_control(
@@ -1099,12 +1101,12 @@ def judged_with(text: bytes) -> float:
 
 
 def test_the_definition_as_it_is() -> None:
-    assert judged_with(CONTENT["fanuc-30i.yaml"]) <= EXACT
+    assert judged_with(CONTENT[BASE]) <= EXACT
 
 
 @pytest.mark.parametrize("name", MUTATIONS)
 def test_a_mistake_in_the_definition_is_seen(name: str) -> None:
-    text = CONTENT["fanuc-30i.yaml"].decode()
+    text = CONTENT[BASE].decode()
     for old, new in MUTATIONS[name]:
         assert old in text
         text = text.replace(old, new)
