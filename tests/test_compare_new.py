@@ -192,6 +192,96 @@ def test_each_loading_fault_is_named(fault: str, done: Path, tmp_path: Path) -> 
     assert set(answer["differences"][0]) == {"axis", "quantity", "planned", "loaded", "unit"}
 
 
+# --- the rest of the backup
+
+
+def line(text: str, old: str, new: str) -> str:
+    assert text.count(old) == 1
+    return text.replace(old, new)
+
+
+#: What somebody changed meanwhile -> the files read back, whose it is, and the entry named.
+MEANWHILE: dict[str, tuple[Callable[[str, str], tuple[str, str]], str, str]] = {
+    "a neighbour's point": (
+        lambda p, q: (p, line(q, "N10101Q0P3\n", "N10101Q0P2\n")),
+        *("2", "N10101Q0"),
+    ),
+    "a point of no axis": (
+        lambda p, q: (p, line(q, "N10500Q0P0\n", "N10500Q0P1\n")),
+        *("", "N10500Q0"),
+    ),
+    "a neighbour's backlash": (
+        lambda p, q: (re.sub(r"(N01851Q1A1P-?\d+A2P)2", r"\g<1>3", p), q),
+        *("2", "N01851Q1A2"),
+    ),
+    "a neighbour's magnification": (
+        lambda p, q: (re.sub(r"(N03623Q1A1P\d+A2P)2", r"\g<1>4", p), q),
+        *("2", "N03623Q1A2"),
+    ),
+    "inclination of a neighbour": (
+        lambda p, q: (p.replace("N03620Q1", "N05861Q1A1P0A2P120A3P0\nN03620Q1"), q),
+        *("2", "N05861Q1A2"),
+    ),
+    "rapid traverse has a backlash of its own": (
+        lambda p, q: (line(p, "N01800Q1P00000000", "N01800Q1P00010000"), q),
+        *("", "N01800Q1"),
+    ),
+    "straightness over the axis": (
+        lambda p, q: (p.replace("N03620Q1", "N05711Q1P1\nN03620Q1"), q),
+        *("", "N05711Q1"),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", MEANWHILE)
+def test_what_somebody_changed_meanwhile_is_named(name: str, done: Path, tmp_path: Path) -> None:
+    change, axis, entry = MEANWHILE[name]
+    loaded = tables(done)
+    edited = change(loaded["CNC-PARA.TXT"], loaded["PITCH.TXT"])
+    assert edited != (loaded["CNC-PARA.TXT"], loaded["PITCH.TXT"])
+    code, answer = compare(done, tmp_path, dict(zip(loaded, edited, strict=True)))
+    assert (code, answer["verdict"]) == (1, "different")
+    assert answer["axes"]["X"]["verdict"] == "loaded"
+    told = [(each["axis"], each["quantity"]) for each in answer["differences"]]
+    assert (axis, entry) in told
+    assert {one for one in told if not one[1].startswith("correction")} == {(axis, entry)}
+
+
+def test_the_largest_change_of_a_neighbour_is_told(done: Path, tmp_path: Path) -> None:
+    """One step less, magnification 2, 0.001 mm: 2 µm."""
+    loaded = tables(done)
+    loaded["PITCH.TXT"] = line(loaded["PITCH.TXT"], "N10101Q0P3\n", "N10101Q0P2\n")
+    _, answer = compare(done, tmp_path, loaded)
+    (row,) = [one for one in answer["differences"] if one["quantity"].startswith("correction")]
+    assert row["axis"] == "2"
+    assert abs(row["loaded"] - row["planned"]) == pytest.approx(2.0)
+
+
+def test_what_compensates_nothing_is_listed_apart(done: Path, tmp_path: Path) -> None:
+    loaded = tables(done)
+    loaded["CNC-PARA.TXT"] = line(
+        loaded["CNC-PARA.TXT"], "N00002Q1A1P0A2P-1A3P17A4P0\n", "N00002Q1A1P0A2P-1A3P17A4P5\n"
+    )
+    code, answer = compare(done, tmp_path, loaded)
+    assert (code, answer["verdict"], answer["differences"]) == (0, "same", [])
+    (group,) = answer["elsewhere"]
+    assert group["changed"] == 1
+
+
+def test_what_was_not_read_back_is_not_looked_at(done: Path, tmp_path: Path) -> None:
+    loaded = tables(done)
+    kept = [
+        line
+        for line in loaded["CNC-PARA.TXT"].split("\n")
+        if not re.match(r"N0(1320|1321|1815|1800|1001)Q1", line)
+    ]
+    loaded["CNC-PARA.TXT"] = "\n".join(kept)
+    code, answer = compare(done, tmp_path, loaded)
+    assert code == 0
+    assert answer["not_looked_at"]["values"] == 6  # 1001, 1800 and four of 1815
+    assert "CW-S083" in [finding["code"] for finding in answer["findings"]]
+
+
 def test_the_old_table_is_still_there(done: Path, tmp_path: Path) -> None:
     old = {path.name: path.read_text() for path in (done / "control").iterdir()}
     code, answer = compare(done, tmp_path, old)

@@ -110,19 +110,19 @@ FANUC_CHANGES: dict[
     "a point of X": (point(5, 4), "1", "N10005Q0", ("-1", "4"), 5.0, "point"),
     "the backlash of X": (
         parameter("N01851Q1A1P40A2", "N01851Q1A1P41A2"),
-        *("1", "N01851A1", ("40", "41"), 0.1, "backlash"),
+        *("1", "N01851Q1A1", ("40", "41"), 0.1, "backlash"),
     ),
     "inclination of Y": (
         parameter("N05861Q1A1P0A2P0", "N05861Q1A1P0A2P120"),
-        *("2", "N05861A2", ("0", "120"), None, "inclination"),
+        *("2", "N05861Q1A2", ("0", "120"), None, "inclination"),
     ),
     "a cyclic table of Z": (
         parameter("N14986Q1A1P0A2P0A3P0", "N14986Q1A1P0A2P0A3P9"),
-        *("3", "N14986A3", ("0", "9"), None, "cyclic"),
+        *("3", "N14986Q1A3", ("0", "9"), None, "cyclic"),
     ),
     "the reference of Z": (
         parameter("N01240Q1A1P0.0A2P0.0A3P0.0", "N01240Q1A1P0.0A2P0.0A3P1.0"),
-        *("3", "N01240A3", ("0.0", "1.0"), None, "reference"),
+        *("3", "N01240Q1A3", ("0.0", "1.0"), None, "reference"),
     ),
 }
 
@@ -271,7 +271,7 @@ def test_a_backup_that_the_control_would_refuse_is_compared_by_its_entries(tmp_p
     new = changed(old, "P.TXT", "N03624Q1A1M50.0", "N03624Q1A1M0.0")  # points without an interval
     code, answer = diff(tmp_path, old, new, "fanuc-30i", {"detection_unit": 0.001})
     assert code == 1
-    assert entries(answer) == {"N03624A1": ("50.0", "0.0")}
+    assert entries(answer) == {"N03624Q1A1": ("50.0", "0.0")}
 
 
 @pytest.mark.parametrize(
@@ -306,4 +306,4 @@ def test_the_page_says_it_in_words(tmp_path: Path, capsys: pytest.CaptureFixture
     assert compwright([*words, "--option", "detection_unit=0.001"]) == 1
     said = " ".join(capsys.readouterr().out.split())
     assert "axis 1 (X): the correction changes by up to −3.00 µm" in said
-    assert "N01851A1 backlash at cutting feed 4 7" in said
+    assert "N01851Q1A1 backlash at cutting feed 4 7" in said

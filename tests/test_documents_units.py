@@ -12,7 +12,7 @@ import pytest
 
 from circle_machine import Machine, Setup, measured
 from compwright.documents.circular import circular_document
-from compwright.documents.compare import ComparedAxis, compare_document
+from compwright.documents.compare import ComparedAxis, Others, compare_document
 from compwright.documents.decode import DecodedAxis, decode_document
 from compwright.documents.plan_check import _broken_rules
 from compwright.documents.prediction import (
@@ -75,7 +75,7 @@ def test_what_is_decoded_and_compared(kind: AxisKind, factor: float, unit: str) 
         "unit": unit,
     }
     back = ReadBack(0.0125, 320.5, Direction.NEGATIVE, "scaled", "twice")
-    document = compare_document("id", {"X": ComparedAxis("AX1", kind, back, ())}, (), ())
+    document = compare_document("id", {"X": ComparedAxis("AX1", kind, back, ())}, Others(), (), ())
     assert document["axes"]["X"]["largest_difference"] == pytest.approx(0.0125 * factor)
     assert (document["axes"]["X"]["at"], document["axes"]["X"]["unit"]) == (320.5, unit)
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from compwright.documents.decode import assumed_documents, finding_documents
+from compwright.documents.diff import MOST_EXAMPLES, EntryDifference, others_document
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import AxisKind
@@ -20,8 +21,8 @@ SCHEMA = "compwright/compare/1"
 
 @dataclass(frozen=True, slots=True)
 class Difference:
-    """One quantity that differs: text as the control writes it, or numbers in ``unit`` (um,
-    arcsec); None: not there.
+    """One quantity that differs: ``axis`` of the plan, the address of another one, or empty. Text
+    as the control writes it, or numbers in ``unit`` (um, arcsec); None: not there.
     """
 
     axis: str
@@ -41,14 +42,28 @@ class ComparedAxis:
     differences: tuple[Difference, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class Others:
+    """What differs beside the axes of the plan. ``differences``: compensation of other axes or of
+    the machine; ``elsewhere``: what compensates nothing; ``not_read_back``: the names of values
+    that compensate and were not among the files.
+    """
+
+    differences: tuple[Difference, ...] = ()
+    elsewhere: tuple[EntryDifference, ...] = ()
+    not_read_back: tuple[str, ...] = ()
+
+
 def compare_document(
     format_id: str,
     axes: Mapping[str, ComparedAxis],
+    others: Others,
     assumed: Sequence[Assumption],
     findings: Sequence[Finding],
 ) -> dict[str, Any]:
     """Return the document: one entry per differing quantity, ``verdict`` same or different."""
-    differences = [difference for axis in axes.values() for difference in axis.differences]
+    own = (difference for axis in axes.values() for difference in axis.differences)
+    differences = [*own, *others.differences]
     return {
         "schema": SCHEMA,
         "format": format_id,
@@ -64,6 +79,11 @@ def compare_document(
             }
             for entry in differences
         ],
+        "elsewhere": others_document(others.elsewhere),
+        "not_looked_at": {
+            "values": len(others.not_read_back),
+            "such_as": list(others.not_read_back[:MOST_EXAMPLES]),
+        },
         "assumed": assumed_documents(assumed),
         "findings": finding_documents(findings),
     }

@@ -1,4 +1,4 @@
-"""What diff says at the terminal, as rich renderables: a page, not a list of thousands."""
+"""What compare and diff say at the terminal, as rich renderables: a page, not a list of thousands."""
 
 from __future__ import annotations
 
@@ -16,8 +16,50 @@ from compwright.reporting.summaries import finding_lines, plain_table
 _MOST_ROWS: Final = 20
 #: Entries that one side alone has are listed while there are no more than these.
 _FEW: Final = 8
+#: Rows of compare.
+_MOST_DIFFERENCES: Final = 60
 _UNITS: Final = ("um", "arcsec")
 _ABSENT: Final = "not there"
+
+
+def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
+    """Return for each axis whether the control holds what was planned, then every difference; what
+    compensates nothing is counted.
+    """
+    shown: list[RenderableType] = []
+    for name, axis in document["axes"].items():
+        same = axis["verdict"] == "loaded" and not axis["differences"]
+        message = str(axis["message"])
+        if axis["verdict"] != "loaded":
+            unit = unit_text(axis["unit"])
+            place = f"{plain(axis['at'])} arriving in {axis['direction']}"
+            message += (
+                f"; largest difference {number(axis['largest_difference'])} {unit} at {place}"
+            )
+        shown.append(Text(f"axis {name}: {message}", style="green" if same else "bold red"))
+    rows = document["differences"]
+    if rows:
+        table = plain_table()
+        for heading in ("axis", "quantity"):
+            table.add_column(heading)
+        for heading in ("planned", "in the control", ""):
+            table.add_column(heading, justify="right", no_wrap=True)
+        for row in rows[:_MOST_DIFFERENCES]:
+            values = [
+                number(row[key], 3) if isinstance(row[key], float) else plain(row[key])
+                for key in ("planned", "loaded")
+            ]
+            table.add_row(
+                row["axis"], row["quantity"], *values, unit_text(row["unit"]) if row["unit"] else ""
+            )
+        shown += [Text(), table]
+        if len(rows) > _MOST_DIFFERENCES:
+            shown.append(
+                Text(f"({len(rows) - _MOST_DIFFERENCES} more rows: see --json)", style="dim")
+            )
+    if document["elsewhere"]:
+        shown += [Text("changed as well, no compensation:"), *other_tables(document["elsewhere"])]
+    return [*shown, *finding_lines(document["findings"])]
 
 
 def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:

@@ -232,40 +232,6 @@ def decode_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     return [*shown, *assumed_table(document["assumed"]), *finding_lines(document["findings"])]
 
 
-def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
-    """Return for each axis whether the control holds what was planned, then every difference."""
-    shown: list[RenderableType] = []
-    for name, axis in document["axes"].items():
-        same = axis["verdict"] == "loaded" and not axis["differences"]
-        message = str(axis["message"])
-        if axis["verdict"] != "loaded":
-            unit = unit_text(axis["unit"])
-            place = f"{plain(axis['at'])} arriving in {axis['direction']}"
-            message += (
-                f"; largest difference {number(axis['largest_difference'])} {unit} at {place}"
-            )
-        shown.append(Text(f"axis {name}: {message}", style="green" if same else "bold red"))
-    rows = document["differences"]
-    if rows:
-        table = plain_table()
-        for heading in ("axis", "quantity"):
-            table.add_column(heading)
-        for heading in ("planned", "in the control", ""):
-            table.add_column(heading, justify="right", no_wrap=True)
-        for row in rows[:_MOST_ROWS]:
-            values = [
-                number(row[key], 3) if isinstance(row[key], float) else plain(row[key])
-                for key in ("planned", "loaded")
-            ]
-            table.add_row(
-                row["axis"], row["quantity"], *values, unit_text(row["unit"]) if row["unit"] else ""
-            )
-        shown += [Text(), table]
-        if len(rows) > _MOST_ROWS:
-            shown.append(Text(f"({len(rows) - _MOST_ROWS} more rows: see --json)", style="dim"))
-    return [*shown, *finding_lines(document["findings"])]
-
-
 def verification_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     """Return before, predicted and after side by side, the verdict on loading and the verdict on
     the whole.

@@ -11,22 +11,28 @@ import numpy as np
 
 from compwright.documents.compare import ComparedAxis, Difference, compare_document
 from compwright.documents.plan import read_plan
-from compwright.formats.text.diff import compare_files
+from compwright.formats.families.between import in_place
+from compwright.formats.text.entered import texts_of
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.correction import ControlFile
 from compwright.records.job import AS_FOUND
-from compwright.records.plan import PlannedAxis
+from compwright.records.plan import Plan, PlannedAxis
 from compwright.verification.read_back import SAME, judge_read_back
 from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.control import (
+    Control,
     DecodedState,
     decode,
     open_control,
     plan_origin,
     read_files,
 )
+from compwright.workflow.stages.cross_tables import write_planned
+from compwright.workflow.stages.differences import side
+from compwright.workflow.stages.read_back import read_back_differences
 from compwright.workflow.stages.two_readers import probe_positions
 from compwright.workflow.stages.written import write_fitted
 
@@ -40,7 +46,8 @@ class CompareOutcome:
 
 
 def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
-    """Hold files that were read back from the control against a plan.
+    """Hold files that were read back from the control against a plan, and everything else in them
+    against the state that was patched.
 
     Raises UsageError for a plan without tables, InputError for files that cannot be read,
     contradict themselves or say nothing of an axis of the plan.
@@ -56,51 +63,64 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     as_found = decode(
         control, plan.states.get(AS_FOUND, ()), axes, active=plan.active.get(AS_FOUND)
     )
-    control = control.in_state(as_found.state)
-    fitted = [(entry.axis, entry.fitted) for entry in planned if entry.fitted is not None]
-    files, wish = write_fitted(control, fitted, as_found)
+    files, wish = _written(control.in_state(as_found.state), plan, as_found)
     found = decode(control, read_files(loaded), axes)
     raise_all(InputError, list(_unsaid(axes, found, loaded)))
-    entries = (
-        compare_files(control.definition, files, found.files).changes if wish is not None else ()
+    names = {
+        address: axis.name
+        for axis in axes
+        for address in (axis.address, axis.gantry)
+        if address is not None
+    }
+    read_back = read_back_differences(
+        control, side(control, files, "the plan"), side(control, found.files, "read back"), names
     )
-    compared: dict[str, ComparedAxis] = {}
-    for entry in planned:
-        read_back = judge_read_back(
-            correction_of(wish, entry.axis),
-            correction_of(found, entry.axis),
-            correction_of(as_found, entry.axis),
-            *_nodes(entry),
-        )
-        values = tuple(_values(entry, wish, found))
-        texts = tuple(
-            Difference(entry.axis.name, change.entry, change.old, change.new)
-            for change in entries
-            # A record that names no axis (a point, a row) is told where the axis' correction
-            # differs.
-            if change.old is not None
-            and (
-                change.address == entry.axis.address
-                or (change.address is None and read_back.verdict != "loaded")
-            )
-        )
-        same = read_back.verdict == "loaded"
-        compared[entry.axis.name] = ComparedAxis(
-            entry.axis.address,
-            entry.axis.kind,
-            read_back,
-            () if same and not _matters(texts) else (*texts, *values),
-        )
-    findings = (*control.findings, *found.state.findings)
-    document = compare_document(plan.format, compared, found.state.assumed, findings)
+    compared = {
+        entry.axis.name: _compared(entry, wish, found, as_found, read_back.own) for entry in planned
+    }
+    findings = (*control.findings, *found.state.findings, *read_back.findings)
+    document = compare_document(
+        plan.format, compared, read_back.others, found.state.assumed, tuple(dict.fromkeys(findings))
+    )
     return CompareOutcome(0 if document["verdict"] == "same" else 1, document)
 
 
-def _matters(texts: Sequence[Difference]) -> bool:
-    """Whether entries differ although the same correction comes out: another number of the
-    reference, say, still does its work.
+def _written(
+    control: Control, plan: Plan, as_found: DecodedState
+) -> tuple[tuple[ControlFile, ...], DecodedState | None]:
+    """Return everything that should be in the control, and what its tables do: the plan's files in
+    the place of those that were patched.
     """
-    return any(entry.loaded is not None for entry in texts)
+    fitted = [
+        (entry.axis, entry.fitted) for entry in plan.axes.values() if entry.fitted is not None
+    ]
+    files, wish = write_fitted(control, fitted, as_found)
+    axes = {**{entry.axis.name: entry.axis for entry in plan.axes.values()}, **plan.untested}
+    tabled = [axis.name for axis, table in fitted if table.compensation.positions.size]
+    cross = [entry for entry in plan.cross if entry.written]
+    files = write_planned(control, cross, files, as_found, axes, tabled).files
+    addresses = [axes[name].address for name in tabled]
+    return in_place(texts_of(as_found.files), texts_of(files), addresses), wish
+
+
+def _compared(
+    entry: PlannedAxis,
+    wish: DecodedState | None,
+    found: DecodedState,
+    as_found: DecodedState,
+    own: Mapping[str, Sequence[Difference]],
+) -> ComparedAxis:
+    """Return what differs for one axis of the plan."""
+    axis = entry.axis
+    read_back = judge_read_back(
+        correction_of(wish, axis),
+        correction_of(found, axis),
+        correction_of(as_found, axis),
+        *_nodes(entry),
+    )
+    texts = own.get(axis.name, ())
+    values = tuple(_values(entry, wish, found)) if read_back.verdict != "loaded" or texts else ()
+    return ComparedAxis(axis.address, axis.kind, read_back, (*texts, *values))
 
 
 def _unsaid(axes: Sequence[Axis], found: DecodedState, loaded: Sequence[Path]) -> Iterator[Fault]:

@@ -76,9 +76,9 @@ def decode_summary(document: Mapping[str, Any]) -> list[Any]:
 
 def compare_summary(document: Mapping[str, Any]) -> list[Any]:
     """Return what ``compare`` says."""
-    from compwright.reporting import summaries
+    from compwright.reporting import differing
 
-    return summaries.compare_tables(document)
+    return differing.compare_tables(document)
 
 
 def diff_summary(document: Mapping[str, Any]) -> list[Any]:

@@ -52,15 +52,20 @@ class Placed:
 
 @dataclass(frozen=True, slots=True)
 class CorrectionChange:
-    """By how much the correction of an axis (or what ``moving`` does to it) changed at most, mm or
-    deg, with its sign: new minus old; ``at`` which position, arriving in which ``direction``.
+    """Where the correction of an axis changed most: ``at`` which position (of the axis that moves),
+    arriving in which ``direction``; what it ``was`` and is ``now``, mm or deg.
     """
 
     kind: AxisKind
-    most: float
+    was: float
+    now: float
     at: float
     direction: Direction
-    moving: str = ""
+
+    @property
+    def most(self) -> float:
+        """By how much, with its sign: new minus old."""
+        return self.now - self.was
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,15 +193,14 @@ def _most(
     where: FloatArray,
     was: Mapping[Direction, FloatArray],
     now: Mapping[Direction, FloatArray],
-    moving: str = "",
 ) -> CorrectionChange | None:
     gaps = {side: now[side] - was[side] for side in Direction}
     side = max(Direction, key=lambda one: float(np.max(np.abs(gaps[one]))))
     index = int(np.argmax(np.abs(gaps[side])))
-    most = float(gaps[side][index])
-    if abs(most) <= SAME:
+    if abs(gaps[side][index]) <= SAME:
         return None
-    return CorrectionChange(kind, most, float(where[index]), side, moving)
+    values = float(was[side][index]), float(now[side][index])
+    return CorrectionChange(kind, *values, float(where[index]), side)
 
 
 def _cross(old: ControlState, new: ControlState) -> dict[tuple[str, str], CorrectionChange]:
@@ -218,7 +222,7 @@ def _cross(old: ControlState, new: ControlState) -> dict[tuple[str, str], Correc
             }
             for group in tables
         )
-        change = _most(known[0].output_kind, where, was, now, pair[0])
+        change = _most(known[0].output_kind, where, was, now)
         if change is not None:
             found[pair] = change
     return found

@@ -84,8 +84,9 @@ def _values(match: re.Match[str], file: str, line: int) -> Iterator[tuple[str, E
     if data == "0" or (data is None and _POINTS_FROM <= number <= _POINTS_TO):
         value = _WORD.search(rest)
         if value is not None:
-            name = f"N{number:05d}Q0"
-            yield name, Entered(name, _POINT, value[2], file, line, "", acts=True, meaning=_POINT)
+            name = f"N{number:05d}" + ("" if data is None else "Q0")
+            entry = Entered(name, _POINT, value[2], file, line, acts=True, meaning=_POINT)
+            yield f"{number} point", entry
         return
     meaning = next((words for numbers, words in _MEANINGS if number in numbers), "")
     acts = bool(meaning) and number not in _SILENT
@@ -95,9 +96,12 @@ def _values(match: re.Match[str], file: str, line: int) -> Iterator[tuple[str, E
         if letter in _OWNERS and word[2].isdigit():
             owner = f"{letter}{int(word[2])}"
             continue
-        name = f"N{number:05d}{owner}"
+        name = f"N{number:05d}" + ("" if data is None else f"Q{data}") + owner
         axis = owner[1:] if owner.startswith("A") else ""
-        yield name, Entered(name, f"{number}", word[2], file, line, axis, acts, meaning)
+        yield (
+            f"{number} {owner}",
+            Entered(name, f"{number}", word[2], file, line, axis, acts, meaning),
+        )
 
 
 def whereabouts(entry: Entered, state: ControlState | None) -> tuple[tuple[str, ...], float | None]:
@@ -106,7 +110,7 @@ def whereabouts(entry: Entered, state: ControlState | None) -> tuple[tuple[str, 
     """
     if entry.axis:
         return (entry.axis,), None
-    if state is None or not entry.name.endswith("Q0"):
+    if state is None or entry.group != _POINT:
         return (), None
     number = int(entry.name[1:6]) - _POINTS_FROM
     owners: list[str] = []
