@@ -1,4 +1,4 @@
-"""What compare and diff say at the terminal, as rich renderables: a page, not a list of thousands."""
+"""What compare and diff say at the terminal, as rich renderables: pages, not lists."""
 
 from __future__ import annotations
 
