@@ -204,7 +204,7 @@ def test_switched_on_without_the_table_is_contradictory() -> None:
         ("a gap", "$AA_ENC_COMP[0,2,AX1]=0.0\n", "", "values are missing"),
         ("no last value", "$AA_ENC_COMP[0,4,AX1]=-0.0045\n", "", "values are missing"),
         ("a spacing that does not divide", "=50.0", "=60.0", "does not divide"),
-        ("a rounded spacing", "=50.0", "=50.0001", "does not divide"),
+        ("a rounded spacing", "=50.0", "=50.1", "does not divide"),
         ("half the spacing", "=50.0", "=25.0", "values are missing"),
         ("twice the spacing", "=50.0", "=100.0", "behind the end"),
         ("spacing 0", "=50.0", "=0.0", "not positive"),

@@ -370,7 +370,8 @@ def test_a_turn_of_another_axis_that_does_not_close_stops_nothing() -> None:
 
 
 def test_an_own_table_that_cannot_be_read_stops_its_axis_alone() -> None:
-    text = cec(0, ("AX1", "AX1")) + eec() + eec("AX2")
+    one = cec(0, ("AX1", "AX1")).replace("[0,9]=0.1", "[0,9]=0.2")  # beyond the end
+    text = one + eec() + eec("AX2")
     with pytest.raises(InputError, match="does not divide"):
         alone(text, cec_tables=[0], cec_sign="error")
     assert both_readers(text, axis_of("AX2")).axes["AX2"].positions.size == 3

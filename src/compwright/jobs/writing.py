@@ -50,7 +50,7 @@ def job_text(
         lines += [_line(4, name, entry) for name, entry in options.items()]
     lines += [
         "states:",
-        f"  as_found: {_plain(list(files))}   # what is in the control now; it is patched",
+        f"  as_found: {_plain(list(files))}   # what is in the control now",
         "axes:",
     ]
     for axis in axes:

@@ -100,7 +100,7 @@ class AxisReader:
         table: Table | None = None
         scale = self._scale(kind, has_table=has_table)
         if has_table and enabled and scale is not None:
-            table = self._table(scale, max_points)
+            table = self._table(scale, max_points, repeats=repeats)
         backlash, constant = (
             self._backlash(scale, has_table=table is not None) if scale is not None else (0.0, 0.0)
         )
@@ -268,14 +268,14 @@ class AxisReader:
             self.notes.switched_off(self.label, "the table is switched off in the files")
         return word != "no"
 
-    def _table(self, scale: Scale, max_points: Found | None) -> Table | None:
+    def _table(self, scale: Scale, max_points: Found | None, *, repeats: bool) -> Table | None:
         singles = {
             name: found
             for name in shape_of(self.definition).rules.grid
             if (found := self.values.single(name, quiet=False)) is not None
             and name != "node_position"
         }
-        source = TableSource(self.label, self.rows, singles, scale, self.notes)
+        source = TableSource(self.label, self.rows, singles, scale, self.notes, repeats)
         table = shape_of(self.definition).read(source)
         if table is None:
             return None

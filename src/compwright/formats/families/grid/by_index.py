@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from decimal import Decimal
 
 import numpy as np
@@ -19,8 +20,10 @@ from compwright.formats.families.grid.tables import (
 from compwright.formats.text.gathering import Found, same_value
 from compwright.foundations.errors import Fault
 
-#: How far (MAX - MIN) / STEP may be from a whole number when a file is read.
+#: How far (MAX - MIN) / STEP may be from a whole number when a file is read: without a word, and
+#: as a step that was rounded when it was written (770 / 39 = 19.7436).
 WHOLE_STEPS = Decimal("1e-6")
+ROUNDED_STEPS = Decimal("1e-3")
 _GRID = ("table_start", "table_end", "table_spacing")
 
 
@@ -45,11 +48,11 @@ class ByIndex(TableShape):
             return None
         if not _whole(source):
             return None
-        values, grid = indexed(source), _steps(source)
-        if values is None or grid is None or not _complete(source, values, grid[2]):
+        values = indexed(source)
+        grid = None if values is None else _steps(source, values)
+        if values is None or grid is None or not _complete(source, values, grid):
             return None
-        start, step, steps = grid
-        positions = [start + index * step for index in range(steps + 1)]
+        positions = [grid.start + index * grid.spacing for index in range(grid.steps + 1)]
         pairs = [source.values(values[index], place) for index, place in enumerate(positions)]
         sound = [pair for pair in pairs if pair is not None]
         return table_of(positions, sound) if len(sound) == len(pairs) else None
@@ -120,8 +123,22 @@ def indexed(source: TableSource) -> dict[int, Found] | None:
     return values if clean else None
 
 
-def _steps(source: TableSource) -> tuple[Decimal, Decimal, int] | None:
-    """Return start, spacing and the number of spacings."""
+@dataclass(frozen=True, slots=True)
+class _Grid:
+    """Start, spacing, and the number of spacings that count. ``beyond``: the point behind them
+    holds the value of the last one, and may be used by the control or not.
+    """
+
+    start: Decimal
+    spacing: Decimal
+    steps: int
+    beyond: bool = False
+
+
+def _steps(source: TableSource, values: Mapping[int, Found]) -> _Grid | None:
+    """Return the grid. Where its end lies between two points it is not known whether the control
+    goes on to the second one: both must hold the same value.
+    """
     start, end, step = (source.position(name, source.singles[name]) for name in _GRID)
     if start is None or end is None or step is None:
         return None
@@ -135,23 +152,49 @@ def _steps(source: TableSource) -> tuple[Decimal, Decimal, int] | None:
         return None
     ratio = (end - start) / step
     steps = int(ratio.to_integral_value())
-    if steps < 1 or abs(ratio - steps) > WHOLE_STEPS:
-        source.fault(
-            "the spacing does not divide the length of the table",
-            source.singles["table_spacing"],
-            expected="(end - start) / spacing a whole number",
-            what=f"({end} - {start}) / {step} = {float(ratio):.6f}",
-        )
-        return None
-    return start, step, steps
+    told = f"({end} - {start}) / {step} = {float(ratio):.6f}"
+    if steps >= 1 and abs(ratio - steps) <= ROUNDED_STEPS:
+        if abs(ratio - steps) > WHOLE_STEPS:
+            evidence = f"inferred: {told}; a step that was rounded when it was written"
+            source.notes.assume(f"{source.label}: spacings of its table", str(steps), evidence)
+        return _Grid(start, step, steps)
+    inside = int(ratio)
+    if inside >= 1 and not source.ends_at_point and _alike(source, values, inside):
+        evidence = f"{told}: the values on both sides of the end are the same"
+        source.notes.assume(f"{source.label}: spacings of its table", str(inside), evidence)
+        return _Grid(start, step, inside, beyond=True)
+    source.fault(
+        "the spacing does not divide the length of the table, and its values on both sides of the"
+        " end differ",
+        source.singles["table_spacing"],
+        expected="(end - start) / spacing a whole number, or the same value in both",
+        what=told,
+    )
+    return None
 
 
-def _complete(source: TableSource, values: Mapping[int, Found], steps: int) -> bool:
+def _alike(source: TableSource, values: Mapping[int, Found], inside: int) -> bool:
+    """Return whether the last point inside and the first one beyond the end hold the same value, or
+    all points hold nothing.
+    """
+    held = [
+        [Decimal(row.occurrence.tokens[name].text) for name in source.value_fields]
+        for row in values.values()
+    ]
+    if not any(value != 0 for row in held for value in row):
+        return inside in values
+    pair = [values[index] for index in (inside, inside + 1) if index in values]
+    texts = [[row.occurrence.tokens[name].text for name in source.value_fields] for row in pair]
+    return len(texts) == 2 and all(map(same_value, *texts))
+
+
+def _complete(source: TableSource, values: Mapping[int, Found], grid: _Grid) -> bool:
     """Return whether there is a value for each node, and none behind the end.
 
     Values behind the end are memory that the control does not use; they must be zero to be
     believed.
     """
+    steps = grid.steps
     # one of the first len(values) + 1 indices is free; a few more make the message useful, however
     # wild the grid is
     absent = [str(index) for index in range(min(steps + 1, len(values) + 8)) if index not in values]
@@ -162,7 +205,7 @@ def _complete(source: TableSource, values: Mapping[int, Found], steps: int) -> b
             what=f"{len(values)} values, without {', '.join(absent[:8])}",
         )
         return False
-    extra = sorted(index for index in values if index > steps)
+    extra = sorted(index for index in values if index > steps + grid.beyond)
     for index in extra:
         tokens = values[index].occurrence.tokens
         if any(Decimal(tokens[name].text) != 0 for name in source.value_fields):

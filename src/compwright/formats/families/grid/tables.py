@@ -48,7 +48,8 @@ class WrittenTable:
 @dataclass(slots=True)
 class TableSource:
     """What was found for one table. ``label`` names it in messages; ``singles``: start, end and
-    spacing.
+    spacing. ``ends_at_point``: its end
+    has to be a point, as that of an endless axis.
     """
 
     label: str
@@ -56,6 +57,7 @@ class TableSource:
     singles: Mapping[str, Found]
     scale: Scale
     notes: Notes
+    ends_at_point: bool = False
 
     @property
     def value_fields(self) -> list[str]:

@@ -287,7 +287,10 @@ class _TableReader(TableLines):
 
     def _table(self, scale: Scale, said: Mapping[str, Found]) -> Table | None:
         singles = {AS_TABLE[name]: found for name, found in said.items() if name in AS_TABLE}
-        source = TableSource(self.label, self.places["cross_value"], singles, scale, self.notes)
+        repeats = said.get("cross_repeats")
+        turns = repeats is not None and not same_value(repeats.text, "0")
+        rows, strict = self.places["cross_value"], turns or is_zero(self.places)
+        source = TableSource(self.label, rows, singles, scale, self.notes, strict)
         return shape_of(self.definition).read(source)
 
     def _period(self, table: Table, repeats: Found | None, *, quiet: bool) -> float | None:
