@@ -621,7 +621,7 @@ class TestSwitches:
         [
             ("$AN_CEC_TYPE[0]=1\n", r"\$AN_CEC_TYPE\[0\] = 1: .*cylinder error"),
             ("$SN_CEC_0[0]=0.01\n", r"\$SN_CEC_0\[0\] = 0.01: SD41320"),
-            ("$SN_CEC_1[0]=-0.01\n", r"\$SN_CEC_1\[0\] = -0.01: SD41321"),
+            ("$SN_CEC_1[0]=0.02\n", r"\$SN_CEC_1\[0\] = 0.02: SD41321"),
             ("$AN_CEC_INPUT_NCU[0]=2\n", r"\$AN_CEC_INPUT_NCU\[0\] = 2: .*another NCU"),
             ("$AN_CEC_OUTPUT_NCU[0]=2\n", r"\$AN_CEC_OUTPUT_NCU\[0\] = 2: .*another NCU"),
         ],

@@ -164,6 +164,6 @@ def _control(
         generation=generation,
         axes=axes,
         crossed=loader.crossed,
-        assumed=tuple(dict.fromkeys(loader.assumed)),
-        notes=tuple(dict.fromkeys(loader.notes)),
+        assumed=tuple(dict.fromkeys(loader.given.assumed)),
+        notes=tuple(dict.fromkeys(loader.given.notes)),
     )

@@ -1,0 +1,268 @@
+"""HEIDENHAIN tables and sheets as curves: positions, units, signs, and what acts outside."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+import numpy as np
+
+from compwright.controllers.heidenhain.curve import (
+    TURN,
+    Curve,
+    OwnTable,
+    leaves_turn,
+    whole_turn,
+)
+from compwright.controllers.heidenhain.given import Given, filled
+from compwright.controllers.heidenhain.sheet import Sheet
+from compwright.controllers.heidenhain.table import Com
+from compwright.controllers.heidenhain.words import ITNC530, Place
+from compwright.controllers.request import by_address
+from compwright.foundations.errors import Fault, UsageError
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.correction import Assumption
+
+_MM_PER_INCH = 25.4
+#: Spacing 2^n times this many mm (deg): TNC 407 technical manual p. 153. The 306/360 count in 1 µm
+#: and are another control.
+_EXPONENT_UNIT = 1e-4
+_LARGEST_EXPONENT = 23
+#: Positions of a sheet may be rounded to 0.001 mm (deg); twice the half of that decides whether
+#: they lie on a regular grid.
+_SHEET_POSITION = 1e-3
+#: Two statements of one table agree to less than the last digit of a value, 0.0001 mm (deg).
+_SAME_VALUE = 5e-5
+
+
+class TableLoader:
+    """``own``: the statements of each axis' own table with their place; ``crossed``: moving and
+    corrected axis -> curve. Remarks go to what was given.
+    """
+
+    def __init__(self, given: Given) -> None:
+        self.given = given
+        self.own: dict[str, list[tuple[Place, OwnTable]]] = defaultdict(list)
+        self.crossed: dict[tuple[str, str], Curve] = {}
+
+    def load_com(self, com: Com, moving: str) -> None:
+        """Take the columns of a .COM that ``moving`` moves: its own curves and those of others."""
+        nodes = self._nodes(com, moving)
+        sign = self._sign(com, moving)
+        if nodes is None:
+            return
+        for index, output in enumerate(com.columns):
+            if output in filled(com):
+                values = sign * com.values[:, index] * self._length(com, output)
+                curve = self._curve(moving, nodes, values, com.place)
+                if output == moving:
+                    negative = self._second_curve(com, moving, nodes, sign) or curve
+                    self.own[moving].append((com.place, OwnTable(curve, negative)))
+                else:
+                    self.crossed[moving, output] = curve
+        if (
+            moving not in filled(com)
+            and com.negative is not None
+            and not np.all(np.isnan(com.negative))
+        ):
+            self.given.faults.append(
+                com.place.fault(
+                    "BACKLASH without a column of the moving axis", expected=f"a column {moving}"
+                )
+            )
+
+    def _nodes(self, com: Com, moving: str) -> FloatArray | None:
+        """Return the positions (k,) of all rows, mm or deg; None with a fault when they are no
+        grid.
+        """
+        factor = self._length(com, moving)
+        if com.listed is not None:
+            return np.asarray(com.listed * factor, dtype=np.float64)
+        distance = com.distance * factor
+        rule = self.given.choice("spacing_rule", ("free", "power_of_two"), moving)
+        evidence = (
+            "option" if "spacing_rule" in self.given.request.options_of(moving) else "default"
+        )
+        self.given.assumed.append(Assumption(f"spacing_rule of {com.name}.COM", rule, evidence))
+        if rule == "power_of_two":
+            if com.distance != int(com.distance) or not 0 <= com.distance <= _LARGEST_EXPONENT:
+                expected = f"an exponent from 0 to {_LARGEST_EXPONENT}"
+                self.given.faults.append(
+                    com.place.fault(
+                        "DIST by the rule 2^n", expected=expected, found=f"{com.distance:g}"
+                    )
+                )
+                return None
+            distance = 2.0 ** int(com.distance) * _EXPONENT_UNIT
+        nodes = com.datum * factor + distance * np.arange(len(com.values))
+        if distance <= 0.0 or not np.all(np.diff(nodes) > 0.0):
+            self.given.faults.append(
+                com.place.fault("DIST", expected="a spacing above 0", found=f"{com.distance:g}")
+            )
+            return None
+        return np.asarray(nodes, dtype=np.float64)
+
+    def _length(self, com: Com, address: str) -> float:
+        """Return mm per unit of a table for a linear axis; angles are in degrees whatever the
+        table's unit.
+        """
+        if not com.inch or self.given.kind(address) is AxisKind.ROTARY:
+            return 1.0
+        self.given.assumed.append(
+            Assumption(
+                f"lengths in {com.name}.COM, DATUM, DIST and AXISPOS too",
+                "inch",
+                "its head says INCH",
+            )
+        )
+        return _MM_PER_INCH
+
+    def _sign(self, com: Com, moving: str) -> float:
+        """Return the factor from a table's value to the correction."""
+        chosen = self.given.choice("table_values", ("error", "correction"), moving)
+        sheet = next(
+            (one for one in self.given.sheets if one.address == moving and not one.nodes.size), None
+        )
+        if sheet is not None:  # the parameters beside the table say it
+            self.given.assumed.append(
+                Assumption(
+                    f"values of {com.name}.COM",
+                    "error" if sheet.errors else "correction",
+                    str(sheet.place),
+                )
+            )
+            return -1.0 if sheet.errors else 1.0
+        evidence = (
+            "option"
+            if "table_values" in self.given.request.options_of(moving)
+            else "default, unconfirmed"
+        )
+        self.given.assumed.append(Assumption(f"values of {com.name}.COM", chosen, evidence))
+        return -1.0 if chosen == "error" else 1.0
+
+    def _second_curve(self, com: Com, moving: str, nodes: FloatArray, sign: float) -> Curve | None:
+        """Return the curve arriving in - (NCK, column BACKLASH), None where one curve serves
+        both.
+        """
+        chosen = self.given.choice("backlash_column", ("second_curve", "absent"), moving)
+        if com.negative is None or np.all(np.isnan(com.negative)):
+            return None
+        if chosen == "second_curve":
+            if np.isnan(com.negative[0]) or np.isnan(com.negative[-1]):
+                self.given.faults.append(
+                    com.place.fault(
+                        "column BACKLASH is blank at an end of the table", expected="a value"
+                    )
+                )
+                return None
+            self.given.assumed.append(
+                Assumption(
+                    f"BACKLASH in {com.name}.COM",
+                    "the whole curve arriving in -",
+                    "MANUALplus 620 technical manual p. 715",
+                )
+            )
+            return self._curve(
+                moving, nodes, sign * com.negative * self._length(com, moving), com.place
+            )
+        own = com.values[:, com.columns.index(moving)]
+        filled = ~np.isnan(com.negative)
+        if not np.array_equal(com.negative[filled], own[filled]):
+            self.given.faults.append(
+                com.place.fault(
+                    "the column BACKLASH is not blank; the option backlash_column says absent",
+                    expected=(
+                        f"blank, or the values of {moving}, or the option"
+                        " backlash_column=second_curve"
+                    ),
+                    found="other values",
+                )
+            )
+        return None
+
+    def load_sheet(self, sheet: Sheet) -> None:
+        """Take the points of an entry sheet, where it has any."""
+        if sheet.nodes.size == 0:
+            return
+        self._check_grid(sheet)
+        curve = self._curve(
+            sheet.address, sheet.nodes, -sheet.values if sheet.errors else sheet.values, sheet.place
+        )
+        self.own[sheet.address].append((sheet.place, OwnTable(curve, curve)))
+
+    def _check_grid(self, sheet: Sheet) -> None:
+        """iTNC 530: only DATUM and a spacing can be typed in, so the positions lie on a regular
+        grid.
+        """
+        if self.given.generation.name != ITNC530.name or sheet.nodes.size < 2:
+            return
+        steps = np.arange(sheet.nodes.size)
+        spacing = float(sheet.nodes[-1] - sheet.nodes[0]) / float(steps[-1])
+        rule = self.given.choice("spacing_rule", ("free", "power_of_two"), sheet.address)
+        if rule == "power_of_two":
+            spacing = 2.0 ** round(np.log2(spacing / _EXPONENT_UNIT)) * _EXPONENT_UNIT
+        off = float(np.max(np.abs(sheet.nodes - (sheet.nodes[0] + spacing * steps))))
+        if off > _SHEET_POSITION:
+            expected = "one spacing" if rule == "free" else "a spacing of 2^n * 0.0001"
+            self.given.faults.append(
+                sheet.place.fault(
+                    "positions are no regular grid", expected=expected, found=f"off by {off:g}"
+                )
+            )
+
+    def _curve(self, moving: str, nodes: FloatArray, values: FloatArray, place: Place) -> Curve:
+        """Return the curve over the rows with a value; a rotary axis is endless when told, or when
+        its table spans the turn.
+        """
+        filled = ~np.isnan(values)
+        nodes, values = nodes[filled], values[filled] + 0.0
+        self.given.assumed.append(
+            Assumption(f"outside the table of {moving}", "the end values hold", "unconfirmed")
+        )
+        if self.given.kind(moving) is not AxisKind.ROTARY:
+            return Curve(nodes, values)
+        turn = by_address(self.given.request.modulo, moving)
+        if turn is not None and turn != TURN:
+            raise UsageError(
+                Fault(message=f"turn of {moving}", expected=f"{TURN:g}", found=f"{turn:g}")
+            )
+        if turn is None and whole_turn(nodes):
+            self.given.assumed.append(
+                Assumption(f"turn of {moving}", f"{TURN:g}", "its table reaches from 0 to 360 deg")
+            )
+        endless = turn is not None or whole_turn(nodes)
+        curve = Curve(
+            nodes,
+            values,
+            endless=endless,
+            one_turn=not endless and self.given.generation.name == ITNC530.name,
+        )
+        jump = float(np.interp(TURN, nodes, values) - np.interp(0.0, nodes, values))
+        if endless and abs(jump) > _SAME_VALUE:
+            self.given.notes.append(
+                f"{place}: the table of {moving} jumps by {jump:g} (mm or deg) at every turn: 0 and"
+                " 360 deg differ"
+            )
+        if curve.one_turn and leaves_turn(nodes):
+            self.given.notes.append(
+                f"{place}: entries of {moving} outside 0 to 360 deg are not used"
+            )
+        return curve
+
+    def one_table(self, address: str) -> OwnTable | None:
+        """Return the axis' own table; two statements of it (a .COM and the sheet typed into it)
+        must agree.
+        """
+        stated = self.own.get(address, [])
+        for place, table in stated[1:]:
+            first = stated[0][1]
+            for mine, other in ((table.positive, first.positive), (table.negative, first.negative)):
+                same = mine.nodes.size == other.nodes.size and (
+                    bool(np.all(np.abs(mine.nodes - other.nodes) <= _SHEET_POSITION))
+                    and bool(np.all(np.abs(mine.values - other.values) < _SAME_VALUE))
+                )
+                fault = place.fault(
+                    f"the table of {address} differs from that of {stated[0][0]}",
+                    expected="one table",
+                )
+                self.given.faults += [] if same or fault in self.given.faults else [fault]
+        return stated[0][1] if stated else None
