@@ -13,7 +13,7 @@ from compwright.formats.control_format import control_format
 from compwright.formats.families.delivery import Delivery
 from compwright.formats.families.family import Family
 from compwright.foundations.errors import InputError, UsageError
-from compwright.records.axis import Axis, Encoder
+from compwright.records.axis import Axis, AxisKind, Encoder
 from compwright.records.correction import AxisCompensation, ControlFile
 from format_samples import SIEMENS
 from sinumerik_archive import (
@@ -24,6 +24,9 @@ from sinumerik_archive import (
     machine_data,
     needs_archive,
     replace_cec,
+)
+from sinumerik_archive import (
+    LISTING as COLUMNS,
 )
 from sinumerik_container import container
 from virtual_sinumerik import VirtualSinumerik
@@ -279,3 +282,76 @@ def test_a_pair_between_directions_goes_back_to_what_its_tables_held() -> None:
     before.load("$MA_CEC_ENABLE[AX1]=1")
     after = {key: value.text for key, value in before.registers.items()}
     assert {key: text for key, text in after.items() if registers.get(key, "0") != text} == {}
+
+
+# -- listings
+# --------------------------------------------------------------------------------------------------
+
+LISTING = """CHANDATA(1)
+$AA_ENC_COMP[0,0,AX1]=0,0000
+$AA_ENC_COMP[0,1,AX1]=0,0012 ; measured
+$AA_ENC_COMP[0,2,AX1]=-0,0030
+$AA_ENC_COMP_STEP[0,AX1]=19,7436
+$AA_ENC_COMP_MIN[0,AX1]=-215,0
+$AA_ENC_COMP_MAX[0,AX1]=-175,5128
+$MA_BACKLASH[0,AX1]=n/a
+$MA_ENC_COMP_ENABLE[0,AX1]=1
+M17
+"""
+DATA = "CHANDATA(1)\n$MA_BACKLASH[0,AX1]=0.001\nM17\n"
+
+
+def listing(text: str, *others: str) -> list[ControlFile]:
+    texts = {"list.txt": text} | {f"other{n}.ini": one for n, one in enumerate(others)}
+    return [ControlFile(name, one.encode()) for name, one in texts.items()]
+
+
+def test_decimal_commas_are_read_where_all_values_have_them() -> None:
+    state = control_format(SIEMENS, {}).read(listing(LISTING, DATA), address="AX1")
+    axis = state.axes["AX1"]
+    assert axis.positions == pytest.approx([-215.0, -195.2564, -175.5128], abs=1e-9)
+    assert axis.positive == pytest.approx([0.0, -0.0012, 0.003], abs=1e-12)
+    assert axis.backlash == pytest.approx(0.001, abs=1e-12)
+    assert any(one.code == "CW-S071" for one in state.findings)
+
+
+def test_a_value_that_the_listing_does_not_know_is_asked_for_by_name() -> None:
+    with pytest.raises(InputError, match=r"line 8: .*listing does not know it; .*MA_BACKLASH"):
+        control_format(SIEMENS, {}).read(listing(LISTING), address="AX1")
+
+
+@pytest.mark.parametrize("value", ["0.0012", ".5", "-1.0"])
+def test_commas_beside_points_are_refused(value: str) -> None:
+    with pytest.raises(InputError, match=r"decimal comma\?"):
+        control_format(SIEMENS, {}).read(
+            listing(LISTING.replace("0,0012 ; measured", value), DATA), address="AX1"
+        )
+
+
+def test_a_listing_is_not_patched() -> None:
+    """Small files go into the control; what was listed is brought back by others."""
+    control = control_format(SIEMENS, {})
+    files = listing(LISTING, DATA)
+    axis = Axis(
+        name="X", kind=AxisKind.LINEAR, address="AX1", travel=(-215.0, -175.0), reference=-215.0
+    )
+    state = control.read(files, [axis])
+    bound = control.in_state(state)
+    new = replace(bent(state.axes["AX1"]), positions=np.array([-215.0, -195.0, -175.0]))
+    delivery = bound.delivered(bound.write([new], [axis], files), files, [axis])
+    assert [file.name for file in delivery.files] == ["AX1_EEC.INI", "AX1_MD.INI"]
+    assert not any(
+        b"," in line.split(b"=")[-1] for one in delivery.files for line in one.content.split(b"\n")
+    )
+    assert b"$AA_ENC_COMP[0,2,AX1]=-0.0030" in delivery.back[0].content
+    patched = control_format(SIEMENS, {"files": "patched"})
+    with pytest.raises(UsageError, match=r"list.txt is a listing with decimal commas"):
+        patched.in_state(patched.read(files, [axis])).write([new], [axis], files)
+
+
+@pytest.mark.skipif(not COLUMNS.is_file(), reason=f"the real listing is not there ({COLUMNS})")
+def test_a_listing_in_columns_is_refused_with_what_to_export() -> None:
+    file = ControlFile(COLUMNS.name, COLUMNS.read_bytes())
+    with pytest.raises(InputError, match=r"in columns.*AX_EEC.INI") as refused:
+        control_format(SIEMENS, {}).read([file])
+    assert len(refused.value.faults) == 1

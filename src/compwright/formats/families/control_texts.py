@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from functools import lru_cache
 
 from compwright.formats.definition.schema import Definition
@@ -20,6 +22,12 @@ from compwright.records.correction import ControlFile
 
 #: The quantity of a table's values, and that which says where it ends.
 _ROWS = {"value": "table_end", "cross_value": "cross_end"}
+#: A value with a decimal comma, one with a decimal point, and one that nobody knew.
+_COMMA = re.compile(
+    rb"^([^;\n]*=[ \t]*[+-]?[0-9]+),([0-9]+)(?=[ \t]*(?:;[^\n]*)?\r?$)", re.MULTILINE
+)
+_POINT = re.compile(rb"^[^;\n]*=[ \t]*[+-]?[0-9]*\.[0-9]", re.MULTILINE)
+_UNKNOWN = re.compile(rb"^([^;\n=]*?)[ \t]*=[ \t]*n/a[ \t]*\r?$", re.MULTILINE | re.IGNORECASE)
 #: What was laid over containers is kept by content, of as many sets as a job has states.
 _KEPT = 16
 
@@ -74,7 +82,7 @@ def _texts_of(
 ) -> tuple[tuple[ControlFile, ...], tuple[Fault, ...]]:
     faults: list[Fault] = []
     packed = unpacked([file for file in files if is_container(file)], faults)
-    beside = tuple(file for file in files if not is_container(file))
+    beside = _listed([file for file in files if not is_container(file)], definition)
     if not (packed and beside):
         return (*packed, *beside), tuple(faults)
     reader = text_reader(definition)
@@ -86,6 +94,42 @@ def _texts_of(
     over = _Over(definition, names, read[len(packed) :])
     blank = [over.blanked(file, text) for file, text in zip(packed, read, strict=False)]
     return (*blank, *beside), tuple(faults)
+
+
+def is_listing(definition: Definition, file: ControlFile) -> bool:
+    """Return whether a file is a listing that a program made for people: its values stand with
+    decimal commas, all of them, and no control takes it.
+    """
+    return (
+        "files" in definition.options
+        and not is_container(file)
+        and _COMMA.search(file.content) is not None
+        and _POINT.search(file.content) is None
+    )
+
+
+def _listed(files: Sequence[ControlFile], definition: Definition) -> tuple[ControlFile, ...]:
+    """Return files with points in the place of the commas of listings, and without the entries that
+    a listing does not know (``n/a``) and another file does.
+    """
+    pointed = [
+        replace(file, content=_COMMA.sub(rb"\1.\2", file.content))
+        if is_listing(definition, file)
+        else file
+        for file in files
+    ]
+    return tuple(_without_unknown(file, pointed) for file in pointed)
+
+
+def _without_unknown(file: ControlFile, files: Sequence[ControlFile]) -> ControlFile:
+    others = [other.content for other in files if other is not file]
+
+    def blank(found: re.Match[bytes]) -> bytes:
+        name = re.escape(found[1].split()[-1]) if found[1].split() else b"(?!)"
+        said = re.compile(rb"(?m)^[^;\n]*" + name + rb"[ \t]*=(?![ \t]*n/a)", re.IGNORECASE)
+        return b" " * len(found[0]) if any(map(said.search, others)) else found[0]
+
+    return replace(file, content=_UNKNOWN.sub(blank, file.content))
 
 
 class _Over:

@@ -23,12 +23,12 @@ from compwright.records.correction import ControlFile
 MAGIC = b"@@MMCIBN."
 #: Containers of other kinds, by their first bytes: what they are.
 OTHERS = {
-    b"@@MMC": "an archive of the operator panel in a container that is not known",
-    b"PK\x03\x04": "a ZIP archive",
-    b"\x1f\x8b": "a gzip archive",
-    b"7z\xbc\xaf\x27\x1c": "a 7z archive",
-    b"SQLite format 3\x00": "a data base",
-    b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1": "a compound document (OLE)",
+    b"@@MMC": "an archive of the operator panel in a container that is not known,",
+    b"PK\x03\x04": "a ZIP archive,",
+    b"\x1f\x8b": "a gzip archive,",
+    b"7z\xbc\xaf\x27\x1c": "a 7z archive,",
+    b"SQLite format 3\x00": "a data base,",
+    b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1": "a compound document (OLE),",
 }
 _BLOCK = 512
 _NAME, _SHOWN, _KIND, _SIZE, _DATE, _SUM, _FOLDER = (

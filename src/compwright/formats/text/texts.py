@@ -391,6 +391,8 @@ def _hint(code: str) -> str:
         return " (the file begins with a byte order mark)"
     if "\r" in code:
         return " (a bare carriage return inside the line)"
+    if re.search(r"=\s*n/a\s*$", code, re.IGNORECASE):
+        return ": the listing does not know it; add a file of the control that says it"
     if re.search(r"[0-9],[0-9]+\s*$", code):
         return " (a decimal comma?)"
     return ""

@@ -6,6 +6,7 @@ that no file names are errors. What had to be assumed is listed.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
@@ -14,7 +15,7 @@ from compwright.formats.definition.consistency import curves
 from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.axis_names import axis_names
-from compwright.formats.families.control_texts import texts_of
+from compwright.formats.families.control_texts import is_listing, texts_of
 from compwright.formats.families.family import Family
 from compwright.formats.families.gantry import find_partners, partner_of
 from compwright.formats.families.grid.axis_reading import AskedAxis, AxisReader, AxisReading
@@ -42,6 +43,9 @@ from compwright.records.correction import (
 )
 from compwright.records.facts import PairTables
 
+#: A line of a listing in columns: a name, then one value for each axis; more than a few make one.
+_COLUMNS = re.compile(rb"^\$\w+(?:\[[0-9]+\])?\t[^\t\n]*\t", re.MULTILINE)
+_FEW = 2
 #: What corrects an axis, or switches that on, where it is not zero.
 _ACTING = ("backlash", "enabled", "cross_axis_enabled", "dynamic_backlash", "temperature_slope")
 
@@ -222,7 +226,7 @@ class GridReader:
             for number, file in enumerate(texts_of(self.definition, files, self.notes.faults))
         ]
         raise_all(InputError, self.notes.faults)
-        self._tell_programs(files)
+        self._tell_sources(files)
         read = [text for text in texts if text is not None]
         if not any(text.occurrences or text.sections for text in read):
             row = self.definition.bindings[curves(self.definition)[0]].statement
@@ -240,21 +244,32 @@ class GridReader:
         """Refuse containers that are known by their first bytes only, and say what helps."""
         for file in files:
             what = "" if is_container(file) else unknown_container(file.content)
+            if len(_COLUMNS.findall(file.content)) > _FEW:
+                what = "a listing in columns, without the values of the tables,"
             if what:
                 self.notes.faults.append(
                     Fault(
-                        message=f"is {what}, which cannot be opened",
+                        message=f"is {what} which cannot be read",
                         file=file.name,
                         expected=self.control.export_instead,
                     )
                 )
         raise_all(InputError, self.notes.faults)
 
-    def _tell_programs(self, files: Sequence[ControlFile]) -> None:
-        """Name the programs in archives that load or switch tables: they were not run here."""
+    def _tell_sources(self, files: Sequence[ControlFile]) -> None:
+        """Name listings, and the programs in archives that load or switch tables: they were not
+        run here.
+        """
         kinds = self.definition.texts.values()
         words = tuple(sorted({claim for kind in kinds for claim in kind.claims_anywhere}))
         for file in files:
+            if is_listing(self.definition, file):
+                self.notes.find(
+                    "CW-S071",
+                    "warning",
+                    f"{file.name}: its decimal commas are read as points; the control takes no such"
+                    " file: it is a listing, and may not be what the control holds",
+                )
             named = programs_setting(file, words) if is_container(file) else ()
             if named:
                 self.notes.find(

@@ -12,7 +12,7 @@ import numpy as np
 from compwright.formats.families.activity import Activity
 from compwright.formats.families.between import Asked, Between
 from compwright.formats.families.card_words import CURVES
-from compwright.formats.families.control_texts import texts_of
+from compwright.formats.families.control_texts import is_listing, texts_of
 from compwright.formats.families.delivery import Delivery
 from compwright.formats.families.family import AxisTable
 from compwright.formats.families.grid.family import GridFamily
@@ -32,6 +32,12 @@ from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
+
+_ARCHIVE = (
+    "an archive in a container, which is never written: its checksum over the contents is not"
+    " understood, and the control refuses an archive that was edited"
+)
+_LISTING = "a listing with decimal commas, which the control does not take"
 
 
 class PairsFamily(GridFamily):
@@ -109,23 +115,29 @@ class PairsFamily(GridFamily):
 
     def small_files(self, own: Sequence[ControlFile]) -> bool:
         """See `Family.small_files`."""
-        return any(map(is_container, own)) or (bool(own) and self.options.get("files") == "small")
+        asked = bool(own) and self.options.get("files") == "small"
+        return asked or any(is_container(file) or is_listing(self.definition, file) for file in own)
 
     def _check_form(self, own: Sequence[ControlFile]) -> None:
-        archive = next((file for file in own if is_container(file)), None)
-        if archive is None or self.options.get("files") != "patched":
+        """Refuse to patch what the control would not take."""
+        if self.options.get("files") != "patched":
             return
-        raise UsageError(
-            Fault(
-                message=(
-                    f"{archive.name} is an archive in a container, which is never written: its"
-                    " checksum over the contents is not understood, and the control refuses an"
-                    " archive that was edited"
-                ),
-                place="files",
-                expected="small, or the option left out",
-                found="patched",
-            )
+        reasons = {
+            file.name: _ARCHIVE if is_container(file) else _LISTING
+            for file in own
+            if is_container(file) or is_listing(self.definition, file)
+        }
+        raise_all(
+            UsageError,
+            [
+                Fault(
+                    message=f"{name} is {why}",
+                    place="files",
+                    expected="small, or the option left out",
+                    found="patched",
+                )
+                for name, why in reasons.items()
+            ],
         )
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
