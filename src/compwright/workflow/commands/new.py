@@ -255,6 +255,8 @@ def _values(
             "programmed",
             Prefilled("diameter" if facts.diameter else "radius", f"from {said}"),
         )
+    if facts.lead is not None:
+        yield "screw_pitch", Prefilled(facts.lead, f"offered: {facts.lead_evidence}")
     yield "before", Prefilled(None, "[path of the measurement]")
 
 

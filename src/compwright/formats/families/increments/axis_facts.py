@@ -12,6 +12,7 @@ from compwright.formats.families.increments.axis_values import INCH, AxisValues
 from compwright.formats.families.increments.beside import hung, left_alone
 from compwright.formats.families.increments.detection_unit import detection_unit
 from compwright.formats.families.increments.parameters import AxisParameters
+from compwright.formats.families.increments.screw_lead import screw_lead
 from compwright.formats.families.increments.sections import idle_nodes
 from compwright.formats.families.increments.smooth import first_stage
 from compwright.formats.text.notes import Notes
@@ -33,13 +34,13 @@ def facts_of(values: AxisValues) -> AxisFacts:
     diameter, absolute, two_sets = (
         values.yes(name) for name in ("diameter", "absolute_encoder", "bidirectional")
     )
-    code = values.integer("axis_name")
+    lead = screw_lead(values.own, kind)
     low, high, reference = (
         _coordinate(values, name, kind)
         for name in ("limit_low", "limit_high", "reference_coordinate")
     )
     return AxisFacts(
-        name=chr(code) if code is not None and ord("A") <= code <= ord("Z") else None,
+        name=_name(values),
         kind=None if rotary is None else AxisKind(rotary),
         limits=None if low is None or high is None else (low, high),
         enabled=bool(increments.magnification) and first != last,
@@ -50,9 +51,23 @@ def facts_of(values: AxisValues) -> AxisFacts:
         diameter=diameter,
         grid=idle_nodes(values, kind),
         unit_evidence="" if unit is None else unit.evidence,
+        lead=None if lead is None else lead.size,
+        lead_evidence="" if lead is None else lead.evidence,
         increments=replace(increments, two_sets=bool(two_sets)),
         said={} if unit is None else {DETECTION_UNIT: unit.size},
     )
+
+
+def _name(values: AxisValues) -> str | None:
+    """Return what the control calls the axis: the letter of 1020 and, where there are more, the
+    characters of 1025 and 1026, all by their codes.
+    """
+    code = values.integer("axis_name")
+    if code is None or not ord("A") <= code <= ord("Z"):
+        return None
+    further = (values.own.get(number) for number in known.NAME_MORE)
+    codes = [value.whole for value in further if value is not None and value.acts]
+    return chr(code) + "".join(chr(one) for one in codes if chr(one).isalnum() and one < 128)
 
 
 def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]) -> AxisFacts:

@@ -22,6 +22,7 @@ from compwright.formats.families.increments.backlash import acting_backlash
 from compwright.formats.families.increments.beside import left_alone, stays
 from compwright.formats.families.increments.detection_unit import detection_unit, two_systems
 from compwright.formats.families.increments.points import POINTS_FROM
+from compwright.formats.families.increments.screw_lead import tell_lead
 from compwright.formats.families.increments.sections import Sections, read_sections, repeats
 from compwright.formats.families.increments.smooth import smooth_backlash
 from compwright.formats.text.gathering import Found
@@ -49,6 +50,7 @@ class IncrementReader:
         self._beside(kind)
         check_wrapping(values, kind)
         check_travel_limits(values, kind)
+        tell_lead(values, kind)
         backlash = self._backlash(kind)
         sections = read_sections(values, kind)
         check_reference(values, kind, self._reference(), has_table=sections is not None)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
+from fractions import Fraction
 
 from compwright.formats.definition.options import DETECTION_UNIT, axis_options
 from compwright.formats.families.increments import parameters as known
@@ -14,8 +15,8 @@ from compwright.formats.families.increments.parameters import AxisParameters, Va
 from compwright.foundations.errors import UsageError
 from compwright.records.axis import AxisKind
 
-#: Largest setting of 1820 whose coding is known: 2 x CMR for a CMR of 1 to 48.
-_LARGEST_MULTIPLIER = 96
+#: Settings of 1820: 2 x CMR for a CMR of 1/2 to 48, 100 + 1/CMR for a CMR of 1 to 1/27.
+_DOUBLED, _DIVIDED = range(1, 97), range(101, 128)
 #: Detection units are the same within this part: what the job says in few digits.
 _SAME_UNIT = 1e-4
 
@@ -33,10 +34,11 @@ def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
     """Return the least command increment / CMR; None where the files do not say it, or in a way
     that is not known.
 
-    1820 = 2 x CMR for a CMR of 1 and more (B-63943EN-1/02 page 109). The least command increment is
-    0.001 mm or deg by IS-B (0.01 by IS-A, 0.0001 by IS-C), a tenth of that in inches on an inch
-    machine (1001#0). 1013 by axis says the system, on older series 1004. What diameter programming
-    (1006#3) makes of it is not known.
+    1820 = 2 x CMR from 1 to 96, 100 + 1/CMR from 101 to 127 (B-63950EN/02 page 106,
+    B-63943EN-1/02 page 109). The least command increment is 0.001 mm or deg by IS-B (0.01 by IS-A,
+    0.0001 by IS-C), a tenth of that in inches on an inch machine (1001#0). 1013 by axis says the
+    system, on older series 1004; which of its bits mean IS-D and IS-E no page says. What diameter
+    programming (1006#3) makes of it is not known.
     """
     multiplier, system = own.get(known.MULTIPLIER), own.system
     power = None if system is None else _power(system)
@@ -44,13 +46,20 @@ def detection_unit(own: AxisParameters, kind: AxisKind) -> DetectionUnit | None:
         return None
     inch = kind is AxisKind.LINEAR and bool(own.bit(known.INCH, 0))
     least = Decimal(1).scaleb(power) * (Decimal("2.54") if inch else 1)
-    factor = Decimal(multiplier.whole) / 2
+    ratio, told = _command_multiplier(multiplier.whole)
     evidence = (
-        f"1820 = {multiplier.text} (CMR {factor.normalize():f}) and {system.number} = {system.text}"
+        f"1820 = {multiplier.text} (CMR {told}) and {system.number} = {system.text}"
         f" (least command increment {least.normalize():f}"
         f" {kind.unit}{', inch machine by 1001#0' if inch else ''})"
     )
-    return DetectionUnit(float(least / factor), evidence, multiplier)
+    return DetectionUnit(float(Fraction(least) / ratio), evidence, multiplier)
+
+
+def _command_multiplier(setting: int) -> tuple[Fraction, str]:
+    """Return the CMR that a setting of 1820 means, as a number and in words."""
+    if setting in _DIVIDED:
+        return Fraction(1, setting - 100), f"1/{setting - 100}"
+    return Fraction(setting, 2), f"{setting / 2:g}"
 
 
 def _power(system: Value) -> int | None:
@@ -68,7 +77,7 @@ def _unread(own: AxisParameters, kind: AxisKind) -> Value | None:
     multiplier, system, bits = own.get(known.MULTIPLIER), own.system, own.get(known.KIND)
     if system is not None and _power(system) is None:
         return system
-    if multiplier is None or not 2 <= multiplier.whole <= _LARGEST_MULTIPLIER:
+    if multiplier is None or not (multiplier.whole in _DOUBLED or multiplier.whole in _DIVIDED):
         return multiplier
     diameter = kind is AxisKind.LINEAR and bits is not None and bits.bit(3)
     return bits if diameter and system is not None else None
@@ -127,8 +136,8 @@ def _silent(values: AxisValues, kind: AxisKind) -> bool:
             odd.fault(
                 f"{values.label}: the detection unit cannot be told from this value; give the"
                 f" option {DETECTION_UNIT}",
-                "mm or deg, such as 0.001; read are 1820 = 2 to 96 with IS-A, IS-B or IS-C in 1013"
-                " and 1006#3 = 0",
+                "mm or deg, such as 0.001; read are 1820 = 1 to 96 and 101 to 127 with IS-A, IS-B"
+                " or IS-C in 1013 and 1006#3 = 0",
             )
         )
     return bool(values.notes.faults)

@@ -1,0 +1,73 @@
+"""The lead of an axis' screw as its reference counter suggests it: an offer with its evidence,
+never taken in silence.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.axis_values import AxisValues
+from compwright.formats.families.increments.detection_unit import detection_unit
+from compwright.formats.families.increments.parameters import AxisParameters
+from compwright.records.axis import AxisKind
+
+#: Lengths are the same within this part: what a job says in few digits.
+_SAME_LENGTH = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class Lead:
+    """Travel of one turn of the motor, mm or deg, and the parameters that suggest it, in words."""
+
+    size: float
+    evidence: str
+
+
+def screw_lead(own: AxisParameters, kind: AxisKind) -> Lead | None:
+    """Return the travel between two marks of the encoder on the motor; None where the files do not
+    say it.
+
+    1821 counts detection units from one mark to the next: a turn of the motor, on a screw its lead
+    (B-63943EN-1/02 page 109). With a separate detector (1815#1 = 1, from memory) it is the distance
+    of the marks of a scale and says nothing of a screw.
+    """
+    unit, counter = detection_unit(own, kind), own.get(known.REFERENCE_COUNTER)
+    if unit is None or counter is None or own.bit(known.ENCODER, 1) is not False:
+        return None
+    size = round(counter.whole * unit.size, 9)
+    if size <= 0 or (kind is AxisKind.ROTARY and size >= 360.0):
+        return None
+    evidence = (
+        f"1821 = {counter.text} detection units of {unit.size:g} {kind.unit} between two marks,"
+        " encoder on the motor (1815#1 = 0); inferred"
+    )
+    return Lead(size, evidence)
+
+
+def tell_lead(values: AxisValues, kind: AxisKind) -> None:
+    """Say what the files suggest where the job names no period, or another one."""
+    lead = screw_lead(values.own, kind)
+    if values.axis is None or lead is None:
+        return
+    named = values.axis.screw_pitch
+    if any(abs(period - lead.size) <= _SAME_LENGTH * lead.size for period in named):
+        return
+    suggested = (
+        f"{values.label}: the control's files suggest a period of {lead.size:g} {kind.unit},"
+        f" one turn of the motor ({lead.evidence})"
+    )
+    if named:
+        told = ", ".join(f"{period:g}" for period in named)
+        values.notes.find(
+            "CW-S049",
+            "warning",
+            f"{suggested}; the job names {told} instead, which is followed: check it at the screw",
+        )
+        return
+    values.notes.find(
+        "CW-S049",
+        "info",
+        f"{suggested}; the job names none, so it is not looked for: screw_pitch: {lead.size:g}"
+        " in the job would do it",
+    )
