@@ -185,8 +185,9 @@ def builders_table(case: Case, rng: np.random.Generator) -> None:
 
 @needs_archive
 @pytest.mark.parametrize("sign", [1.0, -1.0], ids=["correction", "error"])
+@pytest.mark.parametrize("told", [True, False], ids=["told", "not told"])
 def test_a_job_beside_a_builders_table_of_the_axis(
-    sign: float, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    sign: float, told: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Written as well as without it: the leadscrew table takes back what the other one does."""
 
@@ -197,9 +198,11 @@ def test_a_job_beside_a_builders_table_of_the_axis(
         return code, err + out
 
     predicted = []
-    for special in (builders_table, variations.nothing):
+    for special, told in ((builders_table, told), (variations.nothing, False)):
         case = named(special, 3)
-        case.cec_sign, case.options["cec_sign"] = sign, "correction" if sign > 0 else "error"
+        case.cec_sign = sign
+        if told:
+            case.options["cec_sign"] = "correction" if sign > 0 else "error"
         (tmp_path / special.__name__).mkdir()
         outcome = try_case(case, tmp_path / special.__name__, run)
         assert not outcome.harms, outcome.line()
