@@ -288,9 +288,16 @@ def test_a_sleeping_table_is_left_asleep_beside_one_that_acts(
     "special", [variations.pair_without_a_sign, variations.table_over_itself_without_a_sign]
 )
 def test_the_sign_of_cec_has_no_default(special: Special, judged: Judge) -> None:
-    outcome = judged(named(special))
+    """Where a table is to be written, or is ours and goes out of its readings."""
+    case = named(special)
+    case.options.setdefault("cec_tables", "[9]")
+    outcome = judged(case)
     assert (outcome.code, outcome.written) == (2, False), outcome.line()
     good(outcome)
+
+
+def test_a_table_of_unknown_sign_that_nobody_gave_to_be_written_stays(judged: Judge) -> None:
+    good(judged(named(variations.table_over_itself_without_a_sign)), written=True)
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0], ids=["correction", "error"])

@@ -230,3 +230,32 @@ def test_no_pair_and_no_table_between_axes_is_written_in_inch() -> None:
     assert write_cross(bound(), [cross])
     with pytest.raises(CapacityError, match="MD32711"):
         write_cross(bound(units="inch"), [cross])
+
+
+def test_a_grid_that_stays_keeps_its_text_however_many_places_it_has() -> None:
+    """A grid in inch that is whole in mm, and one in mm with more places than a new one gets: values
+    change, MIN, MAX and STEP do not.
+    """
+    for md, eec in (
+        (inch(MD), inch(EEC.replace("127", "50").replace("508", "200"))),
+        (MD, EEC.replace("=127", "=19.74358974").replace("=508", "=78.97435896")),
+    ):
+        before = given(md, eec)
+        state = control_format(SIEMENS, {}).read(before, [X])
+        old = state.axes["AX1"]
+        control = control_format(SIEMENS, {}, state)
+        steps = np.array([0.0, 3.0, -2.0, 5.0, 0.0])
+        new = replace(old, positive=steps * control.capacity(X).quantum)
+        new = replace(new, negative=new.positive)
+        written = {file.name: file.content.decode() for file in control.write([new], [X], before)}
+        text = written["AX_EEC.INI"]
+        for key in ("STEP", "MIN", "MAX"):
+            (line,) = (
+                line for line in eec.splitlines() if line.startswith(f"$AA_ENC_COMP_{key}[0,AX1]")
+            )
+            assert line in text
+        physics = loaded(written.get("INITIAL.INI", md), list(files(AX_EEC__INI=text)), before)
+        where = np.linspace(-20.0, 300.0, 33)
+        assert physics.correction("AX1", where, 1) == pytest.approx(
+            new.at(where, Direction.POSITIVE), abs=1e-9
+        )

@@ -24,6 +24,9 @@ from compwright.foundations.errors import Fault
 #: as a step that was rounded when it was written (770 / 39 = 19.7436).
 WHOLE_STEPS = Decimal("1e-6")
 ROUNDED_STEPS = Decimal("1e-3")
+#: Nodes closer together than this are one, mm or deg: far below what a control resolves, far above
+#: the rounding of doubles.
+SAME_NODE = 1e-9
 _GRID = ("table_start", "table_end", "table_spacing")
 
 
@@ -58,8 +61,13 @@ class ByIndex(TableShape):
         return table_of(positions, sound) if len(sound) == len(pairs) else None
 
     def write(self, text: TableText) -> WrittenTable:
-        """See `TableShape.write`. Nodes that are not equally spaced are a fault."""
+        """See `TableShape.write`. Nodes that are not equally spaced are a fault; the grid that is
+        there keeps its text, however many decimal places it has.
+        """
         positions, scale = text.compensation.positions, text.scale
+        rows = tuple({"index": str(index), **text.values(index)} for index in range(positions.size))
+        if _stays(text):
+            return WrittenTable(rows, {name: text.there[name] for name in _GRID})
         spacing = float(positions[-1] - positions[0]) / (positions.size - 1)
         numbers = (float(positions[0]), float(positions[-1]), spacing)
         singles = {
@@ -75,8 +83,21 @@ class ByIndex(TableShape):
                     found=f"a node {worst:.6g} {scale.kind.unit} away from its place",
                 )
             )
-        rows = ({"index": str(index), **text.values(index)} for index in range(positions.size))
-        return WrittenTable(tuple(rows), singles)
+        return WrittenTable(rows, singles)
+
+
+def _stays(text: TableText) -> bool:
+    """Return whether a table stands on exactly the grid that the files hold."""
+    if not set(_GRID) <= text.there.keys():
+        return False
+    start, end, step = (text.scale.read(name, text.there[name]) for name in _GRID)
+    if step <= 0:
+        return False
+    positions = text.compensation.positions
+    if round((end - start) / step) + 1 != positions.size:
+        return False
+    there = np.array([float(start + index * step) for index in range(positions.size)])
+    return bool(np.all(np.abs(there - positions) < SAME_NODE))
 
 
 def is_blank(source: TableSource) -> bool:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from decimal import Decimal
 from typing import ClassVar, Literal
 
@@ -116,11 +116,15 @@ class TableSource:
 
 @dataclass(frozen=True, slots=True)
 class TableText:
-    """The numbers of one table as text; what the text cannot say exactly goes to ``faults``."""
+    """The numbers of one table as text; what the text cannot say exactly goes to ``faults``.
+
+    ``there``: the text of the grid that the files hold, by quantity; empty where they hold none.
+    """
 
     compensation: AxisCompensation
     scale: Scale
     faults: list[Fault]
+    there: Mapping[str, str] = field(default_factory=dict)
 
     def number(self, quantity: str, value: float, position: float = 0.0) -> str:
         """Return the text of one number; ``position`` (mm or deg) is that of its row."""

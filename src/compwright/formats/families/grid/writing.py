@@ -133,7 +133,11 @@ class GridWriter:
 
     def _text(self, work: AxisWork) -> AxisText:
         scale = self.control.scale_of(work.axis)
-        table = shape_of(self.definition).write(TableText(work.compensation, scale, work.faults))
+        system = str(work.axis.encoder.system - 1)
+        said = {} if self.own is None else self.own.gathered.singles.get((work.address, system), {})
+        shape = shape_of(self.definition)
+        there = {name: said[name][-1].text for name in shape.rules.grid if name in said}
+        table = shape.write(TableText(work.compensation, scale, work.faults, there))
         text = self.text(work, scale, table)
         if work.compensation.period is None or "repeats" not in text.singles:
             return text

@@ -158,7 +158,12 @@ class CecWriter:
     ) -> Entry:
         self.tables.kept.add(index)
         scale = scale_of_pairs(self.control, curve.kind)
-        table = shape_of(self.definition).write(TableText(curve, scale, faults))
+        there = {
+            name: places[-1].text
+            for name, cross in _BACK.items()
+            if name != "value" and (places := self.tables.said(index, cross))
+        }
+        table = shape_of(self.definition).write(TableText(curve, scale, faults, there))
         field = self.definition.bindings["cross_value"].field
         repeats = "no" if curve.period is None else "yes"
         singles = {
