@@ -88,7 +88,7 @@ def side(control: Control, files: Sequence[ControlFile], name: str) -> Side:
     entries = control.format.entered(files)
     if not entries:
         raise InputError(*_nothing(control, files))
-    files, idle = _with_data(files, entries)
+    files, idle = _with_data(control, files, entries)
     left = (
         (Finding("CW-S082", "info", f"{name}: no data of the control in {idle}"),) if idle else ()
     )
@@ -107,15 +107,18 @@ def side(control: Control, files: Sequence[ControlFile], name: str) -> Side:
 
 
 def _with_data(
-    files: Sequence[ControlFile], entries: Entries
+    control: Control, files: Sequence[ControlFile], entries: Entries
 ) -> tuple[tuple[ControlFile, ...], str]:
     """Return the files that enter something, and the names of the others: a folder holds notes
-    too.
+    too. What a file enters may stand in a later one again.
     """
     used = {entry.file for entry in entries.values()}
-    kept = tuple(file for file in files if file.name in used or is_container(file))
-    names = {file.name for file in kept}
-    return kept, ", ".join(file.name for file in files if file.name not in names)
+    idle = [
+        file
+        for file in files
+        if file.name not in used and not is_container(file) and not control.format.entered([file])
+    ]
+    return tuple(file for file in files if file not in idle), ", ".join(one.name for one in idle)
 
 
 def _viewed(
