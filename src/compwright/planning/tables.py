@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -17,6 +18,7 @@ from compwright.foundations.errors import CapacityError, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.outlook import yardstick
+from compwright.planning.slopes import with_line
 from compwright.planning.wanted import beside
 from compwright.records.axis import FloatArray
 from compwright.records.capacity import Capacity
@@ -31,17 +33,19 @@ _BAND: Final = 3.29
 def fit_within(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str
 ) -> FittedTable:
-    """Return the fitted table, beside those of the axis that stay. Raises CapacityError where the
-    control cannot hold it by more than the noise of a reading.
+    """Return the fitted table, beside those of the axis that stay and beside a line of its own
+    where the control has one and it helps. Raises CapacityError where the control cannot hold it by
+    more than the noise of a reading.
     """
-    own = beside(wanted, capacity.stays)
 
-    def fit(asked: TableRequest) -> FittedTable:
-        table = fit_beside(wanted, capacity, asked, address=address)
-        raise_all(CapacityError, list(beyond_limits(table, own, capacity)))
+    def fit(limits: Capacity, asked: TableRequest) -> FittedTable:
+        table = fit_beside(wanted, limits, asked, address=address)
+        own = beside(wanted, limits.stays)
+        raise_all(CapacityError, list(beyond_limits(table, own, limits)))
         return table
 
-    return fit_staying(fit, capacity, request, wanted.kind.unit)
+    plain = fit_staying(partial(fit, capacity), capacity, request, wanted.kind.unit)
+    return with_line(fit, wanted, capacity, request, plain)
 
 
 def fit_beside(

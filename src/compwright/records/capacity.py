@@ -54,7 +54,8 @@ class Capacity:
     all axes share. ``zero``: the direction in which the correction is zero at the reference,
     however that is approached (None: that of the reference return); of two curves, the correction
     in + less that in - at the reference then lies in ``backlash_range``. ``stays``: tables that act
-    on the axis and stay beside whatever is written.
+    on the axis and stay beside whatever is written. ``slope``: a straight line of its own beside
+    the table can take a slope, a multiple of this per section, mm or deg; None: there is none.
     """
 
     format: str
@@ -86,6 +87,7 @@ class Capacity:
     below: Beyond = "hold"
     above: Beyond = "hold"
     stays: tuple[AxisCompensation, ...] = ()
+    slope: float | None = None
     assumed: tuple[Assumption, ...] = ()
 
     @property

@@ -76,7 +76,8 @@ class IncrementFacts:
     inches. ``rapid_feed``: mm/min or deg/min. ``unread``: numbers of which no file says what they
     hold. ``interval``: the width of its sections, mm or deg. ``hung``: what acts beside the table
     by its numbers and is left alone. ``first_stage``: the part of the backlash that comes out at
-    once where the rest follows on the way, detection units.
+    once where the rest follows on the way, detection units. ``inclined``: the line of
+    inclination compensation that is there, in words; empty: none.
     """
 
     reference_number: int | None = None
@@ -95,6 +96,7 @@ class IncrementFacts:
     interval: float | None = None
     hung: tuple[Hung, ...] = ()
     first_stage: int = 0
+    inclined: str = ""
 
     @property
     def claimed(self) -> tuple[range, ...]:

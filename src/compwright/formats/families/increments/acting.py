@@ -43,7 +43,8 @@ def pointed_numbers(parameters: Parameters) -> frozenset[int]:
     """Return the point numbers to which inclination, straightness and cyclic compensation of any
     axis point.
     """
-    values = parameters.of((*known.INCLINATION_POINTS, *known.STRAIGHTNESS_POINTS))
+    numbers = (*known.INCLINATION_POINTS, *known.STRAIGHTNESS_POINTS, *known.STRAIGHTNESS_MORE)
+    values = parameters.of(numbers)
     cyclic = (number for _, numbers in _cyclic(parameters) for number in numbers)
     return frozenset((*(value.whole for value in values if value.acts), *cyclic))
 

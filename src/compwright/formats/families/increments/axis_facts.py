@@ -9,7 +9,7 @@ from decimal import Decimal
 from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import INCH, AxisValues
-from compwright.formats.families.increments.beside import hung, left_alone
+from compwright.formats.families.increments.beside import OPTION_OF, functions, hung, left_alone
 from compwright.formats.families.increments.detection_unit import detection_unit
 from compwright.formats.families.increments.parameters import AxisParameters
 from compwright.formats.families.increments.screw_lead import screw_lead
@@ -72,7 +72,14 @@ def _name(values: AxisValues) -> str | None:
 
 def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]) -> AxisFacts:
     """Return the facts with what acts beside the table and is left alone."""
-    said = replace(facts.increments, hung=hung(own, options), first_stage=first_stage(own))
+    said = replace(
+        facts.increments,
+        hung=hung(own),
+        first_stage=first_stage(own),
+        inclined="".join(
+            each.told for each in functions(own) if OPTION_OF.get(each.words) == "inclination"
+        ),
+    )
     words = [function.told for function in left_alone(own, options) if function.moves]
     if words:  # what it does hangs on the grid
         grid = (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 
 import numpy as np
@@ -20,6 +20,7 @@ from compwright.formats.families.increments.against_job import (
 from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.formats.families.increments.backlash import acting_backlash
 from compwright.formats.families.increments.beside import left_alone, stays
+from compwright.formats.families.increments.counted import counted
 from compwright.formats.families.increments.detection_unit import detection_unit, two_systems
 from compwright.formats.families.increments.points import POINTS_FROM
 from compwright.formats.families.increments.screw_lead import tell_lead
@@ -58,14 +59,15 @@ class IncrementReader:
         check_diameter(values, kind)
         if sections is None:
             curves = (_NO_POINTS, _NO_POINTS, _NO_POINTS)
-            return self._compensation(kind, curves, backlash)
+            return self._with_counted(kind, None, self._compensation(kind, curves, backlash))
         values.notes.faults.extend(acting.meets(values.own, sections.numbers))
         own = self._increments(sections.numbers)
         other = own if sections.second is None else self._increments(sections.second)
         if own is None or other is None:
             return None
         if repeats(values, kind, sections):
-            return self._endless(kind, sections, own, backlash)
+            turning = self._endless(kind, sections, own, backlash)
+            return None if turning is None else self._with_counted(kind, sections, turning)
         positions = sections.nodes(self._reference(), round_turn=False)
         scale = float(self._unit(kind)) * sections.magnification * self._sign("pitch_sign")
         positive, negative = (totals(each, sections) * scale for each in (own, other))
@@ -75,7 +77,35 @@ class IncrementReader:
                 negative = negative + shift
             else:
                 positive = positive + shift
-        return self._compensation(kind, (positions, positive, negative), backlash)
+        table = self._compensation(kind, (positions, positive, negative), backlash)
+        return self._with_counted(kind, sections, table)
+
+    def _with_counted(
+        self, kind: AxisKind, sections: Sections | None, table: AxisCompensation
+    ) -> AxisCompensation:
+        """Return the table with the functions beside it that the options let count."""
+        functions = counted(self.values, kind, self.options, self._increments)
+        unit = float(self._unit(kind)) * self._sign("pitch_sign")
+        nodes = table.positions
+        others = []
+        for places, sums, period in functions.curves(sections, nodes, self._reference(), unit):
+            if table.period is not None and period is None and sums[0] != sums[-1]:
+                self.values.wrong(
+                    "last_number",
+                    "inclination that does not close round the turn cannot be counted",
+                    "5871 to 5874 alike at both ends of the turn",
+                )
+            others.append(
+                replace(
+                    table,
+                    positions=places,
+                    positive=sums + 0.0,
+                    negative=sums + 0.0,
+                    backlash=0.0,
+                    period=period or table.period,
+                )
+            )
+        return replace(table, others=tuple(others))
 
     def _beside(self, kind: AxisKind) -> None:
         """Refuse or tell what acts on the axis beside its table, and what its files leave open."""

@@ -42,8 +42,9 @@ class Function:
 def functions(own: AxisParameters) -> Iterator[Function]:
     """Yield everything that acts beside table and backlash, and stays."""
     yield from _inclination(own)
-    cyclic = _acting(own, (known.CYCLIC_FIRST, known.CYCLIC_LAST, known.CYCLIC_INTERVAL))
-    if cyclic:
+    ends = (known.CYCLIC_FIRST, known.CYCLIC_LAST, known.CYCLIC_INTERVAL, known.CYCLIC_FACTOR)
+    cyclic = _acting(own, ends)
+    if cyclic and cyclic[0].number != known.CYCLIC_FACTOR:
         yield Function("the second (cyclic) table", cyclic, None)
     yield from _straightness(own)
     spatial = tuple(
@@ -62,14 +63,16 @@ def left_alone(own: AxisParameters, options: Mapping[str, object]) -> list[Funct
     ]
 
 
-def hung(own: AxisParameters, options: Mapping[str, object]) -> tuple[Hung, ...]:
-    """Return what hangs on the numbers of the axis' sections, for whoever moves them."""
+def hung(own: AxisParameters) -> tuple[Hung, ...]:
+    """Return what hangs on the numbers of the axis' sections, counted or not, for whoever moves
+    them.
+    """
     return tuple(
         Hung(
             label=f"{function.words}, {function.values[0].place}",
             points=None if function.points is None else tuple(map(_point, function.points)),
         )
-        for function in left_alone(own, options)
+        for function in functions(own)
         if function.points is None or function.points
     )
 
@@ -110,10 +113,14 @@ def _straightness(own: AxisParameters) -> Iterator[Function]:
             yield Function(words, (value,), None)
             continue
         first = known.STRAIGHTNESS_POINTS[0] + 10 * pair
-        points = tuple(
-            point for point in own.all.of(range(first, first + 4)) if point.whose == value.whose
-        )
-        yield Function(words, (value, *points), points)
+        row = [
+            point
+            for point in own.all.of(range(first, first + known.STRAIGHTNESS_ROW))
+            if point.whose == value.whose
+        ]
+        points = tuple(one for one in row if one.number < first + known.STRAIGHTNESS_USED)
+        more = tuple(one for one in row if one not in points and one.acts)
+        yield Function(words, (value, *points, *more), None if more else points)
     for value in own.all.of(known.STRAIGHTNESS_BENT):
         if value.acts and own.named_by(value):
             words = "straightness compensation of this axis by another one"

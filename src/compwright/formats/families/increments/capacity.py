@@ -31,6 +31,8 @@ class AxisLimits:
         self.options = self.scale.options
         address, assumption = family.address(axis)
         self.facts = family.facts_of(address).increments
+        acting = None if family.state is None else family.state.axes.get(address)
+        self.stays = () if acting is None else acting.others
         self.used = used_numbers(family.state, [address])
         self.assumed = [assumption] if assumption is not None else []
 
@@ -71,6 +73,8 @@ class AxisLimits:
             min_spacing_reason=reason,
             period=axis.modulo,
             there=self.there,
+            stays=self.stays,
+            slope=scale.quantum("value") if self._may_incline() else None,
             below=definition.layout.below,
             above=definition.layout.above,
             assumed=tuple(self.assumed),
@@ -78,6 +82,12 @@ class AxisLimits:
 
     def _assume(self, fact: str, value: str, evidence: str) -> None:
         self.assumed.append(Assumption(f"axis {self.axis.name}: {fact}", value, evidence))
+
+    def _may_incline(self) -> bool:
+        """Whether a line of inclination compensation may be written: the control has it, and no
+        other one is there.
+        """
+        return self.options.get("inclination") == "available" and not self.facts.inclined
 
     def _free_numbers(self) -> int:
         """Return how many numbers in a row are free. Those of which no file says what they hold are

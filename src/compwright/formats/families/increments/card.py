@@ -59,10 +59,16 @@ def _feed_backlash(count: str, facts: AxisFacts) -> str:
 
 def _beside(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
     """Yield what is said of functions beside the table; ``facts``: what the written files say."""
-    before = family.facts_of(family.address(axis)[0]).increments.hung
-    old = {point.number for each in before for point in each.points or ()}
+    before = family.facts_of(family.address(axis)[0]).increments
+    old = {point.number for each in before.hung for point in each.points or ()}
     new = [point for each in facts.increments.hung for point in each.points or ()]
-    if {point.number for point in new} != old:
+    if facts.increments.inclined and not before.inclined:
+        yield (
+            f"set too: {facts.increments.inclined}; its sign and unit are unconfirmed, so measure"
+            " both ends of the travel with these amounts and with 0 (power cycle each time) before"
+            " the whole table acts"
+        )
+    elif {point.number for point in new} != old:
         told = ", ".join(point.label for point in new)
         yield f"set too, because the grid moves and these positions stay: {told}"
     if facts.beside:

@@ -15,6 +15,7 @@ from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.families.increments.axis_reading import increment_limit
 from compwright.formats.families.increments.axis_values import INCH
 from compwright.formats.families.increments.backlash import both_backlashes
+from compwright.formats.families.increments.inclined import line_parameters
 from compwright.formats.families.increments.moving import moved_numbers
 from compwright.formats.families.increments.numbering import (
     NoRoom,
@@ -45,7 +46,8 @@ class Entries:
     ``switches``: whether 3605#0 has to change for it, as far as the control's files say. ``inch``:
     what they say of its unit (1001#0). ``kept``: interval, reference and numbers are those that the
     control has now, so that what hangs on them stays as it is; False: they move. ``moved``: numbers
-    by which other functions hang on the grid, and what they have to be under the new one.
+    by which other functions hang on the grid, and what they have to be under the new one. ``line``:
+    inclination compensation by its parameters, none where no line is written.
     """
 
     address: str
@@ -59,6 +61,7 @@ class Entries:
     inch: bool | None
     kept: bool
     moved: tuple[tuple[PointNumber, int], ...]
+    line: Mapping[int, int]
 
 
 def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, ...]:
@@ -140,6 +143,8 @@ class _Axis:
         self.scale = family.scale_of(axis)
         self.options = self.scale.options
         self.unit = self.scale.quantum("value")
+        acting = None if family.state is None else family.state.axes.get(address)
+        self.others = 0 if acting is None else len(acting.others)
 
     def entries(self, used: Sequence[range], start: int) -> Entries:
         """Return what is entered; ``start``: the lowest number for an axis that has none and says
@@ -180,6 +185,7 @@ class _Axis:
             inch=self.facts.inch,
             kept=kept is not None,
             moved=moved,
+            line=self._line(steps, place),
         )
 
     def _parameters(
@@ -199,6 +205,16 @@ class _Axis:
             old = self.facts.backlash if name == "backlash" else self.facts.backlash_rapid
             parameters[name] = self._backlash(value, old)
         return parameters
+
+    def _line(self, steps: FloatArray, place: Place) -> dict[int, int]:
+        """Return the straight line beside the table that is not in the control yet."""
+        new = self.compensation.others[self.others :]
+        if not new:
+            return {}
+        counts = self._counts(new[0].positive)
+        sign = -1 if self.options.get("pitch_sign") == "-" else 1
+        numbers = [place.reference + int(steps[k]) for k in (1, -1)]
+        return line_parameters(numbers, [int(counts[k]) * sign for k in (1, -1)])
 
     def _backlash(self, count: int, old: int | None) -> str:
         stage = self.facts.first_stage

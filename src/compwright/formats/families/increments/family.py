@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Self
 
 from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.definition.shape_rules import ShapeRules
@@ -55,6 +56,12 @@ class IncrementsFamily(Family):
         """See `Family.read`. No file of these controls switches a table off."""
         del activity
         return StateReader(self, files, axes, address).read()
+
+    def for_a_view(self) -> Self:
+        """See `Family.for_a_view`: functions beside the table are counted by their best-known
+        meaning, which is listed.
+        """
+        return self.with_options(inclination="available", cyclic="available")
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`."""

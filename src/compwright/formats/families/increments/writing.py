@@ -7,6 +7,7 @@ bits, its own point numbers. Every other byte of a backup stays.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
@@ -16,6 +17,7 @@ from compwright.formats.definition.statements import print_form
 from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.families.increments.axis_values import INCH, thousandths
 from compwright.formats.families.increments.entries import Entries, all_entries
+from compwright.formats.families.increments.parameters import AxisParameters, Parameters
 from compwright.formats.families.increments.points import POINTS_FROM, point_number, point_rows
 from compwright.formats.families.increments.reading import read_texts
 from compwright.formats.text.entry_sheet import SheetRow, is_entry_sheet
@@ -25,6 +27,9 @@ from compwright.formats.text.values import name_of
 from compwright.foundations.errors import CapacityError, Fault, InputError, raise_all
 from compwright.records.axis import AxisKind
 from compwright.records.correction import ControlFile
+
+#: The number in the form of a parameter.
+_NUMBER = re.compile(r"[0-9]{5}")
 
 
 def write_increments(
@@ -77,6 +82,7 @@ class _OwnFiles(Patches):
         texts = read_texts(definition, files, faults) if files else []
         raise_all(InputError, faults)
         self.gathered = gather(definition, texts)
+        self.parameters = Parameters(self.files)
         self.rows: dict[int, list[Found]] = {}
         for row in point_rows(definition, self.gathered, self.files):
             self.rows.setdefault(point_number(row), []).append(row)
@@ -98,6 +104,11 @@ class _OwnFiles(Patches):
         for number, value in {**entry.points, **dict.fromkeys(entry.cleared, 0)}.items():
             for row in self.rows.get(number, ()):
                 self._set(row, "value", str(value))
+        left_line = {
+            number: count
+            for number, count in entry.line.items()
+            if not self._beside(entry.address, number, count)
+        }
         names = [file.name for file in self.files]
         for point, new in entry.moved:
             change = Change(point.start, point.start + point.size, str(new).encode("ascii"))
@@ -108,7 +119,20 @@ class _OwnFiles(Patches):
         if missing and self.rows:
             self._insert(missing)
             missing = {}
-        return replace(entry, parameters=left, points=missing)
+        return replace(entry, parameters=left, points=missing, line=left_line)
+
+    def _beside(self, address: str, number: int, count: int) -> bool:
+        """Put a parameter beside the table where the files hold it for the axis."""
+        names = [file.name for file in self.files]
+        places = [
+            value
+            for value in self.parameters.of([number])
+            if value.whose == ("A", AxisParameters(self.parameters, address).index)
+        ]
+        for value in places:
+            change = Change(value.start, value.start + len(value.text), str(count).encode("ascii"))
+            self.replace(names.index(value.file), change)
+        return bool(places)
 
     def _parameter(self, entry: Entries, quantity: str, value: str | Decimal) -> bool:
         binding = self.definition.bindings.get(quantity)
@@ -211,6 +235,11 @@ def _lines(definition: Definition, entry: Entries) -> Iterator[str]:
         binding = definition.bindings[quantity]
         form = definition.statements[binding.statement].form
         yield print_form(form, {"axis": entry.address, "key": key, binding.field: value})
+    # What stands beside the table has the form of the other whole numbers.
+    form = definition.statements["reference_number"].form
+    for number, count in entry.line.items():
+        own = _NUMBER.sub(f"{number:05d}", form, count=1)
+        yield print_form(own, {"axis": entry.address, "value": str(count)})
 
 
 def _point_lines(definition: Definition, entry: Entries) -> Iterator[str]:
@@ -241,6 +270,7 @@ def _program(definition: Definition, file: WrittenFile, entry: Entries) -> Itera
     for moved, new in entry.moved:
         by_hand = f"(SET {moved.label.upper()} TO {new} BY HAND)"
         yield f"N{moved.parameter}P{entry.address}R{new}" if moved.parameter else by_hand
+    yield from (f"N{number}P{entry.address}R{count}" for number, count in entry.line.items())
     if entry.switches:  # single bits are known under G10 L52 only; else the engineer does it
         number, value = name_of(definition, "bidirectional"), entry.parameters["bidirectional"]
         known = any("L52" in line for line in file.header)
@@ -264,6 +294,8 @@ def sheet_rows(definition: Definition, entry: Entries) -> Iterator[SheetRow]:
     for moved, new in entry.moved:
         if moved.parameter:
             yield SheetRow(moved.parameter, "", str(new), "")
+    for parameter, count in entry.line.items():
+        yield SheetRow(str(parameter), "", str(count), "")
     place = entry.place
     for point, increment in entry.points.items():
         own = next((numbers for numbers in place.ranges if point in numbers), place.ranges[0])

@@ -1,0 +1,99 @@
+"""A slope that whole increments hold badly goes into a straight line of its own beside the table,
+where the control has one.
+
+The line takes a whole number of units per section, so that it is exact at every node; the table
+takes the rest, with smaller increments and a smaller step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.foundations.errors import CapacityError
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable, TableRequest
+
+#: The line is worth it where it takes away more than this part of what is left at the nodes.
+WORTH: Final = 0.1
+#: Fits a table beside others that stay, within the limits of the control. Raises CapacityError.
+Fit = Callable[[Capacity, TableRequest], FittedTable]
+
+
+def with_line(
+    fit: Fit,
+    wanted: WantedCorrection,
+    capacity: Capacity,
+    request: TableRequest,
+    plain: FittedTable,
+) -> FittedTable:
+    """Return the table beside a straight line where that leaves clearly less at the nodes than
+    ``plain``, the table alone; else ``plain``. Either says both numbers.
+    """
+    if capacity.slope is None or capacity.period is not None:
+        return plain
+    nodes, grid = plain.compensation.positions, request
+    spacing = float(nodes[-1] - nodes[0]) / (nodes.size - 1)
+    if not plain.keeps_grid:
+        # The line is level up to the second node: one more section keeps that out of the travel.
+        more = nodes[1] > wanted.positions[0]
+        nodes = np.concatenate([nodes[:1] - spacing, nodes]) if more else nodes
+        grid = replace(request, start=float(nodes[0]), end=float(nodes[-1]), spacing=spacing)
+    line = _line(plain.compensation, nodes, capacity.slope, wanted.reference)
+    if line is None:
+        return plain
+    beside_line = replace(capacity, stays=(*capacity.stays, line), slope=None)
+    try:
+        inclined = fit(beside_line, grid)
+    except CapacityError:
+        return plain
+    left, left_beside = (_left(wanted, each.compensation) for each in (plain, inclined))
+    kind = wanted.kind
+    factor, unit = outside_factor(kind.unit), shown_unit(kind.unit)
+    slope = float(line.positive[-1] - line.positive[0]) / float(nodes[-1] - nodes[1])
+    rise = f"{slope * factor * 1000:+.2f} {unit}/m" if kind.unit == "mm" else f"{slope:+.6f}"
+    told = (
+        f"{left * factor:.3f} {unit} rms are left at its points, {left_beside * factor:.3f} {unit}"
+        " with it"
+    )
+    if left - left_beside <= WORTH * left:
+        message = f"The slope of {rise} stays in the table: without a line of its own {told}"
+        return replace(plain, findings=(*plain.findings, Finding("CW-P142", "info", message)))
+    message = f"The slope of {rise} goes into a line of its own, because without it {told}"
+    found = Finding("CW-P142", "info", message)
+    return replace(inclined, findings=(*inclined.findings, found))
+
+
+def _line(
+    table: AxisCompensation, nodes: FloatArray, unit: float, reference: float
+) -> AxisCompensation | None:
+    """Return the line with the slope of ``table``, from the second of ``nodes`` on, zero at the
+    reference; None where it is less than one unit per section.
+    """
+    mean = (table.positive + table.negative) / 2
+    if mean.size < 3:
+        return None
+    slope = float(np.polyfit(np.arange(mean.size, dtype=np.float64), mean, 1)[0])
+    rise = round(slope / unit) * unit * np.maximum(np.arange(nodes.size), 1.0)
+    if not np.any(rise):
+        return None
+    rise = rise - rise[int(np.argmin(np.abs(nodes - reference)))]
+    return replace(table, positions=nodes, positive=rise, negative=rise, backlash=0.0, others=())
+
+
+def _left(wanted: WantedCorrection, table: AxisCompensation) -> float:
+    """Return what is left at the nodes within the travel, root mean square over both directions."""
+    nodes, places = table.positions, wanted.positions
+    inside = nodes[(nodes >= places[0]) & (nodes <= places[-1])]
+    rest = [
+        np.interp(inside, places, wanted.total(side)) - table.at(inside, side) for side in Direction
+    ]
+    return float(np.sqrt(np.mean(np.square(rest))))
