@@ -318,6 +318,40 @@ class TestStepsThatDoNotDivide:
         assert at(load(self.table(100, [0.0] * 9, low=-850, high=0)), "AX1", [-20], UP) == [0.0]
 
 
+class TestListingsOfPrograms:
+    """Decimal commas and values that are not there."""
+
+    LISTING = """$MA_ENC_COMP_ENABLE[0,AX1]=0
+CHANDATA(1)
+$AA_ENC_COMP[0,0,AX1]=+0,0010 ; first
+$AA_ENC_COMP[0,1,AX1]=-0,0030
+$AA_ENC_COMP_STEP[0,AX1]=100
+$AA_ENC_COMP_MIN[0,AX1]=-100,0
+$AA_ENC_COMP_MAX[0,AX1]=0
+$AA_ENC_COMP_IS_MODULO[0,AX1]=0
+$MA_ENC_COMP_ENABLE[0,AX1]=1
+"""
+
+    def test_commas_throughout(self) -> None:
+        assert at(load(self.LISTING), "AX1", [-100, -50, 0], UP) == [-0.001, 0.001, 0.003]
+
+    def test_one_point_makes_them_uncertain(self) -> None:
+        for line in ("$MA_BACKLASH[0,AX1]=0.001\n", "R1=2.5\n"):
+            with pytest.raises(InputError, match="cannot be read"):
+                load(self.LISTING + line)
+        # a point in a remark is no value, and another file may have its own habit
+        assert at(load(self.LISTING + "; =0.5\n"), "AX1", [0], UP) == [0.003]
+        other = "$MA_BACKLASH[0,AX1]=0.002\n"
+        assert at(load(self.LISTING, other), "AX1", [0], DOWN) == [0.001]
+
+    def test_a_value_that_is_not_given(self) -> None:
+        left_out = "$MA_BACKLASH[0,AX1]=n/a ; not measured\n"
+        with pytest.raises(InputError, match=r"f0: line 10.*BACKLASH.*no other file says it"):
+            load(self.LISTING + left_out)
+        said = load(self.LISTING + left_out, "$MA_BACKLASH[0,ax1]=0.002\n")
+        assert at(said, "AX1", [0], DOWN) == [0.001]
+
+
 class TestWhatIsSaidOfTheAxes:
     def test_one_measuring_system_is_the_first(self) -> None:
         control = load(EEC, "$MA_NUM_ENCS[AX1]=1\n$MA_BACKLASH[0,AX1]=0.002\n")

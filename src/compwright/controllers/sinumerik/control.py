@@ -192,6 +192,7 @@ def sinumerik_control(
     contents, faults = loaded.contents, loaded.faults
     names = axis_names(contents, request)
     assignments = loaded.assignments(names)
+    faults += loaded.unanswered(names)
     if not assignments and not faults:
         given = ", ".join(file.name for file in files)
         faults.append(

@@ -8,6 +8,7 @@ they say in two ways is a contradiction.
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -42,6 +43,20 @@ class Loaded:
         kept = [entry for entry in under if _variable(entry) not in replaced]
         return [*_within_new_ends(kept, over), *over]
 
+    def unanswered(self, names: AxisNames) -> list[Fault]:
+        """Return the faults of variables that a file enters as ``n/a`` and no other file enters."""
+        open_entries = [entry for content in self.contents for entry in content.not_given]
+        said = {_variable(e) for e in self.assignments(names)} if open_entries else set()
+        return [
+            entry.fault(
+                f"{entry.variable} is not given here, and no other file says it",
+                expected="a number",
+                found="n/a",
+            )
+            for entry in open_entries
+            if _variable(names.renamed(entry)) not in said
+        ]
+
 
 def load(files: Sequence[ControlFile]) -> Loaded:
     """Return the contents of all files; nothing is raised, faults are collected."""
@@ -70,9 +85,12 @@ def _within_new_ends(kept: list[Assignment], over: Sequence[Assignment]) -> list
         for entry in over
         if entry.name.endswith(("_STEP", "_MIN", "_MAX")) or entry.point is not None
     }
+    grids: dict[tuple[str, int, str], list[Assignment]] = defaultdict(list)
+    for entry in (*kept, *over):
+        if entry.point is None and _table(entry) in changed:
+            grids[_table(entry)].append(entry)
     ends: dict[tuple[str, int, str], float] = {}
-    for table in changed:
-        entries = [entry for entry in (*kept, *over) if _table(entry) == table]
+    for table, entries in grids.items():
         step, low, high = (
             last_value(entries, f"{table[0]}_{key}") or 0.0 for key in ("STEP", "MIN", "MAX")
         )

@@ -103,6 +103,10 @@ _ASSIGNMENT = re.compile(
         \s*""",
     re.VERBOSE | re.IGNORECASE | re.ASCII,
 )
+#: A value with a decimal comma that fills its line, and a value with a decimal point.
+_COMMA = re.compile(r"(=\s*[+-]?[0-9]+),([0-9]+\s*(?:;.*)?)$", re.MULTILINE)
+_POINT = re.compile(r"=\s*[+-]?[0-9]+\.[0-9]+")
+_NOT_GIVEN = re.compile(r"(=\s*)n/a(\s*(?:;.*)?)$", re.IGNORECASE)
 _AXIS = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _WHOLE = re.compile(r"[0-9]{1,9}")
 
@@ -157,7 +161,8 @@ class FileContent:
 
     ``machine_names``, ``channel_names``: names by place from 0; ``channel_places``: machine axes
     from 1 by place of the channel; ``facts``: plain assignments of `FACTS`; ``units``: what is
-    said of the unit of lengths; ``unknown_keys``: by table a key of it that is not known.
+    said of the unit of lengths; ``not_given``: assignments of ``n/a``, whose value is somewhere
+    else; ``unknown_keys``: by table a key of it that is not known.
     """
 
     name: str = ""
@@ -167,6 +172,7 @@ class FileContent:
     channel_names: dict[int, set[str]] = field(default_factory=dict)
     channel_places: dict[int, set[int]] = field(default_factory=dict)
     facts: list[Assignment] = field(default_factory=list)
+    not_given: list[Assignment] = field(default_factory=list)
     units: UnitLines = field(default_factory=UnitLines)
     unknown_keys: dict[int, str] = field(default_factory=dict)
     faults: list[Fault] = field(default_factory=list)
@@ -202,7 +208,8 @@ def read_file(file: ControlFile) -> FileContent:
         )
         return found
     program = _Program()
-    for number, raw in enumerate(re.split(r"\r\n|\n|\r", file.content.decode("latin-1")), start=1):
+    lines = re.split(r"\r\n|\n|\r", file.content.decode("latin-1"))
+    for number, raw in enumerate(_with_points(lines), start=1):
         line = raw.lstrip("\xef\xbb\xbf") if number == 1 else raw
         code = _SAID_BESIDE.sub("", line, count=1) if line.startswith("; ") else line.lstrip()
         if _HEADER.match(code):
@@ -231,6 +238,16 @@ def _read_names(code: str, found: FileContent) -> None:
     elif match["name"] and not kind.endswith("_USED"):
         names = found.machine_names if kind.startswith("MN_") else found.channel_names
         names.setdefault(place, set()).add(match["name"].strip().upper())
+
+
+def _with_points(lines: list[str]) -> list[str]:
+    """Return the lines of a file with decimal points where it certainly has decimal commas: such a
+    value fills a line, and no value of the file has a point.
+    """
+    bare = [line.split(";", 1)[0] for line in lines]
+    if any(map(_POINT.search, bare)) or not any(map(_COMMA.search, lines)):
+        return lines
+    return [_COMMA.sub(r"\1.\2", line) for line in lines]
 
 
 def _read_fact(code: str, file: str, number: int, found: FileContent) -> None:
@@ -285,6 +302,14 @@ def _read_line(code: str, file: str, number: int, found: FileContent, *, ended: 
     if mentioned and mentioned <= PASSED_OVER:
         return
     match = _ASSIGNMENT.fullmatch(code)
+    if match is None and _NOT_GIVEN.search(code):
+        before = len(found.assignments)
+        match = _ASSIGNMENT.fullmatch(_NOT_GIVEN.sub(r"\g<1>0\2", code))
+        if match is not None:
+            _read_assignment(match, file, number, found, wrong)
+            found.not_given += found.assignments[before:]
+            del found.assignments[before:]
+            return
     if match is None:
         wrong(
             "line cannot be read",
