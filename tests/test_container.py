@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from compwright.formats.text.container import opened, unknown_container
+from compwright.formats.text.container import LARGEST, opened, unknown_container
 from compwright.records.correction import ControlFile
 from sinumerik_archive import ARCHIVE, cec_text, eec_text, member, needs_archive
 from sinumerik_container import container, header
@@ -91,6 +91,13 @@ def test_a_hostile_container_takes_no_time() -> None:
     rubbish = bytes(range(256)) * 4096
     assert refused(container(TEXTS) + rubbish)
     assert time.perf_counter() - begin < 2.0
+
+
+def test_a_member_larger_than_any_control_has_is_refused() -> None:
+    """Not read line by line for minutes; a program of that size concerns nobody."""
+    content = b"$MA_BACKLASH[0,AX1]=0\n" * (LARGEST // 22 + 1)
+    assert "INITIAL.INI" in refused(container([(ACTIVE, "INITIAL.INI", content)]))
+    assert not members(container([("\\MPF.DIR\\", "LONG.MPF", content)]))
 
 
 @pytest.mark.parametrize(

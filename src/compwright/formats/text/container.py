@@ -43,6 +43,8 @@ _NAME, _SHOWN, _KIND, _SIZE, _DATE, _SUM, _FOLDER = (
 _FILE, _MARK = b"7", b"0"
 _ACTIVE = b"\\_NC_ACT.DIR\\"
 _LISTED = re.compile(rb"^(\\[^\n]*\\)([^\\\n]+)$", re.MULTILINE)
+#: Bytes of the largest text that is read; those of a five-axis machine have one million.
+LARGEST = 32 << 20
 _ZEROS = b"\x00"
 #: What was read is kept by content, of as many containers as a job has states.
 _KEPT = 8
@@ -132,6 +134,11 @@ def opened(file: ControlFile) -> tuple[Container | None, tuple[Fault, ...]]:
         if member.folder.encode("latin-1").upper() != _ACTIVE:
             if _ZEROS not in content:
                 programs.append(ControlFile(member.path, content))
+            continue
+        if member.size > LARGEST:
+            what = f"holds {member.name} with {member.size} bytes, more than any control's"
+            expected = f"at most {LARGEST} bytes"
+            faults.append(_fault(file, member.start - _BLOCK, what, expected=expected))
             continue
         one = ControlFile(f"{file.name}: {member.name}", content)
         first = state.setdefault(member.name.upper(), one)

@@ -156,12 +156,31 @@ class _KindReader:
         ]
         self.sections = reader.matchers.get(kind.sections) if kind.sections is not None else None
         self.numbered = any(matcher.number is not None for matcher in self.matchers)
+        self.wordless = [matcher for matcher in self.matchers if not matcher.head]
+        self.concerning = self._concerning()
         self.max_line = (
             reader.definition.limit_number("line_length_read") if kind.other_lines_refused else None
         )
         self.section = ""
         self.section_start = 0
         self.seen_sections: list[str] = []
+
+    def _concerning(self) -> re.Pattern[str] | None:
+        """Return what every line holds that is a statement with a word in it, or claims to be one;
+        None where other lines are refused too. An archive has a thousand lines beside each of them.
+        """
+        if self.numbered or self.kind.other_lines_refused:
+            return None
+        heads = (matcher.head for matcher in self.matchers if matcher.head)
+        words = {*heads, *self.kind.claims_anywhere, *self.kind.claims_at_start}
+        flags = re.IGNORECASE if self.ignores_case else re.NOFLAG
+        return re.compile("|".join(map(re.escape, sorted(words))) or "(?!)", flags)
+
+    def _passed_over(self, code: str) -> bool:
+        """Return whether a line is of no concern here."""
+        if self.concerning is None or self.concerning.search(code) is not None:
+            return False
+        return all(matcher.match(code) is None for matcher in self.wordless)
 
     def read(self, lines: Sequence[Line]) -> ReadText:
         occurrences: list[Occurrence] = []
@@ -228,6 +247,8 @@ class _KindReader:
         return True
 
     def _statement(self, line: Line, code: str) -> Iterator[Occurrence]:
+        if self._passed_over(code):
+            return
         if (
             self.numbered
             and "\r" in code
