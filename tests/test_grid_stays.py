@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -143,3 +143,76 @@ def test_a_table_of_zeros_has_a_grid_all_the_same(name: str, visit: Start) -> No
     assert np.array_equal(there.nodes(there.files), empty.nodes(empty.written()))
     for old, after in zip(there.files, empty.written(), strict=True):
         assert without_values(name, after) == without_values(name, old)
+
+
+@pytest.mark.parametrize("name", ["siemens-840d-sl", "fanuc-30i", "heidenhain-itnc530"])
+def test_a_table_that_is_switched_off_has_a_grid_all_the_same(name: str, visit: Start) -> None:
+    there = visit(name)
+    switch = {
+        "siemens-840d-sl": (b"COMP_ENABLE[0,AX1]=1", b"COMP_ENABLE[0,AX1]=0"),
+        "heidenhain-itnc530": (b"MP730,,1", b"MP730,,0"),
+        "fanuc-30i": (b"N03623Q1A1P1", b"N03623Q1A1P0"),
+    }[name]
+    files = [replace(file, content=file.content.replace(*switch)) for file in there.files]
+    assert files != there.files
+    off = Visit(name, there.folder, files)
+    assert off.run(*(["active=no"] if name.startswith("siemens") else [])) == 0
+    assert np.array_equal(there.nodes(there.files), off.nodes(off.written()))
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_auto_chooses_as_if_nothing_were_there(name: str, visit: Start) -> None:
+    there = visit(name)
+    assert there.run("spacing=auto") == 0
+    assert not np.array_equal(there.nodes(there.files), there.nodes(there.written()))
+    plan = str(there.folder / "out" / "plan.json")
+    assert json.loads(Path(plan).read_text())["axes"]["X"]["request"]["spacing"] == "auto"
+    states = [f"--state={there.folder / 'at-0.009' / file.name}" for file in there.files]
+    again = str(there.folder / "again")
+    assert compwright(["export", plan, "--format", format_of(name), *states, "--out", again]) == 0
+    exported = [
+        ControlFile(path.name, path.read_bytes())
+        for path in sorted(Path(again).rglob("*"))
+        if path.name in {file.name for file in there.written()}
+    ]
+    assert np.array_equal(there.nodes(there.written()), there.nodes(exported))
+
+
+def test_a_pmac_table_of_another_length_keeps_its_entries_and_its_length(tmp_path: Path) -> None:
+    """30 entries of 40 mm, 2500000 counts each: 1200 mm for a travel of 800."""
+    numbers = " ".join(["3"] * 29 + ["0"])
+    script = f"I51=1\n#1 DEFINE COMP 30,#1D,75000000\n{numbers}\nI185=32\nI186=0\n"
+    there = Visit("pmac", tmp_path, [ControlFile("table.pmc", script.encode())])
+    assert there.run() == 0
+    (new,) = there.written()
+    assert b"#1 DEFINE COMP 30,#1D,75000000\n" in new.content
+    assert len(new.content.splitlines()[2].split()) == 30
+    assert "CW-P140" not in there.findings()
+
+
+def test_a_pmac_table_that_repeats_within_the_travel_gets_a_new_grid(tmp_path: Path) -> None:
+    script = "I51=1\n#1 DEFINE COMP 4,#1D,625000\n3 0 -3 0\nI185=32\nI186=0\n"
+    there = Visit("pmac", tmp_path, [ControlFile("table.pmc", script.encode())])
+    assert there.run() == 0
+    assert "it repeats within the travel" in there.findings()["CW-P140"]
+
+
+def test_an_isg_list_keeps_uneven_positions(tmp_path: Path, visit: Start) -> None:
+    there = visit("isg-kernel")
+    (file,) = there.files
+    moved = re.sub(rb"(table\[3\].setpoint +)1500000", rb"\g<1>1333333", file.content)
+    uneven = Visit("isg-kernel", tmp_path, [replace(file, content=moved)])
+    assert uneven.run() == 0
+    assert uneven.nodes(uneven.written())[3] == pytest.approx(133.3333, abs=1e-9)
+    assert np.array_equal(uneven.nodes(uneven.files), uneven.nodes(uneven.written()))
+
+
+def test_linuxcnc_keeps_uneven_positions(tmp_path: Path, visit: Start) -> None:
+    there = visit("linuxcnc")
+    lines = [
+        replace(file, content=file.content.replace(b"150.00", b"133.33")) for file in there.files
+    ]
+    uneven = Visit("linuxcnc", tmp_path, lines)
+    assert uneven.run() == 0
+    assert uneven.nodes(uneven.written())[3] == pytest.approx(133.33, abs=1e-9)
+    assert np.array_equal(uneven.nodes(uneven.files), uneven.nodes(uneven.written()))

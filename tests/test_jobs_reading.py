@@ -73,6 +73,7 @@ def test_smallest_job_has_every_default_of_the_contract() -> None:
     assert read.axes["X"].table == TableRequest(
         start=None, end=None, spacing=None, mode="auto", goal="expected"
     )
+    assert read.axes["X"].table.keeps
     (test,) = read.axes["X"].before
     assert (test.files, test.name, test.measured_in) == (("runs/x.csv",), "x", "as_found")
     assert test.position_map == PositionMap(1, 0.0)
@@ -364,6 +365,8 @@ def test_other_versions_are_refused(version: str) -> None:
         ("table: {start: 5, end: 5}", "axes.X.table", "start < end"),
         ("table: {spacing: 0}", "axes.X.table.spacing", "more than 0"),
         ("table: {spacing: automatic}", "axes.X.table.spacing", "a number"),
+        ("table: {spacing: Auto}", "axes.X.table.spacing", "a number"),
+        ("table: {spacing: [10]}", "axes.X.table.spacing", "a number"),
         ("table: {spacing: 0.001}", "axes.X.table.spacing", "100000 nodes"),  # 500 mm / 1 µm
         ("table: {mode: both}", "axes.X.table.mode", "bidirectional"),
         ("table: {goal: R}", "axes.X.table.goal", "'expected', 'A', 'E' or 'M'"),

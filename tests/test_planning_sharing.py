@@ -75,6 +75,14 @@ def test_a_store_of_ones_own_is_shared_with_nobody() -> None:
     assert most({"X": planned()}, {"X": STORE, "Z": STORE}) == {"X": 128, "Z": 128}  # Z: no table
 
 
+def test_a_grid_that_stays_takes_nothing_of_what_is_free() -> None:
+    """It has its points already; where the job lets one be chosen, it takes part."""
+    there = replace(STORE, there=tuple(np.arange(0.0, 1001.0, 40.0)))
+    capacities = {"X": there, "Y": STORE}
+    assert most({"X": planned(), "Y": planned("Y")}, capacities) == {"X": 128, "Y": 128}
+    assert most({"X": planned(spacing="auto"), "Y": planned("Y")}, capacities) == {"X": 62, "Y": 62}
+
+
 def test_a_store_that_is_full_leaves_two_points_which_writing_then_refuses() -> None:
     assert most({"X": planned(spacing=5.0), "Y": planned("Y")})["Y"] == 2
 

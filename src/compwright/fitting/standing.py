@@ -40,14 +40,13 @@ def standing_nodes(
     unit = wanted.kind.unit
     if capacity.unfit:
         raise _no_use(capacity.unfit, "", "")
-    if nodes.size < 2:
-        raise _no_use("it has one point", "two or more", f"{nodes.size}")
     if capacity.period is not None:
         _check_turn_ends(request, wanted.reference, capacity.period, unit)
         nodes = _from_reference(nodes, wanted.reference, capacity.period, unit)
     else:
+        if request.start is None and request.end is None:
+            _check_reach(nodes, wanted.positions, unit)
         nodes = _to_named_ends(nodes, capacity, request, unit)
-        _check_reach(nodes, wanted.positions, unit)
     _check_steps(nodes, capacity, unit)
     if capacity.anchored and not _on(nodes, wanted.reference):
         raise _no_use(

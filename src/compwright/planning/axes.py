@@ -204,9 +204,9 @@ def fit_all(
             planned.axis,
             reversal_log_odds=work.posterior.reversal_log_odds,
         )
-        capacity, request, address = capacities[name], planned.request, planned.axis.address
+        capacity, request, axis = capacities[name], planned.request, planned.axis
         try:
-            table = fit_within(wanted, capacity, request, address=address)
+            table = fit_within(wanted, capacity, request, axis)
         except CapacityError as error:
             errors.append(_of_axis(error, name, job_file))
             continue
@@ -214,7 +214,7 @@ def fit_all(
             work,
             capacity=capacity,
             planned=replace(planned, wanted=wanted, fitted=table),
-            chosen=freely_chosen(wanted, capacity, request, table, address=address),
+            chosen=freely_chosen(wanted, capacity, request, table, axis),
         )
     raise_all(CapacityError, collect(errors))
     return fitted
@@ -264,6 +264,7 @@ def _offered(work: AxisWork, tests: Sequence[TestPrediction]) -> Iterator[Findin
     change = difference(chosen.compensation.at, work.active)
     offered = predict(work.results[0], work.posterior, change, work.planned.axis)
     finding = offer(
+        work.planned.axis,
         np.array(capacity.there),
         chosen,
         tests[0],

@@ -19,7 +19,7 @@ from compwright.planning.axes import CapacityOf
 from compwright.planning.checks import Checks, mismatch, scale_error
 from compwright.planning.circles import CircleWork
 from compwright.planning.stated import SIGNIFICANT, Stated
-from compwright.planning.tables import fit_beside, fit_staying
+from compwright.planning.tables import NEW_GRID, fit_beside, fit_staying
 from compwright.planning.wanted import dense_positions, held_by, wanted_correction
 from compwright.prediction.acting import IDLE, Acting
 from compwright.records.axis import Axis, Direction
@@ -44,6 +44,13 @@ class Scaled:
     name: str
     planned: PlannedAxis | None
     finding: Finding
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """What is to be said of it: where its grid moves, that too."""
+        fitted = None if self.planned is None else self.planned.fitted
+        moved = () if fitted is None else fitted.findings
+        return (self.finding, *(one for one in moved if one.code == NEW_GRID))
 
 
 def scaled_axes(
@@ -258,9 +265,9 @@ def _planned(
     limits = capacity(axis)
 
     def fit(request: TableRequest) -> FittedTable:
-        return fit_beside(wanted, limits, request, address=axis.address)
+        return fit_beside(wanted, limits, request, axis)
 
-    fitted = fit_staying(fit, limits, entry.table, axis.kind.unit)
+    fitted = fit_staying(fit, limits, entry.table, axis)
     return PlannedAxis(
         axis=axis,
         tests=(),

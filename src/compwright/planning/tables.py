@@ -20,42 +20,44 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.outlook import yardstick
 from compwright.planning.slopes import with_line
 from compwright.planning.wanted import beside
-from compwright.records.axis import FloatArray
+from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.prediction import TestPrediction
 
+#: The finding that a new grid is chosen.
+NEW_GRID: Final = "CW-P140"
 #: From 5 to 95 % a normal law is so many standard deviations wide.
 _BAND: Final = 3.29
 
 
 def fit_within(
-    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis
 ) -> FittedTable:
-    """Return the fitted table, beside those of the axis that stay and beside a line of its own
-    where the control has one and it helps. Raises CapacityError where the control cannot hold it by
-    more than the noise of a reading.
+    """Return the fitted table of an axis, beside those that stay and beside a line of its own where
+    the control has one and it helps. Raises CapacityError where the control cannot hold it by more
+    than the noise of a reading.
     """
 
     def fit(limits: Capacity, asked: TableRequest) -> FittedTable:
-        table = fit_beside(wanted, limits, asked, address=address)
+        table = fit_beside(wanted, limits, asked, axis)
         own = beside(wanted, limits.stays)
         raise_all(CapacityError, list(beyond_limits(table, own, limits)))
         return table
 
-    plain = fit_staying(partial(fit, capacity), capacity, request, wanted.kind.unit)
+    plain = fit_staying(partial(fit, capacity), capacity, request, axis)
     return with_line(fit, wanted, capacity, request, plain)
 
 
 def fit_beside(
-    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, *, address: str
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis
 ) -> FittedTable:
     """Return the table that does, together with those of the axis that stay, what is wanted.
 
     Raises CapacityError where the control cannot hold it.
     """
-    table = fit_table(beside(wanted, capacity.stays), capacity, request, address=address)
+    table = fit_table(beside(wanted, capacity.stays), capacity, request, address=axis.address)
     return replace(table, compensation=replace(table.compensation, others=capacity.stays))
 
 
@@ -63,7 +65,7 @@ def fit_staying(
     fit: Callable[[TableRequest], FittedTable],
     capacity: Capacity,
     request: TableRequest,
-    unit: str,
+    axis: Axis,
 ) -> FittedTable:
     """Return what ``fit`` makes of ``request``. Where the grid that is in the control is to stay
     and cannot serve, a new one is chosen, with a warning that says why.
@@ -76,12 +78,13 @@ def fit_staying(
         if not (request.keeps and capacity.there) or capacity.nodes is not None:
             raise
         why = "; ".join(str(fault) for fault in error.faults)
-    chosen = fit(replace(request, spacing="auto"))
+    chosen, unit = fit(replace(request, spacing="auto")), axis.kind.unit
+    new = grid_words(chosen.compensation.positions, unit)
     message = (
-        f"A new grid is chosen, {grid_words(chosen.compensation.positions, unit)}, in place of the"
-        f" one that is there, {grid_words(np.array(capacity.there), unit)}: {why}"
+        f"Axis {axis.name}: a new grid is chosen, {new}, in place of the one that is there,"
+        f" {grid_words(np.array(capacity.there), unit)}: {why}"
     )
-    return replace(chosen, findings=(Finding("CW-P140", "warning", message), *chosen.findings))
+    return replace(chosen, findings=(Finding(NEW_GRID, "warning", message), *chosen.findings))
 
 
 def freely_chosen(
@@ -89,20 +92,19 @@ def freely_chosen(
     capacity: Capacity,
     request: TableRequest,
     table: FittedTable,
-    *,
-    address: str,
+    axis: Axis,
 ) -> FittedTable | None:
     """Return the table on the grid that compwright would choose, where ``table`` stands on the one
     that was there and this loses more than a chosen one may; else None.
     """
-    nodes, own = table.compensation.positions, beside(wanted, capacity.stays)
-    if not table.keeps_grid or good_enough(nodes, own, capacity):
+    held = table.compensation
+    own = beside(wanted, held.others)
+    if not table.keeps_grid or good_enough(held.positions, own, capacity):
         return None
     try:
-        chosen = fit_beside(wanted, capacity, replace(request, spacing="auto"), address=address)
+        return fit_within(wanted, capacity, replace(request, spacing="auto"), axis)
     except CapacityError:
         return None
-    return None if any(beyond_limits(chosen, own, capacity)) else chosen
 
 
 def grid_words(nodes: FloatArray, unit: str) -> str:
@@ -112,11 +114,12 @@ def grid_words(nodes: FloatArray, unit: str) -> str:
     steps = np.diff(nodes)
     least, most = float(np.min(steps)), float(np.max(steps))
     even = most - least <= 1e-6 * most
-    every = f"every {most:.6g}" if even else f"{least:.6g} to {most:.6g} apart, in"
-    return f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g} {unit}, {every} {unit}"
+    apart = f"every {most:.6g} {unit}" if even else f"{least:.6g} to {most:.6g} {unit} apart"
+    return f"{nodes.size} points from {nodes[0]:.10g} to {nodes[-1]:.10g} {unit}, {apart}"
 
 
 def offer(
+    axis: Axis,
     there: FloatArray,
     chosen: FittedTable,
     kept: TestPrediction,
@@ -145,16 +148,16 @@ def offer(
         for mine, other in pairs
     ):
         return None
-    unit = kept.before.test.kind.unit
+    unit = axis.kind.unit
     factor, small = outside_factor(unit), shown_unit(unit)
     (same, better), (new, better_new) = (
         [f"{one.median * factor:.2f} {small}" for one in pair] for pair in pairs
     )
-    stays = "The grid that is there stays" if written else "The grid that is there does not serve"
+    old, new_grid = (grid_words(nodes, unit) for nodes in (there, chosen.compensation.positions))
     message = (
-        f"{stays}: {grid_words(there, unit)}, predicted {name} {same} ({new} at new targets). A"
-        f" new one, {grid_words(chosen.compensation.positions, unit)}, would give {name} {better}"
-        f" ({better_new}): spacing: auto in the table of the axis takes it; it moves what hangs on"
-        " the old one"
+        f"Axis {axis.name}: the grid that is there {'stays' if written else 'does not serve'},"
+        f" {old}, predicted {name} {same} ({new} at new targets); a new one, {new_grid}, would give"
+        f" {name} {better} ({better_new}): spacing: auto in the table of the axis takes it, and"
+        " moves what hangs on the old one"
     )
     return Finding("CW-P141", "info", message)

@@ -46,9 +46,9 @@ class Capacity:
     first. ``second_curve`` "asked": two tables only when the job asks for them. ``line``: no table
     at all but one slope (mm/mm, deg/deg), a multiple of this number, within ``value_range`` taken
     as slopes. ``nodes``: the only nodes there are, because the table's grid serves other axes too.
-    ``there``: the nodes (ascending; of a table that repeats one period with both ends) of the table
-    that the control's files hold, whether it acts or not; empty: there is none. ``unfit``: why no
-    table of this axis can stand on them, which only the control's format knows.
+    ``there``: the nodes (two or more, ascending; of a table that repeats one period with both ends)
+    of the table that the control's files hold, whether it acts or not; empty: there is none.
+    ``unfit``: why no table of this axis can stand on them, which only the control's format knows.
     ``cover``: whole spacings by which a table should reach beyond the travel on each side, where
     nobody knows what the control does behind its ends. ``shared_points``: ``max_points`` is what
     all axes share. ``zero``: the direction in which the correction is zero at the reference,

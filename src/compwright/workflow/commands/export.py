@@ -132,7 +132,7 @@ def _refitted(
         axis = axes[name]
         try:
             capacity = control.format.capacity(axis, one_curve=entry.request.mode == "single")
-            table = fit_within(entry.wanted, capacity, entry.request, address=axis.address)
+            table = fit_within(entry.wanted, capacity, entry.request, axis)
         except CapacityError as error:
             errors.append(CapacityError(*(fault.within(f"axis {name}") for fault in error.faults)))
         else:

@@ -82,7 +82,7 @@ def written(measured: Measured, wanted: Wanted, fitted: Fitted, *, accept_worse:
         loaded=loaded if delivery.own else decode(control, delivery.files, axes, written=True),
         cross=replace(cross, steps=(*scale_steps(fitted.scaled), *cross.steps)),
         findings=(
-            *(entry.finding for entry in fitted.scaled),
+            *(finding for entry in fitted.scaled for finding in entry.findings),
             *plan.findings,
             *cross.findings,
         ),
