@@ -29,7 +29,7 @@ TURN = np.linspace(0.0, 360.0, 401)
 
 
 def nodes(capacity: Capacity, **request: Any) -> list[float]:
-    return kept(capacity, **request).compensation.positions.tolist()
+    return [float(node) for node in kept(capacity, **request).compensation.positions]
 
 
 def kept(capacity: Capacity, **request: Any) -> FittedTable:
@@ -147,7 +147,7 @@ def turned(there: tuple[float, ...], reference: float, **request: Any) -> list[f
     )
     around = replace(around, kind=AxisKind.ROTARY)
     table = fit_table(around, replace(ROUND, there=there), TableRequest(**request), address="1")
-    return table.compensation.positions.tolist()
+    return [float(node) for node in table.compensation.positions]
 
 
 def test_a_turn_is_told_from_the_reference() -> None:
