@@ -47,7 +47,9 @@ def fit_within(
         return table
 
     plain = fit_staying(partial(fit, capacity), capacity, request, axis)
-    return with_line(fit, wanted, capacity, request, plain)
+    table = with_line(fit, wanted, capacity, request, plain)
+    moved = (one for one in plain.findings if one.code == NEW_GRID)
+    return replace(table, findings=tuple(dict.fromkeys((*moved, *table.findings))))
 
 
 def fit_beside(
