@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from compwright.cli import run as compwright
 from compwright.controllers.virtual import virtual_control
 from compwright.formats.control_format import control_format
 from compwright.foundations.errors import CapacityError, InputError
@@ -20,7 +21,8 @@ from compwright.records.axis import Axis, AxisKind, Direction
 from compwright.records.correction import ControlFile, ControlState
 from compwright.workflow.stages import control
 from format_samples import DEFINITIONS, axis_of, correction, table
-from test_heidenhain_activity import OLD
+from loop import csv_of
+from test_heidenhain_activity import MACHINE, OLD
 from test_heidenhain_activity import run as run_activity
 from test_run_apply import card, folder, measured, run  # noqa: F401 - two fixtures
 
@@ -339,3 +341,45 @@ def test_the_job_tells_both_readers_how_the_control_counts_an_axis(
     with pytest.raises(InterruptedError):
         control.decode(control.open_control(ITNC.id, {}), files, [axis])
     assert told == [{"Z": 4}]
+
+
+def test_a_column_by_the_number_of_the_job_is_read_by_both(tmp_path: Path) -> None:
+    """decode raises where the two readers do not agree; without the number 4=F() is A."""
+    rows = "0    +0        +0.0010\n1    +0        -0.0020\n"
+    text = f"BEGIN Z .COM MM DATUM:0 DIST:400\nNR   1=F()     4=F()\n{rows}END Z .COM\n"
+    axis = Axis(name="Z", kind=AxisKind.LINEAR, travel=(0.0, 400.0), address="Z", axis_number=4)
+    files = [file("Z.COM", text), file("MP.TXT", "MP710.3 : 0.0\nMP720.3 : 0\nMP730 : %01000\n")]
+    state = control.decode(control.open_control(ITNC.id, {}), files, [axis]).state
+    assert 1000 * correction(state, "Z", 400, Direction.POSITIVE) == pytest.approx(2, abs=NM)
+
+
+# --- the grid that is there stays
+
+
+@pytest.mark.parametrize("form", [ITNC.id, NCK.id])
+def test_the_rows_of_the_own_table_stay(tmp_path: Path, form: str) -> None:
+    nodes = np.arange(-37.0, 900.0, 61.0)  # no grid that anybody would choose
+    targets = MACHINE.targets()
+    (tmp_path / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
+    rows = "".join(
+        f"{k:<6d}{x:<+12.1f}+0.0000\n" if form == NCK.id else f"{k:<6d}+0.0000\n"
+        for k, x in enumerate(nodes)
+    )
+    head = (
+        "BEGIN X.COM MM\nNR    AXISPOS     X\n"
+        if form == NCK.id
+        else "BEGIN X .COM MM DATUM:-37 DIST:61\nNR    1=F()\n"
+    )
+    text = f"{head}{rows}" + ("[END]\n" if form == NCK.id else "END X .COM\n")
+    (tmp_path / "X.COM").write_text(text)
+    name = "backLash" if form == NCK.id else "MP710"
+    (tmp_path / "p.csv").write_text(PLAY.format("X").replace("backLash", name))
+    (tmp_path / "job.yaml").write_text(
+        f"compwright: 1\ncontroller: {{format: {form}}}\nstates: {{as_found: [X.COM, p.csv]}}\n"
+        "axes:\n  X: {travel: [0, 800], before: [x.csv]}\n"
+    )
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
+    new = (tmp_path / "job" / "tables" / form / "X.COM").read_text()
+    cut = 18 if form == NCK.id else 6
+    assert [line[:cut] for line in new.splitlines()] == [line[:cut] for line in text.splitlines()]
+    assert new != text
