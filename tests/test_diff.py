@@ -177,29 +177,29 @@ def test_a_file_that_is_missing_is_a_difference_and_stays_a_page(
 # --- the real archive of a SINUMERIK, in its container
 
 
+#: Variables of a container, each with the values before and after and a word of its meaning.
+CONTAINER_CHANGES = {
+    "$AA_ENC_COMP[1,5,AX2]": ("0", "1", "EEC: value"),
+    "$AN_CEC[6,14]": ("0", "1", "CEC: value"),
+    "$MA_BACKLASH[0,AX2]": ("0", "1", "MD32450"),
+    "$SN_CEC_TABLE_ENABLE[3]": ("1", "0", "SD41300"),
+}
+
+
 @needs_archive
-@pytest.mark.parametrize(
-    ("old", "new", "axes", "meaning"),
-    [
-        ("$AA_ENC_COMP[1,5,AX2]=0\n", "$AA_ENC_COMP[1,5,AX2]=1\n", ["AX2"], "EEC: value"),
-        ("$AN_CEC[6,14]=0\n", "$AN_CEC[6,14]=1\n", None, "CEC: value"),
-        ("$MA_BACKLASH[0,AX2]=0\n", "$MA_BACKLASH[0,AX2]=1\n", ["AX2"], "MD32450"),
-        ("$SN_CEC_TABLE_ENABLE[3]=1\n", "$SN_CEC_TABLE_ENABLE[3]=0\n", None, "SD41300"),
-    ],
-)
-def test_a_change_in_a_container_is_named(
-    tmp_path: Path, old: str, new: str, axes: list[str] | None, meaning: str
-) -> None:
-    whole = ARCHIVE.read_bytes()
-    assert whole.count(old.encode()) == 1
-    edited = {"b.arc": whole.replace(old.encode(), new.encode())}
-    code, answer = diff(tmp_path, {"a.arc": whole}, edited, "siemens-840d-sl")
+def test_changes_in_a_container_are_named_and_nothing_else_is(tmp_path: Path) -> None:
+    whole = edited = ARCHIVE.read_bytes()
+    for name, (old, new, _) in CONTAINER_CHANGES.items():
+        assert whole.count(f"{name}={old}\n".encode()) == 1
+        edited = edited.replace(f"{name}={old}\n".encode(), f"{name}={new}\n".encode())
+    code, answer = diff(tmp_path, {"a.arc": whole}, {"b.arc": edited}, "siemens-840d-sl")
     assert code == 1
-    name, value = old.strip().split("=")
-    assert entries(answer) == {name: (value, new.strip().split("=")[1])}
-    assert axes is None or list(answer["axes"]) == axes
+    assert entries(answer) == {name: change[:2] for name, change in CONTAINER_CHANGES.items()}
     listed = [entry for axis in answer["axes"].values() for entry in axis["entries"]]
-    assert meaning in (listed or answer["machine"])[0]["meaning"]
+    told = {entry["quantity"]: entry["meaning"] for entry in (*listed, *answer["machine"])}
+    assert all(words in told[name] for name, (_, _, words) in CONTAINER_CHANGES.items())
+    own = {entry["quantity"] for entry in answer["axes"]["AX2"]["entries"]}
+    assert {"$AA_ENC_COMP[1,5,AX2]", "$MA_BACKLASH[0,AX2]"} <= own
 
 
 @needs_archive
@@ -218,6 +218,15 @@ def test_the_texts_of_an_archive_and_the_names_of_its_axes(tmp_path: Path) -> No
     code, answer = diff(tmp_path / "more", old, cec, "siemens-840d-sl")
     assert code == 1
     assert all(before is None for before, _ in entries(answer).values())
+
+
+@needs_archive
+def test_names_that_only_one_backup_lists_hold_for_both(tmp_path: Path) -> None:
+    old = {"MD.INI": machine_data().encode(), "EEC.INI": eec_text().encode()}
+    new = {"EEC.INI": eec_text().replace(",AX1]", ",X1]").encode()}
+    _, answer = diff(tmp_path, old, new, "siemens-840d-sl")
+    assert all(after is None for _, after in entries(answer).values())
+    assert not [one for one in entries(answer) if one.startswith("$AA_ENC_COMP[")]
 
 
 # --- complete examples of every control
@@ -272,6 +281,18 @@ def test_a_backup_that_the_control_would_refuse_is_compared_by_its_entries(tmp_p
     code, answer = diff(tmp_path, old, new, "fanuc-30i", {"detection_unit": 0.001})
     assert code == 1
     assert entries(answer) == {"N03624Q1A1": ("50.0", "0.0")}
+    assert not answer["corrections_compared"]
+
+
+def test_tables_of_tools_in_a_backup_are_counted_apart(tmp_path: Path) -> None:
+    """tool.t of an NCK control stands beside the .COM files (form: github drunsinn/pyLSV2)."""
+    tool = "BEGIN TOOL.T MM Version: 'Update:110.24'\nT   NAME  L\n1   MILL  +{}\n[END]\n"
+    old = {**sample(DEFINITIONS["heidenhain-nck"]), "tool.t": tool.format(30).encode()}
+    new = {**old, "tool.t": tool.format(31).encode()}
+    code, answer = diff(tmp_path, old, new, "heidenhain-nck")
+    assert (code, answer["axes"], answer["machine"]) == (1, {}, [])
+    assert answer["corrections_compared"]
+    assert len(answer["other"]) == 2
 
 
 @pytest.mark.parametrize(

@@ -50,8 +50,12 @@ def diff_document(
     corrections: Mapping[str, Changed],
     cross: Mapping[tuple[str, str], Changed],
     findings: Sequence[Finding],
+    *,
+    told: bool,
 ) -> dict[str, Any]:
-    """Return the document. ``names``: what the control's files call the axes, by address."""
+    """Return the document. ``names``: what the control's files call the axes, by address; ``told``:
+    the corrections of both sides are known.
+    """
     acting = [entry for entry in entries if entry.acts]
     named = (address for entry in acting for address in entry.addresses)
     known = dict.fromkeys((*corrections, *named))
@@ -59,6 +63,7 @@ def diff_document(
         "schema": SCHEMA,
         "format": format_id,
         "same": not (entries or corrections or cross),
+        "corrections_compared": told,
         "axes": {
             address: {
                 "name": names.get(address),
@@ -101,11 +106,11 @@ def _entry(entry: EntryDifference, address: str | None) -> dict[str, Any]:
 
 
 def others_document(entries: Iterable[EntryDifference]) -> list[dict[str, Any]]:
-    """Return what belongs to no compensation, counted by parameter."""
+    """Return what belongs to no compensation, counted by parameter; what both sides have first."""
     groups: dict[str, list[EntryDifference]] = {}
     for entry in entries:
         groups.setdefault(entry.group, []).append(entry)
-    return [
+    counted = [
         {
             "quantity": group,
             "meaning": found[0].meaning or None,
@@ -119,3 +124,4 @@ def others_document(entries: Iterable[EntryDifference]) -> list[dict[str, Any]]:
         }
         for group, found in groups.items()
     ]
+    return sorted(counted, key=lambda group: not group["changed"])

@@ -70,10 +70,23 @@ def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
         shown: list[RenderableType] = [Text("same: both enter the same values", style="green")]
         return [*shown, *finding_lines(document["findings"])]
     shown = []
+    aside: list[str] = []
     for address, axis in document["axes"].items():
+        if (
+            axis["correction"] is None
+            and not _both(axis["entries"])
+            and len(axis["entries"]) > _FEW
+        ):
+            aside.append(address)
+            continue
         called = f" ({axis['name']})" if axis["name"] and axis["name"] != address else ""
-        shown.append(Text(f"axis {address}{called}: {_correction(axis['correction'])}", "bold"))
+        words = _correction(axis["correction"], told=document["corrections_compared"])
+        shown.append(Text(f"axis {address}{called}: {words}", "bold"))
         shown += entry_tables(axis["entries"])
+    if aside:
+        count = sum(len(document["axes"][address]["entries"]) for address in aside)
+        words = f"axes {', '.join(aside)}: {count} entries stand in one of the backups only"
+        shown.append(Text(words, style="bold"))
     for pair in document["cross"]:
         words = f"{pair['output']} over {pair['input']}: {_correction(pair)}"
         shown.append(Text(words, "bold"))
@@ -85,10 +98,15 @@ def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     return [*shown, *finding_lines(document["findings"])]
 
 
-def _correction(change: Mapping[str, Any] | None) -> str:
-    """Return by how much a correction changed."""
+def _both(entries: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """Return the entries that stand on both sides."""
+    return [entry for entry in entries if None not in (entry["old"], entry["new"])]
+
+
+def _correction(change: Mapping[str, Any] | None, *, told: bool = True) -> str:
+    """Return by how much a correction changed; ``told``: that could be worked out."""
     if change is None:
-        return "the correction is the same"
+        return "the correction is the same" if told else "what it does to the correction: see below"
     unit = next(unit for unit in _UNITS if f"max_change_{unit}" in change)
     most = change[f"max_change_{unit}"]
     return (
@@ -101,7 +119,7 @@ def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
     """Return entries that differ as a table, those that only one side has counted; a long one is
     cut visibly.
     """
-    both = [entry for entry in entries if None not in (entry["old"], entry["new"])]
+    both = _both(entries)
     alone = [
         f"{count} only in {side}"
         for side, key in (("OLD", "new"), ("NEW", "old"))
@@ -128,14 +146,23 @@ def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
 
 
 def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return what belongs to no compensation, counted by parameter."""
+    """Return what belongs to no compensation, counted by parameter; parameters that only one side
+    has as one number where they are many.
+    """
+    both = [group for group in groups if group["changed"]]
+    alone = len(groups) - len(both)
+    if alone <= _FEW:
+        both, alone = list(groups), 0
+    counted = [Text(f"elsewhere: {alone} more stand on one side only", style="dim")]
+    if not both:
+        return counted if alone else []
     table: Table = plain_table()
     for heading in ("elsewhere", "meaning"):
         table.add_column(heading)
     for heading in ("changed", "only old", "only new"):
         table.add_column(heading, justify="right")
     table.add_column("such as")
-    for group in groups[:_MOST_ROWS]:
+    for group in both[:_MOST_ROWS]:
         first = group["examples"][0]
         told = " -> ".join(
             _ABSENT if first[key] is None else str(first[key])[:30] for key in ("old", "new")
@@ -146,7 +173,7 @@ def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
             *(str(group[key] or "") for key in ("changed", "only_old", "only_new")),
             f"{first['quantity']}: {told}",
         )
-    return [table, *_rest(len(groups)), Text()]
+    return [table, *_rest(len(both)), *(counted if alone else ()), Text()]
 
 
 def _rest(count: int) -> list[RenderableType]:

@@ -349,10 +349,12 @@ class Family(ABC):
         file = "a file" if one else f"the whole {statement.text.upper()} file"
         return rule, f"{file} with {key} among the files"
 
-    def entered(self, files: Sequence[ControlFile]) -> Entries:
+    def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
         """Return everything that files enter, whether it acts or not, by what tells each value
-        from all others. Raises InputError for files that cannot be read.
+        from all others. ``naming``: further files of the machine, which may say what its axes are
+        called. Raises InputError for files that cannot be read.
         """
+        del naming
         return by_statements(self.definition, files)
 
     def whereabouts(

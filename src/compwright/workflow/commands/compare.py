@@ -73,7 +73,10 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
         if address is not None
     }
     read_back = read_back_differences(
-        control, side(control, files, "the plan"), side(control, found.files, "read back"), names
+        control,
+        side(control, files, "the plan", found.files),
+        side(control, found.files, "read back", files),
+        names,
     )
     compared = {
         entry.axis.name: _compared(entry, wish, found, as_found, read_back.own) for entry in planned

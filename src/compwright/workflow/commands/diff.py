@@ -28,9 +28,9 @@ def diff_files(
     Raises UsageError for an unknown format or option, InputError for files that cannot be read.
     """
     control = open_control(format_id, options)
-    before, after = (
-        side(control, read_files(paths), name) for paths, name in ((old, "OLD"), (new, "NEW"))
-    )
+    files = read_files(old), read_files(new)
+    before = side(control, files[0], "OLD", files[1])
+    after = side(control, files[1], "NEW", files[0])
     found = differences(control, before, after)
     names = {
         address: facts.name
@@ -46,6 +46,7 @@ def diff_files(
         {address: _changed(one) for address, one in found.corrections.items()},
         {pair: _changed(one) for pair, one in found.cross.items()},
         (*control.findings, *found.findings),
+        told=found.told,
     )
     return DiffOutcome(0 if document["same"] else 1, document)
 

@@ -20,6 +20,8 @@ from compwright.workflow.stages.two_readers import EVERYWHERE, probe_positions
 
 #: Two corrections are the same below this many mm or deg: far below every quantum of a control.
 SAME = 1e-6
+#: Faults of files that a finding names.
+_MOST_FAULTS = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,21 +73,29 @@ class CorrectionChange:
 @dataclass(frozen=True, slots=True)
 class Differences:
     """``entries``: every value that differs, those that compensate first. ``corrections`` by
-    address, of axes whose correction changed; ``cross`` by moving and corrected axis.
+    address, of axes whose correction changed; ``cross`` by moving and corrected axis; ``told``:
+    both sides could be read, so that these are all.
     """
 
     entries: tuple[Placed, ...]
     corrections: Mapping[str, CorrectionChange] = field(default_factory=dict)
     cross: Mapping[tuple[str, str], CorrectionChange] = field(default_factory=dict)
+    told: bool = False
     findings: tuple[Finding, ...] = ()
 
 
-def side(control: Control, files: Sequence[ControlFile], name: str) -> Side:
-    """Return one set of files, read as far as it can be. ``name``: what it is called in findings.
+def side(
+    control: Control,
+    files: Sequence[ControlFile],
+    name: str,
+    naming: Sequence[ControlFile] = (),
+) -> Side:
+    """Return one set of files, read as far as it can be. ``name``: what it is called in findings;
+    ``naming``: the other set, which may say what the axes are called.
 
     Raises InputError where the files enter nothing at all, or cannot be opened.
     """
-    entries = control.format.entered(files)
+    entries = control.format.entered(files, naming)
     if not entries:
         raise InputError(*_nothing(control, files))
     files, idle = _with_data(control, files, entries)
@@ -95,7 +105,9 @@ def side(control: Control, files: Sequence[ControlFile], name: str) -> Side:
     try:
         state, findings = _viewed(control, files, name)
     except (InputError, UsageError) as error:
-        faults = "; ".join(str(fault) for fault in error.faults)
+        faults = "; ".join(str(fault) for fault in error.faults[:_MOST_FAULTS])
+        more = len(error.faults) - _MOST_FAULTS
+        faults += f"; and {more} more" if more > 0 else ""
         finding = Finding(
             "CW-S080",
             "warning",
@@ -109,16 +121,20 @@ def side(control: Control, files: Sequence[ControlFile], name: str) -> Side:
 def _with_data(
     control: Control, files: Sequence[ControlFile], entries: Entries
 ) -> tuple[tuple[ControlFile, ...], str]:
-    """Return the files that enter something, and the names of the others: a folder holds notes
-    too. What a file enters may stand in a later one again.
+    """Return the files that hold compensation, and the names of those that enter nothing at all: a
+    folder holds notes too. What a file enters may stand in a later one again.
     """
+    acting = {entry.file for entry in entries.values() if entry.acts}
     used = {entry.file for entry in entries.values()}
-    idle = [
-        file
-        for file in files
-        if file.name not in used and not is_container(file) and not control.format.entered([file])
-    ]
-    return tuple(file for file in files if file not in idle), ", ".join(one.name for one in idle)
+    kept: list[ControlFile] = []
+    idle: list[str] = []
+    for file in files:
+        own = {} if file.name in used else control.format.entered([file])
+        if file.name in acting or is_container(file) or any(one.acts for one in own.values()):
+            kept.append(file)
+        elif file.name not in used and not own:
+            idle.append(file.name)
+    return tuple(kept), ", ".join(idle)
 
 
 def _viewed(
@@ -151,10 +167,12 @@ def differences(control: Control, old: Side, new: Side) -> Differences:
     placed.sort(key=lambda one: not one.entry.acts)
     corrections: dict[str, CorrectionChange] = {}
     cross: dict[tuple[str, str], CorrectionChange] = {}
+    told = old.state is not None and new.state is not None
     if old.state is not None and new.state is not None:
         corrections = _corrections(old.state, new.state)
         cross = _cross(old.state, new.state)
-    return Differences(tuple(placed), corrections, cross, (*old.findings, *new.findings))
+    findings = (*old.findings, *new.findings)
+    return Differences(tuple(placed), corrections, cross, told, findings)
 
 
 def _placed(control: Control, change: EnteredChange, old: Side, new: Side) -> Placed:

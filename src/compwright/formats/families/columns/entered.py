@@ -15,7 +15,11 @@ from compwright.formats.families.columns.table import (
     UserTable,
     is_number,
 )
-from compwright.formats.families.columns.table_reading import is_user_table, read_table_text
+from compwright.formats.families.columns.table_reading import (
+    is_other_table,
+    is_user_table,
+    read_table_text,
+)
 from compwright.formats.text.entered import Entered, by_statements
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.records.correction import ControlFile
@@ -29,12 +33,12 @@ def entered(definition: Definition, files: Sequence[ControlFile]) -> dict[str, E
     """Return every value of the files. Raises InputError for a table that cannot be read."""
     faults: list[Fault] = []
     found: dict[str, Entered] = {}
-    for file in files:
-        if is_user_table(file):
-            table = read_table_text(definition, file, faults)
-            found.update(_cells(table) if table is not None else ())
+    tables = [file for file in files if is_user_table(file) and not is_other_table(file)]
+    for file in tables:
+        table = read_table_text(definition, file, faults)
+        found.update(_cells(table) if table is not None else ())
     raise_all(InputError, faults)
-    rest = by_statements(definition, [file for file in files if not is_user_table(file)])
+    rest = by_statements(definition, [file for file in files if file not in tables])
     for key, entry in rest.items():
         acts = entry.acts or _ACTING.search(entry.name) is not None
         found[key] = Entered(

@@ -95,8 +95,9 @@ class ColumnsFamily(Family):
         """See `Family.between`: columns to type in."""
         return columns_between(self, asked)
 
-    def entered(self, files: Sequence[ControlFile]) -> Entries:
+    def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
         """See `Family.entered`."""
+        del naming
         return entered(self.definition, files)
 
     def whereabouts(

@@ -43,6 +43,8 @@ from compwright.records.correction import ControlFile
 #: Each table is parsed once in a run.
 KEPT_TABLES = 128
 _ENDS = ("END", "[END]")
+_KIND = re.compile(r"[ \t]*BEGIN[ \t]+[^. \t]+[ \t]*\.[ \t]*([A-Za-z0-9]+)", re.IGNORECASE)
+_KINDS = ("COM", "CMA", "CMO")
 
 
 def is_user_table(file: ControlFile) -> bool:
@@ -50,6 +52,15 @@ def is_user_table(file: ControlFile) -> bool:
     lines = file.content[:10_000].decode("latin-1").splitlines()
     first = next((line for line in lines if line.strip()), "")
     return first.split()[:1] != [] and first.split()[0].upper() == "BEGIN"
+
+
+def is_other_table(file: ControlFile) -> bool:
+    """Return whether a table is of another kind than those that hold or assign compensation: tools,
+    pallets, datums.
+    """
+    first = next((line for line in file.content[:10_000].splitlines() if line.strip()), b"")
+    match = _KIND.match(first.decode("latin-1"))
+    return match is not None and match[1].upper() not in _KINDS
 
 
 def read_table_text(

@@ -90,8 +90,9 @@ class IncrementsFamily(Family):
         """See `Family.between`: one straight line in parameters to type in, as an option."""
         return straightness_between(self, asked)
 
-    def entered(self, files: Sequence[ControlFile]) -> Entries:
+    def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
         """See `Family.entered`."""
+        del naming
         sheets = [file for file in files if is_entry_sheet(file)]
         own = [file for file in files if not is_entry_sheet(file)]
         return {**by_statements(self.definition, sheets), **entered(own)}

@@ -70,16 +70,12 @@ _MEANINGS = {
 _SILENT = ("$MA_POS_LIMIT",)
 
 
-def entered(files: Sequence[ControlFile]) -> dict[str, Entered]:
-    """Return every assignment of the files; what is assigned last counts."""
-    lines = [
-        (file.name, number, line)
-        for file in texts_of(files)
-        for number, line in enumerate(
-            re.split(r"\r\n|\r|\n", file.content.decode("latin-1")), start=1
-        )
-    ]
-    names = dict(_named(line for _, _, line in lines))
+def entered(files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> dict[str, Entered]:
+    """Return every assignment of the files; what is assigned last counts. ``naming``: further files
+    that may list the names of the axes.
+    """
+    lines = list(_lines(files))
+    names = dict(_named(line for _, _, line in (*_lines(naming), *lines)))
     found: dict[str, Entered] = {}
     channel = "1"
     for file, number, line in lines:
@@ -99,6 +95,12 @@ def entered(files: Sequence[ControlFile]) -> dict[str, Entered]:
         entry = _entry(match, file, number, channel, names)
         found[entry.name] = entry
     return found
+
+
+def _lines(files: Sequence[ControlFile]) -> Iterator[tuple[str, int, str]]:
+    for file in texts_of(files):
+        text = re.split(r"\r\n|\r|\n", file.content.decode("latin-1"))
+        yield from ((file.name, number, line) for number, line in enumerate(text, start=1))
 
 
 def _named(lines: Iterator[str]) -> Iterator[tuple[str, str]]:

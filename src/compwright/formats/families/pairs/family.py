@@ -66,11 +66,11 @@ class PairsFamily(GridFamily):
         state = super().read(files, axes, address=address, activity=activity)
         return with_sign_unknown(state) if self.sign_assumed else state
 
-    def entered(self, files: Sequence[ControlFile]) -> Entries:
+    def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
         """See `Family.entered`."""
         sheets = [file for file in files if is_entry_sheet(file)]
         own = [file for file in files if not is_entry_sheet(file)]
-        return {**by_statements(self.definition, sheets), **entered(own)}
+        return {**by_statements(self.definition, sheets), **entered(own, naming)}
 
     def whereabouts(
         self, entry: Entered, entries: Entries, state: ControlState | None
