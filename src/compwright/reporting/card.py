@@ -7,9 +7,10 @@ does), ``changes`` (``entries`` of ``entry``, ``old``, ``new``; ``untouched``: l
 where the control's own files were not given), ``unconfirmed`` and ``restore`` (sentences),
 ``assumed`` (``fact``, ``value``, ``evidence``), ``files`` (names) and ``proven`` (a sentence). Each
 axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``,
-``new``), ``quick_check`` (``position``, ``direction``, ``adds``: the compensation that the control
-itself shows, ``expected``, ``stop``), ``points_needed`` and ``fixed_positions`` (``name``,
-``position``, ``moves``). Values to be typed carry a plain minus sign, so that they can be copied.
+``new``), ``numbering`` (see `numbering`; None where points have no numbers), ``quick_check``
+(``position``, ``direction``, ``adds``: the compensation that the control itself shows,
+``expected``, ``stop``), ``points_needed`` and ``fixed_positions`` (``name``, ``position``,
+``moves``). Values to be typed carry a plain minus sign, so that they can be copied.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from compwright.reporting.numbering import numbering_svg, numbering_text
 from compwright.reporting.numbers import (
     MISSING,
     decimals_of,
@@ -198,12 +200,23 @@ def _axis_content(axis: Document) -> dict[str, Any]:
             ]
             for row in checks
         ],
+        "numbering": _numbering(axis.get("numbering")),
         "how_to_check": HOW_TO_CHECK,
         "zeroed": bool(checks) and number(checks[0].get("expected")) == number(0.0),
         "fixed": [
             [plain(row.get("name")), number(row.get("position"), places), _signed(row.get("moves"))]
             for row in fixed
         ],
+    }
+
+
+def _numbering(numbering: Document | None) -> dict[str, Any] | None:
+    if numbering is None:
+        return None
+    return {
+        "text": numbering_text(numbering),
+        "picture": numbering_svg(numbering),
+        "words": [plain(words) for words in numbering["words"]],
     }
 
 
@@ -280,6 +293,10 @@ def _axis(axis: Document) -> list[str]:
     if axis["rows"]:
         rows = [[_BOX, *map(_escape, row)] for row in axis["rows"]]
         lines += ["### Values that change", "", *_table(["", "Quantity", "Old", "New"], rows), ""]
+    if axis["numbering"] is not None:
+        drawing = axis["numbering"]
+        lines += ["### Numbers of the sections", "", "```", *drawing["text"], "```", ""]
+        lines += [*(f"- {_escape(words)}" for words in drawing["words"]), ""]
     if axis["checks"]:
         head = [f"Position ({where})", "Approach", f"Control adds ({unit})", "read"]
         head += [f"Expected deviation ({unit})", f"Stop if off by ({unit})", "measured"]

@@ -35,6 +35,7 @@ from compwright.records.correction import (
     ControlState,
 )
 from compwright.records.facts import AxisFacts
+from compwright.records.numbering import NumberedSections
 
 #: Two nodes are one where they are nearer than this part of a spacing.
 SAME_NODE = 1e-6
@@ -203,6 +204,13 @@ class Family(ABC):
         ``facts``: what the files that hold the table say of the axis. ``check_at``: positions at
         which the axis can be measured, mm or deg, ascending.
         """
+
+    def numbered(self, axis: Axis, facts: AxisFacts) -> NumberedSections | None:
+        """Return which section of an axis has which number, for the drawing on the card; None where
+        points have no numbers that an engineer sets. ``facts``: what the written files say of it.
+        """
+        del axis, facts
+        return None
 
     @abstractmethod
     def between(self, asked: Asked) -> Between:

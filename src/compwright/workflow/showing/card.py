@@ -107,6 +107,7 @@ def _axis(
             }
             for entry in quick_check(work, new)
         ],
+        "numbering": _numbering(control, axis, loaded),
         "points_needed": control.format.points_needed(table) if table is not None else None,
         "fixed_positions": [
             {
@@ -117,6 +118,24 @@ def _axis(
             for name, places in job.fixed_positions.items()
             if axis.name in places
         ],
+    }
+
+
+def _numbering(control: Control, axis: Axis, loaded: DecodedState | None) -> dict[str, Any] | None:
+    """Return which section has which number, as plain data; None where points have none."""
+    facts = AxisFacts() if loaded is None else loaded.state.facts_of(axis.address)
+    numbered = control.format.numbered(axis, facts)
+    if numbered is None:
+        return None
+    return {
+        "unit": numbered.unit,
+        "reference": numbered.reference,
+        "sections": [
+            {"number": one.number, "from": one.low, "to": one.high} for one in numbered.sections
+        ],
+        "marks": [{"number": number, "name": name} for number, name in numbered.marks],
+        "second": numbered.second,
+        "words": list(numbered.words),
     }
 
 

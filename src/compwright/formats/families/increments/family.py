@@ -15,6 +15,7 @@ from compwright.formats.families.increments.between import straightness_between
 from compwright.formats.families.increments.capacity import AxisLimits
 from compwright.formats.families.increments.card import increment_values
 from compwright.formats.families.increments.entered import entered, whereabouts
+from compwright.formats.families.increments.numbered import numbered_sections
 from compwright.formats.families.increments.reading import StateReader
 from compwright.formats.families.increments.sheets import increment_sheets
 from compwright.formats.families.increments.writing import write_increments
@@ -25,6 +26,7 @@ from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.records.facts import AxisFacts
+from compwright.records.numbering import NumberedSections
 
 #: No control numbers more axes than this.
 _MOST_AXES = 40
@@ -85,6 +87,10 @@ class IncrementsFamily(Family):
         """See `Family.card_values`."""
         values = increment_values(self, axis, compensation, facts)
         return values | sign_check(compensation, check_at)
+
+    def numbered(self, axis: Axis, facts: AxisFacts) -> NumberedSections | None:
+        """See `Family.numbered`."""
+        return numbered_sections(self, axis, facts)
 
     def between(self, asked: Asked) -> Between:
         """See `Family.between`: one straight line in parameters to type in, as an option."""

@@ -1,0 +1,92 @@
+"""Which section of an axis belongs to which point number, for the drawing on the card."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from compwright.formats.families.family import Family
+from compwright.formats.text.values import name_of
+from compwright.records.axis import Axis
+from compwright.records.facts import AxisFacts
+from compwright.records.numbering import NumberedSections, Section
+
+
+def numbered_sections(family: Family, axis: Axis, facts: AxisFacts) -> NumberedSections | None:
+    """Return them by what the written files say (``facts``); None where those hold no table."""
+    said = facts.increments
+    reference, first, last = said.reference_number, said.first_number, said.last_number
+    interval = said.interval
+    if reference is None or first is None or last is None or not interval or first > last:
+        return None
+    begin = reference + 1 if axis.modulo is not None else first
+    sections = tuple(
+        Section(
+            number,
+            round(axis.reference + (number - reference - 1) * interval, 9),
+            round(axis.reference + (number - reference) * interval, 9),
+        )
+        for number in range(begin, last + 1)
+    )
+    names = {
+        "first_number": first,
+        "reference_number": reference,
+        "last_number": last,
+    }
+    second = said.negative_first if said.two_sets else None
+    if second is not None:
+        names["negative_first"] = second
+    marks = tuple((number, name_of(family.definition, name)) for name, number in names.items())
+    numbered = NumberedSections(axis.kind.unit, axis.reference, sections, marks, second, ())
+    words = tuple(_words(family, axis, numbered, reference, first, last))
+    return NumberedSections(axis.kind.unit, axis.reference, sections, marks, second, words)
+
+
+def _words(
+    family: Family,
+    axis: Axis,
+    numbered: NumberedSections,
+    reference: int,
+    first: int,
+    last: int,
+) -> Iterator[str]:
+    unit, zero = numbered.unit, f"{numbered.reference:.10g}"
+    at = {
+        name: name_of(family.definition, f"{name}_number")
+        for name in ("reference", "first", "last")
+    }
+    by_number = {section.number: section for section in numbered.sections}
+    yield (
+        "A point holds the change of the correction over its own section, looking from - to +, in"
+        f" detection units times the magnification; at the reference position ({zero} {unit}) the"
+        " correction is 0."
+    )
+    if axis.modulo is not None:
+        owns = (
+            f"it stands for the same section as point {last} and holds the same value"
+            if first == reference
+            else "it owns no section"
+        )
+        yield (
+            f"{at['reference']} = {reference} is the number of the reference: {owns};"
+            f" {reference + 1} to {last} are the sections of one turn and add up to 0."
+        )
+    elif reference in by_number:
+        span = _span(by_number[reference], unit)
+        yield f"{at['reference']} = {reference} {span}, at the reference."
+    if axis.modulo is None:
+        yield f"{at['first']} = {first} {_span(by_number[first], unit)}, the first."
+    yield f"{at['last']} = {last} {_span(by_number[last], unit)}, the last."
+    if axis.modulo is None and first == reference and axis.travel[0] >= axis.reference:
+        yield f"Point {first} holds 0: the travel begins at the reference."
+    if axis.modulo is None and axis.travel[1] <= axis.reference:
+        yield f"Point {last} holds 0: the travel ends at the reference."
+    if numbered.second is not None:
+        end = numbered.second + last - first
+        yield (
+            f"For travel in - the same sections have the numbers {numbered.second} to {end}"
+            f" ({name_of(family.definition, 'negative_first')})."
+        )
+
+
+def _span(section: Section, unit: str) -> str:
+    return f"owns {section.low:.10g} to {section.high:.10g} {unit}"

@@ -1,0 +1,31 @@
+"""Sections of a table that have numbers, as the card draws them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+
+class Section(NamedTuple):
+    """One section: its number, and where it begins and ends, mm or deg."""
+
+    number: int
+    low: float
+    high: float
+
+
+@dataclass(frozen=True, slots=True)
+class NumberedSections:
+    """The sections of one axis, ascending, without gaps.
+
+    ``reference``: the position from which they are counted, mm or deg. ``marks``: what the control
+    calls some of the numbers. ``second``: the number of the first section in a set for travel in -;
+    None: one set. ``words``: what has to be known of them, a sentence each.
+    """
+
+    unit: str
+    reference: float
+    sections: tuple[Section, ...]
+    marks: tuple[tuple[int, str], ...]
+    second: int | None
+    words: tuple[str, ...]

@@ -1,0 +1,177 @@
+"""Numbered sections along an axis as a small drawing: as text, and as a picture in a page.
+
+Numbering as the card's document holds it: ``unit``, ``reference``, ``sections`` (``number``,
+``from``, ``to``, ascending), ``marks`` (``number``, ``name``), ``second`` (number of the first
+section in the set for travel in -, or None), ``words``. Of many sections the first and the last two
+are shown, and those about the reference.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from html import escape
+from typing import Any, Final, NamedTuple
+
+#: That many sections are all shown.
+_ALL: Final = 8
+_INK: Final = "#222222"
+_SOFT: Final = "#6a6a6a"
+#: Of the picture, in its own units: width, column of words, height of a row, width of a gap.
+_WIDE: Final = 760
+_LEFT: Final = 92
+_ROW: Final = 18
+_GAP: Final = 60
+
+
+class _Cell(NamedTuple):
+    """A section that is shown, in words: its number, its ends, what names it, its number in the
+    second set; ``gap``: sections before it are left out.
+    """
+
+    number: str
+    low: str
+    high: str
+    name: str
+    second: str
+    gap: bool
+
+
+class _Edge(NamedTuple):
+    """Where two sections meet: its place in the drawing, its position in words, whether it is the
+    reference.
+    """
+
+    place: int
+    position: str
+    zero: bool
+
+
+class _Drawing(NamedTuple):
+    """Cells with their middles, edges, and the middles of gaps; places in units of the drawing."""
+
+    cells: list[tuple[int, _Cell]]
+    edges: list[_Edge]
+    gaps: list[int]
+
+
+def numbering_text(numbering: Mapping[str, Any]) -> list[str]:
+    """Return the lines of the drawing, for a font of one width."""
+    cells = _cells(numbering)
+    widest = max(len(text) for cell in cells for text in cell[:5]) + 3
+    widest += widest % 2  # a middle has a column
+    drawing = _laid_out(
+        cells, _position(numbering["reference"]), 12 + widest // 2, widest, widest + 2
+    )
+    rows = {
+        label: [*label.ljust(200)]
+        for label in ("parameter", "number", "travel in -", "", "position")
+    }
+    for middle, cell in drawing.cells:
+        _put(rows["parameter"], middle, cell.name)
+        _put(rows["number"], middle, cell.number)
+        _put(rows["travel in -"], middle, cell.second)
+        _put(rows[""], middle, "-" * (widest - 1))
+    for edge in drawing.edges:
+        _put(rows[""], edge.place, "#" if edge.zero else "|")
+        _put(rows["position"], edge.place, edge.position)
+    for gap in drawing.gaps:
+        _put(rows[""], gap, "...")
+    if numbering["second"] is None:
+        del rows["travel in -"]
+    lines = ["".join(row).rstrip() for row in rows.values()]
+    return [*lines[:-1], f"{lines[-1]}  {numbering['unit']}", "# is the reference position"]
+
+
+def numbering_svg(numbering: Mapping[str, Any]) -> str:
+    """Return the drawing as markup to stand inside a page."""
+    cells = _cells(numbering)
+    gaps = sum(cell.gap for cell in cells)
+    width = (_WIDE - _LEFT - 40 - gaps * _GAP) // len(cells)
+    drawing = _laid_out(cells, _position(numbering["reference"]), _LEFT + 24, width, _GAP)
+    second = numbering["second"] is not None
+    line = (4 if second else 3) * _ROW
+    parts = [_words(4, _ROW, "parameter", "start"), _words(4, 2 * _ROW, "number", "start")]
+    if second:
+        parts.append(_words(4, 3 * _ROW, "travel in -", "start"))
+    parts.append(_words(4, line + 26, f"position, {numbering['unit']}", "start"))
+    for middle, cell in drawing.cells:
+        half = width // 2
+        parts.append(_stroke(f"M{middle - half} {line}H{middle + half}", 1.4))
+        parts.append(_words(middle, _ROW, cell.name, "middle", bold=True))
+        parts.append(_words(middle, 2 * _ROW, cell.number, "middle", bold=bool(cell.name)))
+        if second:
+            parts.append(_words(middle, 3 * _ROW, cell.second, "middle"))
+    for edge in drawing.edges:
+        reach, stroke = (11, 3.2) if edge.zero else (6, 1.0)
+        parts.append(_stroke(f"M{edge.place} {line - reach}V{line + reach}", stroke))
+        parts.append(_words(edge.place, line + 26, edge.position, "middle", bold=edge.zero))
+        if edge.zero:
+            parts.append(_words(edge.place, line + 42, "reference", "middle"))
+    parts += [_words(gap, line + 4, "\u2026", "middle") for gap in drawing.gaps]
+    return (
+        f'<svg viewBox="0 0 {_WIDE} {line + 48}" role="img" aria-label="numbers of the sections"'
+        ' font-family="sans-serif" font-size="12" fill="none">' + "".join(parts) + "</svg>"
+    )
+
+
+def _cells(numbering: Mapping[str, Any]) -> list[_Cell]:
+    """Return the sections that are shown."""
+    sections: Sequence[Mapping[str, Any]] = numbering["sections"]
+    names: dict[int, list[str]] = {}
+    for mark in numbering["marks"]:
+        names.setdefault(int(mark["number"]), []).append(str(mark["name"]))
+    zero = _position(numbering["reference"])
+    count, first = len(sections), int(sections[0]["number"])
+    beside = [
+        place
+        for place, one in enumerate(sections)
+        if zero in (_position(one["from"]), _position(one["to"]))
+    ]
+    shown = range(count) if count <= _ALL else sorted({0, 1, *beside, count - 2, count - 1})
+    cells, before = [], -1
+    for place in shown:
+        one = sections[place]
+        number = int(one["number"])
+        second = "" if numbering["second"] is None else str(numbering["second"] + number - first)
+        low, high = _position(one["from"]), _position(one["to"])
+        name = " ".join(names.get(number, ()))
+        cells.append(_Cell(str(number), low, high, name, second, place != before + 1))
+        before = place
+    return cells
+
+
+def _laid_out(cells: Sequence[_Cell], zero: str, start: int, width: int, gap: int) -> _Drawing:
+    """Return where everything stands: cells of one ``width`` from ``start`` on."""
+    drawing = _Drawing([], [_Edge(start, cells[0].low, cells[0].low == zero)], [])
+    place = start
+    for cell in cells:
+        if cell.gap:
+            drawing.gaps.append(place + gap // 2)
+            place += gap
+            drawing.edges.append(_Edge(place, cell.low, cell.low == zero))
+        drawing.cells.append((place + width // 2, cell))
+        place += width
+        drawing.edges.append(_Edge(place, cell.high, cell.high == zero))
+    return drawing
+
+
+def _position(value: Any) -> str:
+    return f"{float(value) + 0.0:.10g}"
+
+
+def _put(row: list[str], middle: int, text: str) -> None:
+    """Write a text about a column."""
+    start = middle - len(text) // 2
+    row[start : start + len(text)] = text
+
+
+def _stroke(path: str, width: float) -> str:
+    return f'<path d="{path}" stroke="{_INK}" stroke-width="{width}"/>'
+
+
+def _words(x: int, y: int, text: str, anchor: str, *, bold: bool = False) -> str:
+    if not text:
+        return ""
+    look = f'text-anchor="{anchor}" fill="{_SOFT if anchor == "start" else _INK}"'
+    weight = ' font-weight="bold"' if bold else ""
+    return f'<text x="{x}" y="{y}" {look}{weight}>{escape(text)}</text>'
