@@ -127,6 +127,8 @@ LEFT_ALONE: dict[str, tuple[Edits, str]] = {
         {(5711, "L1"): "2", (5721, "L1"): "1", (5731, "L1"): "101", (5761, "L1"): "5"},
         "5721",
     ),
+    "further straightness": ({(13391, "L1"): "3"}, "13391"),
+    "three-dimensional": ({(10800, "L1"): "1"}, "10800"),
     "smooth backlash": ({(1848, "1"): "3"}, "1848"),
 }
 
@@ -182,6 +184,9 @@ def test_a_finer_grid_takes_the_numbers_of_the_inclination_with_it(tmp_path: Pat
         ({**INCLINED, (5864, "1"): "60"}, 20, "parameter 5864 of axis 1 = 60"),
         ({(14985, "1"): "400", (14986, "1"): "410", (14987, "1"): "4.0"}, 20, "14985"),
         ({(5714, "L1"): "1"}, 20, "5714"),
+        ({(13391, "L1"): "3"}, 20, "13391"),
+        ({(10800, "L1"): "1"}, 20, "10800"),
+        ({(5711, "L1"): "1", (5731, "L1"): "20", (5735, "L1"): "30"}, 20, "5711"),
     ],
 )
 def test_a_grid_that_cannot_take_it_along_is_refused_by_name(

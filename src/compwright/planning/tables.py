@@ -20,6 +20,7 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.outlook import yardstick
 from compwright.planning.slopes import with_line
 from compwright.planning.wanted import beside
+from compwright.planning.waves import with_wave
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.estimate import WantedCorrection
@@ -35,9 +36,9 @@ _BAND: Final = 3.29
 def fit_within(
     wanted: WantedCorrection, capacity: Capacity, request: TableRequest, axis: Axis
 ) -> FittedTable:
-    """Return the fitted table of an axis, beside those that stay and beside a line of its own where
-    the control has one and it helps. Raises CapacityError where the control cannot hold it by more
-    than the noise of a reading.
+    """Return the fitted table of an axis, beside those that stay, and beside a line and a wave of
+    their own where the control has them and they help. Raises CapacityError where the control
+    cannot hold it by more than the noise of a reading.
     """
 
     def fit(limits: Capacity, asked: TableRequest) -> FittedTable:
@@ -47,7 +48,8 @@ def fit_within(
         return table
 
     plain = fit_staying(partial(fit, capacity), capacity, request, axis)
-    table = with_line(fit, wanted, capacity, request, plain)
+    inclined = with_line(fit, wanted, capacity, request, plain)
+    table = with_wave(fit, wanted, capacity, request, inclined)
     moved = (one for one in plain.findings if one.code == NEW_GRID)
     return replace(table, findings=tuple(dict.fromkeys((*moved, *table.findings))))
 

@@ -30,6 +30,23 @@ class Lattice:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Wave:
+    """A second table that repeats over a short period: whole increments of ``unit``, mm or deg, at
+    most ``increment`` of them in a section; ``room``: points that are free; ``step``: of which the
+    sections are multiples, mm or deg.
+    """
+
+    unit: float
+    increment: int
+    room: int
+    step: float
+
+    def holds(self, section: float) -> bool:
+        """Whether a section, mm or deg, can be said exactly."""
+        return abs(section / self.step - round(section / self.step)) < 1e-6
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Capacity:
     """Limits of one axis' table, mm or deg.
 
@@ -56,6 +73,7 @@ class Capacity:
     in + less that in - at the reference then lies in ``backlash_range``. ``stays``: tables that act
     on the axis and stay beside whatever is written. ``slope``: a straight line of its own beside
     the table can take a slope, a multiple of this per section, mm or deg; None: there is none.
+    ``wave``: a second table for a short period; None: there is none.
     """
 
     format: str
@@ -88,6 +106,7 @@ class Capacity:
     above: Beyond = "hold"
     stays: tuple[AxisCompensation, ...] = ()
     slope: float | None = None
+    wave: Wave | None = None
     assumed: tuple[Assumption, ...] = ()
 
     @property

@@ -77,7 +77,8 @@ class IncrementFacts:
     hold. ``interval``: the width of its sections, mm or deg. ``hung``: what acts beside the table
     by its numbers and is left alone. ``first_stage``: the part of the backlash that comes out at
     once where the rest follows on the way, detection units. ``inclined``: the line of
-    inclination compensation that is there, in words; empty: none.
+    inclination compensation that is there, in words; empty: none. ``waved``: the second table, the
+    same.
     """
 
     reference_number: int | None = None
@@ -97,6 +98,7 @@ class IncrementFacts:
     hung: tuple[Hung, ...] = ()
     first_stage: int = 0
     inclined: str = ""
+    waved: str = ""
 
     @property
     def claimed(self) -> tuple[range, ...]:

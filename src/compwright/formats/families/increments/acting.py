@@ -53,9 +53,7 @@ def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
     """Yield a fault for what uses the axis' own numbers although it is not the axis' own: points of
     straightness that another axis moves, another axis' inclination, a cyclic table.
     """
-    mine = {
-        (point.file, point.start) for function in functions(own) for point in function.points or ()
-    }
+    mine = {(value.file, value.start) for function in functions(own) for value in function.values}
     straight = any(value.acts for value in own.all.of(known.STRAIGHTNESS_MOVING))
     points = own.all.of(known.STRAIGHTNESS_POINTS) if straight else []
     points += [

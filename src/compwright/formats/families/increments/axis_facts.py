@@ -72,13 +72,13 @@ def _name(values: AxisValues) -> str | None:
 
 def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, object]) -> AxisFacts:
     """Return the facts with what acts beside the table and is left alone."""
+    told = {OPTION_OF.get(each.words): each.told for each in functions(own)}
     said = replace(
         facts.increments,
         hung=hung(own),
         first_stage=first_stage(own),
-        inclined="".join(
-            each.told for each in functions(own) if OPTION_OF.get(each.words) == "inclination"
-        ),
+        inclined=told.get("inclination", ""),
+        waved=told.get("cyclic", ""),
     )
     words = [function.told for function in left_alone(own, options) if function.moves]
     if words:  # what it does hangs on the grid

@@ -42,8 +42,7 @@ class Function:
 def functions(own: AxisParameters) -> Iterator[Function]:
     """Yield everything that acts beside table and backlash, and stays."""
     yield from _inclination(own)
-    ends = (known.CYCLIC_FIRST, known.CYCLIC_LAST, known.CYCLIC_INTERVAL, known.CYCLIC_FACTOR)
-    cyclic = _acting(own, ends)
+    cyclic = _acting(own, known.CYCLIC)
     if cyclic and cyclic[0].number != known.CYCLIC_FACTOR:
         yield Function("the second (cyclic) table", cyclic, None)
     yield from _straightness(own)

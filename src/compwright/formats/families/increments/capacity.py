@@ -12,8 +12,8 @@ from compwright.formats.families.increments.entries import (
 )
 from compwright.formats.families.increments.numbering import longest_gap, used_numbers
 from compwright.foundations.errors import Fault, UsageError
-from compwright.records.axis import Axis
-from compwright.records.capacity import Capacity, Lattice
+from compwright.records.axis import Axis, AxisKind
+from compwright.records.capacity import Capacity, Lattice, Wave
 from compwright.records.correction import Assumption
 
 #: A table has two sections or more.
@@ -75,6 +75,7 @@ class AxisLimits:
             there=self.there,
             stays=self.stays,
             slope=scale.quantum("value") if self._may_incline() else None,
+            wave=self._wave(limit, gap),
             below=definition.layout.below,
             above=definition.layout.above,
             assumed=tuple(self.assumed),
@@ -82,6 +83,17 @@ class AxisLimits:
 
     def _assume(self, fact: str, value: str, evidence: str) -> None:
         self.assumed.append(Assumption(f"axis {self.axis.name}: {fact}", value, evidence))
+
+    def _wave(self, limit: int, gap: int) -> Wave | None:
+        """Return what a second table holds, where the control has it and none is there: on a
+        rotary axis, because the only page that describes it speaks of a worm.
+        """
+        has = self.options.get("cyclic") == "available" and not self.facts.waved
+        if self.axis.kind is not AxisKind.ROTARY or not has:
+            return None
+        step = float(length_step(self.scale, self.facts))
+        unit = self.scale.quantum("value")
+        return Wave(unit=unit, increment=limit, room=gap, step=step)
 
     def _may_incline(self) -> bool:
         """Whether a line of inclination compensation may be written: the control has it, and no

@@ -62,6 +62,12 @@ def _beside(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
     before = family.facts_of(family.address(axis)[0]).increments
     old = {point.number for each in before.hung for point in each.points or ()}
     new = [point for each in facts.increments.hung for point in each.points or ()]
+    if facts.increments.waved and not before.waved:
+        yield (
+            f"set too: {facts.increments.waved}, whose points are in the sheet; its sign and where"
+            " its period starts are unconfirmed, so measure one period in its sections with it and"
+            " with 14985 to 14987 = 0 (power cycle each time) before production"
+        )
     if facts.increments.inclined and not before.inclined:
         yield (
             f"set too: {facts.increments.inclined}; its sign and unit are unconfirmed, so measure"

@@ -13,9 +13,9 @@ import numpy as np
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.family import AxisTable, Family
 from compwright.formats.families.increments.axis_reading import increment_limit
-from compwright.formats.families.increments.axis_values import INCH
+from compwright.formats.families.increments.axis_values import INCH, thousandths
 from compwright.formats.families.increments.backlash import both_backlashes
-from compwright.formats.families.increments.inclined import line_parameters
+from compwright.formats.families.increments.lengths import length_text
 from compwright.formats.families.increments.moving import moved_numbers
 from compwright.formats.families.increments.numbering import (
     NoRoom,
@@ -23,6 +23,12 @@ from compwright.formats.families.increments.numbering import (
     find_place,
     kept_place,
     used_numbers,
+)
+from compwright.formats.families.increments.own_beside import (
+    OwnBeside,
+    line_parameters,
+    repeats_alone,
+    second_table,
 )
 from compwright.formats.families.increments.smooth import covers
 from compwright.formats.text.scale import NotHeld, Scale
@@ -46,8 +52,9 @@ class Entries:
     ``switches``: whether 3605#0 has to change for it, as far as the control's files say. ``inch``:
     what they say of its unit (1001#0). ``kept``: interval, reference and numbers are those that the
     control has now, so that what hangs on them stays as it is; False: they move. ``moved``: numbers
-    by which other functions hang on the grid, and what they have to be under the new one. ``line``:
-    inclination compensation by its parameters, none where no line is written.
+    by which other functions hang on the grid, and what they have to be under the new one.
+    ``beside``: parameters of a line or a second table of our own, as text; their points are among
+    ``points``.
     """
 
     address: str
@@ -61,7 +68,7 @@ class Entries:
     inch: bool | None
     kept: bool
     moved: tuple[tuple[PointNumber, int], ...]
-    line: Mapping[int, int]
+    beside: Mapping[int, str]
 
 
 def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, ...]:
@@ -83,7 +90,7 @@ def all_entries(family: Family, tables: Sequence[AxisTable]) -> tuple[Entries, .
         except NotHeld as error:
             faults.append(Fault(message=f"axis {axis.name} ({address}): {error}"))
             continue
-        given.extend(entry.place.ranges)
+        given.extend((*entry.place.ranges, *(range(one, one + 1) for one in entry.points)))
         entries.append(entry)
     raise_all(CapacityError, faults)
     others = used_numbers(family.state, [address for address, _, _ in tables])
@@ -166,6 +173,7 @@ class _Axis:
             shift = numbers.start - place.first
             each = self._points(counts, steps, place, magnification)
             points |= {number + shift: value for number, value in each.items()}
+        mine = self._own_beside(steps, place, [*used, *place.ranges], start)
         moved = moved_numbers(self.axis, self.facts, place, interval, magnification)
         parameters = self._parameters(place, magnification, interval)
         if self.axis.modulo is not None and kept is None:
@@ -177,7 +185,7 @@ class _Axis:
             address=self.address,
             axis=self.axis,
             parameters=parameters,
-            points=dict(sorted(points.items())),
+            points=dict(sorted((points | dict(mine.points)).items())),
             cleared=(),
             interval=interval,
             place=place,
@@ -185,7 +193,7 @@ class _Axis:
             inch=self.facts.inch,
             kept=kept is not None,
             moved=moved,
-            line=self._line(steps, place),
+            beside=mine.parameters,
         )
 
     def _parameters(
@@ -206,15 +214,29 @@ class _Axis:
             parameters[name] = self._backlash(value, old)
         return parameters
 
-    def _line(self, steps: FloatArray, place: Place) -> dict[int, int]:
-        """Return the straight line beside the table that is not in the control yet."""
-        new = self.compensation.others[self.others :]
-        if not new:
-            return {}
-        counts = self._counts(new[0].positive)
+    def _own_beside(
+        self, steps: FloatArray, place: Place, used: Sequence[range], start: int
+    ) -> OwnBeside:
+        """Return the straight line and the second table beside the table that are not in the
+        control yet.
+        """
+        parameters: dict[int, str] = {}
+        points: dict[int, int] = {}
         sign = -1 if self.options.get("pitch_sign") == "-" else 1
-        numbers = [place.reference + int(steps[k]) for k in (1, -1)]
-        return line_parameters(numbers, [int(counts[k]) * sign for k in (1, -1)])
+        for other in self.compensation.others[self.others :]:
+            counts = self._counts(other.positive) * sign
+            if not repeats_alone(other, self.compensation):
+                numbers = [place.reference + int(steps[k]) for k in (1, -1)]
+                parameters |= line_parameters(numbers, [int(counts[k]) for k in (1, -1)])
+                continue
+            section = self._length(float(other.positions[1] - other.positions[0]))
+            interval = length_text(section, whole=thousandths(self.definition))
+            highest = self.definition.limit_number("max_number") or 0
+            taken = [*used, *self.facts.claimed]
+            second = second_table(counts, interval, taken, start, highest)
+            parameters |= second.parameters
+            points |= second.points
+        return OwnBeside(parameters, points)
 
     def _backlash(self, count: int, old: int | None) -> str:
         stage = self.facts.first_stage

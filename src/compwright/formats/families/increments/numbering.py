@@ -109,6 +109,16 @@ def kept_place(
     return place if _free(place, highest, used) else None
 
 
+def first_free(length: int, used: Sequence[range], start: int, highest: int) -> int | None:
+    """Return the first of ``length`` numbers in a row, from ``start`` on, that nobody uses; None
+    where there are none.
+    """
+    for begin in range(start, highest + 2 - length):
+        if not any(begin < taken.stop and taken.start < begin + length for taken in used):
+            return begin
+    return None
+
+
 def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
     """Return the length of the longest row of numbers from ``start`` to ``highest`` that nobody
     uses.

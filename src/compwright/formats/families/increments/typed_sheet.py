@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import re
 
+from compwright.formats.families.increments import parameters as known
 from compwright.formats.text.entry_sheet import SheetRow, read_sheet
 from compwright.foundations.errors import Fault
 from compwright.records.correction import ControlFile
@@ -48,6 +49,8 @@ def parameter_lines(file: ControlFile, format_id: str, faults: list[Fault]) -> b
 def _parameter_line(row: SheetRow, axis: str, file: str, faults: list[Fault]) -> str:
     if re.fullmatch(r"[0-9]{1,5}", row.point):
         number = int(row.point)
+        if number in known.CYCLIC:
+            return f"N{number:05d}Q1A{axis}P{row.value.removeprefix('+')}"
         if number >= 10000 or row.position:
             return (
                 f"N{number if number >= 10000 else 10000 + number}Q0P{row.value.removeprefix('+')}"

@@ -15,8 +15,9 @@ from decimal import Decimal
 from compwright.formats.definition.schema import Choice, Definition, WrittenFile
 from compwright.formats.definition.statements import print_form
 from compwright.formats.families.family import AxisTable, Family
-from compwright.formats.families.increments.axis_values import INCH, thousandths
+from compwright.formats.families.increments.axis_values import thousandths
 from compwright.formats.families.increments.entries import Entries, all_entries
+from compwright.formats.families.increments.lengths import length_text
 from compwright.formats.families.increments.parameters import AxisParameters, Parameters
 from compwright.formats.families.increments.points import POINTS_FROM, point_number, point_rows
 from compwright.formats.families.increments.reading import read_texts
@@ -104,9 +105,9 @@ class _OwnFiles(Patches):
         for number, value in {**entry.points, **dict.fromkeys(entry.cleared, 0)}.items():
             for row in self.rows.get(number, ()):
                 self._set(row, "value", str(value))
-        left_line = {
+        left_beside = {
             number: count
-            for number, count in entry.line.items()
+            for number, count in entry.beside.items()
             if not self._beside(entry.address, number, count)
         }
         names = [file.name for file in self.files]
@@ -119,9 +120,9 @@ class _OwnFiles(Patches):
         if missing and self.rows:
             self._insert(missing)
             missing = {}
-        return replace(entry, parameters=left, points=missing, line=left_line)
+        return replace(entry, parameters=left, points=missing, beside=left_beside)
 
-    def _beside(self, address: str, number: int, count: int) -> bool:
+    def _beside(self, address: str, number: int, text: str) -> bool:
         """Put a parameter beside the table where the files hold it for the axis."""
         names = [file.name for file in self.files]
         places = [
@@ -130,7 +131,7 @@ class _OwnFiles(Patches):
             if value.whose == ("A", AxisParameters(self.parameters, address).index)
         ]
         for value in places:
-            change = Change(value.start, value.start + len(value.text), str(count).encode("ascii"))
+            change = Change(value.start, value.start + len(value.text), text.encode("ascii"))
             self.replace(names.index(value.file), change)
         return bool(places)
 
@@ -183,18 +184,6 @@ class _OwnFiles(Patches):
         return self.patched(speaking)
 
 
-def length_text(value: Decimal, *, inch: bool = False, whole: bool = False) -> str:
-    """Return a length, mm or deg, as the control's own files write it: with a decimal point and at
-    least one decimal (``50.0``), or ``whole`` in thousandths, of an inch in ten thousandths.
-    """
-    if inch:
-        value /= INCH
-    if whole:
-        return str(int(value / Decimal("0.0001" if inch else "0.001")))
-    text = f"{value.normalize():f}"
-    return text if "." in text else f"{text}.0"
-
-
 def _fresh(definition: Definition, left: Entries, taken: Collection[str]) -> Iterator[ControlFile]:
     """Yield minimal files with what found no place in the user's own; they do not take the names of
     those (``taken``).
@@ -237,9 +226,9 @@ def _lines(definition: Definition, entry: Entries) -> Iterator[str]:
         yield print_form(form, {"axis": entry.address, "key": key, binding.field: value})
     # What stands beside the table has the form of the other whole numbers.
     form = definition.statements["reference_number"].form
-    for number, count in entry.line.items():
+    for number, count in entry.beside.items():
         own = _NUMBER.sub(f"{number:05d}", form, count=1)
-        yield print_form(own, {"axis": entry.address, "value": str(count)})
+        yield print_form(own, {"axis": entry.address, "value": count})
 
 
 def _point_lines(definition: Definition, entry: Entries) -> Iterator[str]:
@@ -270,7 +259,7 @@ def _program(definition: Definition, file: WrittenFile, entry: Entries) -> Itera
     for moved, new in entry.moved:
         by_hand = f"(SET {moved.label.upper()} TO {new} BY HAND)"
         yield f"N{moved.parameter}P{entry.address}R{new}" if moved.parameter else by_hand
-    yield from (f"N{number}P{entry.address}R{count}" for number, count in entry.line.items())
+    yield from (f"N{number}P{entry.address}R{count}" for number, count in entry.beside.items())
     if entry.switches:  # single bits are known under G10 L52 only; else the engineer does it
         number, value = name_of(definition, "bidirectional"), entry.parameters["bidirectional"]
         known = any("L52" in line for line in file.header)
@@ -294,11 +283,13 @@ def sheet_rows(definition: Definition, entry: Entries) -> Iterator[SheetRow]:
     for moved, new in entry.moved:
         if moved.parameter:
             yield SheetRow(moved.parameter, "", str(new), "")
-    for parameter, count in entry.line.items():
-        yield SheetRow(str(parameter), "", str(count), "")
+    for parameter, count in entry.beside.items():
+        yield SheetRow(str(parameter), "", count, "")
     place = entry.place
     for point, increment in entry.points.items():
-        own = next((numbers for numbers in place.ranges if point in numbers), place.ranges[0])
-        step = point - own.start + place.first - place.reference
-        position = f"{entry.axis.reference + step * entry.interval:.10g}"
+        own = next((numbers for numbers in place.ranges if point in numbers), None)
+        position = ""
+        if own is not None:
+            step = point - own.start + place.first - place.reference
+            position = f"{entry.axis.reference + step * entry.interval:.10g}"
         yield SheetRow(str(POINTS_FROM + point), position, str(increment), "pulse")

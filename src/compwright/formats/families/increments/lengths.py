@@ -1,0 +1,19 @@
+"""Lengths as the files of a control with increments by section write them."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+
+from compwright.formats.families.increments.axis_values import INCH
+
+
+def length_text(value: Decimal, *, inch: bool = False, whole: bool = False) -> str:
+    """Return a length, mm or deg, as the control's own files write it: with a decimal point and at
+    least one decimal (``50.0``), or ``whole`` in thousandths, of an inch in ten thousandths.
+    """
+    if inch:
+        value /= INCH
+    if whole:
+        return str(int(value / Decimal("0.0001" if inch else "0.001")))
+    text = f"{value.normalize():f}"
+    return text if "." in text else f"{text}.0"

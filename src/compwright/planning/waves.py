@@ -1,0 +1,117 @@
+"""A short period that the grid cannot hold goes into a table of its own that repeats with it, where
+the control has one.
+
+The sections of the period take whole increments whose sum is zero; what the main table leaves,
+folded over the period, is their aim.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.foundations.errors import CapacityError
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.slopes import WORTH, Fit
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.capacity import Capacity, Wave
+from compwright.records.correction import AxisCompensation
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable, TableRequest
+
+#: A grid holds a period that is at least so many spacings long.
+HELD: Final = 2.5
+#: Sections of one period, the first that fits the control's lengths: ten as in the maker's example.
+_SECTIONS: Final = (10, 12, 9, 8, 16, 15, 20)
+
+
+def with_wave(
+    fit: Fit,
+    wanted: WantedCorrection,
+    capacity: Capacity,
+    request: TableRequest,
+    plain: FittedTable,
+) -> FittedTable:
+    """Return the table beside one that repeats with a known short period, where that leaves clearly
+    less than ``plain``; else ``plain``. Either says both numbers.
+    """
+    if capacity.wave is None or plain.compensation.positions.size < 2:
+        return plain
+    spacing = float(np.min(np.diff(plain.compensation.positions)))
+    turn = capacity.period or 0.0
+    whole = [
+        period
+        for period in wanted.periods
+        if period < HELD * spacing and abs(turn / period - round(turn / period)) < 1e-9
+    ]
+    rest = _left(wanted, plain.compensation)
+    wave = next(
+        (found for p in whole if (found := _wave(wanted, rest, plain, p, capacity.wave))), None
+    )
+    if wave is None:
+        return plain
+    beside = replace(capacity, stays=(*plain.compensation.others, wave), slope=None, wave=None)
+    nodes = plain.compensation.positions
+    kept = replace(request, start=float(nodes[0]), end=float(nodes[-1]), spacing=spacing)
+    try:
+        waved = fit(beside, request if plain.keeps_grid else kept)
+    except CapacityError:
+        return plain
+    left, with_it = (float(np.std(_left(wanted, each.compensation))) for each in (plain, waved))
+    factor, unit = outside_factor(wanted.kind.unit), shown_unit(wanted.kind.unit)
+    told = (
+        f"the period of {wave.period:g} {wanted.kind.unit}, too short for sections of {spacing:g}:"
+        f" without a table of its own {left * factor:.3f} {unit} rms are left,"
+        f" {with_it * factor:.3f} {unit} with it"
+    )
+    if left - with_it <= WORTH * left:
+        said = Finding("CW-P143", "info", f"No table of its own for {told}")
+        return replace(plain, findings=(*plain.findings, said))
+    said = Finding("CW-P143", "info", f"A second table for {told}")
+    return replace(waved, findings=(*waved.findings, said))
+
+
+def _left(wanted: WantedCorrection, table: AxisCompensation) -> FloatArray:
+    """Return what is left (g,) at the positions of ``wanted``, the mean of both directions, as if
+    the main table were straight between its nodes: its steps are no wave.
+    """
+    straight = replace(table, interpolation="linear", backlash=0.0)
+    both = [wanted.total(side) - straight.at(wanted.positions, side) for side in Direction]
+    return np.asarray(np.mean(both, axis=0))
+
+
+def _wave(
+    wanted: WantedCorrection, rest: FloatArray, plain: FittedTable, period: float, limits: Wave
+) -> AxisCompensation | None:
+    """Return the table of one period from the reference on; None where the control cannot hold
+    it, or where it is nothing.
+    """
+    sections = next((n for n in _SECTIONS if limits.holds(period / n)), None)
+    if sections is None or sections + 1 > limits.room:
+        return None
+    interval = period / sections
+    phase = np.mod((wanted.positions - wanted.reference) / interval + 0.5, sections)
+    place = np.minimum(phase.astype(np.int64), sections - 1)
+    counts = np.bincount(place, minlength=sections)
+    if not np.all(counts):
+        return None
+    means = np.bincount(place, weights=rest, minlength=sections) / counts
+    totals = np.round((means - means[0]) / limits.unit)
+    totals = np.append(totals, totals[0])
+    if not np.any(totals) or np.max(np.abs(np.diff(totals))) > limits.increment:
+        return None
+    curve = totals * limits.unit
+    steps = np.arange(sections + 1, dtype=np.float64)
+    nodes: FloatArray = wanted.reference + interval * steps
+    return replace(
+        plain.compensation,
+        positions=nodes,
+        positive=curve,
+        negative=curve,
+        backlash=0.0,
+        period=period,
+        others=(),
+    )
