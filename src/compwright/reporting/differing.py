@@ -153,7 +153,9 @@ def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
     alone = len(groups) - len(both)
     if alone <= _FEW:
         both, alone = list(groups), 0
-    counted = [Text(f"elsewhere: {alone} more stand on one side only", style="dim")]
+    counted: list[RenderableType] = [
+        Text(f"elsewhere: {alone} more stand on one side only", style="dim")
+    ]
     if not both:
         return counted if alone else []
     table: Table = plain_table()

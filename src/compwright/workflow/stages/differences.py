@@ -169,7 +169,7 @@ def differences(control: Control, old: Side, new: Side) -> Differences:
     cross: dict[tuple[str, str], CorrectionChange] = {}
     told = old.state is not None and new.state is not None
     if old.state is not None and new.state is not None:
-        corrections = _corrections(old.state, new.state)
+        corrections = _corrections(old, new, old.state, new.state)
         cross = _cross(old.state, new.state)
     findings = (*old.findings, *new.findings)
     return Differences(tuple(placed), corrections, cross, told, findings)
@@ -185,12 +185,19 @@ def _placed(control: Control, change: EnteredChange, old: Side, new: Side) -> Pl
     return Placed(change, axes, at)
 
 
-def _corrections(old: ControlState, new: ControlState) -> dict[str, CorrectionChange]:
+def _corrections(
+    before: Side, after: Side, old: ControlState, new: ControlState
+) -> dict[str, CorrectionChange]:
+    """Return what changed of axes of which both sides say something: missing is not zero."""
+    said = [
+        {entry.axis for entry in side.entries.values() if entry.acts} | set(state.axes)
+        for side, state in ((before, old), (after, new))
+    ]
     found = {}
     for address in dict.fromkeys((*old.axes, *new.axes)):
         was, now = (state.axes.get(address) for state in (old, new))
         known = now or was
-        if known is None:
+        if known is None or not all(address in axes for axes in said):
             continue
         where = np.unique(np.concatenate([_probes(one) for one in (was, now) if one is not None]))
         change = _most(known.kind, where, _curve(was, where), _curve(now, where))
