@@ -10,6 +10,7 @@ are tried with either sign and with two units, because no page says them.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -250,6 +251,32 @@ def test_straightness_takes_its_numbers_along_and_nothing_else(tmp_path: Path) -
     other = BesideBench(bench.folder, edits)
     assert other.run("Y", axes={"Y": "table: {spacing: 10}"}) == 0  # Y only is moved by it
     assert not {number for number, _ in other.changed()} & set(range(5711, 5800))
+
+
+@pytest.mark.parametrize("path", ["1", "2"])
+def test_each_path_speaks_for_its_own_axes(path: str, tmp_path: Path) -> None:
+    """X alone in path 2: axis 1 of that path is X, axis 1 of the first path is not."""
+    mine, other = f"L{path}", f"L{3 - int(path)}"
+    points = {5731: "16", 5732: "16", 5733: "40", 5734: "40"}
+    edits: Edits = {(981, "1"): path, (5711, mine): "1", (5721, mine): "7"}
+    edits = {**edits, **{(number, mine): value for number, value in points.items()}}
+    edits = {**edits, **{(number, other): "0" for number in (5711, 5721, *points)}}
+    bench = BesideBench(tmp_path, edits)
+    text = bench.parameters
+    for number in (5732, 5733, 5734):  # both paths on one line, as a control writes them
+        row = "".join(f"L{k}P{edits[(number, f'L{k}')]}" for k in (1, 2))
+        text = re.sub(rf"^N0{number}Q1.*$", f"N0{number}Q1{row} ", text, flags=re.MULTILINE)
+    bench.parameters = text
+    (tmp_path / "CNC-PARA.TXT").write_text(text)
+    assert bench.run("X", axes={"X": "table: {spacing: 20}"}) == 0
+    parameters, _ = bench.written()
+    reference = int(said(parameters, 3620, 1))
+    for number, old in points.items():
+        row = re.search(rf"^N0{number}Q1L1P(-?\d+)L2P(-?\d+)", parameters, re.MULTILINE)
+        assert row is not None
+        values = dict(zip(("L1", "L2"), map(int, row.groups()), strict=True))
+        assert 20 * (values[mine] - reference) == 40 * (int(old) - 40)
+        assert values[other] == 0
 
 
 def test_a_state_in_which_it_differs_is_refused_by_name(

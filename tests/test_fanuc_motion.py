@@ -16,6 +16,7 @@ import pytest
 from compwright.cli import run as compwright
 from test_fanuc_backup_honoured import SMALL, UNIT, Bench, Edits, added, error, said
 
+_RNG = np.random.default_rng
 SEPARATE: Edits = {(981, "1"): "1", (1800, "L1"): "00011000", (1800, "L2"): "00001000"}
 ALIKE: Edits = {(981, "1"): "1", (1800, "L1"): "00001000", (1800, "L2"): "00011000"}
 RAPID = {"X": "before: {files: X.csv, motion: rapid}"}
@@ -82,7 +83,9 @@ def test_what_acted_at_rapid_traverse_has_to_be_in_the_files(
     assert "motion: rapid" in error_text
 
 
-def test_tests_at_both_motions_agree_and_are_predicted_each_by_its_own(tmp_path: Path) -> None:
+def test_tests_at_both_motions_agree_and_are_predicted_each_by_its_own(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """The same axis measured at feed and at rapid traverse: reversals 3 µm apart by the control
     alone. No doubt, and both predictions hold; verify takes each after-test at its motion.
     """
@@ -107,3 +110,16 @@ def test_tests_at_both_motions_agree_and_are_predicted_each_by_its_own(tmp_path:
     assert tests["feed"]["predicted"]["B"]["median"] < 1.0  # µm
     # at rapid traverse 1852 stays 3 µm below 1851: the lost motion that is left
     assert tests["rapid"]["predicted"]["B"]["median"] == pytest.approx(3.0, abs=0.8)
+    # after loading: each test repeated at its own motion is what was expected of it
+    bench.parameters, bench.points = bench.written()
+    for name, rapid in (("feed", False), ("rapid", True)):
+        bench.words = {"rapid": rapid}
+        with monkeypatch.context() as fresh:  # other noise than in the first tests
+            fresh.setattr(np.random, "default_rng", lambda seed: _RNG(seed + 77))
+            Bench.measure(bench, "X")
+        after = tmp_path / f"{name}_after.csv"
+        shutil.copy(tmp_path / "X.csv", after)
+        out = tmp_path / f"verified_{name}"
+        compwright(["verify", str(job), "--after", f"{name}={after}", "--out", str(out)])
+        verified = json.loads((out / "verification.json").read_text())["axes"]["X"]
+        assert verified["loading"]["verdict"] == "loaded", verified["loading"]
