@@ -83,6 +83,11 @@ def test_a_grid_that_stays_takes_nothing_of_what_is_free() -> None:
     assert most({"X": planned(spacing="auto"), "Y": planned("Y")}, capacities) == {"X": 62, "Y": 62}
 
 
+def test_a_grid_whose_points_another_axis_uses_too_takes_part() -> None:
+    there = replace(STORE, there=tuple(np.arange(0.0, 1001.0, 40.0)), there_shared=True)
+    assert most({"X": planned(), "Y": planned("Y")}, {"X": there, "Y": there}) == {"X": 62, "Y": 62}
+
+
 def test_a_store_that_is_full_leaves_two_points_which_writing_then_refuses() -> None:
     assert most({"X": planned(spacing=5.0), "Y": planned("Y")})["Y"] == 2
 

@@ -17,7 +17,7 @@ def shared_fairly(
 
     An axis whose spacing the job names gets what it needs; two tables need twice the points. What
     the job names stays as it is: where it does not fit, writing refuses it. A grid that is in the
-    control and stays takes none of what is free.
+    control and stays takes none of what is free, unless other axes use its points too.
     """
     sharing = {
         name: one
@@ -25,7 +25,7 @@ def shared_fairly(
         if one.shared_points
         and one.max_points
         and name in planned
-        and not (planned[name].request.keeps and one.there)
+        and not (planned[name].request.keeps and one.there and not one.there_shared)
     }
     sets = {name: 2 if planned[name].request.mode == "bidirectional" else 1 for name in sharing}
     free = {

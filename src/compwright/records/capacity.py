@@ -65,6 +65,7 @@ class Capacity:
     as slopes. ``nodes``: the only nodes there are, because the table's grid serves other axes too.
     ``there``: the nodes (two or more, ascending; of a table that repeats one period with both ends)
     of the table that the control's files hold, whether it acts or not; empty: there is none.
+    ``there_shared``: other axes use its points too, so that a table on it needs some of its own.
     ``unfit``: why no table of this axis can stand on them, which only the control's format knows.
     ``cover``: whole spacings by which a table should reach beyond the travel on each side, where
     nobody knows what the control does behind its ends. ``shared_points``: ``max_points`` is what
@@ -98,6 +99,7 @@ class Capacity:
     most_points: int | None = None
     nodes: tuple[float, ...] | None = None
     there: tuple[float, ...] = ()
+    there_shared: bool = False
     unfit: str = ""
     cover: int = 0
     shared_points: bool = False

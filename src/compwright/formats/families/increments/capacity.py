@@ -21,7 +21,9 @@ MIN_SECTIONS = 2
 
 
 class AxisLimits:
-    """The limits of one axis' table. ``assumed``: what they rest on."""
+    """The limits of one axis' table. ``assumed``: what they rest on; ``shares``: other axes have
+    some of its numbers too.
+    """
 
     def __init__(self, family: Family, axis: Axis) -> None:
         self.definition = family.definition
@@ -34,6 +36,9 @@ class AxisLimits:
         acting = None if family.state is None else family.state.axes.get(address)
         self.stays = () if acting is None else acting.others
         self.used = used_numbers(family.state, [address])
+        self.shares = any(
+            set(own) & set(taken) for own in self.facts.claimed for taken in self.used
+        )
         self.assumed = [assumption] if assumption is not None else []
 
     def capacity(self) -> Capacity:
@@ -57,8 +62,7 @@ class AxisLimits:
             backlash_quantum=scale.quantum("backlash"),
             backlash_range=scale.range("backlash"),
             min_points=definition.limit_number("min_points") or 2,
-            # sections have numbers; a table that starts or ends at the reference needs one more
-            max_points=max(2, gap + (axis.travel[0] < axis.reference < axis.travel[1])),
+            max_points=self._most_points(gap),
             shared_points=True,
             lattice=Lattice(
                 unit=scale.quantum("value"),
@@ -73,6 +77,7 @@ class AxisLimits:
             min_spacing_reason=reason,
             period=axis.modulo,
             there=self.there,
+            there_shared=self.shares,
             stays=self.stays,
             slope=scale.quantum("value") if self._may_incline() else None,
             wave=self._wave(limit, gap),
@@ -80,6 +85,14 @@ class AxisLimits:
             above=definition.layout.above,
             assumed=tuple(self.assumed),
         )
+
+    def _most_points(self, gap: int) -> int:
+        """Return how many nodes a table may have in ``gap`` numbers: sections have numbers, and a
+        table that starts or ends at the reference needs one more. The one that is there fits.
+        """
+        axis = self.axis
+        inside = axis.travel[0] < axis.reference < axis.travel[1]
+        return max(2, gap + inside, 0 if self.shares else len(self.there))
 
     def _assume(self, fact: str, value: str, evidence: str) -> None:
         self.assumed.append(Assumption(f"axis {self.axis.name}: {fact}", value, evidence))
