@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from compwright.formats.control_format import control_format
+from compwright.formats.families.activity import Activity
 from compwright.formats.families.delivery import Delivery
 from compwright.formats.families.family import Family
 from compwright.foundations.errors import InputError, UsageError
@@ -355,3 +356,20 @@ def test_a_listing_in_columns_is_refused_with_what_to_export() -> None:
     with pytest.raises(InputError, match=r"in columns.*AX_EEC.INI") as refused:
         control_format(SIEMENS, {}).read([file])
     assert len(refused.value.faults) == 1
+
+
+def test_a_switch_goes_back_to_what_the_job_says_of_it() -> None:
+    """MD32700 ends as 0 in the archive, and the job answers that the table acted."""
+    data = machine_data().replace("$MA_ENC_COMP_ENABLE[1,AX4]=1", "$MA_ENC_COMP_ENABLE[1,AX4]=0")
+    members = [(ACTIVE, "AX_EEC.INI", eec_text()), (ACTIVE, "INITIAL.INI", data)]
+    texts = [(folder, name, text.encode()) for folder, name, text in members]
+    file = ControlFile("backup.arc", container(texts))
+    control = control_format(SIEMENS, {})
+    axis, _ = axis_of(control, archive(), "AX4")
+    for said in (True, False):
+        state = control.read([file], [axis], activity=Activity(said=said, asking=True))
+        new = bent(control.read([archive()], [axis]).axes["AX4"])
+        bound = control.in_state(state)
+        delivery = bound.delivered(bound.write([new], [axis], [file]), [file], [axis])
+        assert f"$MA_ENC_COMP_ENABLE[1,AX4]={int(said)}".encode() in delivery.back[-1].content
+        assert b"$MA_ENC_COMP_ENABLE[1,AX4]=1" in delivery.files[-1].content

@@ -191,10 +191,18 @@ class SmallFiles:
             if corrected == address and base != address and self._is_written(tables[table])
         ]
         written = [key for table in mine for key in tables[table]]
-        hands = [key for key in written if self._is_switch(key)]
-        naming = self._naming(address, [pairs[table] for table in mine])
+        bases = {pairs[table][0] for table in mine}
+        facts = [key for key in self.new.entries if key[1] in {address, *bases}]
+        sums = [key for key in facts if key[1] == address and self._is(key, _HANDS[:1])]
+        hands = [*sums, *(key for key in written if self._is_switch(key))]
         enters = ordered([key for key in written if key not in hands])
-        tells = (*told, *naming)
+        tells = (
+            *told,
+            *self._naming(address, [pairs[table] for table in mine]),
+            *(key for key in facts if self._is(key, ("rotary", "cross_metric", "cross_max_sum"))),
+        )
+        if not mine:
+            hands, tells = [], ()
         return self._plan("cross", address, enters, by_hand=hands, tells=tells, rows=True)
 
     def _plan(
@@ -353,15 +361,17 @@ class SmallFiles:
         return self.new.names.written(address) if address in self.systems else text
 
     def _old_text(self, key: Key) -> str | None:
-        """Return the old value of an entry; what was in no file goes back to what was counted."""
+        """Return the old value of an entry; what was in no file goes back to what was counted, and
+        a switch to whether the table acted, which the job may say where the files end otherwise.
+        """
         found = self.old.entries.get(key)
+        enabled = self.control.facts_of(key[1]).enabled
+        if self._is(key, ("enabled",)) and enabled is not None:
+            return self.definition.choice("enabled").text("yes" if enabled else "no")
         if self._is(key, ("max_points", "cross_max_points")) and self._changed(key):
             return None  # room that nobody needs does no harm; less of it clears the memory
         if found is not None:
             return self._text(key, found)
-        if self._is(key, ("enabled",)):
-            enabled = self.control.facts_of(key[1]).enabled
-            return self.definition.choice("enabled").text("yes" if enabled else "no")
         if self._is(key, ("value", "cross_value", "backlash", "cross_table_enabled")):
             return "0"
         grid = (*_OWN_TABLE, "cross_start", "cross_end", "cross_spacing", "cross_direction")
