@@ -100,10 +100,10 @@ class Visit:
 
 
 @pytest.fixture
-def visit(tmp_path: Path) -> Callable[[str], Visit]:
+def visit(tmp_path: Path) -> Callable[..., Visit]:
     """A control whose table every 50 mm compwright wrote on the first visit."""
 
-    def first(name: str) -> Visit:
+    def first(name: str, spacing: int = 50) -> Visit:
         start = start_of(name, tmp_path / "start", NOW)
         files = [
             ControlFile(Path(each).name, Path(each).read_bytes())
@@ -111,13 +111,13 @@ def visit(tmp_path: Path) -> Callable[[str], Visit]:
             if each != "none"
         ]
         once = Visit(name, tmp_path, files)
-        assert once.run("spacing=50", machine=NOW) == 0
+        assert once.run(f"spacing={spacing}", machine=NOW) == 0
         return Visit(name, tmp_path, once.written())  # fmt: skip
 
     return first
 
 
-Start = Callable[[str], Visit]
+Start = Callable[..., Visit]
 
 
 @pytest.mark.parametrize("name", FORMATS + MET_OTHERWISE)
@@ -176,6 +176,19 @@ def test_auto_chooses_as_if_nothing_were_there(name: str, visit: Start) -> None:
         if path.name in {file.name for file in there.written()}
     ]
     assert np.array_equal(there.nodes(there.written()), there.nodes(exported))
+
+
+@pytest.mark.parametrize("name", ["siemens-840d-sl", "heidenhain-nck", "linuxcnc", "pmac"])
+def test_a_coarse_grid_stays_and_another_one_is_offered(name: str, visit: Start) -> None:
+    there = visit(name, spacing=200)
+    assert there.run() == 0
+    assert np.array_equal(there.nodes(there.files), there.nodes(there.written()))
+    told = there.findings()["CW-P141"]
+    assert told.startswith(
+        "Axis X: the grid that is there stays, 5 points from 0 to 800 mm, every 200"
+    )
+    before, after = (float(one) for one in re.findall(r"A ([.\d]+) µm", told))
+    assert before > 2 * after
 
 
 def test_a_pmac_table_of_another_length_keeps_its_entries_and_its_length(tmp_path: Path) -> None:
