@@ -272,9 +272,9 @@ def test_each_path_speaks_for_its_own_axes(path: str, tmp_path: Path) -> None:
     parameters, _ = bench.written()
     reference = int(said(parameters, 3620, 1))
     for number, old in points.items():
-        row = re.search(rf"^N0{number}Q1L1P(-?\d+)L2P(-?\d+)", parameters, re.MULTILINE)
-        assert row is not None
-        values = dict(zip(("L1", "L2"), map(int, row.groups()), strict=True))
+        found = re.search(rf"^N0{number}Q1L1P(-?\d+)L2P(-?\d+)", parameters, re.MULTILINE)
+        assert found is not None
+        values = dict(zip(("L1", "L2"), map(int, found.groups()), strict=True))
         assert 20 * (values[mine] - reference) == 40 * (int(old) - 40)
         assert values[other] == 0
 

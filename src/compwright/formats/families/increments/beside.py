@@ -17,7 +17,16 @@ from compwright.formats.families.increments.parameters import AxisParameters, Va
 from compwright.records.facts import Hung, PointNumber
 
 #: The option of each function by which the user says that compwright may count and write it.
-OPTION_OF = {"inclination compensation": "inclination", "the second (cyclic) table": "cyclic"}
+_ACROSS, _BENT = (
+    "straightness compensation of another axis by this one",
+    "straightness compensation of this axis by another one",
+)
+OPTION_OF = {
+    "inclination compensation": "inclination",
+    "the second (cyclic) table": "cyclic",
+    _ACROSS: "straightness",
+    _BENT: "straightness",
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +116,7 @@ def _straightness(own: AxisParameters) -> Iterator[Function]:
         if not value.acts or not own.named_by(value):
             continue
         pair = value.number - known.STRAIGHTNESS_MOVING[0]
-        words = "straightness compensation of another axis by this one"
+        words = _ACROSS
         if pair >= known.STRAIGHTNESS_PAIRS:
             yield Function(words, (value,), None)
             continue
@@ -122,8 +131,7 @@ def _straightness(own: AxisParameters) -> Iterator[Function]:
         yield Function(words, (value, *points, *more), None if more else points)
     for value in own.all.of(known.STRAIGHTNESS_BENT):
         if value.acts and own.named_by(value):
-            words = "straightness compensation of this axis by another one"
-            yield Function(words, (value,), (), moves=False)
+            yield Function(_BENT, (value,), (), moves=False)
     # Which axes the further pairs mean is not known: they may mean this one.
     more = tuple(value for value in own.all.of(known.STRAIGHTNESS_MORE) if value.acts)
     if more:

@@ -1,11 +1,16 @@
-"""Corrections between axes by straightness compensation: parameters as a sheet to type in, numbers
-and signs from memory, none confirmed by a page.
+"""Corrections between axes by straightness compensation: in the control's own files where they hold
+its parameters at rest, else as a sheet to type in. Numbers and signs are from memory, none is
+confirmed by a page.
 
 Two points of the moving axis' numbers, the amounts absolute in detection units of the compensated
 axis: a straight line. A curve, an axis without a table and a second pair are said instead.
 """
 
 from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
 
 from compwright.formats.families.between import (
     Asked,
@@ -17,6 +22,9 @@ from compwright.formats.families.between import (
     typed_in,
 )
 from compwright.formats.families.family import Family
+from compwright.formats.families.increments.parameters import Parameters, Value
+from compwright.formats.families.increments.straightness import free_pair
+from compwright.formats.text.patching import Change, apply_changes
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile, ControlState
 from compwright.records.plan import PlannedCross
@@ -26,8 +34,11 @@ def straightness_between(family: Family, asked: Asked) -> Between:
     """Return the parameters of one straight line, where the job says that the control has them."""
     if family.options.get("straightness") != "available":
         return instead(family.definition, asked.planned)
-    state = asked.read(asked.tables) if asked.tables else None
     (entry, *others) = asked.planned
+    filled = None if others else _filled(family, asked, entry)
+    if filled is not None:
+        return filled
+    state = asked.read(asked.tables) if asked.tables else None
     rows = None if others else _rows(family, asked, entry, state)
     if rows is None:
         why = "straightness compensation is known for one straight line over a table only"
@@ -39,6 +50,59 @@ def straightness_between(family: Family, asked: Asked) -> Between:
     )
     text = f"{message} Prove the sign with a square or a dial gauge, on and off, before production."
     return typed_in(entry, sheet, message, text)
+
+
+def _filled(family: Family, asked: Asked, entry: PlannedCross) -> Between | None:
+    """Return the files with one straight line in parameters that they hold and that are at rest;
+    None where it has no place there, or is not exactly what is wanted.
+    """
+    added, bent = entry.added, asked.axes.get(entry.output)
+    places = free_pair(Parameters(asked.base), added.input)
+    unit = None if bent is None else family.options_of(bent).get("detection_unit")
+    if places is None or not isinstance(unit, float) or added.positions.size != 2:
+        return None
+    state = asked.read(asked.base)
+    table, facts = state.axes.get(added.input), state.facts_of(added.input).increments
+    if table is None or table.positions.size < 2 or table.period is not None:
+        return None
+    steps = [int(np.argmin(np.abs(table.positions - place))) for place in added.positions]
+    on_nodes = np.abs(table.positions[steps] - added.positions) <= 1e-6
+    alike = np.array_equal(added.positive, added.negative)
+    if not (np.all(on_nodes) and alike and steps[0] >= 1 and facts.first_number is not None):
+        return None
+    # The first node is the lower end of the first section, whose number stands for its upper end.
+    points = [str(facts.first_number - 1 + step) for step in steps for _ in range(2)]
+    amounts = [f"{value / unit:.0f}" for value in added.positive for _ in range(2)]
+    texts = [added.input, added.output, *points, *amounts]
+    named = {places[place].number: text for place, text in enumerate(texts)}
+    said = ", ".join(f"{number} = {text}" for number, text in named.items())
+    message = f"{label(entry)} stands in the files as straightness compensation: {said}."
+    text = (
+        f"{message} Its numbers and its sign are unconfirmed: prove them with a square or a dial"
+        " gauge, on and off, before production."
+    )
+    title = f"{entry.output} over {entry.input}: straightness compensation"
+    return Between(
+        files=_patched(asked.base, places, texts),
+        remarks=(("warning", message),),
+        steps=({"title": title, "text": text, "evidence": "unconfirmed"},),
+        quantum=2 * unit,  # either amount is rounded, and the value at the reference between them
+    )
+
+
+def _patched(
+    files: Sequence[ControlFile], places: Mapping[int, Value], texts: Sequence[str]
+) -> tuple[ControlFile, ...]:
+    changes: dict[str, list[Change]] = {}
+    for place, text in enumerate(texts):
+        value = places[place]
+        change = Change(value.start, value.start + len(value.text), text.encode("ascii"))
+        changes.setdefault(value.file, []).append(change)
+    return tuple(
+        ControlFile(file.name, apply_changes(file.content, changes[file.name]))
+        for file in files
+        if file.name in changes
+    )
 
 
 def _rows(

@@ -53,7 +53,7 @@ def counted(
     wanted = [
         (OPTION_OF[each.words], each)
         for each in functions(values.own)
-        if options.get(OPTION_OF.get(each.words, "")) == "available"
+        if OPTION_OF.get(each.words) in _EVIDENCE and options[OPTION_OF[each.words]] == "available"
     ]
     for name, function in wanted:
         fact = f"{values.label}: {function.words}"

@@ -12,6 +12,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from compwright.formats.definition.options import (
     DETECTION_UNIT,
     REFERENCE,
@@ -26,7 +28,8 @@ from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.formats.families.increments.detection_unit import settled_options
 from compwright.formats.families.increments.parameters import AxisParameters, Parameters
 from compwright.formats.families.increments.points import points_by_number
-from compwright.formats.families.increments.sections import GRID
+from compwright.formats.families.increments.sections import GRID, read_sections
+from compwright.formats.families.increments.straightness import straightness_pairs
 from compwright.formats.families.increments.typed_sheet import parameter_lines
 from compwright.formats.text.addresses import normal_text
 from compwright.formats.text.entry_sheet import is_entry_sheet
@@ -35,7 +38,12 @@ from compwright.formats.text.notes import Notes
 from compwright.formats.text.texts import ReadText, text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis
-from compwright.records.correction import AxisCompensation, ControlFile, ControlState
+from compwright.records.correction import (
+    AxisCompensation,
+    ControlFile,
+    ControlState,
+    CrossCompensation,
+)
 from compwright.records.facts import AxisFacts
 
 #: What makes an axis one that the files say something of: its limits, name and kind alone do not.
@@ -84,6 +92,7 @@ class StateReader:
                 self._leave_alone(address)
         self._check_names()
         self.notes.faults.extend(self._odd_partners())
+        cross = tuple(self._cross())
         raise_all(InputError, self.notes.faults)
         self._tell_overlaps()
         unknown = self._unknown()
@@ -94,6 +103,7 @@ class StateReader:
         return ControlState(
             format=self.family.definition.id,
             axes=self.compensations,
+            cross=cross,
             facts={
                 address: replace(said, increments=replace(said.increments, unread=unknown))
                 for address, said in self.facts.items()
@@ -102,6 +112,41 @@ class StateReader:
             findings=tuple(dict.fromkeys(self.notes.findings)),
             reserved=self._filled() | pointed_numbers(self.parameters) | unknown,
         )
+
+    def _cross(self) -> Iterator[CrossCompensation]:
+        """Yield what straightness compensation adds between axes, where it is counted."""
+        if self.family.options.get("straightness") != "available":
+            return
+        faults = self.notes.faults
+        addresses = [one for one in self.gathered.addresses() if one != "0"]
+        for pair in straightness_pairs(self.parameters, addresses, faults):
+            moving, bent = (self._values(each, Notes()) for each in (pair.moving, pair.bent))
+            sections = read_sections(moving, moving.kind(quiet=True))
+            unit = settled_options(bent, self.family.options).get(DETECTION_UNIT)
+            if sections is None or moving.wraps() or not isinstance(unit, float):
+                message = f"{pair.place.label}: straightness compensation cannot be counted"
+                expected = "a moving axis with a table and ends, a detection unit of the other"
+                faults.append(pair.place.fault(message, expected))
+                continue
+            axis = self.wanted.get(pair.moving)
+            zero = axis.reference if axis else float(str(self.family.options[REFERENCE]))
+            nodes = sections.nodes(zero, round_turn=False)
+            numbers = np.arange(sections.first - 1, sections.last + 1, dtype=np.float64)
+            moved = pair.at(numbers, sections.reference) * unit
+            self.notes.assume(
+                f"straightness of axis {pair.bent} by axis {pair.moving}",
+                f"counted by {pair.place.label}",
+                "unconfirmed: parameters and sign from memory, detection units",
+            )
+            yield CrossCompensation(
+                input=pair.moving,
+                output=pair.bent,
+                input_kind=moving.kind(quiet=True),
+                output_kind=bent.kind(quiet=True),
+                positions=nodes,
+                positive=moved,
+                negative=moved,
+            )
 
     def _wanted(self, address: str | None) -> dict[str, Axis | None]:
         wanted: dict[str, Axis | None] = {}

@@ -1,0 +1,119 @@
+"""Straightness compensation that is counted, because an option says so: what the position of one
+axis does to another axis.
+
+Three pairs of axes (5711 to 5713 moving, 5721 to 5723 compensated), each with four numbers of the
+moving axis' points (5731, 5741, 5751 and on) and four amounts in detection units of the compensated
+axis (5761, 5771, 5781 and on); straight lines between them, zero at the reference, put out at the
+points (FANUC B-63522EN/02 page 222). Unconfirmed: the numbers, and that a positive amount moves the
+compensated axis in +.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.parameters import AxisParameters, Parameters, Value
+from compwright.foundations.errors import Fault
+from compwright.records.axis import FloatArray
+
+#: Parameters of pairs of axes that are not understood: where one is not 0, what acts is not known.
+_UNKNOWN = (
+    *known.STRAIGHTNESS_MOVING[known.STRAIGHTNESS_PAIRS :],
+    *known.STRAIGHTNESS_BENT[known.STRAIGHTNESS_PAIRS :],
+    *(
+        first + 10 * pair + place
+        for first in (known.STRAIGHTNESS_POINTS[0], known.STRAIGHTNESS_AMOUNTS[0])
+        for pair in range(known.STRAIGHTNESS_PAIRS)
+        for place in range(known.STRAIGHTNESS_USED, known.STRAIGHTNESS_ROW)
+    ),
+    *range(5791, 5800),
+    *known.STRAIGHTNESS_MORE,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """One pair of axes by their addresses: ``points`` and ``amounts`` (4,) as the files say them;
+    ``place``: its parameter for messages.
+    """
+
+    moving: str
+    bent: str
+    points: tuple[int, ...]
+    amounts: tuple[int, ...]
+    place: Value
+
+    def at(self, numbers: FloatArray, reference: int) -> FloatArray:
+        """Return the lines at point numbers (k,), less their value at the reference's."""
+        keep = np.concatenate([[True], np.diff(self.points) > 0])
+        at, levels = np.compress(keep, self.points), np.compress(keep, self.amounts)
+        lines = np.interp(np.append(numbers, reference), at, levels)
+        return np.asarray(lines[:-1] - lines[-1])
+
+
+def row_of(pair: int, *, amounts: bool = False) -> range:
+    """Return the four parameters of the points, or of the amounts, of a pair (from 0)."""
+    rows = known.STRAIGHTNESS_AMOUNTS if amounts else known.STRAIGHTNESS_POINTS
+    first = rows[0] + 10 * pair
+    return range(first, first + known.STRAIGHTNESS_USED)
+
+
+def straightness_pairs(
+    parameters: Parameters, addresses: list[str], faults: list[Fault]
+) -> Iterator[Pair]:
+    """Yield the pairs that act; what cannot be counted is a fault by its parameter."""
+    unknown = (value for value in parameters.of(_UNKNOWN) if value.acts)
+    faults += [value.fault("straightness that is not understood acts", "0") for value in unknown]
+    for value in parameters.of(known.STRAIGHTNESS_MOVING[: known.STRAIGHTNESS_PAIRS]):
+        if not value.acts:
+            continue
+        number = value.number - known.STRAIGHTNESS_MOVING[0]
+        bent = _own(parameters, value, [known.STRAIGHTNESS_BENT[0] + number])
+        points, amounts = (
+            tuple(each.whole for each in _own(parameters, value, row_of(number, amounts=kind)))
+            for kind in (False, True)
+        )
+        names = [
+            [one for one in addresses if AxisParameters(parameters, one).named_by(each)]
+            for each in (value, *bent)
+        ]
+        steps = pairwise(zip(points, amounts, strict=False))
+        disordered = any(a[0] > b[0] or (a[0] == b[0] and a != b) for a, b in steps)
+        whole = len(points) == len(amounts) == known.STRAIGHTNESS_USED
+        if [len(each) for each in names] != [1, 1] or not whole or disordered:
+            message = f"{value.label}: straightness compensation cannot be counted"
+            expected = "two axes, four points that ascend and four amounts"
+            faults.append(value.fault(message, expected))
+            continue
+        yield Pair(names[0][0], names[1][0], points, amounts, value)
+
+
+def _own(parameters: Parameters, value: Value, numbers: range | list[int]) -> list[Value]:
+    """Return parameters of the same owner (path) as another one, in the order of their numbers."""
+    return [each for each in parameters.of(numbers) if each.whose == value.whose]
+
+
+def free_pair(parameters: Parameters, moving: str) -> dict[int, Value] | None:
+    """Return the parameters of the first pair that the files hold whole and at rest for the path of
+    an axis, by what they are: 0 moving, 1 compensated, 2 to 5 points, 6 to 9 amounts; None where
+    there is none, or where an axis number may be counted within the path.
+    """
+    own = AxisParameters(parameters, moving)
+    for pair in range(known.STRAIGHTNESS_PAIRS):
+        numbers = [
+            known.STRAIGHTNESS_MOVING[pair],
+            known.STRAIGHTNESS_BENT[pair],
+            *row_of(pair),
+            *row_of(pair, amounts=True),
+        ]
+        values = [own.get(number) for number in numbers]
+        found = {place: value for place, value in enumerate(values) if value is not None}
+        rest = all(value.owner != "A" and not value.acts for value in found.values())
+        if len(found) == len(numbers) and rest and (own.path or 1) == 1:
+            return found
+    return None
