@@ -638,6 +638,15 @@ class TestSwitches:
         zero = line.split("=", maxsplit=1)[0] + "=0\n"
         assert at(load(self.TEXT, zero), "AX1", [0], UP) == pytest.approx([0.11], abs=EXACT)
 
+    def test_a_table_between_axes_that_is_no_curve_hides_no_other_one(self) -> None:
+        # table 0 ends between two points of different values; table 1 of the same axes is a curve
+        split = cec(0, [0.1, 0.2, 0.3], (0.0, 100.0, 150.0), ("AX1", "AX2"))
+        text = split + cec(1, [0.01, 0.02], self.GRID, ("AX1", "AX2"))
+        control = load(text)
+        assert control.cross() == (("AX1", "AX2"),)
+        assert across(control, "AX1", "AX2", [0, 100], UP) == [0.01, 0.02]
+        assert any("CEC table 0" in note and "stays" in note for note in control.notes)
+
     def test_what_works_out_the_cylinder_error_does_not_act(self) -> None:
         control = load(self.TEXT, "$SN_CEC_BAS_0[0]=5\n$SN_CEC_COMP_STORE_1[0]=7\n")
         assert at(control, "AX1", [0], UP) == pytest.approx([0.11], abs=EXACT)

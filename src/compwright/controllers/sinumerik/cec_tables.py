@@ -42,8 +42,8 @@ _ELSE = {
 
 
 class TableLoader:
-    """Builds the tables. ``odd``: pairs of axes with a table that acts and cannot be followed, and
-    why; ``left_out``: indices of tables that are left alone.
+    """Builds the tables. ``odd``: axes with a table over themselves that acts and cannot be
+    followed, and why; ``left_out``: indices of tables that are left alone.
     """
 
     def __init__(
@@ -58,7 +58,7 @@ class TableLoader:
         self.screws: frozenset[str] = frozenset()
         self.names = AxisNames({}, {})
         self.lengths = Lengths(inch=False, rotary={})
-        self.odd: dict[Pair, str] = {}
+        self.odd: dict[str, str] = {}
         self.left_out: list[int] = []
         self.spelling = spelling
         self.remarks = remarks
@@ -227,11 +227,11 @@ class TableLoader:
             self.remarks.faults += inner.faults or [acting[0].fault(f"{label_of(index)}: {why}")]
             return
         self.left_out.append(index)
-        if moved and own:
+        if moved and (own or base.upper() != output.upper()):
             self.remarks.notes.append(f"{label_of(index)}: {why}: it stays and is not counted")
         elif moved:
-            named = [self.spelling.setdefault(name.upper(), name) for name in pair]
-            self.odd[named[0], named[1]] = f"{label_of(index)}: {why}"
+            name = self.spelling.setdefault(output.upper(), output)
+            self.odd[name] = f"{label_of(index)}: {why}"
 
     def _stays(self, index: int, output: str) -> bool:
         """Return whether a job works on the axis and does not name this table in ``cec_tables``:

@@ -122,12 +122,12 @@ class SinumerikControl:
         """Return (input, output) of the tables by which one axis corrects another, in order of
         their index, switched on or not.
 
-        A pair that depends on a third axis or has a table that is not a curve is left out and
-        stands in ``notes``; so is every pair where the option ``cec_sign`` is not given.
+        Tables that are not a curve are left out and stand in ``notes``; so is everything where the
+        option ``cec_sign`` is not given.
         """
-        return tuple(
-            pair for pair in self.sag.pairs() if pair[0] != pair[1] and self.sag.is_judged(pair)
-        )
+        if not self.sag.sign:
+            return ()
+        return tuple(pair for pair in self.sag.pairs() if pair[0] != pair[1])
 
     def cross_correction(
         self,

@@ -72,14 +72,14 @@ class Sag:
     """All tables that are counted. ``sign`` of the values, +1 or -1, 0: not known.
 
     ``off``: output axes that MD32710 switches off; ``limits``: MD32720 by output axis, mm or deg.
-    ``odd``: pairs with a table that acts and is no curve, and why.
+    ``odd``: axes with a table over themselves that acts and is no curve, and why.
     """
 
     by_pair: Mapping[Pair, tuple[SagTable, ...]]
     off: frozenset[str]
     limits: Mapping[str, float]
     sign: int
-    odd: Mapping[Pair, str] = field(default_factory=dict)
+    odd: Mapping[str, str] = field(default_factory=dict)
 
     def pairs(self) -> tuple[Pair, ...]:
         """Return input and output axis of all tables in order of their index, each pair once,
@@ -91,20 +91,16 @@ class Sag:
         """Return the positions (k,) of the points of all tables of a pair, ascending."""
         return union([table.table.positions() for table in self._of(pair)])
 
-    def is_judged(self, pair: Pair) -> bool:
-        """Return whether it is known what a pair does."""
-        return bool(self.sign) and pair not in self.odd
-
     def own_shift(self, axis: str, positions: FloatArray, direction: Direction) -> FloatArray:
         """Return what an axis' tables over itself add at ``positions``; UsageError where that
         cannot be said. Without the sign those that stay are not counted.
         """
         pair = (axis, axis)
-        if pair in self.odd:
+        if axis in self.odd:
             raise UsageError(
                 Fault(
                     message=(
-                        f"what the tables of {axis} over itself do is not known: {self.odd[pair]}"
+                        f"what the tables of {axis} over itself do is not known: {self.odd[axis]}"
                     )
                 )
             )
