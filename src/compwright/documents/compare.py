@@ -34,11 +34,13 @@ class Difference:
 
 @dataclass(frozen=True, slots=True)
 class ComparedAxis:
-    """One axis: its address and kind, the comparison of the corrections, and what differs."""
+    """One axis: its address and kind, the comparison of the corrections, and what differs. A
+    ``read_back`` in words: why the correction of what was read back cannot be told.
+    """
 
     address: str
     kind: AxisKind
-    read_back: ReadBack
+    read_back: ReadBack | str
     differences: tuple[Difference, ...]
 
 
@@ -64,10 +66,11 @@ def compare_document(
     """Return the document: one entry per differing quantity, ``verdict`` same or different."""
     own = (difference for axis in axes.values() for difference in axis.differences)
     differences = [*own, *others.differences]
+    unreadable = any(isinstance(axis.read_back, str) for axis in axes.values())
     return {
         "schema": SCHEMA,
         "format": format_id,
-        "verdict": "different" if differences else "same",
+        "verdict": "different" if differences or unreadable else "same",
         "axes": {name: _axis(axis) for name, axis in axes.items()},
         "differences": [
             {
@@ -91,13 +94,25 @@ def compare_document(
 
 def _axis(axis: ComparedAxis) -> dict[str, Any]:
     unit = axis.kind.unit
+    told = axis.read_back
+    compared: dict[str, Any] = {
+        "verdict": "unreadable",
+        "message": told,
+        "largest_difference": None,
+        "at": None,
+        "direction": None,
+    }
+    if not isinstance(told, str):
+        compared = {
+            "verdict": told.verdict,
+            "message": told.message,
+            "largest_difference": told.worst * outside_factor(unit),
+            "at": told.position,
+            "direction": told.direction.value,
+        }
     return {
         "address": axis.address,
-        "verdict": axis.read_back.verdict,
-        "message": axis.read_back.message,
-        "largest_difference": axis.read_back.worst * outside_factor(unit),
-        "at": axis.read_back.position,
-        "direction": axis.read_back.direction.value,
+        **compared,
         "unit": outside_unit(unit),
         "differences": len(axis.differences),
     }

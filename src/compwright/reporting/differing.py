@@ -30,7 +30,9 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     for name, axis in document["axes"].items():
         same = axis["verdict"] == "loaded" and not axis["differences"]
         message = str(axis["message"])
-        if axis["verdict"] != "loaded":
+        if axis["verdict"] == "unreadable":
+            message = f"what the files read back do cannot be told: {message}"
+        elif axis["verdict"] != "loaded":
             unit = unit_text(axis["unit"])
             place = f"{plain(axis['at'])} arriving in {axis['direction']}"
             message += (

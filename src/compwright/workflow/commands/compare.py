@@ -17,7 +17,7 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Axis, Direction, FloatArray
-from compwright.records.correction import ControlFile
+from compwright.records.correction import ControlFile, ControlState
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.verification.read_back import SAME, judge_read_back
@@ -64,8 +64,8 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
         control, plan.states.get(AS_FOUND, ()), axes, active=plan.active.get(AS_FOUND)
     )
     files, wish = _written(control.in_state(as_found.state), plan, as_found)
-    found = decode(control, read_files(loaded), axes)
-    raise_all(InputError, list(_unsaid(axes, found, loaded)))
+    given = read_files(loaded)
+    found = _found(control, given, axes, loaded)
     names = {
         address: axis.name
         for axis in axes
@@ -74,18 +74,35 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     }
     read_back = read_back_differences(
         control,
-        side(control, files, "the plan", found.files),
-        side(control, found.files, "read back", files),
+        side(control, files, "the plan", given),
+        side(control, given, "read back", files),
         names,
     )
+    if isinstance(found, InputError) and not (read_back.own or read_back.others.differences):
+        raise found
     compared = {
         entry.axis.name: _compared(entry, wish, found, as_found, read_back.own) for entry in planned
     }
-    findings = (*control.findings, *found.state.findings, *read_back.findings)
-    document = compare_document(
-        plan.format, compared, read_back.others, found.state.assumed, tuple(dict.fromkeys(findings))
+    state = (
+        ControlState(format=plan.format, axes={}) if isinstance(found, InputError) else found.state
     )
+    findings = tuple(dict.fromkeys((*control.findings, *state.findings, *read_back.findings)))
+    document = compare_document(plan.format, compared, read_back.others, state.assumed, findings)
     return CompareOutcome(0 if document["verdict"] == "same" else 1, document)
+
+
+def _found(
+    control: Control, files: Sequence[ControlFile], axes: Sequence[Axis], loaded: Sequence[Path]
+) -> DecodedState | InputError:
+    """Return what the files that were read back do; or why the control would refuse them: what was
+    changed may be the reason. Raises InputError where they say nothing of an axis.
+    """
+    try:
+        found = decode(control, files, axes)
+    except InputError as error:
+        return error
+    raise_all(InputError, list(_unsaid(axes, found, loaded)))
+    return found
 
 
 def _written(
@@ -109,12 +126,16 @@ def _written(
 def _compared(
     entry: PlannedAxis,
     wish: DecodedState | None,
-    found: DecodedState,
+    found: DecodedState | InputError,
     as_found: DecodedState,
     own: Mapping[str, Sequence[Difference]],
 ) -> ComparedAxis:
-    """Return what differs for one axis of the plan."""
+    """Return what differs for one axis of the plan; ``found`` an error: why nobody can tell what
+    was read back does.
+    """
     axis = entry.axis
+    if isinstance(found, InputError):
+        return ComparedAxis(axis.address, axis.kind, str(found), tuple(own.get(axis.name, ())))
     read_back = judge_read_back(
         correction_of(wish, axis),
         correction_of(found, axis),
