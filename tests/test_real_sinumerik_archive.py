@@ -149,6 +149,22 @@ def test_what_stands_in_a_container_counts_as_in_text(special: Special, judged: 
     good(judged(Packed.of(case)), written=True)
 
 
+@pytest.mark.parametrize("packed", [False, True], ids=["text", "container"])
+@pytest.mark.parametrize("seed", [0, 1])
+def test_one_table_in_the_place_of_tables_of_the_axis_over_itself(
+    packed: bool, seed: int, judged: Judge
+) -> None:
+    """The card has them switched off before they are emptied, and the sum on again behind that:
+    while MD32710 is on the control takes no value of them.
+    """
+    case = named(variations.table_over_itself, seed)
+    case.options |= {"cec": "available", "cec_tables": "[9, 10]"}
+    case.table["mode"] = "single"
+    case.written_tables = {"9", "10"}
+    outcome = good(judged(Packed.of(case) if packed else case), written=True)
+    assert outcome.after < 1.2 * outcome.predicted
+
+
 @pytest.mark.parametrize("seed", [2, 5, 12])
 def test_small_files_instead_of_patched_ones(seed: int, judged: Judge) -> None:
     case = case_of(seed)

@@ -104,6 +104,8 @@ def _axis_values(definition: Definition, axis: Axis) -> dict[str, str]:
         "reference_return": axis.reference_return.value,
         "unit": axis.kind.unit,
         "gantry": gantry_words(axis),
+        "emptied": "",
+        "woken": "",
         "referencing": REFERENCING[axis.encoder.type],
         **files,
     }

@@ -66,7 +66,7 @@ class Family(ABC):
     #: What would let tables be counted with of which nobody knows what they do.
     untold_help = ""
     #: What the user gives instead of a container that cannot be opened.
-    export_instead = "text as the control exports it"
+    export_instead = "text as the control exports it, in ASCII or another 8-bit character set"
     #: The number without which tables cannot be read, where their control has one.
     left_open: LeftOpen | None = None
 

@@ -32,7 +32,7 @@ from compwright.formats.text.container import (
 )
 from compwright.formats.text.gathering import Found, Gathered, gather
 from compwright.formats.text.notes import Notes
-from compwright.formats.text.texts import ReadText, text_reader
+from compwright.formats.text.texts import BINARY, ReadText, text_reader
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.records.axis import Axis
 from compwright.records.correction import (
@@ -246,14 +246,12 @@ class GridReader:
             what = "" if is_container(file) else unknown_container(file.content)
             if len(_COLUMNS.findall(file.content)) > _FEW:
                 what = "a listing in columns, without the values of the tables,"
-            if what:
-                self.notes.faults.append(
-                    Fault(
-                        message=f"is {what} which cannot be read",
-                        file=file.name,
-                        expected=self.control.export_instead,
-                    )
-                )
+            message = f"is {what} which cannot be read" if what else ""
+            if not (message or is_container(file)) and BINARY.search(file.content):
+                message = "is not a text file (a binary archive?)"
+            if message:
+                expected = self.control.export_instead
+                self.notes.faults.append(Fault(message=message, file=file.name, expected=expected))
         raise_all(InputError, self.notes.faults)
 
     def _tell_sources(self, files: Sequence[ControlFile]) -> None:

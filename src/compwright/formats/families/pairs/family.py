@@ -19,7 +19,12 @@ from compwright.formats.families.grid.family import GridFamily
 from compwright.formats.families.pairs.between import pairs_between
 from compwright.formats.families.pairs.capacity import PairLimits
 from compwright.formats.families.pairs.entered import entered, whereabouts
-from compwright.formats.families.pairs.options import available, holds_two_curves, reserving
+from compwright.formats.families.pairs.options import (
+    allowed_tables,
+    available,
+    holds_two_curves,
+    reserving,
+)
 from compwright.formats.families.pairs.small_files import SmallFiles
 from compwright.formats.families.pairs.state import PairsReader
 from compwright.formats.families.pairs.state_writing import PairsWriter
@@ -157,6 +162,36 @@ class PairsFamily(GridFamily):
         """See `Family.between`: tables of their own, where the control has them."""
         return pairs_between(self, asked) if available(self.options) else super().between(asked)
 
+    def named_files(self, axis: Axis, written: Sequence[str]) -> dict[str, str]:
+        """See `Family.named_files`: one table on an axis, and those over itself that it empties."""
+        names = super().named_files(axis, written)
+        table, emptied = names.get("file_1", ""), names.get("file_3", "")
+        if table in written and emptied in written:
+            names["file_1"] = f"{emptied} and {table}"
+        return names
+
+    def _around_emptied(self, axis: Axis) -> dict[str, str]:
+        """Return what the card says around tables of an axis over itself in whose place one table
+        goes: on, they are protected, and would keep their values.
+        """
+        address = self.address(axis)[0]
+        used = self.state.tables.used if self.state is not None else {}
+        allowed = allowed_tables(self.definition, self.options_of(axis))
+        mine = [str(one) for one, pair in used.items() if pair == (address, address)]
+        mine = [one for one in mine if int(one) in allowed]
+        if not mine:
+            return {}
+        which = f"{'table' if len(mine) == 1 else 'tables'} {' and '.join(mine)}"
+        switch = f"MD32710 $MA_CEC_ENABLE[{address}]"
+        return {
+            "emptied": (
+                f" Set {switch} = 0 (note what it was) and SD41300 $SN_CEC_TABLE_ENABLE = 0 for the"
+                f" {which}, NEW CONF: what the new table takes the place of is emptied, and"
+                " protected while it is on."
+            ),
+            "woken": f"If MD32710 was on: set {switch} = 1 again, NEW CONF. ",
+        }
+
     def card_values(
         self,
         axis: Axis,
@@ -168,6 +203,8 @@ class PairsFamily(GridFamily):
         values = super().card_values(axis, compensation, facts, check_at)
         if not np.array_equal(compensation.positive, compensation.negative):
             values[CURVES] = "2"
+        else:
+            values |= self._around_emptied(axis)
         if facts.pairs.own is not None:
             which = f"the tables {' and '.join(map(str, facts.pairs.own))}"
             points = int(compensation.positions.size)
