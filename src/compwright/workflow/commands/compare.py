@@ -31,7 +31,7 @@ from compwright.workflow.stages.control import (
     read_files,
 )
 from compwright.workflow.stages.cross_tables import write_planned
-from compwright.workflow.stages.differences import side
+from compwright.workflow.stages.differences import Side, side
 from compwright.workflow.stages.read_back import read_back_differences
 from compwright.workflow.stages.two_readers import probe_positions
 from compwright.workflow.stages.written import write_fitted
@@ -72,13 +72,10 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
         for address in (axis.address, axis.gantry)
         if address is not None
     }
-    read_back = read_back_differences(
-        control,
-        side(control, files, "the plan", given),
-        side(control, given, "read back", files),
-        names,
-    )
-    if isinstance(found, InputError) and not (read_back.own or read_back.others.differences):
+    back = side(control, given, "read back", files)
+    read_back = read_back_differences(control, side(control, files, "the plan", given), back, names)
+    differs = read_back.own or read_back.others.differences
+    if isinstance(found, InputError) and not (differs and _speak_of(control, back, axes)):
         raise found
     compared = {
         entry.axis.name: _compared(entry, wish, found, as_found, read_back.own) for entry in planned
@@ -103,6 +100,17 @@ def _found(
         return error
     raise_all(InputError, list(_unsaid(axes, found, loaded)))
     return found
+
+
+def _speak_of(control: Control, back: Side, axes: Sequence[Axis]) -> bool:
+    """Whether what was read back holds something of every axis."""
+    named = {
+        address
+        for entry in back.entries.values()
+        if entry.acts
+        for address in control.format.whereabouts(entry, back.entries, back.state)[0]
+    }
+    return all(axis.address in named for axis in axes)
 
 
 def _written(
