@@ -475,15 +475,17 @@ def turned(definition: Definition) -> None:
 def choices(definition: Definition) -> None:
     """What holds for the whole control cannot be an axis' own, and a program comes on request."""
     mine = with_unit(axis("1"), 0.001)
-    for name in ("straightness", "program"):
+    beside = ("straightness", "inclination", "cyclic")
+    for name in (*beside, "program"):
         try:
             control(definition).scale_of(replace(mine, options={name: "absent"}))
         except UsageError as error:
             assert "whole control" in str(error)  # noqa: PT017
         else:
             raise AssertionError(name)
-    assert control(definition).options["straightness"] == "absent"
-    assert control(definition, straightness="available").options["straightness"] == "available"
+    for name in beside:
+        assert control(definition).options[name] == "absent"
+        assert control(definition, **{name: "available"}).options[name] == "available"
     try:
         control(definition).write([new_table("1", 0.001)], [mine])
     except UsageError as error:
