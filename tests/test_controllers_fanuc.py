@@ -774,12 +774,17 @@ class TestText:
         )
         first = "N03620Q1A1P40\nN03621Q1A1P37\nN03622Q1A1P44\nN03623Q1A1P1\nN03624Q1A1M50.0\n"
         mine = mine.replace("%\n", "%\n" + first, 1).removesuffix("%\n")
-        with pytest.raises(InputError, match="points 40 to 44 belong to axis 1 and to axis 2"):
-            control(mine, other.format(r=42, low=40, high=44, k=1))
-        with pytest.raises(InputError, match="points 37 to 44 belong to axis 1 and to axis 2"):
-            control(
-                mine, other.format(r=41, low=37, high=44, k=1)
-            )  # the same range, counted from another place
+        # Axis 2 counts from number 42: 43 and 44 (0, -1) lie above, 42, 41, 40 (1, 2, 1) below it.
+        shared = control(mine, other.format(r=42, low=40, high=44, k=1))
+        assert values(shared, [-150, -100, -50, 0, 50, 100], UP, "2") == [
+            -0.004, -0.003, -0.001, 0.0, 0.0, -0.001,
+        ]  # fmt: skip
+        assert values(shared, [100], UP) == [0.003]
+        assert any("points 40 to 44 as axis 1, in another way" in note for note in shared.notes)
+        # the same range, counted from another place
+        beside = control(mine, other.format(r=41, low=37, high=44, k=1))
+        assert values(beside, [50], UP, "2") == [0.001]
+        assert any("points 37 to 44 as axis 1, in another way" in note for note in beside.notes)
         gantry = control(mine, other.format(r=40, low=37, high=44, k=1))
         assert values(gantry, [100], UP, "2") == [0.003]
         assert any("in the same way" in note for note in gantry.notes)

@@ -199,7 +199,7 @@ def _control(files: Sequence[ControlFile], request: Request, series: Series) -> 
     grids |= {
         axis: loader.neighbour(axis, options[axis]) for axis in memory.axes() if axis not in grids
     }
-    _check_shared(loader, {axis: grid for axis, grid in grids.items() if grid is not None})
+    _note_shared(loader, {axis: grid for axis, grid in grids.items() if grid is not None})
     axes = {}
     for axis, grid in grids.items():
         with loader.stopping_nothing(axis):
@@ -322,21 +322,21 @@ def _axis(loader: AxisLoader, axis: int, grid: Grid | None, options: Options) ->
     )
 
 
-def _check_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
-    """All axes share one array of points: two that use a number differently contradict each other.
+def _note_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
+    """All axes share one array of points: what two of them use serves both, and is noted.
 
-    An axis whose magnification is 0 uses none; that its range meets another's is only noted.
+    An axis whose magnification is 0 uses none; that its range meets another's is noted too.
     """
     owners: dict[int, list[int]] = {}
     for axis, grid in grids.items():
         for number in grid.numbers():
             owners.setdefault(number, []).append(axis)
-    clashes: dict[tuple[int, int], list[int]] = {}
+    meetings: dict[tuple[int, int], list[int]] = {}
     for number, sharing in owners.items():
         for other in sharing[1:]:
-            clashes.setdefault((sharing[0], other), []).append(number)
-    for (first, second), numbers in clashes.items():
-        _clash(loader, grids[first], grids[second], numbers)
+            meetings.setdefault((sharing[0], other), []).append(number)
+    for (first, second), numbers in meetings.items():
+        _sharing(loader, grids[first], grids[second], numbers)
     for axis in set(loader.memory.axes()) - set(grids):
         low, high = (loader.memory.whole_if_sound(number, axis) for number in (3621, 3622))
         if (
@@ -355,26 +355,12 @@ def _check_shared(loader: AxisLoader, grids: dict[int, Grid]) -> None:
         )
 
 
-def _clash(loader: AxisLoader, first: Grid, second: Grid, numbers: Sequence[int]) -> None:
-    """Note or refuse what two axes that share ``numbers`` mean by them; two that nobody asks for
-    stop nothing.
-    """
+def _sharing(loader: AxisLoader, first: Grid, second: Grid, numbers: Sequence[int]) -> None:
+    """Note what two axes that share ``numbers`` mean by them."""
     shared = number_list(numbers)
-    if first.same_use(second):
-        loader.note(
-            second.axis, f"uses the same points {shared} as axis {first.axis}, in the same way"
-        )
-    elif not (loader.asked(first.axis) or loader.asked(second.axis)):
-        loader.note(
-            second.axis,
-            f"uses points {shared} of axis {first.axis} in another way; nobody asks for either",
-        )
-    else:
-        loader.memory.faults.append(
-            loader.memory.setting(3621, second.axis).fault(
-                f"points {shared} belong to axis {first.axis} and to axis {second.axis} (3621,"
-                " 3622, 3626)",
-                expected="ranges that do not overlap",
-                found=shared,
-            )
-        )
+    how = (
+        "in the same way"
+        if first.same_use(second)
+        else "in another way: whoever changes them changes both axes"
+    )
+    loader.note(second.axis, f"uses the same points {shared} as axis {first.axis}, {how}")

@@ -4,9 +4,11 @@ parameters.
 - 30i, 31i, 32i: points 0 to 1535, increments above 7 (a real backup, software D4G3: N10000Q0P0 to
   N11535Q0P0, increments up to 10). Lengths are real numbers (the same backup).
 - 0i-D: increments -7 to 7; 8135#0 (NPE) = 1 switches stored pitch error compensation off
-  (connection manual, function, B-64303CM-1/01 p. 26). Its points 0 to 1023, its real lengths, and
-  all that is said of 0i-F: practice.
-- 0i-A to C, 16i, 18i, 21i: practice.
+  (connection manual, function, B-64303CM-1/01 p. 26). Q1 and real lengths: the backups of eleven
+  machines, as somebody described them. Its points 0 to 1023, and all that is said of 0i-F:
+  practice.
+- 0i-A to C, 16i, 18i, 21i: no Q and no decimal point in the backups of eight 18i machines, as
+  somebody described them; else practice.
 - 15i: parameters without Q (B-63330EN/03 p. 21, 25). Its pitch parameters have numbers of their
   own, 5420 to 5427; which bit switches two sets on, and what 5428 to 5499 hold, is not known. All
   practice, no page was found.
