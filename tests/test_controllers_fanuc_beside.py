@@ -528,3 +528,71 @@ def test_agrees_with_the_virtual_control_of_the_tests(seed: int) -> None:
     nodes = interval * np.arange(first - 1 - reference, last + 1 - reference, dtype=np.float64)
     bent = other.straightness(1, nodes)[2]
     assert box.cross_correction("1", "2", nodes, UP) == pytest.approx(bent, abs=EXACT)
+
+
+class TestTypedSheet:
+    """Rows of lines and of the second table, as an engineer types them."""
+
+    ROWS = (
+        "# address: 4\n# value: correction\npoint,position,value,unit\n"
+        "1851,,0,pulse\n3620,,40,\n3621,,40,\n3622,,44,\n3623,,1,\n3624,,90.0,deg\n3625,,360.0,deg\n"
+        "5861,,40,\n5862,,40,\n5863,,44,\n5864,,44,\n5871,,0,\n5872,,0,pulse\n5873,,0,\n5874,,0,\n"
+        "14985,,100,\n14986,,104,\n14987,,5.0,\n"
+        + "".join(f"{10000 + n},,0,pulse\n" for n in range(40, 45))
+        + "10100,,0,pulse\n10101,,3,pulse\n10102,,-1,pulse\n10103,,-2,pulse\n10104,,0,pulse\n"
+    )
+    COUNTED: ClassVar[dict[str, Any]] = {**UM, "cyclic": "available", "inclination": "available"}
+
+    def box(self, text: str, form: str = "fanuc-30i") -> VirtualControl:
+        kinds, modulo = {"4": AxisKind.ROTARY}, {"4": 360.0}
+        file = ControlFile("entry_B.csv", text.encode())
+        return virtual_control(form, [file], options=self.COUNTED, kinds=kinds, modulo=modulo)
+
+    def test_rows_of_the_second_table(self) -> None:
+        # 3, -1, -2 and 0 in the four sections of 5 degrees of a period
+        for text in (self.ROWS, self.ROWS.replace("5.0,\n", "5.0,deg\n")):
+            box = self.box(text)
+            assert um(box, (0, 5, 10, 15, 20, 25, 345), address="4") == [0, 3, 2, 0, 0, 3, 3]
+
+    def test_rows_of_lines(self) -> None:
+        # 0 at both ends of the turn, 6 at number 42 (180 degrees), straight between
+        bent = self.ROWS.replace("5863,,44,\n", "5863,,42,\n").replace("5873,,0,", "5873,,6,")
+        straight = bent.replace("14985,,100,", "14985,,0,").replace("14986,,104,", "14986,,0,")
+        straight = straight.replace("14987,,5.0,", "14987,,0.0,")
+        assert um(self.box(straight), (0, 90, 180, 270, 360), address="4") == [0, 3, 6, 3, 0]
+
+    @pytest.mark.parametrize(
+        ("old", "new", "fault"),
+        [
+            ("14985,,100,\n", "14985,,100,pulse\n", "line 19: unit of parameter 14985"),
+            ("14987,,5.0,\n", "14987,20,5.0,\n", "line 21: parameter 14987 has a position"),
+            ("14987,,5.0,\n", "14987,,5.0,mm\n", "unit of parameter 14987"),
+            ("5871,,0,\n", "5871,,0,deg\n", "line 15: unit of parameter 5871"),
+            ("14987,,5.0,\n", "14987,,5.0,\n14987,,30.0,\n", "14987 .*contradicts"),
+        ],
+    )
+    def test_rows_that_cannot_be_meant(self, old: str, new: str, fault: str) -> None:
+        with pytest.raises(InputError, match=fault):
+            self.box(self.ROWS.replace(old, new))
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [
+        ("N01820Q1A1P2\n", "N01820Q1A1P20\n"),
+        ("N05871Q1A1P10\n", "N05871Q1A1P12\n"),
+        ("N14987Q1A1P2.0\n", "N14987Q1A1P4.0\n"),
+        ("N00981Q1A1P1\n", "N00981Q1A1P2\n"),
+    ],
+)
+def test_one_number_with_two_values_is_refused(first: str, second: str) -> None:
+    """Two dumps one after the other, or two files: nobody knows which one is in the control."""
+    start = tape("N01013Q1A1P00000010\nN01851Q1A1P4\n", first)
+    files = [ControlFile("A.TXT", start.encode()), ControlFile("B.TXT", tape(second).encode())]
+    number, options = first[1:6].lstrip("0"), {} if "1820" in first else UM
+    with pytest.raises(
+        InputError, match=rf"B\.TXT: line 2: .*{number}.*contradicts A\.TXT, line 4"
+    ):
+        virtual_control("fanuc-30i", files, options=options)
+    same = [files[0], ControlFile("B.TXT", tape(first).encode())]
+    assert virtual_control("fanuc-30i", same, options=options).addresses() == ("1",)

@@ -16,6 +16,7 @@ _TOTALS = 3602
 
 def stopping(memory: Memory, axis: int, *, rotary: bool) -> Iterator[Fault]:
     """Yield a fault for each thing around an axis that cannot be counted with."""
+    yield from memory.machine.contradicting(axis)
     yield from refusing(memory.machine, axis)
     yield from _paths(memory, axis, rotary=rotary)
 

@@ -223,12 +223,11 @@ def _memory(files: Sequence[ControlFile], request: Request, series: Series) -> M
     def pitch_sign(address: str) -> str:
         return str(request.options_of(address).get("pitch_sign", "+"))
 
-    contents = [
-        read_sheet(file, pitch_sign, series) if is_sheet(file) else read_file(file, series)
-        for file in files
-    ]
-    machine = read_machine((file for file in files if not is_sheet(file)), series)
-    memory = Memory(contents, series, machine)
+    sheets = [read_sheet(file, pitch_sign, series) for file in files if is_sheet(file)]
+    texts = [file for file in files if not is_sheet(file)]
+    machine = read_machine(texts, series)
+    machine.typed(setting for sheet in sheets for setting in sheet.settings)
+    memory = Memory([*(read_file(file, series) for file in texts), *sheets], series, machine)
     if not memory.axes() and not memory.faults:
         memory.faults.append(
             Fault(

@@ -17,10 +17,11 @@ from __future__ import annotations
 
 import re
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
 from compwright.controllers.fanuc.series import Series
+from compwright.controllers.fanuc.text import Setting
 from compwright.foundations.errors import Fault
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.records.correction import ControlFile
@@ -96,6 +97,34 @@ class Machine:
 
     series: Series
     entries: dict[int, dict[Owner, Entry]] = field(default_factory=lambda: defaultdict(dict))
+    #: What contradicts an entry: whose value it is, and the fault.
+    contradictions: list[tuple[Owner, Fault]] = field(default_factory=list)
+
+    def take(self, owner: Owner, entry: Entry) -> None:
+        """Keep a value; another one for the same owner contradicts it."""
+        kept = self.entries[entry.number].setdefault(owner, entry)
+        letters = {kept.letter, entry.letter}
+        if _numeral(kept.text) != _numeral(entry.text) or letters == {"M", "I"}:
+            whose = " of {}{}".format(*owner) if owner[0] else ""
+            fault = entry.fault(
+                f"{entry.number}{whose} contradicts {kept.file}, line {kept.line}", kept.text
+            )
+            self.contradictions.append((owner, fault))
+
+    def typed(self, settings: Iterable[Setting]) -> None:
+        """Keep what a typed-entry sheet says beside the pitch parameters."""
+        for each in settings:
+            if each.number in _KEPT and each.axis is not None:
+                entry = Entry(each.number, each.keyword, each.text, each.file, each.line)
+                self.take(("A", each.axis), entry)
+
+    def contradicting(self, axis: int) -> Iterator[Fault]:
+        """Faults of the values that may hold for an axis."""
+        return (
+            fault
+            for (letter, number), fault in self.contradictions
+            if letter != "A" or number == axis
+        )
 
     def path(self, axis: int) -> int | None:
         """Return the path of an axis, None where 981 does not say it (0 is the first)."""
@@ -202,7 +231,13 @@ def read_machine(files: Iterable[ControlFile], series: Series) -> Machine:
             for letter, index, keyword, text in _GROUP.findall(rest):
                 if number >= _POINTS_FROM and match[2] is None and not letter:
                     continue  # without Q1 and without an owner this is a point
-                machine.entries[number][(letter, int(index or 0))] = Entry(
-                    number, keyword, text, file.name, line
-                )
+                entry = Entry(number, keyword, text, file.name, line)
+                machine.take((letter, int(index or 0)), entry)
     return machine
+
+
+def _numeral(text: str) -> float | str:
+    try:
+        return float(text)
+    except ValueError:
+        return text

@@ -3,8 +3,8 @@ by row.
 
 Comments ``# key: value`` (``address`` or ``axis``: controlled axis number; ``value``: what the
 numbers are), a header ``point,position,value,unit``, then rows: the point is a number of pitch data
-(10000 + n, or n) with its increment in pulses, or a parameter (``3620``, ``3605#0``) without
-position. Comma and decimal point.
+(10000 + n, or n) with its increment in pulses, or a parameter (``3620``, ``3605#0``, one of an
+inclination or of the second table) without position. Comma and decimal point.
 """
 
 from __future__ import annotations
@@ -26,6 +26,9 @@ PARAMETERS: dict[tuple[int, int | None], frozenset[str]] = {
     },
     **{(number, None): frozenset({"mm", "deg"}) for number in (3624, 3625)},
     (3605, 0): frozenset({""}),
+    **{(number, None): frozenset({""}) for number in (*range(5861, 5865), 14985, 14986)},
+    **{(number, None): frozenset({"", "pulse"}) for number in range(5871, 5875)},
+    (14987, None): frozenset({"", "mm", "deg"}),
 }
 #: No FANUC has more points; below the parameters' numbers, so a bare number is one or the other.
 _POINTS_BELOW = 1536
