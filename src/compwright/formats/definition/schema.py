@@ -33,7 +33,6 @@ MEASURES = (
     "cross_start",
     "cross_end",
     "cross_spacing",
-    "cross_max_sum",
 )
 CHOICES = (
     "repeats",
@@ -88,6 +87,7 @@ PLAIN = (
     "cross_direction",
     "cross_multiplier",
     "cross_weight",
+    "cross_max_sum",
     "cross_max_points",
     "cross_type",
     "cross_input_ncu",
