@@ -165,6 +165,22 @@ def test_one_table_in_the_place_of_tables_of_the_axis_over_itself(
     assert outcome.after < 1.2 * outcome.predicted
 
 
+class Listed(Case):
+    """A case whose job is given the tables as a listing with decimal commas."""
+
+    def given(self) -> dict[str, str]:
+        commas = re.sub(r"(=[ \t]*[-+]?[0-9]+)\.([0-9]+)", r"\1,\2", self.eec)
+        return {**super().given(), "AX_EEC.INI": commas}
+
+
+def test_a_listing_with_decimal_commas(judged: Judge) -> None:
+    case = named(variations.nothing, axis="AX2")
+    listed = Listed(**vars(case))
+    listed.truth = case.holds()
+    outcome = good(judged(listed), written=True)
+    assert sorted(outcome.files) == ["Y1_EEC.INI", "Y1_MD.INI"]
+
+
 @pytest.mark.parametrize("seed", [2, 5, 12])
 def test_small_files_instead_of_patched_ones(seed: int, judged: Judge) -> None:
     case = case_of(seed)
