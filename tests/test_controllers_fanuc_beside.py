@@ -596,3 +596,23 @@ def test_one_number_with_two_values_is_refused(first: str, second: str) -> None:
         virtual_control("fanuc-30i", files, options=options)
     same = [files[0], ControlFile("B.TXT", tape(first).encode())]
     assert virtual_control("fanuc-30i", same, options=options).addresses() == ("1",)
+
+
+def test_a_contradiction_stops_the_axis_that_it_may_hold_for() -> None:
+    def two(first: str, second: str, *asked: str) -> VirtualControl:
+        start = tape("N01851Q1A1P4A2P6\n", first).encode()
+        files = [ControlFile("A.TXT", start), ControlFile("B.TXT", tape(second).encode())]
+        return virtual_control("fanuc-30i", files, options=UM, asked=asked)
+
+    with pytest.raises(InputError, match="5871 of A2 contradicts"):
+        two("N05871Q1A2P10\n", "N05871Q1A2P12\n", "2")
+    assert um(two("N05871Q1A2P10\n", "N05871Q1A2P12\n", "1"), [5], DOWN) == [-4]
+    for pair in (
+        ("N01001Q1L1P00000000\n", "N01001Q1L1P00000001\n"),
+        ("N10800Q1L1P1\n", "N10800Q1L1P2\n"),
+        ("N01800Q1P00010000\n", "N01800Q1P00000000\n"),
+        ("N01260Q1A1M360.0\n", "N01260Q1A1I360.0\n"),
+    ):
+        with pytest.raises(InputError, match=r"contradicts A\.TXT, line 3"):
+            two(*pair, "1")
+    assert um(two("N01260Q1A1M360.0\n", "N01260Q1A1M360\n", "1"), [5], DOWN) == [-4]
