@@ -33,12 +33,12 @@ def findings(bench: Bench, axis: str) -> dict[str, str]:
 def test_numbers_interval_and_reference_stay_where_the_job_says_no_spacing(
     axis: str, tmp_path: Path
 ) -> None:
-    bench = Bench(tmp_path)
+    bench = Bench(tmp_path, points=POINTS | {300: 7})
     assert bench.run(axis) == 0
     parameters, points = bench.written()
     assert grid(parameters, axis) == grid(bench.parameters, axis)
     first, last = (int(said(parameters, number, AXES[axis])) for number in (3621, 3622))
-    moved = {number for number in points if points[number] != POINTS.get(number, 0)}
+    moved = {number for number in points if points[number] != bench.points.get(number, 0)}
     assert moved <= set(range(first, last + 1))  # of B not 300 either, its reference's own number
     assert bench.left(axis) < (0.0018 if axis == "B" else 0.006)  # 12 sections of B's 0.006 deg
 
@@ -91,6 +91,15 @@ def test_a_reference_at_an_end_of_the_numbers_stays_there(
     parameters, points = bench.written()
     assert grid(parameters, "X") == grid(bench.parameters, "X")
     assert {n for n in points if points[n] != POINTS.get(n, 0)} <= {*range(first, last + 1)}
+
+
+def test_a_rotary_axis_with_ends_gets_its_numbers_in_order(tmp_path: Path) -> None:
+    """3621 = 3620 + 1 is known of an endless axis alone: with ends 3621 <= 3620 is written."""
+    bench = Bench(tmp_path, {(1006, "4"): "00000011"})
+    assert bench.run("B", axes={"B": "modulo: -"}) == 0
+    parameters, _ = bench.written()
+    assert [said(parameters, number, 4) for number in (3620, 3621, 3622)] == ["300", "300", "312"]
+    assert float(said(parameters, 3624, 4)) == 30.0
 
 
 def test_both_sets_keep_their_numbers(tmp_path: Path) -> None:

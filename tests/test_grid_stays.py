@@ -73,17 +73,15 @@ class Visit:
     folder: Path
     files: list[ControlFile]
 
-    def run(self, *options: str, machine: Machine = LATER, travel: str = "") -> int:
+    def run(self, *options: str, machine: Machine = LATER, acting: bool = True) -> int:
         home = self.folder / f"at-{machine.bow}"
         home.mkdir(exist_ok=True)
         for file in self.files:
             (home / file.name).write_bytes(file.content)
-        now = loaded(self.files, self.name, machine) if self.files else None
+        now = loaded(self.files, self.name, machine) if self.files and acting else None
         (self.folder / "x.csv").write_text(csv_of(TARGETS, machine.measure(TARGETS, 1, now)))
         states = [str(home / file.name) for file in self.files] or ["none"]
         words = run_arguments(self.folder, self.name, machine, *states)
-        if travel:
-            words[words.index("--travel") + 1] = travel
         return compwright([*words, "--force", *(f"--option={each}" for each in options)])
 
     def written(self) -> list[ControlFile]:
@@ -157,6 +155,20 @@ def test_a_table_that_is_switched_off_has_a_grid_all_the_same(name: str, visit: 
     assert files != there.files
     off = Visit(name, there.folder, files)
     assert off.run(*(["active=no"] if name.startswith("siemens") else [])) == 0
+    assert np.array_equal(there.nodes(there.files), off.nodes(off.written()))
+
+
+@pytest.mark.parametrize("name", ["isg-kernel", "heidenhain-nck", "siemens-840d-sl"])
+def test_a_table_that_did_not_act_as_the_job_says_has_a_grid_all_the_same(
+    name: str, visit: Start
+) -> None:
+    there = visit(name)
+    says = [
+        replace(file, content=file.content.replace(b"$MA_ENC_COMP_ENABLE[0,AX1]=1\n", b""))
+        for file in there.files
+    ]
+    off = Visit(name, there.folder, says)
+    assert off.run("active=no", acting=False) == 0
     assert np.array_equal(there.nodes(there.files), off.nodes(off.written()))
 
 
