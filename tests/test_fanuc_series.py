@@ -102,6 +102,34 @@ def test_a_control_without_the_function_gets_no_table(format_id: str) -> None:
     assert control.read([one_file(format_id, more="N08135Q1P11111110")], [LINEAR]).axes
 
 
+@pytest.mark.parametrize("system", ["00000001", "00000010"])
+def test_a_whole_interval_of_another_increment_system_is_refused(system: str) -> None:
+    """3624 counts least input increments on these series: 0.001 mm by IS-B. Taken for 0.001 by IS-C
+    the grid would be wrong by ten.
+    """
+    control = control_format(DEFINITIONS["fanuc-0i-16i"], {"detection_unit": 0.001})
+    given = one_file("fanuc-0i-16i", more=f"N01004P{system}")
+    with pytest.raises(InputError, match="3624 has no decimal point, and the increment system is"):
+        control.read([given], [LINEAR])
+    pointed = ControlFile("ALL.TXT", given.content.replace(b"P10000\n", b"P10.0\n", 1))
+    assert control.read([pointed], [LINEAR]).axes["1"].positions[0] == -30.0
+    plain = one_file("fanuc-0i-16i", more="N01004P00000000")
+    assert control.read([plain], [LINEAR]).axes["1"].positions[0] == -30.0
+
+
+@pytest.mark.parametrize("limits", [("1.0", "-1.0"), ("0.0", "0.0")])
+def test_limits_that_a_control_ships_are_no_travel(limits: tuple[str, str]) -> None:
+    """1320 below or at 1321 switches the limit off: 31 of 31 backups of machines hold -1 and 1."""
+    low, high = limits
+    more = f"N01320Q1A1P{high} N01321Q1A1P{low}"
+    control = control_format(DEFINITIONS["fanuc-30i"], {"detection_unit": 0.001})
+    state = control.read([one_file("fanuc-30i", more=more)], [LINEAR])
+    assert "CW-S045" not in [finding.code for finding in state.findings]
+    said = state.facts["1"].limits
+    assert said is not None
+    assert not said[0] < said[1]
+
+
 # --- 15i: numbers that no page confirms
 # --------------------------------------------------------------------------------------------------
 

@@ -65,6 +65,14 @@ class AxisValues(Values):
             message = f"parameter {self.name(quantity)} is a length and needs a decimal point"
             self.notes.refuse(self.label, message, found, expected="a number such as 50.0")
             return None
+        system = self.own.system
+        if system is not None and (system.bit(0) or system.bit(1)):
+            message = (
+                f"parameter {self.name(quantity)} has no decimal point, and the increment system is"
+                f" not IS-B ({system.label}): no page says what such a number counts then"
+            )
+            self.notes.refuse(self.label, message, found, expected="IS-B, or a number such as 50.0")
+            return None
         return number * (Decimal("0.0001") if inch else Decimal("0.001"))
 
     def in_inches(self, key: str, kind: AxisKind) -> bool:
