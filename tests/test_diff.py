@@ -285,6 +285,18 @@ def test_a_backup_that_the_control_would_refuse_is_compared_by_its_entries(tmp_p
     assert not answer["corrections_compared"]
 
 
+def test_the_scale_of_a_joint_is_no_other_line(tmp_path: Path) -> None:
+    old = sample(DEFINITIONS["linuxcnc"])
+    more = old["joint_0.ini"] + b"SCALE = 1000\nMAX_VELOCITY = 10\nMAX_LIMIT = 300\n"
+    old["joint_0.ini"] = more
+    faster = more.replace(b"= 10\n", b"= 12\n").replace(b"300", b"310")
+    code, answer = diff(tmp_path / "a", old, {**old, "joint_0.ini": faster}, "linuxcnc")
+    assert (code, answer["axes"], answer["machine"], len(answer["other"])) == (1, {}, [], 2)
+    scaled = more.replace(b"= 1000", b"= 1001")
+    _, answer = diff(tmp_path / "b", old, {**old, "joint_0.ini": scaled}, "linuxcnc")
+    assert [one["quantity"] for one in answer["machine"]] == ["joint_0.ini: [JOINT_0] SCALE"]
+
+
 def test_tables_of_tools_in_a_backup_are_counted_apart(tmp_path: Path) -> None:
     """tool.t of an NCK control stands beside the .COM files (form: github drunsinn/pyLSV2)."""
     tool = "BEGIN TOOL.T MM Version: 'Update:110.24'\nT   NAME  L\n1   MILL  +{}\n[END]\n"

@@ -19,6 +19,8 @@ from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.records.correction import ControlFile
 
 _SETTING = re.compile(r"[ \t]*([^=:]+?)[ \t]*[=:][ \t]*(.*?)[ \t]*")
+#: Quantities of a definition that compensate nothing.
+_SILENT = frozenset({"limit_low", "limit_high", "axis_name"})
 _SECTION = re.compile(r"[ \t]*\[([^\]]+)\][ \t]*")
 
 
@@ -96,10 +98,15 @@ def by_statements(definition: Definition, files: Sequence[ControlFile]) -> dict[
     """
     found: dict[str, Entered] = {}
     texts = texts_of(files)
+    quantities: dict[str, list[str]] = {}
+    for quantity, binding in definition.bindings.items():
+        quantities.setdefault(binding.statement, []).append(quantity)
     for key, entry in entries_of(definition, texts):
-        name = entry.label
+        bound = quantities.get(key[1], [])
+        meaning = ", ".join(bound).replace("_", " ")
+        acts = not bound or not _SILENT.issuperset(bound)
         found["|".join(key)] = Entered(
-            name, key[1], entry.text, key[0], 0, entry.address or "", acts=True
+            entry.label, key[1], entry.text, key[0], 0, entry.address or "", acts, meaning
         )
     for text in texts:
         if not is_entry_sheet(text):

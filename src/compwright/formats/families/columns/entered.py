@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.columns.acting import bare_name
@@ -24,8 +25,17 @@ from compwright.formats.text.entered import Entered, by_statements
 from compwright.foundations.errors import Fault, InputError, raise_all
 from compwright.records.correction import ControlFile
 
-#: Parameters beside those of the definition that act on an axis or its zero.
-_ACTING = re.compile(r"MP(?:71[0-6]|720|730|75[0-2]|960)\b", re.IGNORECASE)
+#: Parameters that act on an axis or its zero, by their number.
+_PARAMETERS = {
+    range(710, 711): "backlash",
+    range(711, 717): "reversal spikes",
+    range(720, 721): "linear error",
+    range(730, 731): "which of line and table acts",
+    range(750, 753): "reversal error",
+    range(960, 961): "machine datum",
+}
+_NUMBER = re.compile(r"MP([0-9]+)\b", re.IGNORECASE)
+_WORDS = {POSITION: "position of the point", SECOND: "value for travel in -"}
 _INDEX = re.compile(r"MP[0-9]+\.([0-9]+)", re.IGNORECASE)
 
 
@@ -40,10 +50,11 @@ def entered(definition: Definition, files: Sequence[ControlFile]) -> dict[str, E
     raise_all(InputError, faults)
     rest = by_statements(definition, [file for file in files if file not in tables])
     for key, entry in rest.items():
-        acts = entry.acts or _ACTING.search(entry.name) is not None
-        found[key] = Entered(
-            entry.name, entry.group, entry.text, entry.file, entry.line, entry.axis, acts
-        )
+        match = _NUMBER.search(entry.name)
+        number = int(match[1]) if match is not None else 0
+        meaning = next((words for known, words in _PARAMETERS.items() if number in known), "")
+        acts = entry.acts or bool(meaning)
+        found[key] = replace(entry, acts=acts, meaning=meaning or entry.meaning)
     return found
 
 
@@ -52,14 +63,16 @@ def _cells(table: UserTable) -> Iterator[tuple[str, Entered]]:
     for key, token in table.head.items():
         if key != "name":
             name = f"{file}: {key}"
-            yield name, Entered(name, f"{file}: {key}", token.text, file, 1, "", acts=True)
+            meaning = f"{key} of the table"
+            yield name, Entered(name, name, token.text, file, 1, acts=True, meaning=meaning)
     for number, row in enumerate(table.rows):
         for column, cell in row.cells.items():
             if column == ROW_NUMBER:
                 continue
             name = f"{file} row {number} {column}"
             group = f"{file}: column {column}"
-            yield name, Entered(name, group, cell.text, file, row.line, "", acts=True)
+            words = _WORDS.get(column, f"value of {column}" if table.kind == "values" else column)
+            yield name, Entered(name, group, cell.text, file, row.line, acts=True, meaning=words)
 
 
 def whereabouts(

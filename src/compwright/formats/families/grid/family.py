@@ -14,11 +14,13 @@ from compwright.formats.families.between import Asked, Between, instead
 from compwright.formats.families.card_words import table_values
 from compwright.formats.families.family import AxisTable, Family, sound
 from compwright.formats.families.grid.capacity import AxisLimits
+from compwright.formats.families.grid.entered import entered
 from compwright.formats.families.grid.joints import other_joints
 from compwright.formats.families.grid.loading import loading_order
 from compwright.formats.families.grid.reading import GridReader
 from compwright.formats.families.grid.shapes import shape_of
 from compwright.formats.families.grid.writing import GridWriter
+from compwright.formats.text.entered import Entries
 from compwright.foundations.errors import CapacityError, Fault, raise_all
 from compwright.records.axis import Axis, FloatArray
 from compwright.records.capacity import Capacity
@@ -31,6 +33,11 @@ class GridFamily(Family):
 
     reader: type[GridReader] = GridReader
     writer: type[GridWriter] = GridWriter
+
+    def entered(self, files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) -> Entries:
+        """See `Family.entered`."""
+        del naming
+        return entered(self.definition, files)
 
     def read(
         self,
