@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 
@@ -18,6 +19,7 @@ from compwright.formats.text.diff import compare_files
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Encoder
 from compwright.records.correction import ControlState
+from compwright.workflow.commands.new import new_job
 from compwright.workflow.stages.control import decode, open_control
 from format_samples import SIEMENS, axis_of, codes, files, table
 
@@ -603,3 +605,18 @@ def test_a_turn_that_no_file_says_needs_its_reference_at_the_start() -> None:
         b"$AA_ENC_COMP[0,0,AX4]=-0.002"
         in control_format(SIEMENS, {}, state).write([TURN_TABLE], [ROUND])[0].content
     )
+
+
+def test_a_new_job_pairs_the_axes_of_a_gantry(tmp_path: Path) -> None:
+    """MD37100: 1 leads the first group, 11 is the synchronised axis of it; AX3 is alone."""
+    text = "METRIC\n" + eec("AX1") + eec("AX3", values=(0.0, 0.001, 0.0)) + eec("AX7")
+    for axis, kind in (("AX1", 1), ("AX3", 0), ("AX7", 11)):
+        text += f"$MA_GANTRY_AXIS_TYPE[{axis}]={kind}\n"
+    (tmp_path / "A.INI").write_text(text + "M17\n")
+    job = tmp_path / "job.yaml"
+    new_job([tmp_path / "A.INI"], "siemens-840d-sl", {}, job)
+    said = job.read_text()
+    assert re.findall(r"address: (\w+)", said) == ["AX1", "AX3"]
+    assert re.findall(r"gantry: (\w+)", said) == ["AX7"]
+    state = both_readers(text)
+    assert [state.facts[each].leading for each in ("AX1", "AX3", "AX7")] == [None, None, "AX1"]

@@ -127,7 +127,8 @@ class AxisFacts:
     on it, in words. ``endless``: the turn of an axis without ends, deg. ``reference``: machine
     coordinate of the reference position, mm or deg, approached in ``reference_return``.
     ``diameter``: positions are programmed in diameter. ``unit_evidence``: what says its detection
-    unit. ``lead``: the travel of one turn of its motor, mm or deg, as the files suggest it
+    unit. ``synchronised``, ``leading``: the addresses of the other axes of its gantry, as the files
+    pair them. ``lead``: the travel of one turn of its motor, mm or deg, as the files suggest it
     (``lead_evidence``). ``rapid_more``: by how much the backlash at rapid traverse is more than
     that at cutting feed, mm or deg; None: they leave it open. ``grid``: the nodes (ascending, mm or
     deg) of a table of its own that the files hold but that does not act; that of one that acts
@@ -149,6 +150,8 @@ class AxisFacts:
     absolute_encoder: bool | None = None
     diameter: bool | None = None
     unit_evidence: str = ""
+    synchronised: tuple[str, ...] = ()
+    leading: str | None = None
     lead: float | None = None
     lead_evidence: str = ""
     rapid_more: float | None = 0.0

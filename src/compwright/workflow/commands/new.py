@@ -150,7 +150,7 @@ def _drafts(control: Control, state: ControlState, unsaid: LeftOpen | None) -> I
         facts = state.facts_of(address)
         name = _name(control.definition, address, facts)
         partners = _partners(address, name, facts)
-        if name in names and partners:
+        if (name in names and partners) or facts.leading in state.axes:
             continue  # the second joint of an axis: it gets the table of the first
         if name in names:
             raise UsageError(Fault(message=f"two axes would be called {name}", found=address))
@@ -165,6 +165,9 @@ def _drafts(control: Control, state: ControlState, unsaid: LeftOpen | None) -> I
             values["gantry"] = Prefilled(
                 partners[0], "the control's files drive this axis by two joints"
             )
+        elif facts.synchronised:
+            said = "the control's files pair these two axes as a gantry"
+            values["gantry"] = Prefilled(facts.synchronised[0], said)
         yield AxisDraft(name=name, values=values)
 
 

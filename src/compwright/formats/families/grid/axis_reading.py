@@ -32,6 +32,8 @@ from compwright.records.facts import AxisFacts, Fact
 
 #: Software limits further away than this are none, in the unit of the files.
 _NO_LIMIT = 99999.0
+#: Limits that were turned into mm are told to a nanometre.
+_DECIMALS = 6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -169,7 +171,9 @@ class AxisReader:
         limits = float(low.text), float(high.text)
         if not all(abs(limit) < _NO_LIMIT for limit in limits):
             return None
-        return limits[0] * factor, limits[1] * factor
+        if factor == 1.0:
+            return limits
+        return round(limits[0] * factor, _DECIMALS), round(limits[1] * factor, _DECIMALS)
 
     def _unit(self) -> str | None:
         """Return in what the files say that lengths stand, mm or inch."""

@@ -21,6 +21,8 @@ from compwright.records.facts import AxisFacts, Turn
 MODULO_START = 0.0
 #: Its length when no file says it, deg.
 _WHOLE_TURN = 360.0
+#: MD37100 has two digits: the group, and from here on a synchronised axis of it.
+_FOLLOWS = 10
 
 
 class Beside:
@@ -43,6 +45,7 @@ class Beside:
             self.gantry(partners)
             beside = self.acting()
         machine_name = self.gathered.names.of_machine(self.address)
+        synchronised, leading = self._paired()
         return replace(
             own,
             name=name,
@@ -50,7 +53,31 @@ class Beside:
             limits=limits,
             turn=turn,
             beside=beside,
+            synchronised=synchronised,
+            leading=leading,
         )
+
+    def _paired(self) -> tuple[tuple[str, ...], str | None]:
+        """Return which axes follow this one in a gantry (MD37100), and which one leads it."""
+        kind = self._kind(self.address)
+        if not kind:
+            return (), None
+        others = self._others(kind)
+        following = tuple(each for each in others if (self._kind(each) or 0) >= _FOLLOWS)
+        if kind < _FOLLOWS:
+            return following, None
+        return (), next((each for each in others if each not in following), None)
+
+    def _others(self, kind: int) -> list[str]:
+        """Return the other axes of the group of a gantry."""
+        addresses = (address for address, _ in self.gathered.singles if address is not None)
+        return [
+            address
+            for address in dict.fromkeys(addresses)
+            if address != self.address
+            and (other := self._kind(address))
+            and other % _FOLLOWS == kind % _FOLLOWS
+        ]
 
     def _turn(self) -> Turn | None:
         if self.number("modulo") != 1:
@@ -76,20 +103,13 @@ class Beside:
         kind = self._kind(self.address)
         if kind is None or not kind:
             return
-        group, follows = kind % 10, kind >= 10
-        others = [
-            address
-            for address, _ in self.gathered.singles
-            if address not in (None, self.address)
-            and (other := self._kind(str(address)))
-            and other % 10 == group
-        ]
+        follows, others = kind >= _FOLLOWS, self._others(kind)
         named = (
             {partners[self.address]}
             if self.address in partners
             else {k for k, v in partners.items() if v == self.address}
         )
-        wrong = [address for address in dict.fromkeys(others) if address not in named]
+        wrong = [address for address in others if address not in named]
         place, label = self.last("gantry_type"), f"axis {self.address}"
         if follows and self.address in partners:
             self.notes.refuse(
