@@ -12,8 +12,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Self
 
-import numpy as np
-
 from compwright.formats.definition.options import axis_options, resolve_options
 from compwright.formats.definition.schema import Choice, Definition, OptionRule
 from compwright.formats.families import limits
@@ -37,8 +35,6 @@ from compwright.records.correction import (
 from compwright.records.facts import AxisFacts
 from compwright.records.numbering import NumberedSections
 
-#: Two nodes are one where they are nearer than this part of a spacing.
-SAME_NODE = 1e-6
 #: Address, axis and table: what is written for one axis.
 AxisTable = tuple[str, Axis, AxisCompensation]
 
@@ -121,21 +117,6 @@ class Family(ABC):
         if acting is not None and acting.positions.size > 1:
             return tuple(float(node) for node in acting.positions)
         return self.facts_of(address).grid
-
-    def keeps_grid(self, axis: Axis, compensation: AxisCompensation) -> bool:
-        """Return whether a table stands on exactly the nodes of the one that the control's own
-        files hold: then what hangs on these nodes stays as it is.
-        """
-        there, nodes = np.array(self.grid_there(axis)), compensation.positions
-        if there.shape != nodes.shape or nodes.size < 2:
-            return False
-        slack = SAME_NODE * float(np.min(np.diff(nodes)))
-        if compensation.period is not None:
-            there, nodes = (
-                np.sort(np.mod(one[:-1] - nodes[0] + slack, compensation.period))
-                for one in (there, nodes)
-            )
-        return bool(np.max(np.abs(there - nodes)) <= 2 * slack)
 
     def stays(self, address: str) -> tuple[AxisCompensation, ...]:
         """Return which tables of an axis stay beside whatever is written for it."""
