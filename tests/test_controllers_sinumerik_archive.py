@@ -365,6 +365,30 @@ class TestWhatIsSaidOfTheAxes:
         assert at(control, "AX1", [-5080], UP) == [-0.0254]
 
 
+class TestNeighbours:
+    """What is odd about an axis that nobody asks for stops nothing."""
+
+    @pytest.mark.parametrize(
+        "odd",
+        [
+            "$AA_ENC_COMP_STEP[1,AX2]=0\n",  # with MIN and MAX: no grid
+            "$AA_ENC_COMP_STEP[1,AX2]=7\n",  # more points than there are
+            "$AA_ENC_COMP_IS_MODULO[1,AX2]=1\n$AA_ENC_COMP_STEP[1,AX2]=100\n",  # a turn that jumps
+            "$MA_MM_ENC_COMP_MAX_POINTS[1,AX2]=2\n$AA_ENC_COMP_STEP[1,AX2]=100\n",
+        ],
+    )
+    def test_their_tables(self, odd: str) -> None:
+        keep = [line for line in EEC.split("\n") if line.startswith("$") and "_STEP" not in line]
+        keep = [line for line in keep if "IS_MODULO" not in line or "IS_MODULO" not in odd]
+        neighbour = "\n".join(keep).replace("AX1", "AX2") + "\n" + odd
+        control = load(EEC, neighbour, asked=("AX1",))
+        assert at(control, "AX1", [-200], UP) == [-0.001]
+        if "MAX_POINTS" not in odd:
+            assert any("AX2" in note and "left alone" in note for note in control.notes)
+        with pytest.raises(InputError):
+            load(EEC, neighbour, asked=("AX1", "AX2"))
+
+
 class TestTablesThatStay:
     """A job that does not name an index in ``cec_tables`` leaves that table as it is."""
 

@@ -339,10 +339,9 @@ class _Loader:
         if is_default(data, _PREFIX):
             self.remarks.notes.append(f"{label}: all zero, the control's own default for no table")
             return None
-        table = build_table(
-            data, _PREFIX, label, name, self.remarks, stranger=not self.request.asks_for(name)
-        )
-        if table is not None:
+        stranger = not self.request.asks_for(name)
+        table = build_table(data, _PREFIX, label, name, self.remarks, stranger=stranger)
+        if table is not None and not stranger:
             reserved = [entry for entry in given if entry.name == "MA_MM_ENC_COMP_MAX_POINTS"]
             self.remarks.faults += too_few_points(reserved, table, f"MD38000 of {name}")
         return table

@@ -114,7 +114,7 @@ def build_table(
 
     ``prefix``: name of the values' variable; ``label``: how messages call the table; ``owner``: the
     axis or table whose IS_MODULO may have to be assumed; ``stranger``: nobody asks for it, so that
-    a whole one that is odd (its turn does not close) is left alone and noted.
+    one that cannot be followed is left alone and noted.
     """
     faults: list[Fault] = []
     first = entries[0]
@@ -152,13 +152,13 @@ def build_table(
             remarks.assumed.append(
                 Assumption(fact, f"{count} points up to MAX", "MIN + k * STEP nearly meets MAX")
             )
-        if stranger and odd:
-            remarks.notes += [f"{fault.message}: left alone" for fault in odd]
-            return None
         faults += odd
         if not faults:
             return table
-    remarks.faults += faults
+    if stranger:
+        remarks.notes += [f"{fault.message}: left alone" for fault in faults]
+    else:
+        remarks.faults += faults
     return None
 
 
