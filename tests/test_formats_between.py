@@ -278,7 +278,7 @@ def test_what_is_written_comes_back_with_its_sign(sign: str) -> None:
         for step in ("reserve and switch off", "check the sign", "load", "switch on")
     ]
     assert "+0.00 µm at X 0, +32.00 µm at X 800" in outcome.steps[2]["text"]
-    assert "must be at least 2 for table 4. Set" in outcome.steps[0]["text"]
+    assert "must be at least 2 for table 4. If" in outcome.steps[0]["text"]
 
 
 #: A table over X that bends Y, on: 0 and 10 µm at 0 and 800 mm. Table 4 is off.

@@ -24,6 +24,7 @@ from sinumerik_archive import (
     eec_text,
     machine_data,
     needs_archive,
+    put,
     replace_cec,
 )
 from sinumerik_archive import (
@@ -373,3 +374,23 @@ def test_a_switch_goes_back_to_what_the_job_says_of_it() -> None:
         delivery = bound.delivered(bound.write([new], [axis], [file]), [file], [axis])
         assert f"$MA_ENC_COMP_ENABLE[1,AX4]={int(said)}".encode() in delivery.back[-1].content
         assert b"$MA_ENC_COMP_ENABLE[1,AX4]=1" in delivery.files[-1].content
+
+
+@pytest.mark.parametrize("sign", ["correction", "error"])
+def test_a_table_that_is_no_curve_hides_none_of_its_pair(sign: str) -> None:
+    """Table 2 of the archive (X1 on Y1, 9.5 steps) stays as it is; another one of the pair is
+    counted.
+    """
+    control = control_format(SIEMENS, {"cec": "available", "cec_sign": sign})
+    ours = cec_lines(20, "AX1", "AX2", 0, 950, [0.0, 0.009])
+    data = put(
+        put(machine_data(), "$MN_MM_CEC_MAX_POINTS[20]", "2"), "$SN_CEC_TABLE_ENABLE[20]", "1"
+    )
+    held = replace_cec(cec_text(), 20, ours)
+    members = {"AX_EEC.INI": eec_text(), "NC_CEC.INI": held, "INITIAL.INI": data}
+    texts = [(ACTIVE, name, text.encode()) for name, text in members.items()]
+    state = control.read([ControlFile("backup.arc", container(texts))])
+    (entry,) = [one for one in state.cross if (one.input, one.output) == ("AX1", "AX2")]
+    turned = 1 if sign == "correction" else -1
+    assert entry.positive == pytest.approx([0.0, 0.009 * turned], abs=1e-12)
+    assert any("CEC table 2" in one.message for one in state.findings if one.code == "CW-S050")

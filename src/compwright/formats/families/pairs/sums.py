@@ -116,13 +116,11 @@ def _as_tables(
 def cross_tables(cec: Cec, kind: Callable[[str], AxisKind]) -> tuple[CrossCompensation, ...]:
     """Return what one axis does to another, in the order of the indices; tables of one pair that
     repeat differently stand apart.
+
+    A table that cannot be read as a curve stays as it is and is not among them: before and after it
+    does the same.
     """
-    unknown = {(table.input, table.output) for table in cec.odd if table.largest}
-    pairs = [
-        pair
-        for pair in dict.fromkeys(table.pair for table in cec.tables if table.input != table.output)
-        if pair not in unknown
-    ]
+    pairs = dict.fromkeys(table.pair for table in cec.tables if table.input != table.output)
     return tuple(
         CrossCompensation(
             input=pair[0],
