@@ -115,3 +115,24 @@ def test_without_the_option_nothing_is_written(tmp_path: Path) -> None:
     assert run(bench, options="") == 1
     parameters, _ = bench.written()
     assert {by_path(parameters, number) for number in ROWS} == {(0, 0)}
+
+
+def test_a_measurement_between_axes_in_a_state_in_which_it_differs_is_refused(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Left alone it cancels only where it acted alike; counted, the difference is known."""
+    acting = {**REST, (5711, "L1"): "1", (5721, "L1"): "2", (5731, "L1"): "15", (5732, "L1"): "15",
+              (5733, "L1"): "40", (5734, "L1"): "40", (5761, "L1"): "50", (5762, "L1"): "50"}  # fmt: skip
+    bench = Bench(tmp_path)
+    whole_rows(bench, acting)
+    old = bench.parameters.replace("N05761Q1L1P50", "N05761Q1L1P40")
+    (tmp_path / "OLD.TXT").write_text(old)
+    bench.run("X", "Y")
+    job = tmp_path / "job.yaml"
+    text = job.read_text().replace("states: {", "states: {old: [OLD.TXT, PITCH.TXT], ")
+    job.write_text(text + CROSS.replace("input: X", "measured_in: old, input: X"))
+    capsys.readouterr()
+    assert compwright(["run", str(job), "--force"]) == 3
+    told = capsys.readouterr().err
+    assert "parameter 5761 of path 1" in told
+    assert "straightness: available" in told

@@ -164,7 +164,11 @@ def _other_neighbours(job: Job, states: Mapping[str, DecodedState]) -> list[Faul
         }
         # In a control without files (the word none) nothing acts; it has a measuring system.
         filled = {state for state, decoded in states.items() if decoded.files}
-        concerned = {AS_FOUND, *(request.measured_in for request in entry.before)} | filled
+        between = {request.measured_in for request in job.circles} | {
+            request.measured_in for request in job.cross
+        }
+        own = {request.measured_in for request in entry.before}
+        concerned = {AS_FOUND} | own | between | filled
         for quantity, what, asked in (
             ("beside", "what acts beside its table", concerned),
             ("encoder_system", "its measuring system", filled),

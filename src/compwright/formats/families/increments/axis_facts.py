@@ -9,7 +9,13 @@ from decimal import Decimal
 from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.axis_values import INCH, AxisValues
-from compwright.formats.families.increments.beside import OPTION_OF, functions, hung, left_alone
+from compwright.formats.families.increments.beside import (
+    OPTION_OF,
+    across,
+    functions,
+    hung,
+    left_alone,
+)
 from compwright.formats.families.increments.detection_unit import detection_unit
 from compwright.formats.families.increments.parameters import AxisParameters
 from compwright.formats.families.increments.screw_lead import screw_lead
@@ -87,7 +93,8 @@ def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, obj
             *(said.magnification, said.interval),
         )
         words += [f"{number} = {value}" for number, value in zip(_GRID, grid, strict=True)]
-    return replace(facts, beside="; ".join(words), increments=said)
+    pairs = replace(facts.pairs, untold=across(own, options))
+    return replace(facts, beside="; ".join(words), increments=said, pairs=pairs)
 
 
 def _increments(values: AxisValues) -> IncrementFacts:

@@ -85,6 +85,19 @@ def hung(own: AxisParameters) -> tuple[Hung, ...]:
     )
 
 
+def across(own: AxisParameters, options: Mapping[str, object]) -> str:
+    """Return what moves the axis by the positions of others and is left alone, in words that change
+    with its values; empty: nothing.
+    """
+    if all(each.words != _BENT for each in left_alone(own, options)):
+        return ""
+    numbers = (
+        *(*known.STRAIGHTNESS_MOVING, *known.STRAIGHTNESS_BENT),
+        *(*known.STRAIGHTNESS_POINTS, *known.STRAIGHTNESS_AMOUNTS),
+    )
+    return ", ".join(value.label for value in own.all.of(numbers) if value.acts)
+
+
 def _point(value: Value) -> PointNumber:
     return PointNumber(
         number=value.whole,

@@ -43,6 +43,7 @@ RULES = ShapeRules(
 class IncrementsFamily(Family):
     """Whole steps by section."""
 
+    untold_help = "straightness: available in the options of the controller"
     left_open = LeftOpen(
         DETECTION_UNIT, "mm or deg per pulse, such as 0.001", stand_in=0.001, lengths=False
     )
