@@ -23,6 +23,7 @@ from compwright.formats.definition.extends import DefinitionText
 from compwright.formats.definition.schema import Definition
 from compwright.formats.definitions import load_definition
 from compwright.formats.families.family import Family
+from compwright.formats.families.increments import parameters as known
 from compwright.formats.gate.gate import check_definition
 from compwright.foundations.errors import CapacityError, InputError, UsageError
 from compwright.records.axis import Axis, AxisKind, Direction
@@ -37,8 +38,8 @@ SAME = 1e-7
 #: Five axes with something of everything: X ramps up from a reference inside, magnified, with 1852
 #: of its own; Y two sets; Z an interval in inches and no table that acts; B endless; C with ends.
 PARAMETERS = """%
-N00981Q1A1P1A2P1A3P1A4P1A5P1
-N01001Q1L1P00000000
+N00981Q1A1P1A2P1A3P1A4P1A5P2
+N01001Q1L1P00000000L2P00000000
 N01006Q1A1P00000000A2P00100000A3P00001000A4P00000001A5P00000011
 N01013Q1A1P00000000A2P00000010A3P00000000A4P00000000A5P00000000
 N01020Q1A1P88A2P89A3P90A4P66A5P67
@@ -47,9 +48,10 @@ N01260Q1A1P0.0A2P0.0A3P0.0A4P360.0A5P360.0
 N01320Q1A1P250.0A2P310.0A3I1.0A4P0.0A5P95.0
 N01321Q1A1P-160.0A2P-10.0A3M-500.0A4P0.0A5P-95.0
 N01420Q1A1P24000.0A2P15000.0A3P15000.0A4P3600.0A5P3600.0
-N01800Q1L1P00010000
+N01800Q1L1P00010000L2P00000000
 N01815Q1A1P00100000A2P00000000A3P00000000A4P00100000A5P00000000
 N01820Q1A1P20A2P20A3P2A4P20A5P2
+N01821Q1A1P60000A2P0A3P0A4P0A5P0
 N01851Q1A1P4A2P0A3P7A4P-3A5P2
 N01852Q1A1P6A2P0A3P0A4P-3A5P2
 N03605Q1A1P00000010A2P00000001A3P00000000A4P00000000A5P00000000
@@ -154,6 +156,10 @@ def facts(definition: Definition) -> None:
     assert (two.increments.negative_first, two.increments.negative_offset) == (110, -5)
     assert (more.two_sets, two.increments.two_sets) == (False, True)
     assert 700 in state.reserved
+    assert one.lead == 6.0  # 60000 detection units of 0.0001 mm
+    assert state.facts["5"].increments.separate_rapid is False  # of its own path
+    assert [each.code for each in state.findings].count("CW-S040") == 1  # 3605#1 of X
+    assert state.facts["4"].increments.rapid_feed == 3600.0
 
 
 def new_table(address: str, unit: float) -> AxisCompensation:
@@ -597,6 +603,22 @@ def test_a_fact_removed_or_turned_makes_a_check_fall(format_id: str, share: int)
         if not any(re.match(each, name) for each in DECIDES_NOTHING) and not falls(text, CHECKS)
     ]
     assert silent == []
+
+
+#: Parameters that are read by their numbers wherever they stand, not by the definition.
+NUMBERS = ("PATH_OF_AXIS", "INCH", "KIND", "SYSTEM", "RAPID", "BACKLASH_BITS", "ENCODER",
+           "MULTIPLIER", "REFERENCE_COUNTER", "PITCH_BITS")  # fmt: skip
+
+
+@pytest.mark.parametrize("name", NUMBERS)
+def test_a_parameter_read_under_another_number_makes_a_check_fall(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    number = getattr(known, name)
+    assert falls(merged_definition("fanuc-30i"), {"facts": facts, "decode": decode}) == ""
+    monkeypatch.setattr(known, "_WATCHED", known._WATCHED | {number + 500})
+    monkeypatch.setattr(known, name, number + 500)
+    assert falls(merged_definition("fanuc-30i"), {"facts": facts, "decode": decode}) != ""
 
 
 def test_what_decides_nothing_is_a_fact_that_is_there() -> None:
