@@ -8,6 +8,7 @@ change does to the correction is worked out by hand from the facts of the contro
 from __future__ import annotations
 
 import json
+import random
 import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
@@ -16,7 +17,10 @@ from typing import Any
 import pytest
 
 from compwright.cli import run as compwright
+from compwright.formats.control_format import control_format
 from compwright.formats.definition.schema import Definition
+from compwright.formats.text.entered import changes, texts_of
+from compwright.records.correction import ControlFile
 from fanuc_backup import parameters, pitch_data
 from format_samples import DEFINITIONS
 from places import REAL
@@ -228,6 +232,38 @@ def test_names_that_only_one_backup_lists_hold_for_both(tmp_path: Path) -> None:
     _, answer = diff(tmp_path, old, new, "siemens-840d-sl")
     assert all(after is None for _, after in entries(answer).values())
     assert not [one for one in entries(answer) if one.startswith("$AA_ENC_COMP[")]
+
+
+# --- any value of the real files
+
+
+@pytest.mark.parametrize(
+    ("control", "paths", "value", "count"),
+    [
+        ("fanuc-30i", ["fanuc/CNC-PARA.TXT", "fanuc/PITCH.TXT"], r"[PM](-?\d+(?:\.\d+)?)", 12),
+        ("siemens-840d-sl", ["siemens/dmu_840d_sl.arc"], r"(?m)=\s*(-?\d+(?:\.\d+)?)\s*$", 6),
+    ],
+)
+@needs_backup
+@needs_archive
+def test_any_changed_value_is_one_entry(
+    control: str, paths: list[str], value: str, count: int
+) -> None:
+    rng = random.Random(11)
+    files = [ControlFile(Path(path).name, (REAL / path).read_bytes()) for path in paths]
+    texts = texts_of(files)
+    family = control_format(DEFINITIONS[control], {})
+    old = family.entered(texts)
+    for _ in range(count):
+        place = rng.choice([k for k, one in enumerate(texts) if len(one.content) > 3000])
+        text = texts[place].content.decode("latin-1")
+        found = rng.choice(list(re.finditer(value, text)))
+        new = text[: found.start(1)] + f"{rng.randint(100, 900)}.5" + text[found.end(1) :]
+        edited = list(texts)
+        edited[place] = ControlFile(texts[place].name, new.encode("latin-1"))
+        (change,) = changes(old, family.entered(edited))
+        assert change.new is not None
+        assert change.new.text.endswith(".5") or " in " in change.new.name
 
 
 # --- complete examples of every control

@@ -6,8 +6,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
-from compwright.formats.text.entered import Entered, texts_of
+from compwright.formats.text.entered import Entered, same_text, texts_of
 from compwright.formats.text.texts import BY_HAND
 from compwright.records.correction import ControlFile, ControlState
 
@@ -93,6 +94,11 @@ def entered(files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) ->
         if match is None:
             continue
         entry = _entry(match, file, number, channel, names)
+        known = found.get(entry.name)
+        if known is not None and known.file != file and not same_text(known.text, entry.text):
+            # an archive says many values twice: what one member alone says is no value less
+            beaten = replace(known, name=f"{known.name} in {known.file}", acts=False)
+            found[beaten.name] = beaten
         found[entry.name] = entry
     return found
 
