@@ -6,8 +6,11 @@ import time
 
 import pytest
 
+from compwright.formats.control_format import control_format
 from compwright.formats.text.container import LARGEST, opened, unknown_container
+from compwright.foundations.errors import InputError
 from compwright.records.correction import ControlFile
+from format_samples import DEFINITIONS
 from sinumerik_archive import ARCHIVE, cec_text, eec_text, member, needs_archive
 from sinumerik_container import container, header
 
@@ -121,3 +124,10 @@ def test_every_member_of_the_real_archive_is_told() -> None:
         *("AX_QEC.INI", "AX_EEC.INI", "NC_CEC.INI", "INITIAL.INI"),
     }
     assert "cut short" in refused(content[:-512])
+
+
+def test_a_container_says_nothing_to_a_control_of_another_kind() -> None:
+    """One line, not one for each line of its members."""
+    with pytest.raises(InputError, match="not a text file") as refused_:
+        control_format(DEFINITIONS["linuxcnc"], {}).read([ControlFile("a.arc", container(TEXTS))])
+    assert len(refused_.value.faults) == 1

@@ -247,7 +247,8 @@ class GridReader:
             if len(_COLUMNS.findall(file.content)) > _FEW:
                 what = "a listing in columns, without the values of the tables,"
             message = f"is {what} which cannot be read" if what else ""
-            if not (message or is_container(file)) and BINARY.search(file.content):
+            opened = is_container(file) and "files" in self.definition.options
+            if not (message or opened) and BINARY.search(file.content):
                 message = "is not a text file (a binary archive?)"
             if message:
                 expected = self.control.export_instead
