@@ -115,6 +115,8 @@ def test_what_was_written_reads_back_and_compares(tmp_path: Path) -> None:
     plan = str(tmp_path / "job" / "plan.json")
     loaded = [word for file in files for word in ("--loaded", file)]
     assert compwright(["compare", plan, *loaded]) == 0
+    typed = str(tmp_path / "job" / "card" / "entry_X.csv")
+    assert compwright(["compare", plan, "--loaded", typed]) == 0
     # the line forgotten, or of the other sign
     amount = said(parameters, 5871, 1)
     for other in ("0", amount.removeprefix("-")):

@@ -101,6 +101,8 @@ def test_the_worm_goes_into_the_second_table(
     folder = bench.folder / "job" / "tables" / "fanuc-30i"
     loaded = [word for file in sorted(folder.iterdir()) for word in ("--loaded", str(file))]
     assert compwright(["compare", plan, *loaded]) == 0
+    typed = bench.folder / "job" / "card" / "entry_B.csv"
+    assert compwright(["compare", plan, "--loaded", str(typed)]) == 0
 
 
 @pytest.mark.usefixtures("on_a_worm")

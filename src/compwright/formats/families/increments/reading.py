@@ -70,7 +70,7 @@ class StateReader:
         self.gathered = gather(family.definition, texts)
         self.notes.findings.extend(finding for text in texts for finding in text.findings)
         self.points = points_by_number(family.definition, self.gathered, files, self.notes)
-        self.parameters = Parameters(files)
+        self.parameters = Parameters([_as_lines(file, family.definition.id) for file in self.files])
         self.wanted = self._wanted(address)
         self.compensations: dict[str, AxisCompensation] = {}
         self.facts: dict[str, AxisFacts] = {}
@@ -319,6 +319,13 @@ def read_texts(
             )
         )
     return texts
+
+
+def _as_lines(file: ControlFile, format_id: str) -> ControlFile:
+    """Return a typed-entry sheet as the lines that say the same; other files as they are."""
+    if not is_entry_sheet(file):
+        return file
+    return ControlFile(file.name, parameter_lines(file, format_id, []))
 
 
 def _unnamed(address: str, named: Sequence[str], files: Sequence[ControlFile]) -> Fault:

@@ -112,6 +112,9 @@ class _OwnFiles(Patches):
         }
         names = [file.name for file in self.files]
         for point, new in entry.moved:
+            if point.file not in names:  # it was typed in: the sheet and a fresh line say it
+                left_beside |= {int(point.parameter): str(new)} if point.parameter else {}
+                continue
             change = Change(point.start, point.start + point.size, str(new).encode("ascii"))
             self.replace(names.index(point.file), change)
         missing = {
