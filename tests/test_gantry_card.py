@@ -62,3 +62,33 @@ def test_the_number_of_the_leading_axis_is_not_that_of_the_other(tmp_path: Path)
     rows = [line.split("|")[2:-1] for line in card.splitlines() if "X (Y)" in line]
     assert rows
     assert ["X (Y)", "1"] in [[cell.strip() for cell in row][:2] for row in rows]
+
+
+@pytest.mark.parametrize(
+    ("kind", "reserved", "no_gantry", "room"),
+    [("0", 500, True, True), ("0", 3, True, False), (None, None, False, False)],
+)
+def test_the_card_asks_only_what_the_files_leave_open(
+    tmp_path: Path, kind: str | None, reserved: int | None, no_gantry: bool, room: bool
+) -> None:
+    """MD37100 = 0: no gantry; MD38000 with room enough: nothing to reserve (Extended Functions
+    03/2013 p242).
+    """
+    targets = MACHINE.targets()
+    (tmp_path / "x.csv").write_text(csv_of(targets, MACHINE.measure(targets, 1)))
+    lines = [
+        *([f"$MA_GANTRY_AXIS_TYPE[AX1]={kind}"] if kind else []),
+        *([f"$MA_MM_ENC_COMP_MAX_POINTS[0,AX1]={reserved}"] if reserved else []),
+        "$MA_BACKLASH[0,AX1]=0",
+    ]
+    (tmp_path / "MD.INI").write_text("\n".join(["CHANDATA(1)", *lines, "M17", ""]))
+    (tmp_path / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: siemens-840d-sl, options: {points: 500}}\n"
+        "states: {as_found: MD.INI}\n"
+        "axes: {X: {travel: [0, 800], address: AX1, before: [x.csv]}}\n"
+    )
+    assert compwright(["run", str(tmp_path / "job.yaml")]) == 0
+    card = (tmp_path / "job" / "card" / "card.md").read_text(encoding="utf-8")
+    assert ("No gantry: MD37100 = 0" in card) == no_gantry
+    assert ("leads no gantry as far as the job says" in card) == (not no_gantry)
+    assert ("The control must hold at least" in card) == (not room)

@@ -12,6 +12,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Self
 
+import numpy as np
+
 from compwright.formats.definition.options import axis_options, resolve_options
 from compwright.formats.definition.schema import Choice, Definition, OptionRule
 from compwright.formats.families import limits
@@ -279,11 +281,17 @@ class Family(ABC):
         return [file.name for file in files]
 
     def points_needed(self, table: AxisCompensation) -> int | None:
-        """Return how many points the control must have room for; None where it reserves none."""
+        """Return how many points the control must have room for; None where it reserves none, or
+        where its files say that it has them.
+        """
         reserves = any(
             self.definition.limit(limit) is not None for limit in ("points_reserved", "max_points")
         )
-        return int(table.positions.size) if reserves else None
+        needed = int(table.positions.size)
+        room = self.facts_of(table.address).said.get("max_points", 0)
+        one_curve = np.array_equal(table.positive, table.negative)
+        there = one_curve and isinstance(room, int) and room >= needed
+        return needed if reserves and not there else None
 
     @property
     def says_activity(self) -> bool:

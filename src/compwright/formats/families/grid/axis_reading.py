@@ -133,10 +133,14 @@ class AxisReader:
         return self.axis.reference_return
 
     def _settling(self) -> dict[str, Fact]:
-        """Return what the files say of quantities that settle options."""
-        unit, points = self._unit(), self.values.single("max_points")
+        """Return what the files say of quantities that settle options, or that the card names."""
+        unit = self._unit()
         said: dict[str, Fact] = {} if unit is None else {"length_unit": unit}
-        return said if points is None else {**said, "max_points": int(points.text)}
+        for quantity in ("max_points", "gantry_type"):
+            number = self.values.single(quantity)
+            if number is not None:
+                said[quantity] = int(number.text)
+        return said
 
     def _facts(self, kind: AxisKind, said: Mapping[str, Fact], *, enabled: bool) -> AxisFacts:
         """Return what the files say of the axis itself: its kind, its letter, its software limits

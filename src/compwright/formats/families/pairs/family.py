@@ -201,6 +201,8 @@ class PairsFamily(GridFamily):
     ) -> dict[str, str]:
         """See `Family.card_values`."""
         values = super().card_values(axis, compensation, facts, check_at)
+        if axis.gantry is None and facts.said.get("gantry_type") == 0:
+            values["gantry"] = "No gantry: MD37100 = 0 in the control's files."
         if not np.array_equal(compensation.positive, compensation.negative):
             values[CURVES] = "2"
         else:
