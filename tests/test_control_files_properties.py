@@ -67,7 +67,7 @@ def looks_whole(sample: Sample, name: str, end: int) -> bool:
     left = next(file.content for file in sample.files if file.name == name)[:end]
     if sample.format_id in NO_END_MARK and not name.upper().endswith((".COM", ".CMA")):
         return left.rstrip(b" ").endswith(b"\n")
-    return sample.format_id == "siemens-840d-sl" and b"$" not in left.rpartition(b"M17")[2]
+    return sample.format_id.startswith("siemens-") and b"$" not in left.rpartition(b"M17")[2]
 
 
 def test_the_damage_is_the_same_for_the_same_seed() -> None:
