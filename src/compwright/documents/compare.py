@@ -47,8 +47,8 @@ class ComparedAxis:
 @dataclass(frozen=True, slots=True)
 class Others:
     """What differs beside the axes of the plan. ``differences``: compensation of other axes or of
-    the machine; ``elsewhere``: what compensates nothing; ``not_read_back``: the names of values
-    that compensate and were not among the files.
+    the machine; ``elsewhere``: what is not known to compensate; ``not_read_back``: the names of
+    values that compensate and were not among the files.
     """
 
     differences: tuple[Difference, ...] = ()

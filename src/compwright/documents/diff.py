@@ -106,7 +106,7 @@ def _entry(entry: EntryDifference, address: str | None) -> dict[str, Any]:
 
 
 def others_document(entries: Iterable[EntryDifference]) -> list[dict[str, Any]]:
-    """Return what belongs to no compensation, counted by parameter; what both sides have first."""
+    """Return what is not known to compensate, counted by parameter; what both sides have first."""
     groups: dict[str, list[EntryDifference]] = {}
     for entry in entries:
         groups.setdefault(entry.group, []).append(entry)

@@ -24,7 +24,7 @@ _ABSENT: Final = "not there"
 
 def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
     """Return for each axis whether the control holds what was planned, then every difference; what
-    compensates nothing is counted.
+    is not known to compensate is counted.
     """
     shown: list[RenderableType] = []
     for name, axis in document["axes"].items():
@@ -60,7 +60,10 @@ def compare_tables(document: Mapping[str, Any]) -> list[RenderableType]:
                 Text(f"({len(rows) - _MOST_DIFFERENCES} more rows: see --json)", style="dim")
             )
     if document["elsewhere"]:
-        shown += [Text("changed as well, no compensation:"), *other_tables(document["elsewhere"])]
+        shown += [
+            Text("changed as well, and not known to compensate; ask who changed it:"),
+            *other_tables(document["elsewhere"]),
+        ]
     return [*shown, *finding_lines(document["findings"])]
 
 
@@ -148,7 +151,7 @@ def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
 
 
 def other_tables(groups: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
-    """Return what belongs to no compensation, counted by parameter; parameters that only one side
+    """Return what is not known to compensate, counted by parameter; parameters that only one side
     has as one number where they are many.
     """
     both = [group for group in groups if group["changed"]]

@@ -20,7 +20,7 @@ from compwright.records.correction import ControlFile
 
 _SETTING = re.compile(r"[ \t]*([^=:]+?)[ \t]*[=:][ \t]*(.*?)[ \t]*")
 #: Quantities of a definition that compensate nothing.
-_SILENT = frozenset({"limit_low", "limit_high", "axis_name"})
+SILENT_QUANTITIES = frozenset({"limit_low", "limit_high", "axis_name"})
 _SECTION = re.compile(r"[ \t]*\[([^\]]+)\][ \t]*")
 
 
@@ -104,7 +104,7 @@ def by_statements(definition: Definition, files: Sequence[ControlFile]) -> dict[
     for key, entry in entries_of(definition, texts):
         bound = quantities.get(key[1], [])
         meaning = ", ".join(bound).replace("_", " ")
-        acts = not bound or not _SILENT.issuperset(bound)
+        acts = not bound or not SILENT_QUANTITIES.issuperset(bound)
         found["|".join(key)] = Entered(
             entry.label, key[1], entry.text, key[0], 0, entry.address or "", acts, meaning
         )

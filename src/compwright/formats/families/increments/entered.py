@@ -5,9 +5,12 @@ axis 2, N10044Q0P-3 a point of the array that all axes share.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
-from compwright.formats.text.entered import Entered, texts_of
+from compwright.formats.definition.schema import Definition
+from compwright.formats.families.increments.parameters import MEANINGS, SILENT
+from compwright.formats.text.entered import SILENT_QUANTITIES, Entered, texts_of
 from compwright.records.correction import ControlFile, ControlState
 
 _LINE = re.compile(r"[ \t]*N0*([0-9]{1,6})[ \t]*(?:Q([0-9]+))?(.*)", re.IGNORECASE)
@@ -15,81 +18,84 @@ _WORD = re.compile(r"([A-Z])[ \t]*([+-]?[0-9.]*)", re.IGNORECASE)
 _OWNERS = "ALST"
 _POINTS_FROM, _POINTS_TO = 10000, 19999
 _POINT = "point of the pitch error compensation"
-#: What acts on an axis, points to the shared numbers, or decides a unit, a kind or the zero, with
-#: the sources of the definition and of docs/controllers/fanuc.md.
-_MEANINGS: tuple[tuple[range, str], ...] = tuple(
-    (range(first, last + 1), meaning)
-    for first, last, meaning in (
-        (981, 981, "path of the axis"),
-        (1001, 1001, "unit of lengths (#0: inch)"),
-        (1004, 1004, "increment system"),
-        (
-            1006,
-            1006,
-            "kind of the axis (#0, #1), diameter (#3), direction of the return (#5)",
-        ),
-        (1013, 1013, "increment system of the axis"),
-        (1020, 1020, "letter of the axis"),
-        (1240, 1240, "coordinate of the reference position"),
-        (1260, 1260, "one turn of the axis"),
-        (1320, 1321, "software limit"),
-        (1800, 1800, "bits of the servo (#4: backlash of its own for rapid traverse)"),
-        (1815, 1815, "bits of the encoder"),
-        (1820, 1820, "command multiplier: decides the detection unit"),
-        (1821, 1821, "reference counter"),
-        (1846, 1849, "smooth backlash compensation"),
-        (1850, 1850, "grid shift: moves the machine's zero"),
-        (1851, 1851, "backlash at cutting feed"),
-        (1852, 1852, "backlash at rapid traverse"),
-        (3602, 3602, "bits of pitch error compensation"),
-        (3605, 3605, "bits of pitch error compensation (#0: two sets)"),
-        (3620, 3620, "point number of the reference"),
-        (3621, 3621, "first point number"),
-        (3622, 3622, "last point number"),
-        (3623, 3623, "magnification"),
-        (3624, 3624, "interval of the points"),
-        (3625, 3625, "travel of one turn"),
-        (3626, 3626, "first point number for travel in -"),
-        (3627, 3627, "value at the reference from the other side"),
-        (5711, 5720, "straightness: moving axis"),
-        (5721, 5730, "straightness: compensated axis"),
-        (5731, 5760, "straightness: point numbers"),
-        (5761, 5799, "straightness: amounts"),
-        (5861, 5864, "inclination: point numbers"),
-        (5871, 5874, "inclination: amounts"),
-        (8135, 8135, "options (#0: stored pitch error compensation off)"),
-        (10800, 10802, "three-dimensional compensation"),
-        (13381, 13399, "straightness, further axes"),
-        (14985, 14987, "second, cyclic table"),
-    )
-)
-#: Known and shown, but no compensation: nobody stops a machine for these.
-_SILENT = frozenset({1020, 1320, 1321})
+#: Numbers of the parameter in a statement's form.
+_NUMBER = re.compile(r"N#?0*([0-9]+)")
+#: What acts although compwright never reads it (docs/controllers/fanuc.md).
+_UNREAD: Mapping[int, str] = {
+    1850: "grid shift: moves the machine's zero",
+    8135: "options (#0: stored pitch error compensation off)",
+    **dict.fromkeys(range(10803, 10815), "three-dimensional compensation"),
+}
+#: Quantities of a definition, where their own names would not be understood.
+_WORDS = {
+    "table_spacing": "interval of the points",
+    "reference_number": "point number of the reference",
+    "first_number": "first point number",
+    "last_number": "last point number",
+    "turn": "travel of one turn",
+    "negative_first": "first point number for travel in -",
+    "negative_offset": "value at the reference from the other side",
+    "backlash": "backlash at cutting feed",
+    "reference_coordinate": "coordinate of the reference position",
+    "limit_low": "software limit",
+    "limit_high": "software limit",
+}
 
 
-def entered(files: Sequence[ControlFile]) -> dict[str, Entered]:
+@dataclass(frozen=True, slots=True)
+class _Known:
+    """What a parameter is in words, and whether it acts on an axis, points to the shared numbers,
+    or decides a unit, a kind or the zero.
+    """
+
+    words: str
+    acts: bool
+
+
+def _known(definition: Definition) -> dict[int, _Known]:
+    """Return every parameter that the definition or the family reads, and what acts unread."""
+    found: dict[int, _Known] = {}
+    for name, statement in definition.statements.items():
+        match = _NUMBER.match(statement.form)
+        bound = [quantity for quantity, one in definition.bindings.items() if one.statement == name]
+        if match is not None:
+            words = ", ".join(_WORDS.get(one, one.replace("_", " ")) for one in bound or [name])
+            found[int(match[1])] = _Known(
+                words, not bound or not SILENT_QUANTITIES.issuperset(bound)
+            )
+    for number, words in {**_UNREAD, **MEANINGS}.items():
+        found[number] = _Known(words, number not in SILENT)
+    return found
+
+
+def entered(definition: Definition, files: Sequence[ControlFile]) -> dict[str, Entered]:
     """Return every value of the files."""
+    known = _known(definition)
     found: dict[str, Entered] = {}
     for file in texts_of(files):
         lines = re.split(r"[\r\n]+", file.content.decode("latin-1"))
         for number, line in enumerate(lines, start=1):
             match = _LINE.match(line)
             if match is not None:
-                found.update(_values(match, file.name, number))
+                found.update(_values(match, file.name, number, known))
     return found
 
 
-def _values(match: re.Match[str], file: str, line: int) -> Iterator[tuple[str, Entered]]:
+def _values(
+    match: re.Match[str], file: str, line: int, known: Mapping[int, _Known]
+) -> Iterator[tuple[str, Entered]]:
     number, data, rest = int(match[1]), match[2], match[3].split("(")[0]
-    if data == "0" or (data is None and _POINTS_FROM <= number <= _POINTS_TO):
+    # a large number that names an axis or a path is a parameter of a series without Q
+    owned = any(word[1].upper() in _OWNERS for word in _WORD.finditer(rest))
+    bare = data is None and not owned
+    if data == "0" or (bare and _POINTS_FROM <= number <= _POINTS_TO):
         value = _WORD.search(rest)
         if value is not None:
             name = f"N{number:05d}" + ("" if data is None else "Q0")
             entry = Entered(name, _POINT, value[2], file, line, acts=True, meaning=_POINT)
             yield f"{number} point", entry
         return
-    meaning = next((words for numbers, words in _MEANINGS if number in numbers), "")
-    acts = bool(meaning) and number not in _SILENT
+    meant = known.get(number, _Known("", acts=False))
     owner = ""
     for word in _WORD.finditer(rest):
         letter = word[1].upper()
@@ -100,7 +106,7 @@ def _values(match: re.Match[str], file: str, line: int) -> Iterator[tuple[str, E
         axis = owner[1:] if owner.startswith("A") else ""
         yield (
             f"{number} {owner}",
-            Entered(name, f"{number}", word[2], file, line, axis, acts, meaning),
+            Entered(name, f"{number}", word[2], file, line, axis, meant.acts, meant.words),
         )
 
 

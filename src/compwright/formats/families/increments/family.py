@@ -102,7 +102,7 @@ class IncrementsFamily(Family):
         del naming
         sheets = [file for file in files if is_entry_sheet(file)]
         own = [file for file in files if not is_entry_sheet(file)]
-        return {**by_statements(self.definition, sheets), **entered(own)}
+        return {**by_statements(self.definition, sheets), **entered(self.definition, own)}
 
     def whereabouts(
         self, entry: Entered, entries: Entries, state: ControlState | None

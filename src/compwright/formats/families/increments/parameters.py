@@ -10,7 +10,7 @@ docs/controllers/fanuc.md.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -38,36 +38,39 @@ SPATIAL = range(10800, 10803)
 STRAIGHTNESS_MORE = range(13301, 13400)
 CYCLIC = CYCLIC_FIRST, CYCLIC_LAST, CYCLIC_INTERVAL, CYCLIC_FACTOR = 14985, 14986, 14987, 14988
 
-_WATCHED = frozenset(
-    {
-        *(
-            PATH_OF_AXIS,
-            INCH,
-            SYSTEM_OF_MACHINE,
-            KIND,
-            SYSTEM,
-            NAME,
-            TURN,
-            RAPID,
-            BACKLASH_BITS,
-            BACKLASH_RAPID,
-            ENCODER,
-            MULTIPLIER,
-            REFERENCE_COUNTER,
-        ),
-        *NAME_MORE,
-        *(TOTALS, PITCH_BITS, *CYCLIC),
-        *SMOOTH_BACKLASH,
-        *STRAIGHTNESS_MOVING,
-        *STRAIGHTNESS_BENT,
-        *STRAIGHTNESS_POINTS,
-        *STRAIGHTNESS_AMOUNTS,
-        *INCLINATION_POINTS,
-        *INCLINATION_AMOUNTS,
-        *SPATIAL,
-        *STRAIGHTNESS_MORE,
-    }
+#: Everything that is read, and what it is in words.
+_TOLD: tuple[tuple[Iterable[int], str], ...] = (
+    ([PATH_OF_AXIS], "path of the axis"),
+    ([INCH], "unit of lengths (#0: inch)"),
+    ([SYSTEM_OF_MACHINE], "increment system"),
+    ([KIND], "kind of the axis (#0, #1), diameter (#3), direction of the return (#5)"),
+    ([SYSTEM], "increment system of the axis"),
+    ([NAME, *NAME_MORE], "letters of the axis"),
+    ([TURN], "one turn of the axis"),
+    ([RAPID], "rate of rapid traverse"),
+    ([BACKLASH_BITS], "bits of the servo (#4: backlash of its own for rapid traverse)"),
+    ([BACKLASH_RAPID], "backlash at rapid traverse"),
+    ([ENCODER], "bits of the encoder"),
+    ([MULTIPLIER], "command multiplier: decides the detection unit"),
+    ([REFERENCE_COUNTER], "reference counter"),
+    (SMOOTH_BACKLASH, "smooth backlash compensation"),
+    ([TOTALS], "bits of pitch error compensation"),
+    ([PITCH_BITS], "bits of pitch error compensation (#0: two sets)"),
+    (STRAIGHTNESS_MOVING, "straightness: moving axis"),
+    (STRAIGHTNESS_BENT, "straightness: compensated axis"),
+    (STRAIGHTNESS_POINTS, "straightness: point numbers"),
+    (STRAIGHTNESS_AMOUNTS, "straightness: amounts"),
+    (STRAIGHTNESS_MORE, "straightness: further pairs"),
+    (INCLINATION_POINTS, "inclination: point numbers"),
+    (INCLINATION_AMOUNTS, "inclination: amounts"),
+    (SPATIAL, "three-dimensional compensation"),
+    ([CYCLIC_FIRST, CYCLIC_LAST], "second, cyclic table: point numbers"),
+    ([CYCLIC_INTERVAL], "second, cyclic table: interval of the points"),
+    ([CYCLIC_FACTOR], "second, cyclic table: magnification"),
 )
+MEANINGS: Mapping[int, str] = {number: words for numbers, words in _TOLD for number in numbers}
+#: Read, and no compensation: neither a unit nor a kind hangs on them.
+SILENT = frozenset({NAME, *NAME_MORE, RAPID})
 _WORD = re.compile(r"[ \t]*([A-Z])[ \t]*(-?(?:[0-9]+\.?[0-9]*|\.[0-9]+))", re.IGNORECASE)
 _COMMENT = re.compile(r"\([^()]*\)")
 _BITS = re.compile("[01]{8}")
@@ -148,7 +151,7 @@ class Parameters:
             start = place + len(text) - len(text.lstrip("\r"))
             place += len(text) + 1
             match = NUMBERED.match(text.strip("\r"))
-            if match is None or int(match[1]) not in _WATCHED:
+            if match is None or int(match[1]) not in MEANINGS:
                 continue
             rest = _COMMENT.sub(lambda comment: " " * len(comment[0]), match[2])
             number, where = int(match[1]), (file.name, line, start + match.start(2))
