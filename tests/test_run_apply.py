@@ -415,12 +415,13 @@ def test_a_circle_taken_with_other_tables_between_the_axes_is_no_word_on_what_is
     folder: Path, step: int, stated: bool, code: int, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The control's table bends Y over X by 100 µm; the circle was taken with another one: without
-    the sign of CEC values, and with a table that is no curve (its range no multiple of STEP),
-    nobody can take the one out and put the other in.
+    the sign of CEC values, and with a table that is no curve (its range no multiple of STEP, and
+    other values on both sides of its end), nobody can take the one out and put the other in.
     """
+    bent = (1,) if step == 250 else (1, 4)
 
     def written(value: str) -> str:
-        values = "".join(f"$AN_CEC[3,{n}]={value if n == 1 else 0}\n" for n in range(5))
+        values = "".join(f"$AN_CEC[3,{n}]={value if n in bent else 0}\n" for n in range(5))
         grid = f"$AN_CEC_STEP[3]={step}\n$AN_CEC_MIN[3]=0\n$AN_CEC_MAX[3]=1000\n"
         pair = "$AN_CEC_INPUT_AXIS[3]=(AX1)\n$AN_CEC_OUTPUT_AXIS[3]=(AX2)\n$AN_CEC_DIRECTION[3]=0\n$SN_CEC_TABLE_ENABLE[3]=1\n"
         return f"$MA_BACKLASH[0,AX1]=0\n$MA_BACKLASH[0,AX2]=0\n$MA_CEC_ENABLE[AX2]=1\n{values}{pair}{grid}M17\n"

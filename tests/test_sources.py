@@ -33,6 +33,7 @@ EXEMPT = {
     "fitting.beyond": "compares a loss with the noise and words a fault",
     "fitting.endless": "a plain mean of the turns",
     "fitting.remarks": "words what was computed elsewhere",
+    "fitting.standing": "holds the nodes that are there against the control's limits",
     "fitting.steps": "counts quanta of the position",
 }
 

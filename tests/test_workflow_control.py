@@ -2,6 +2,9 @@
 that exist.
 """
 
+import re
+from collections.abc import Mapping
+
 import pytest
 
 from compwright.foundations import storage
@@ -10,26 +13,33 @@ from compwright.workflow.stages.control import open_control
 from format_samples import DEFINITIONS
 
 
+def extended(files: Mapping[str, bytes], name: str) -> list[str]:
+    """Return the file and those that it extends, one after the other."""
+    found = re.search(rb"^extends: (\S+)", files[name], re.MULTILINE)
+    if found is None:
+        return [name]
+    base = found[1].decode()
+    return [name, *extended(files, base if base.endswith(".yaml") else f"{base}.yaml")]
+
+
 @pytest.mark.parametrize("format_id", DEFINITIONS)
 def test_a_control_is_opened_from_the_file_of_its_name(
     format_id: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     # The other files may be damaged: they are not read, which is also what keeps the start of a run
     # short.
-    files = {
-        name: content if name in (f"{format_id}.yaml", "fanuc.base.yaml") else b"id: ["
-        for name, content in storage.definition_files()
-    }
+    there = dict(storage.definition_files())
+    needed = extended(there, f"{format_id}.yaml")
+    files = {name: content if name in needed else b"id: [" for name, content in there.items()}
     monkeypatch.setattr(storage, "definition_files", lambda: iter(files.items()))
     control = open_control(format_id, {})
     assert control.definition == DEFINITIONS[format_id]
 
 
 def test_a_definition_in_a_file_of_another_name_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
-    files = {
-        name if name.endswith(".base.yaml") else f"my-{name}": content
-        for name, content in storage.definition_files()
-    }
+    there = dict(storage.definition_files())
+    bases = {base for name in there for base in extended(there, name)[1:]}
+    files = {name if name in bases else f"my-{name}": content for name, content in there.items()}
     monkeypatch.setattr(storage, "definition_files", lambda: iter(files.items()))
     assert open_control("linuxcnc", {}).definition.file == "my-linuxcnc.yaml"
 
