@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+import backup_beside_fanuc  # noqa: F401 - fills the list of families
 import backup_oddities_fanuc  # noqa: F401 - fills the list of families
 import backup_variations_fanuc  # noqa: F401 - fills the list of families
 from backup_jobs_fanuc import FAMILIES, Job
@@ -45,7 +46,7 @@ def _mixed(rng: np.random.Generator) -> list[str]:
         names = [
             name
             for name, make in FAMILIES.items()
-            if (make.__module__ == "backup_oddities_fanuc") == odd
+            if (make.__module__ != "backup_variations_fanuc") == odd
         ]
         dealt = rng.permutation([name for name in names for _ in range(_SHARE.get(name, 1))])
         places += [((n + 0.5) / len(dealt), str(name)) for n, name in enumerate(dealt)]

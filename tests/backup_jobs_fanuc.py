@@ -116,8 +116,11 @@ class AxisJob:
     rotary: bool = False
     home: int = 1
     words: Mapping[str, str] = field(default_factory=dict)
-    #: with which motion the test is really taken; a job cannot say it
+    #: with which motion the test is really taken, and whether the job says so
     rapid: bool = False
+    says_motion: bool = True
+    #: the job names no address: the letter is in 1020
+    by_name: bool = False
     #: what the fresh test runs over, where it is not the travel of the job
     true_travel: tuple[float, float] | None = None
 
@@ -161,11 +164,14 @@ class Job:
         for axis in self.axes:
             words = {"kind": "rotary" if axis.rotary else "linear", **axis.words}
             words = {
-                "address": str(axis.address),
+                **({} if axis.by_name else {"address": str(axis.address)}),
                 **words,
                 "travel": f"[{axis.travel[0]:g}, {axis.travel[1]:g}]",
             }
-            words |= {"before": f"[{{files: [{axis.name}.csv], name: {axis.name.lower()}_before}}]"}
+            test = {"files": f"[{axis.name}.csv]", "name": f"{axis.name.lower()}_before"}
+            if axis.rapid and axis.says_motion:
+                test["motion"] = "rapid"
+            words |= {"before": f"[{flow(test)}]"}
             if axis.home < 0:
                 words["reference_return"] = '"-"'
             name = f'"{axis.name}"' if axis.name == "Y" else axis.name

@@ -22,8 +22,8 @@ from backup_jobs_fanuc import Job, alike, axis_job, family, job_on, linear_physi
 # ----------------------------------------------------------------------------------------
 
 
-#: 1851 and 1852 differ and 1800#4 = 1: the test was taken with one of both, which the job cannot
-#: say. What is written must be right in the motion of the test, and a word be said.
+#: 1851 and 1852 differ and 1800#4 = 1: the test was taken with one of both. What is written must be
+#: right in the motion of the test, and a word be said.
 _SEPARATE = ("1852", r"1800")
 
 
@@ -194,9 +194,9 @@ def second_path(rng: Rng, whole: bool) -> Job:
     backup.bit(1800, "L1", 4, not separate).bit(1800, "L2", 4, separate)
     if separate:
         return job_on(
-            "warn", axis_job(rng, address, rapid=bool(rng.random() < 0.5)), backup, *_SEPARATE
+            "plain", axis_job(rng, address, rapid=bool(rng.random() < 0.5)), backup, *_SEPARATE
         )
-    return job_on("answerable", axis_job(rng, address, rapid=True), backup, *_SEPARATE, "981")
+    return job_on("plain", axis_job(rng, address, rapid=True), backup)
 
 
 @family

@@ -35,14 +35,13 @@ from virtual_fanuc import (
 #: (1 arcsec) for quanta.
 FACTOR, ROOM = 1.4, 1.0
 REPEATS = 15
-OWN = {
-    1851,
-    1852,
-    *range(3620, 3628),
-    3605,
-    *range(5861, 5865),
-    *range(5871, 5875),
-    *range(14985, 14989),
+OWN = {1851, 1852, *range(3620, 3628), 3605}
+#: Largest number and increment: of 0i-F no page tells the increment.
+LIMITS = {"fanuc-0i-16i": (1023, 7), "fanuc-0i-d": (1023, 7), "fanuc-0i-f": (1535, 7)}
+#: Options of a control whose function compwright may count and write, and its parameters.
+COUNTED = {
+    "inclination": {*range(5861, 5865), *range(5871, 5875)},
+    "cyclic": set(range(14985, 14989)),
 }
 _GROUP = re.compile(rb"([ALS]\d+|Q1)[PMI]([-0-9.]+)")
 
@@ -60,6 +59,10 @@ class Outcome:
     written: list[str] = field(default_factory=list)
     faults: list[str] = field(default_factory=list)
     figures: list[str] = field(default_factory=list)
+    #: for each axis written: whether A of a fresh test lies in the band of the prediction
+    within: list[bool] = field(default_factory=list)
+    #: what came of compare and verify (judge_loaded_fanuc)
+    verdicts: list[str] = field(default_factory=list)
 
     def __str__(self) -> str:
         head = f"{self.job.title} ({self.job.mark}): exit {self.code}, written {self.written}"
@@ -103,6 +106,18 @@ class Played:
         return self.out / "tables" / self.job.format
 
 
+def control_of(job: Job, registers: Registers) -> VirtualFanuc:
+    """What the job says of a function is what the pages say; every other function acts hidden."""
+    counted = {name for name in COUNTED if job.options.get(name) == "available"}
+    return VirtualFanuc(
+        registers,
+        older=job.format == "fanuc-0i-16i",
+        hidden=1 + job.seed,
+        told=frozenset(counted),
+        has_npe=job.format in ("fanuc-0i-d", "fanuc-0i-f"),
+    )
+
+
 def play(job: Job, folder: Path, *, today: bool = True, text: str | None = None) -> Outcome:
     """Run a job and judge it; ``text``: another job file than the job's own."""
     return judge(run_job(job, folder, today=today, text=text))
@@ -113,7 +128,7 @@ def run_job(job: Job, folder: Path, *, today: bool = True, text: str | None = No
     folder.mkdir(parents=True, exist_ok=True)
     state_files(job, folder)
     really = dict(job.really if job.really is not None else job.files or {})
-    before = VirtualFanuc(loaded(really.values()), older=job.format == "fanuc-0i-16i")
+    before = control_of(job, loaded(really.values()))
     rng = np.random.default_rng([job.seed, 7])
     unknown = ""
     for axis in job.axes:
@@ -140,7 +155,7 @@ def judge(
     job, before = played.job, played.before
     outcome = Outcome(job, played.code, played.said, played.shown)
     if played.tables.is_dir() and played.code in (0, 1):
-        after = VirtualFanuc(reloaded(played.really, played.tables), older=before.older)
+        after = control_of(job, reloaded(played.really, played.tables))
         _judge_files(outcome, played, after)
         if played.unknown and job.mark != "warn":
             outcome.faults.append(
@@ -187,7 +202,8 @@ def _judge_axes(
     for axis in outcome.job.axes:
         if axis.name not in outcome.written:
             continue
-        said = prediction["axes"][axis.name]["predicted_new_targets"]["A"]["median"]
+        band = prediction["axes"][axis.name]["predicted_new_targets"]["A"]
+        said = band["median"]
         try:
             old, new = (
                 median_accuracy(axis, acting(control, axis), rng) for control in (before, after)
@@ -200,6 +216,7 @@ def _judge_axes(
         outcome.figures.append(
             f"{axis.name}: A {old:.1f} before, {new:.1f} after, {said:.1f} predicted"
         )
+        outcome.within.append(bool(band["p05"] <= new <= band["p95"]))
         if new > FACTOR * said + ROOM or new > old:
             outcome.faults.append(f"HARM {outcome.figures[-1]}")
 
@@ -267,15 +284,62 @@ def _judge_files(outcome: Outcome, played: Played, after: VirtualFanuc) -> None:
             outcome.written.append(axis.name)
     groups = {f"A{axis.address}": axis.address for axis in job.axes}
     if foreign := sorted(
-        (number, group) for number, group in parameters if group not in groups or number not in OWN
+        (number, group)
+        for number, group in parameters
+        if group not in groups or number not in own_numbers(job)
     ):
         outcome.faults.append(f"FOREIGN parameters changed: {foreign[:4]}, {len(foreign)} in all")
     for axis in job.axes:
         outcome.faults.extend(_numbers(before, after, axis, job))
         outcome.faults.extend(_bits(before, after, axis.address))
+        if axis.name in outcome.written:
+            outcome.faults.extend(_grid_stays(before, after, axis, outcome))
+    outcome.faults.extend(_neighbours(before, after, job))
     outcome.faults.extend(_pitch_data(before, after, points, job))
     outcome.faults.extend(_straightness(before, after, job))
     outcome.faults.extend(_written_files(played, groups))
+
+
+def own_numbers(job: Job) -> set[int]:
+    """What compwright may write for an axis: the table, backlash, and functions that the job says
+    are there.
+    """
+    return OWN.union(*(COUNTED[name] for name in COUNTED if job.options.get(name) == "available"))
+
+
+def _grid_stays(
+    before: VirtualFanuc, after: VirtualFanuc, axis: AxisJob, outcome: Outcome
+) -> Iterator[str]:
+    """Without ``spacing`` numbers, reference and interval stay, or CW-P140 says why not."""
+    old, new = before.grid(axis.address), after.grid(axis.address)
+    there = old.interval > 0 and old.last > old.first
+    first = min(old.first, old.reference)  # 3621 = 3620 + 1 without a wrap: 3621 <= 3620 is asked
+    kept = [
+        (new.reference, new.first, new.last, new.interval)
+        == (old.reference, number, old.last, old.interval)
+        for number in (old.first, first)
+    ]
+    told = "CW-P140" in outcome.said + outcome.shown or "CW-S014" in outcome.said + outcome.shown
+    if there and "table" not in axis.words and not any(kept) and not told:
+        yield f"{axis.name}: the grid that was there moved without a word"
+
+
+def _neighbours(before: VirtualFanuc, after: VirtualFanuc, job: Job) -> Iterator[str]:
+    """What every other axis does stays as it was, to the bit."""
+    for axis in set(before.axes()) - {axis.address for axis in job.axes}:
+        grid = before.grid(axis)
+        low, high = (grid.first - grid.reference - 2, grid.last - grid.reference + 2)
+        x = (grid.interval or 1.0) * np.linspace(low, high, 301)
+        for home, d, rapid in ((1, 1, False), (1, -1, False), (1, -1, True)):
+            found = []
+            for control in (before, after):
+                try:
+                    found.append(control.correction(axis, x, d, home=home, rapid=rapid).tobytes())
+                except NotKnownError as reason:
+                    found.append(str(reason).encode())
+            if found[0] != found[1]:
+                yield f"HARM axis {axis}, which is not in the job, does something else than before"
+                break
 
 
 def _pitch_data(
@@ -284,6 +348,15 @@ def _pitch_data(
     mine = set().union(
         *(control.grid(a.address).numbers() for a in job.axes for control in (before, after))
     )
+    if job.options.get("cyclic") == "available":
+        second = {n for a in job.axes for n in after.cyclic_numbers(a.address)}
+        new = second - {n for a in job.axes for n in before.cyclic_numbers(a.address)}
+        others = set().union(*owners(before).values())
+        if clash := sorted(
+            n for n in new if n in others or float(before.registers.pitch.get(n, "0"))
+        ):
+            yield f"the second table takes numbers of others, or that hold something: {clash[:5]}"
+        mine |= second
     if stray := sorted(points - mine):
         yield f"FOREIGN pitch data changed: {stray[:5]}, {len(stray)} in all"
 
@@ -296,10 +369,11 @@ def _written_files(played: Played, groups: Mapping[str, int]) -> Iterator[str]:
             yield f"rollback of {name} is no byte copy"
         patched = played.tables / name
         if patched.is_file():
-            yield from _lines(name, given, patched.read_bytes(), groups)
+            own = own_numbers(job)
+            yield from _lines(name, given, patched.read_bytes(), groups, own)
     for path in sorted(played.tables.iterdir()):
         if path.name not in played.really:
-            yield from _fresh(path.name, loaded([path.read_bytes()]), groups)
+            yield from _fresh(path.name, loaded([path.read_bytes()]), groups, own_numbers(job))
 
 
 def _bits(before: VirtualFanuc, after: VirtualFanuc, axis: int) -> Iterator[str]:
@@ -351,7 +425,7 @@ def _numbers(before: VirtualFanuc, after: VirtualFanuc, axis: AxisJob, job: Job)
 def _limits(axis: AxisJob, job: Job, grid: Grid, after: VirtualFanuc) -> Iterator[str]:
     """What the control itself takes (A4)."""
     used = grid.numbers()
-    most_number, most = (1023, 7) if job.format == "fanuc-0i-16i" else (1535, 127)
+    most_number, most = LIMITS.get(job.format, (1535, 127))
     values = [abs(float(after.registers.pitch.get(n, "0"))) for n in used]
     if used and (max(used) > most_number or min(used) < 0):
         yield f"{axis.name}: numbers {min(used)} to {max(used)} are outside 0 to {most_number}"
@@ -398,7 +472,9 @@ def _straightness(before: VirtualFanuc, after: VirtualFanuc, job: Job) -> Iterat
                 )
 
 
-def _lines(name: str, given: bytes, patched: bytes, groups: Mapping[str, int]) -> Iterator[str]:
+def _lines(
+    name: str, given: bytes, patched: bytes, groups: Mapping[str, int], own: set[int]
+) -> Iterator[str]:
     """A patched file differs in values of the axis under work and of pitch data, in nothing else;
     lines neither come nor go.
     """
@@ -412,9 +488,11 @@ def _lines(name: str, given: bytes, patched: bytes, groups: Mapping[str, int]) -
         blank = [re.sub(rb"(?<=[PMI])[-0-9.]+", b"#", line) for line in (a, b)]
         if blank[0] != blank[1]:
             yield f"{name}: more than values changed: {a[:60]!r} became {b[:60]!r}"
-        if (number := int(a[1:6])) < 10000 and not (number in OWN and _only(a, b, groups)):
+        number = int((re.match(rb"N(\d+)", a) or [b"", b"0"])[1])
+        parameter = number < 10000 or b"Q1" in a[:8]
+        if parameter and not (number in own and _only(a, b, groups)):
             yield f"{name}: another axis's entry changed: {a[:60]!r} became {b[:60]!r}"
-        if number >= 10000 and b"Q1" in a[:8]:
+        if number >= 10000 and b"Q1" in a[:8] and number not in own:
             yield (
                 f"{name}: a parameter changed as if it were pitch data: {a[:60]!r} became"
                 f" {b[:60]!r}"
@@ -428,9 +506,11 @@ def _only(a: bytes, b: bytes, groups: Mapping[str, int]) -> bool:
     return all(x == y or x[0].decode() in groups for x, y in pairs)
 
 
-def _fresh(name: str, registers: Registers, groups: Mapping[str, int]) -> Iterator[str]:
+def _fresh(
+    name: str, registers: Registers, groups: Mapping[str, int], own: set[int]
+) -> Iterator[str]:
     for number, group in registers.parameters:
-        if group not in groups or number not in OWN:
+        if group not in groups or number not in own:
             yield f"{name}: entry {number} {group} is not of an axis under work"
         if number == 3605:
             yield f"{name}: 3605 as a whole byte, without having read what stands there"

@@ -37,21 +37,50 @@ def good(outcome: Outcome) -> None:
 # --------------------------------------------------------------------------------------------------
 
 SHARES = 4
-#: Every family at least once; benchmarks/bench_backups_fanuc.py plays hundreds.
-DEALT = deal(ROUND)
+#: Every family once, but those that a named case below plays anyway;
+#: benchmarks/bench_backups_fanuc.py plays hundreds.
+NAMED = {
+    "detection_unit_contradicts",
+    "detection_units",
+    "endless_two_turns",
+    "inclination",
+    "inclination_points_here",
+    "inch",
+    "inch_letter",
+    "never_compensated",
+    "odd_neighbour",
+    "older_parameters_alone",
+    "other_letter",
+    "parameters_alone_asleep",
+    "rotary_without_wrap",
+    "scarce",
+    "second_path",
+    "state_none_without_first_point",
+    "straightness",
+    "cyclic",
+    "totals",
+    "wraps_by_file_only",
+    "wraps_by_job_only",
+}
+DEALT = [(name, seed) for name, seed in deal(ROUND) if seed == 0 and name not in NAMED]
 
 
 @needs_backup
 @pytest.mark.parametrize("share", range(SHARES))
 def test_no_random_job_does_harm(share: int, tmp_path: Path) -> None:
-    dealt = DEALT[share * ROUND // SHARES : (share + 1) * ROUND // SHARES]
+    dealt = DEALT[share::SHARES]
     outcomes = [play(make(name, seed), tmp_path / f"{name}-{seed}") for name, seed in dealt]
     faulty = [str(outcome) for outcome in outcomes if outcome.faults]
     assert not faulty, "\n".join(faulty)
-    written = sum(len(outcome.written) == len(outcome.job.axes) for outcome in outcomes)
-    assert written >= 0.6 * len(outcomes), [
-        (outcome.job.title, outcome.code) for outcome in outcomes if not outcome.written
-    ]
+
+
+@needs_backup
+def test_most_of_the_jobs_must_be_written() -> None:
+    """A plain one that is not written is a fault: at least every second job has to be such a
+    one.
+    """
+    marks = [make(name, seed).mark for name, seed in deal(ROUND)]
+    assert marks.count("plain") >= 0.5 * len(marks)
 
 
 # --- the named cases

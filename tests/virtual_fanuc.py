@@ -7,6 +7,10 @@ sections A1 (parameters), A2 (meaning of one value, turns, two sets, inclination
 (backlash), A5 (straightness), A6 (text), A8 (virtual control), and the page on real backups,
 section 1, which stands above.
 
+Where the pages tell that a function acts and not how (its sign, its unit, what multiplies it), it
+can act ``hidden``: as any fixed function of the node that hangs on its own parameters and on 3620
+to 3624. Whoever leaves all of these alone leaves it as it is; whoever moves one gets another axis.
+
 Positions and corrections are mm, on a rotary axis degrees. A correction is what the control adds to
 the command; ``direction`` is +1 or -1, ``home`` the direction in which the reference is approached:
 there, and only there, the correction at the reference is 0.
@@ -16,6 +20,7 @@ from __future__ import annotations
 
 import math
 import re
+import zlib
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -140,6 +145,11 @@ class VirtualFanuc:
     offset_sign: int = 1
     unit_factor: float = 1.0
     half_section: float = 0.0
+    #: not 0: functions act hidden, except those of ``told`` (inclination, cyclic, straightness)
+    hidden: int = 0
+    told: frozenset[str] = frozenset()
+    #: 0i-D, 0i-F: 8135#0 = 1 switches stored pitch error compensation off
+    has_npe: bool = False
 
     # --- what stands where
     # ----------------------------------------------------------------------------------------------
@@ -192,20 +202,25 @@ class VirtualFanuc:
         inch = found.letter == "I" or (found.letter == "P" and self.bit(1001, axis, 0))
         return value * INCH if inch else value
 
+    def least_increment(self, axis: int) -> float:
+        """IS-A to IS-E by 1013 (older series: 1004 of the path), 1001#0 inch: mm or degrees."""
+        increments = self.entry(1004 if self.older else 1013, axis)
+        bits = (increments.text if increments is not None else "0").lstrip("0")
+        if self.older:
+            bits = bits[-2:].lstrip("0")
+        sizes = {"": 1e-3, "1": 1e-2, "10": 1e-4, "100": 1e-5, "1000": 1e-6}
+        if bits not in sizes:
+            raise NotKnownError(f"1013 = {bits}: no increment system")
+        inch = self.bit(1001, axis, 0) and not self.rotary(axis)
+        return sizes[bits] * (0.1 * INCH if inch else 1.0)  # 0.0001 inch on IS-B
+
     def detection_unit(self, axis: int) -> float:
-        """Least command increment (1013, 1001) over CMR (1820): mm or degrees."""
-        increments = self.entry(1013, axis)
-        bits = increments.text if increments is not None else "0"
-        if bits.strip("0") and bits.lstrip("0") != "10":
-            raise NotKnownError(f"1013 = {bits}: another increment system than IS-B and IS-C")
-        least = 0.0001 if bits.strip("0") else 0.001
-        if self.bit(1001, axis, 0) and not self.rotary(axis):
-            least = least * 0.1 * INCH  # 0.0001 inch on IS-B
+        """Least command increment over CMR (1820: 2 CMR, or 100 + 1/CMR): mm or degrees."""
         setting = int(self.value(1820, axis))
-        if 2 <= setting <= 96:
-            return self.unit_factor * least / (setting / 2)
-        if 102 <= setting <= 127:
-            return self.unit_factor * least * (setting - 100)
+        if 1 <= setting <= 96:
+            return self.unit_factor * self.least_increment(axis) / (setting / 2)
+        if 101 <= setting <= 127:
+            return self.unit_factor * self.least_increment(axis) * (setting - 100)
         raise NotKnownError(f"1820 = {setting}: no command multiplier")
 
     def grid(self, axis: int) -> Grid:
@@ -240,13 +255,58 @@ class VirtualFanuc:
             )
         grid = self.grid(axis)
         total = np.zeros_like(x)
-        if grid.acts:
-            total = (
-                total
-                + self._pitch(axis, grid, x, direction, home)
-                + self._inclination(axis, grid, x)
-            )
-        return total + self._cyclic(axis, x) + self._backlash(axis, direction, home, rapid)
+        if grid.acts and not (self.has_npe and self.bit(8135, axis, 0)):
+            total = total + self._pitch(axis, grid, x, direction, home)
+            if self._is_told("inclination"):
+                total = total + self._inclination(axis, grid, x)
+        if self._is_told("cyclic"):
+            total = total + self._cyclic(axis, x)
+        if self.hidden:
+            total = total + self._hidden(axis, x, direction, home)
+        return total + self._backlash(axis, direction, home, rapid)
+
+    # --- what acts in a way that the pages do not tell
+    # ----------------------------------------------------------------------------------------------
+
+    def _is_told(self, function: str) -> bool:
+        return not self.hidden or function in self.told
+
+    def _hidden(self, axis: int, x: Floats, direction: int, home: int) -> Floats:
+        total = np.zeros_like(x)
+        if not self._is_told("inclination") and self.speaks(axis, range(5871, 5875)):
+            total = total + self._shape(axis, x, range(5861, 5875))
+        if not self._is_told("cyclic") and self.cyclic_numbers(axis):
+            own = ",".join(self.registers.pitch.get(n, "") for n in self.cyclic_numbers(axis))
+            total = total + self._shape(axis, x, range(14985, 14989), own)
+        for rows in (range(10800, 10815), range(13381, 13400)):
+            if self.speaks(axis, rows):
+                total = total + self._shape(axis, x, rows)
+        smooth = range(1846, 1850)
+        if direction != home and self.speaks(axis, smooth):
+            total = total + self._draw(axis, smooth, "").normal(0, 2e-3)
+        return total
+
+    def speaks(self, axis: int, numbers: Iterable[int]) -> bool:
+        return any(self.value(number, axis) for number in numbers)
+
+    def _draw(self, axis: int, numbers: Iterable[int], more: str) -> np.random.Generator:
+        """The same figures for the same parameters of the function and of the grid."""
+        found = [self.entry(number, axis) for number in numbers]
+        texts = [entry.text if entry is not None else "" for entry in found]
+        return np.random.default_rng([self.hidden, zlib.crc32(repr((axis, texts, more)).encode())])
+
+    def _shape(self, axis: int, x: Floats, numbers: Iterable[int], more: str = "") -> Floats:
+        """Some micrometres (thousandths of a degree) at the node next to x, by its point number."""
+        grid = self.grid(axis)
+        if grid.interval <= 0:
+            return np.zeros_like(x)
+        rng = self._draw(axis, [*numbers, *range(3620, 3625)], more)
+        node = np.floor((np.mod(x, grid.turn) if grid.turn else x) / grid.interval + 0.5)
+        number = np.clip(node + grid.reference, grid.first - 1, grid.last)
+        waves = [(rng.normal(0, 3e-3), rng.uniform(12, 60), rng.uniform(0, 6)) for _ in range(2)]
+        return np.asarray(
+            sum(height * np.sin(2 * np.pi * number / many + at) for height, many, at in waves)
+        )
 
     def _points(self, numbers: Iterable[int]) -> Floats:
         missing = [number for number in numbers if number not in self.registers.pitch]
@@ -330,7 +390,11 @@ class VirtualFanuc:
             line = self.bent_line(
                 moving, tuple(range(first, first + 4)), tuple(range(amounts, amounts + 4))
             )
-            if bent and line is not None and grid.interval > 0:
+            if bent and line is not None and not self._is_told("straightness"):
+                own = [5711 + pair, 5721 + pair, *range(first, first + 4)]
+                own += range(amounts, amounts + 4)
+                shifts[bent] = shifts.get(bent, np.zeros_like(x)) + self._shape(moving, x, own)
+            elif bent and line is not None and grid.interval > 0:
                 place = np.mod(x, grid.turn) if grid.turn else x
                 shifts[bent] = shifts.get(bent, np.zeros_like(x)) + self.detection_unit(
                     bent
