@@ -50,6 +50,7 @@ def test_a_test_at_rapid_traverse_is_taken_with_1852(mode: str, tmp_path: Path) 
     card = (tmp_path / "job" / "card" / "card.md").read_text()
     assert f"1851 = {feed}" in card
     assert f"1852 = {rapid} (at rapid traverse; 1851 acts at cutting feed" in card
+    assert "check positions hold at rapid traverse" in card[card.index("## Axis X") :]
 
 
 def test_where_1852_does_not_act_the_motion_makes_no_difference(tmp_path: Path) -> None:

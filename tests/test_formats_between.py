@@ -249,11 +249,11 @@ def test_every_correction_is_said() -> None:
     answer = ask(family(SIEMENS), follows(), bent)
     assert [said.split(" is not")[0] for _, said in answer.remarks] == [
         "squareness of Y over X (+40.0 µm/m)",
-        "the measured deviation of Y over Z (-12.5 µm/m)",
+        "the measured deviation of Y over Z (+12.5 µm/m)",
     ]
     assert [step["title"] for step in answer.steps] == [
         "Not corrected: squareness of Y over X (+40.0 µm/m)",
-        "Not corrected: the measured deviation of Y over Z (-12.5 µm/m)",
+        "Not corrected: the measured deviation of Y over Z (+12.5 µm/m)",
     ]
 
 

@@ -9,8 +9,9 @@ where the control's own files were not given), ``unconfirmed`` and ``restore`` (
 axis holds ``name``, ``address``, ``unit`` (um or arcsec), ``rows`` (``quantity``, ``old``,
 ``new``), ``numbering`` (see `numbering`; None where points have no numbers), ``quick_check``
 (``position``, ``direction``, ``adds``: the compensation that the control itself shows,
-``expected``, ``stop``), ``points_needed`` and ``fixed_positions`` (``name``, ``position``,
-``moves``). Values to be typed carry a plain minus sign, so that they can be copied.
+``expected``, ``stop``), ``points_needed``, ``rapid`` (its test was taken at rapid traverse, for
+which everything here holds) and ``fixed_positions`` (``name``, ``position``, ``moves``).
+Values to be typed carry a plain minus sign, so that they can be copied.
 """
 
 from __future__ import annotations
@@ -38,6 +39,11 @@ from compwright.reporting.sections import (
     rule_lines,
 )
 
+#: Where a control compensates backlash otherwise at rapid traverse, the card says what it holds for.
+RAPID = (
+    "Measured at rapid traverse: the backlash here, what the control adds and the check positions"
+    " hold at rapid traverse. Check there, not at cutting feed."
+)
 _BOX = "[ ]"
 #: What the one table of check positions is for.
 HOW_TO_CHECK = (
@@ -186,6 +192,7 @@ def _axis_content(axis: Document) -> dict[str, Any]:
         "unit": unit_text(unit),
         "where": position_unit(unit),
         "points": axis.get("points_needed"),
+        "rapid": RAPID if axis.get("rapid") else "",
         "rows": [
             [plain(row.get("quantity")), _typed(row.get("old")), _typed(row.get("new"))]
             for row in axis.get("rows") or []
@@ -282,6 +289,8 @@ def _steps(steps: Iterable[Document]) -> list[str]:
 def _axis(axis: Document) -> list[str]:
     unit, where = axis["unit"], axis["where"]
     lines = [f"## Axis {_escape(axis['name'])}, control address {_escape(axis['address'])}", ""]
+    if axis["rapid"]:
+        lines += [f"**{axis['rapid']}**", ""]
     if axis["points"] is not None:
         lines += [
             (

@@ -67,9 +67,13 @@ class Between:
 
 
 def label(entry: PlannedCross) -> str:
-    """Return what is corrected, as people read it."""
-    what = "squareness" if entry.source == "circle" else "the measured deviation"
-    return f"{what} of {entry.output} over {entry.input} ({entry.squareness * 1e6:+.1f} µm/m)"
+    """Return what is corrected, as people read it: a squareness, or the slope of the deviation that
+    was measured. An angle above 90° lets the output axis deviate to -.
+    """
+    pair, squareness = f"{entry.output} over {entry.input}", entry.squareness * 1e6
+    if entry.source == "circle":
+        return f"squareness of {pair} ({squareness:+.1f} µm/m)"
+    return f"the measured deviation of {pair} ({-squareness:+.1f} µm/m)"
 
 
 def together(first: Sequence[ControlFile], then: Sequence[ControlFile]) -> tuple[ControlFile, ...]:

@@ -108,6 +108,7 @@ def _axis(
             for entry in quick_check(work, new)
         ],
         "numbering": _numbering(control, axis, loaded),
+        "rapid": axis.motion == "rapid",
         "points_needed": control.format.points_needed(table) if table is not None else None,
         "fixed_positions": [
             {
