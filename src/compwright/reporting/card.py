@@ -39,7 +39,7 @@ from compwright.reporting.sections import (
     rule_lines,
 )
 
-#: Where a control compensates backlash otherwise at rapid traverse, the card says what it holds for.
+#: What a card of a test at rapid traverse holds for: a control may have another backlash there.
 RAPID = (
     "Measured at rapid traverse: the backlash here, what the control adds and the check positions"
     " hold at rapid traverse. Check there, not at cutting feed."
