@@ -616,7 +616,7 @@ def test_a_parameter_read_under_another_number_makes_a_check_fall(
 ) -> None:
     number = getattr(known, name)
     assert falls(merged_definition("fanuc-30i"), {"facts": facts, "decode": decode}) == ""
-    monkeypatch.setattr(known, "MEANINGS", {**known.MEANINGS, number + 500: "turned"})
+    monkeypatch.setattr(known, "NAMES", {**known.NAMES, number + 500: "path"})
     monkeypatch.setattr(known, name, number + 500)
     assert falls(merged_definition("fanuc-30i"), {"facts": facts, "decode": decode}) != ""
 

@@ -47,6 +47,8 @@ _TOP = (
     "sample",
     "expect",
 )
+#: Keys of some shapes only: what needs them says so (`consistency`).
+_OF_SHAPES = ("parameters",)
 
 
 def load_definition(
@@ -78,7 +80,7 @@ def definition_in(text: DefinitionText, own: Texts = ()) -> Definition:
     faults: list[Fault] = []
     root = Node(text, faults, (), text.data)
     _check_version(root)
-    part = root.keys(*_TOP)
+    part = root.keys(*_TOP, besides=_OF_SHAPES)
     part["compwright_format"].integer(SCHEMA_VERSION, SCHEMA_VERSION)
     definition = definition_of_sections(part, text, own)
     raise_all(InputError, faults)

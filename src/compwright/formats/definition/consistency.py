@@ -99,6 +99,7 @@ def contradictions(definition: Definition, shapes: Mapping[str, ShapeRules]) -> 
             _bindings(definition, rules),
             _options(definition),
             _limits(definition, rules),
+            _parameters(definition, rules),
             _writing(definition, rules),
         )
         for path, message in found_by
@@ -324,6 +325,13 @@ def _limits(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath
             o.settled_by == "max_points" for o in definition.options.values()
         ):
             yield ("limits", index), "needs an option that is settled by max_points"
+
+
+def _parameters(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath, str]]:
+    for name in sorted(rules.parameters - definition.parameters.keys()):
+        yield ("parameters", name), "key is missing"
+    for name in sorted(definition.parameters.keys() - rules.parameters):
+        yield ("parameters", name), "is not known here"
 
 
 def _writing(definition: Definition, rules: ShapeRules) -> Iterator[tuple[KeyPath, str]]:

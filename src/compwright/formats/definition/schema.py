@@ -145,6 +145,9 @@ When = Literal["always", "one_curve", "two_curves", "cross"]
 #: What a table of an axis that is programmed in diameter counts in.
 DiameterTables = Literal["radius", "unconfirmed"]
 OptionType = Literal["integer", "number", "choice", "text", "integers"]
+#: What parameters beside the table are on a control: read; others by the same numbers, which count
+#: for nothing; or nobody knows what.
+Here = Literal["read", "another", "unknown"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -346,6 +349,14 @@ class DiameterRule:
 
 
 @dataclass(frozen=True, slots=True)
+class ParameterRule:
+    """What parameters that a family knows beside the table are on this control."""
+
+    here: Here
+    evidence: EvidenceNote
+
+
+@dataclass(frozen=True, slots=True)
 class OptionRule:
     """An option. ``settled_by``: the quantity in the control's files that answers it;
     ``option_wins`` where both differ.
@@ -428,6 +439,7 @@ class Definition:
 
     Equal only to itself: what is made of it (its compiled forms) is kept by it.
 
+    ``parameters``: those beside the table, by the names that the family of its shape gives them.
     ``text``: where each key stands, for faults. ``own``: of a definition that a user brought,
     its text and what it extends; empty for those that ship.
     """
@@ -445,6 +457,7 @@ class Definition:
     bindings: Mapping[str, Binding]
     between_axes: BetweenAxes
     diameter: DiameterRule
+    parameters: Mapping[str, ParameterRule]
     limits: tuple[LimitRule, ...]
     options: Mapping[str, OptionRule]
     writing: tuple[WrittenFile, ...]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import cast, get_args
 
 from compwright.formats.definition.extends import DefinitionText
@@ -27,6 +27,7 @@ from compwright.formats.definition.schema import (
     Expectation,
     Expected,
     FieldType,
+    Here,
     Layout,
     LimitRule,
     Measure,
@@ -34,6 +35,7 @@ from compwright.formats.definition.schema import (
     OptionType,
     OptionValue,
     Pairing,
+    ParameterRule,
     Plain,
     Predicate,
     Repeated,
@@ -97,6 +99,7 @@ def definition_of_sections(
         ),
         between_axes=_between_axes(part["between_axes"]),
         diameter=_diameter(part["diameter"]),
+        parameters=dict(_parameters(part["parameters"])) if "parameters" in part else {},
         limits=tuple(_limit(node) for node in part["limits"].items()),
         options=Required(
             {name: _option(name, node) for name, node in part["options"].entries()},
@@ -341,6 +344,12 @@ def _diameter(node: Node) -> DiameterRule:
         card=part["card"].text(),
         evidence=_evidence(part["evidence"]),
     )
+
+
+def _parameters(node: Node) -> Iterator[tuple[str, ParameterRule]]:
+    for name, each in node.entries():
+        part = each.keys("here", "evidence")
+        yield name, ParameterRule(part["here"].literal(Here), _evidence(part["evidence"]))
 
 
 def _option(name: str, node: Node) -> OptionRule:

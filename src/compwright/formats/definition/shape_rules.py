@@ -16,7 +16,8 @@ class ShapeRules:
     itself (``position``), is counted by its field ``index`` (``index``), or only holds the values
     (``values``); None: each may stand in a statement of its own. ``by_axis``: a file belongs to one
     axis. ``columns``: every table has columns for other axes, so that nothing else is needed to
-    correct between axes. ``afresh``: files are always written anew, never patched.
+    correct between axes. ``afresh``: files are always written anew, never patched. ``parameters``:
+    those beside the table of which a definition says what they are.
     """
 
     words: str
@@ -26,3 +27,4 @@ class ShapeRules:
     by_axis: bool = True
     columns: bool = False
     afresh: bool = False
+    parameters: frozenset[str] = frozenset()

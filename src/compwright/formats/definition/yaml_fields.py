@@ -70,9 +70,13 @@ class Node:
         for index, data in enumerate(self.data):
             yield self.child(index, data)
 
-    def keys(self, *names: str) -> dict[str, Node]:
-        """Return the places of exactly these keys. A missing and an unknown key are faults."""
+    def keys(self, *names: str, besides: Collection[str] = ()) -> dict[str, Node]:
+        """Return the places of exactly these keys, and of those of ``besides`` that are there. A
+        missing and an unknown key are faults.
+        """
         data = self.data
+        if isinstance(data, dict):
+            names = (*names, *(name for name in besides if name in data))
         if not isinstance(data, dict):
             self.fault(
                 "has the wrong form",

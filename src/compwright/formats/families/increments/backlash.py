@@ -20,6 +20,7 @@ def acting_backlash(values: AxisValues, feed: int) -> int:
     """
     rapid, separate = values.integer("backlash_rapid"), values.separate_rapid()
     at_rapid = values.axis is not None and values.axis.motion == "rapid"
+    told = values.own.all.counts(known.BACKLASH_BITS)
     bits = values.own.get(known.BACKLASH_BITS)
     if at_rapid and separate and rapid is None and bits is not None:
         message = "its test was taken at rapid traverse (motion: rapid), where 1852 acts (1800#4)"
@@ -32,8 +33,11 @@ def acting_backlash(values: AxisValues, feed: int) -> int:
             "its test was taken at rapid traverse (motion: rapid), and no file says whether 1852"
             f" = {rapid} acts there or 1851 = {feed}"
         )
-        values.wrong("backlash_rapid", message, "the line of 1800 (bit 4) among the files")
-    why = "1800#4 = 1" if separate else "1800#4 is not in the files"
+        help_ = "the line of 1800 (bit 4) among the files"
+        alone = "a test at cutting feed: which bit says it on this series is not known"
+        values.wrong("backlash_rapid", message, help_ if told else alone)
+    silent = "1800#4 is not in the files" if told else "which bit says that 1852 acts is not known"
+    why = "1800#4 = 1" if separate else silent
     shown = "rapid traverse, 1852" if at_rapid else "cutting feed, 1851"
     values.notes.find(
         "CW-S015",

@@ -57,7 +57,7 @@ def _filled(family: Family, asked: Asked, entry: PlannedCross) -> Between | None
     None where it has no place there, or is not exactly what is wanted.
     """
     added, bent = entry.added, asked.axes.get(entry.output)
-    places = free_pair(Parameters(asked.base), added.input)
+    places = free_pair(Parameters(asked.base, family.definition.parameters), added.input)
     unit = None if bent is None else family.options_of(bent).get("detection_unit")
     if places is None or not isinstance(unit, float) or added.positions.size != 2:
         return None

@@ -87,7 +87,8 @@ def two_systems(own: AxisParameters) -> str:
     """Return in words that 1013 and 1004 name different increment systems; empty where they do not.
     1013 is the one that counts.
     """
-    system, older = own.get(known.SYSTEM), own.get(known.SYSTEM_OF_MACHINE)
+    system, number = own.get(known.SYSTEM), known.SYSTEM_OF_MACHINE
+    older = own.get(number) or own.another(number)
     if system is None or older is None or _power(system) == _power(older):
         return ""
     said = (

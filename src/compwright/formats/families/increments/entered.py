@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from compwright.formats.definition.schema import Definition
-from compwright.formats.families.increments.parameters import MEANINGS, SILENT
+from compwright.formats.families.increments.parameters import MEANINGS, NAMES, SILENT
 from compwright.formats.text.entered import SILENT_QUANTITIES, Entered, texts_of
 from compwright.records.correction import ControlFile, ControlState
 
@@ -25,6 +25,12 @@ _UNREAD: Mapping[int, str] = {
     1850: "grid shift: moves the machine's zero",
     8135: "options (#0: stored pitch error compensation off)",
     **dict.fromkeys(range(10803, 10815), "three-dimensional compensation"),
+}
+#: What is said before the words of a parameter that this series does not have as others do: it may
+#: compensate, so a change is told.
+_ELSEWHERE = {
+    "another": "another parameter on this series; on others: ",
+    "unknown": "not known on this series; on others: ",
 }
 #: Quantities of a definition, where their own names would not be understood.
 _WORDS = {
@@ -64,7 +70,9 @@ def _known(definition: Definition) -> dict[int, _Known]:
                 words, not bound or not SILENT_QUANTITIES.issuperset(bound)
             )
     for number, words in {**_UNREAD, **MEANINGS}.items():
-        found[number] = _Known(words, number not in SILENT)
+        here = definition.parameters[NAMES[number]].here if number in NAMES else "read"
+        told = words if here == "read" else f"{_ELSEWHERE[here]}{words}"
+        found[number] = _Known(told, number not in SILENT)
     return found
 
 

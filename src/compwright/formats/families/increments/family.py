@@ -16,6 +16,7 @@ from compwright.formats.families.increments.capacity import AxisLimits
 from compwright.formats.families.increments.card import increment_values
 from compwright.formats.families.increments.entered import entered, whereabouts
 from compwright.formats.families.increments.numbered import numbered_sections
+from compwright.formats.families.increments.parameters import NAMES
 from compwright.formats.families.increments.reading import StateReader
 from compwright.formats.families.increments.sheets import increment_sheets
 from compwright.formats.families.increments.writing import write_increments
@@ -35,6 +36,7 @@ _MOST_AXES = 40
 RULES = ShapeRules(
     words="whole increments by section, numbered in one array for all axes",
     grid=("table_spacing",),
+    parameters=frozenset(NAMES.values()),
     # that of increments is turned by the options pitch_sign and offset_sign
     signs={"value": frozenset({"correction"}), "backlash": frozenset({"lost_motion"})},
 )
@@ -64,7 +66,8 @@ class IncrementsFamily(Family):
         """See `Family.for_a_view`: functions beside the table are counted by their best-known
         meaning, which is listed.
         """
-        return self.with_options(inclination="available", cyclic="available")
+        both = {"inclination", "cyclic"} & self.definition.options.keys()
+        return self.with_options(**dict.fromkeys(both, "available"))
 
     def capacity(self, axis: Axis, *, one_curve: bool = False) -> Capacity:
         """See `Family.capacity`."""

@@ -14,6 +14,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 
+from compwright.formats.definition.schema import ParameterRule
 from compwright.formats.families.increments.points import NUMBERED, POINTS_FROM
 from compwright.formats.text.entry_sheet import is_entry_sheet
 from compwright.foundations.errors import Fault
@@ -38,37 +39,44 @@ SPATIAL = range(10800, 10803)
 STRAIGHTNESS_MORE = range(13301, 13400)
 CYCLIC = CYCLIC_FIRST, CYCLIC_LAST, CYCLIC_INTERVAL, CYCLIC_FACTOR = 14985, 14986, 14987, 14988
 
-#: Everything that is read, and what it is in words.
-_TOLD: tuple[tuple[Iterable[int], str], ...] = (
-    ([PATH_OF_AXIS], "path of the axis"),
-    ([INCH], "unit of lengths (#0: inch)"),
-    ([SYSTEM_OF_MACHINE], "increment system"),
-    ([KIND], "kind of the axis (#0, #1), diameter (#3), direction of the return (#5)"),
-    ([SYSTEM], "increment system of the axis"),
-    ([NAME, *NAME_MORE], "letters of the axis"),
-    ([TURN], "one turn of the axis"),
-    ([RAPID], "rate of rapid traverse"),
-    ([BACKLASH_BITS], "bits of the servo (#4: backlash of its own for rapid traverse)"),
-    ([BACKLASH_RAPID], "backlash at rapid traverse"),
-    ([ENCODER], "bits of the encoder"),
-    ([MULTIPLIER], "command multiplier: decides the detection unit"),
-    ([REFERENCE_COUNTER], "reference counter"),
-    (SMOOTH_BACKLASH, "smooth backlash compensation"),
-    ([TOTALS], "bits of pitch error compensation"),
-    ([PITCH_BITS], "bits of pitch error compensation (#0: two sets)"),
-    (STRAIGHTNESS_MOVING, "straightness: moving axis"),
-    (STRAIGHTNESS_BENT, "straightness: compensated axis"),
-    (STRAIGHTNESS_POINTS, "straightness: point numbers"),
-    (STRAIGHTNESS_AMOUNTS, "straightness: amounts"),
-    (STRAIGHTNESS_MORE, "straightness: further pairs"),
-    (INCLINATION_POINTS, "inclination: point numbers"),
-    (INCLINATION_AMOUNTS, "inclination: amounts"),
-    (SPATIAL, "three-dimensional compensation"),
-    ([CYCLIC_FIRST, CYCLIC_LAST], "second, cyclic table: point numbers"),
-    ([CYCLIC_INTERVAL], "second, cyclic table: interval of the points"),
-    ([CYCLIC_FACTOR], "second, cyclic table: magnification"),
+#: Everything that may be read: the name under which a definition says what it is on its series
+#: (`parameters`), its numbers, and what it is in words.
+_TOLD: tuple[tuple[str, Sequence[int], str], ...] = (
+    ("path", [PATH_OF_AXIS], "path of the axis"),
+    ("inch", [INCH], "unit of lengths (#0: inch)"),
+    ("increment_system_of_machine", [SYSTEM_OF_MACHINE], "increment system"),
+    ("kind", [KIND], "kind of the axis (#0, #1), diameter (#3), direction of the return (#5)"),
+    ("increment_system", [SYSTEM], "increment system of the axis"),
+    ("name", [NAME], "letters of the axis"),
+    ("name_more", NAME_MORE, "letters of the axis"),
+    ("turn", [TURN], "one turn of the axis"),
+    ("rapid_traverse", [RAPID], "rate of rapid traverse"),
+    (
+        "backlash_bits",
+        [BACKLASH_BITS],
+        "bits of the servo (#4: backlash of its own for rapid traverse)",
+    ),
+    ("backlash_rapid", [BACKLASH_RAPID], "backlash at rapid traverse"),
+    ("encoder", [ENCODER], "bits of the encoder"),
+    ("command_multiplier", [MULTIPLIER], "command multiplier: decides the detection unit"),
+    ("reference_counter", [REFERENCE_COUNTER], "reference counter"),
+    ("smooth_backlash", SMOOTH_BACKLASH, "smooth backlash compensation"),
+    ("totals", [TOTALS], "bits of pitch error compensation"),
+    ("pitch_bits", [PITCH_BITS], "bits of pitch error compensation (#0: two sets)"),
+    ("straightness", STRAIGHTNESS_MOVING, "straightness: moving axis"),
+    ("straightness", STRAIGHTNESS_BENT, "straightness: compensated axis"),
+    ("straightness", STRAIGHTNESS_POINTS, "straightness: point numbers"),
+    ("straightness", STRAIGHTNESS_AMOUNTS, "straightness: amounts"),
+    ("straightness", STRAIGHTNESS_MORE, "straightness: further pairs"),
+    ("inclination", INCLINATION_POINTS, "inclination: point numbers"),
+    ("inclination", INCLINATION_AMOUNTS, "inclination: amounts"),
+    ("spatial", SPATIAL, "three-dimensional compensation"),
+    ("cyclic", [CYCLIC_FIRST, CYCLIC_LAST], "second, cyclic table: point numbers"),
+    ("cyclic", [CYCLIC_INTERVAL], "second, cyclic table: interval of the points"),
+    ("cyclic", [CYCLIC_FACTOR], "second, cyclic table: magnification"),
 )
-MEANINGS: Mapping[int, str] = {number: words for numbers, words in _TOLD for number in numbers}
+NAMES = {number: name for name, numbers, _ in _TOLD for number in numbers}
+MEANINGS: Mapping[int, str] = {number: words for _, numbers, words in _TOLD for number in numbers}
 #: Read, and no compensation: neither a unit nor a kind hangs on them.
 SILENT = frozenset({NAME, *NAME_MORE, RAPID})
 _WORD = re.compile(r"[ \t]*([A-Z])[ \t]*(-?(?:[0-9]+\.?[0-9]*|\.[0-9]+))", re.IGNORECASE)
@@ -133,10 +141,18 @@ class Value:
 
 
 class Parameters:
-    """The watched parameters of all files."""
+    """The parameters of all files that a series has.
 
-    def __init__(self, files: Sequence[ControlFile]) -> None:
+    ``rules``: what a definition says of each group. ``another``, ``unknown``: values that are not
+    zero, of numbers that are other parameters on this series, or of which nobody knows what they
+    are.
+    """
+
+    def __init__(self, files: Sequence[ControlFile], rules: Mapping[str, ParameterRule]) -> None:
         self.values: dict[int, list[Value]] = {}
+        self.another: list[Value] = []
+        self.unknown: list[Value] = []
+        self._here = {number: rules[name].here for number, name in NAMES.items()}
         for file in files:
             if not is_entry_sheet(file):
                 self._read(file)
@@ -145,18 +161,29 @@ class Parameters:
         """Return all values of some parameters, whoever they belong to."""
         return [value for number in numbers for value in self.values.get(number, ())]
 
+    def counts(self, number: int) -> bool:
+        """Whether a number is on this series the parameter that is meant."""
+        return self._here[number] == "read"
+
     def _read(self, file: ControlFile) -> None:
         place = 0
         for line, text in enumerate(file.content.decode("latin-1").split("\n"), start=1):
             start = place + len(text) - len(text.lstrip("\r"))
             place += len(text) + 1
             match = NUMBERED.match(text.strip("\r"))
-            if match is None or int(match[1]) not in MEANINGS:
+            if match is None or int(match[1]) not in self._here:
                 continue
             rest = _COMMENT.sub(lambda comment: " " * len(comment[0]), match[2])
             number, where = int(match[1]), (file.name, line, start + match.start(2))
             for value in _values(number, rest, where):
-                self.values.setdefault(number, []).append(value)
+                self._keep(value)
+
+    def _keep(self, value: Value) -> None:
+        here = self._here[value.number]
+        if here == "read":
+            self.values.setdefault(value.number, []).append(value)
+        elif value.acts:
+            (self.unknown if here == "unknown" else self.another).append(value)
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,7 +213,7 @@ class AxisParameters:
 
     @property
     def system(self) -> Value | None:
-        """The increment system: by axis (1013), on older series of the machine (1004)."""
+        """The increment system: by axis (1013), on series that have it of the machine (1004)."""
         return self.get(SYSTEM) or self.get(SYSTEM_OF_MACHINE)
 
     def get(self, number: int) -> Value | None:
@@ -198,6 +225,11 @@ class AxisParameters:
         refused.
         """
         values = {value.whose: value for value in self.all.of([number])}
+        return next((values[whose] for whose in self._owners() if whose in values), None)
+
+    def another(self, number: int) -> Value | None:
+        """Return what stands for the axis under a number that is another parameter here."""
+        values = {value.whose: value for value in self.all.another if value.number == number}
         return next((values[whose] for whose in self._owners() if whose in values), None)
 
     def bit(self, number: int, bit: int) -> bool | None:

@@ -70,7 +70,8 @@ class StateReader:
         self.gathered = gather(family.definition, texts)
         self.notes.findings.extend(finding for text in texts for finding in text.findings)
         self.points = points_by_number(family.definition, self.gathered, files, self.notes)
-        self.parameters = Parameters([_as_lines(file, family.definition.id) for file in self.files])
+        lines = [_as_lines(file, family.definition.id) for file in self.files]
+        self.parameters = Parameters(lines, family.definition.parameters)
         self.wanted = self._wanted(address)
         self.compensations: dict[str, AxisCompensation] = {}
         self.facts: dict[str, AxisFacts] = {}
@@ -91,6 +92,7 @@ class StateReader:
             else:
                 self._leave_alone(address)
         self._check_names()
+        self._tell_unknown()
         self.notes.faults.extend(self._odd_partners())
         cross = tuple(self._cross())
         raise_all(InputError, self.notes.faults)
@@ -269,6 +271,21 @@ class StateReader:
                         found=address,
                     )
                 )
+
+    def _tell_unknown(self) -> None:
+        """Name once what stands under numbers of other series that nobody knows on this one."""
+        definition, values = self.family.definition, self.parameters.unknown
+        numbers = sorted({value.number for value in values})
+        if numbers:
+            self.notes.find(
+                "CW-S057",
+                "warning",
+                f"{definition.id}: no page says what the parameters"
+                f" {', '.join(map(str, numbers))} are on this series ({values[0].place}; other"
+                " series have units, paths or further compensation there): they are not counted,"
+                " not held against the job and left as they are. Look them up in the control's own"
+                " manual: what compensates among them cancels only as long as the grid stays",
+            )
 
     def _tell_overlaps(self) -> None:
         owners: dict[int, list[str]] = {}

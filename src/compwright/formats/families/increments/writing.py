@@ -83,7 +83,7 @@ class _OwnFiles(Patches):
         texts = read_texts(definition, files, faults) if files else []
         raise_all(InputError, faults)
         self.gathered = gather(definition, texts)
-        self.parameters = Parameters(self.files)
+        self.parameters = Parameters(self.files, definition.parameters)
         self.rows: dict[int, list[Found]] = {}
         for row in point_rows(definition, self.gathered, self.files):
             self.rows.setdefault(point_number(row), []).append(row)
