@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -52,9 +52,11 @@ def diff_document(
     findings: Sequence[Finding],
     *,
     told: bool,
+    untold: Collection[str],
 ) -> dict[str, Any]:
     """Return the document. ``names``: what the control's files call the axes, by address; ``told``:
-    the corrections of both sides are known.
+    the corrections of both sides are known, of all axes; ``untold``: the axes of which they are
+    not.
     """
     acting = [entry for entry in entries if entry.acts]
     named = (address for entry in acting for address in entry.addresses)
@@ -67,6 +69,7 @@ def diff_document(
         "axes": {
             address: {
                 "name": names.get(address),
+                "correction_compared": address not in untold,
                 "entries": [_entry(one, address) for one in acting if address in one.addresses],
                 "correction": (
                     change_document(corrections[address]) if address in corrections else None

@@ -85,7 +85,7 @@ def diff_tables(document: Mapping[str, Any]) -> list[RenderableType]:
             aside.append(address)
             continue
         called = f" ({axis['name']})" if axis["name"] and axis["name"] != address else ""
-        words = _correction(axis["correction"], told=document["corrections_compared"])
+        words = _correction(axis["correction"], told=axis["correction_compared"])
         shown.append(Text(f"axis {address}{called}: {words}", "bold"))
         shown += entry_tables(axis["entries"])
     if aside:
@@ -111,7 +111,8 @@ def _both(entries: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 def _correction(change: Mapping[str, Any] | None, *, told: bool = True) -> str:
     """Return by how much a correction changed; ``told``: that could be worked out."""
     if change is None:
-        return "the correction is the same" if told else "what it does to the correction: see below"
+        same, entries = "the correction is the same", "only its entries are compared"
+        return same if told else entries
     unit = next(unit for unit in _UNITS if f"max_change_{unit}" in change)
     most = change[f"max_change_{unit}"]
     return (

@@ -17,7 +17,7 @@ from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.units import outside_factor, outside_unit
 from compwright.records.axis import Axis, Direction, FloatArray
-from compwright.records.correction import ControlFile, ControlState
+from compwright.records.correction import ControlFile
 from compwright.records.job import AS_FOUND
 from compwright.records.plan import Plan, PlannedAxis
 from compwright.verification.read_back import SAME, judge_read_back
@@ -65,7 +65,7 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     )
     files, wish = _written(control.in_state(as_found.state), plan, as_found)
     given = read_files(loaded)
-    found = _found(control, given, axes, loaded)
+    found, refused = _found(control, given, axes, loaded)
     names = {
         address: axis.name
         for axis in axes
@@ -75,31 +75,47 @@ def compare_plan(plan_file: Path, loaded: Sequence[Path]) -> CompareOutcome:
     back = side(control, given, "read back", files)
     read_back = read_back_differences(control, side(control, files, "the plan", given), back, names)
     differs = read_back.own or read_back.others.differences
-    if isinstance(found, InputError) and not (differs and _speak_of(control, back, axes)):
-        raise found
+    if refused is not None and not (differs and _speak_of(control, back, axes)):
+        raise refused
     compared = {
-        entry.axis.name: _compared(entry, wish, found, as_found, read_back.own) for entry in planned
+        entry.axis.name: _compared(entry, wish, found[entry.axis.address], as_found, read_back.own)
+        for entry in planned
     }
-    state = (
-        ControlState(format=plan.format, axes={}) if isinstance(found, InputError) else found.state
-    )
-    findings = tuple(dict.fromkeys((*control.findings, *state.findings, *read_back.findings)))
-    document = compare_document(plan.format, compared, read_back.others, state.assumed, findings)
+    states = [one.state for one in found.values() if isinstance(one, DecodedState)]
+    said = (finding for state in states for finding in state.findings)
+    findings = tuple(dict.fromkeys((*control.findings, *said, *read_back.findings)))
+    assumed = tuple(dict.fromkeys(one for state in states for one in state.assumed))
+    document = compare_document(plan.format, compared, read_back.others, assumed, findings)
     return CompareOutcome(0 if document["verdict"] == "same" else 1, document)
 
 
 def _found(
     control: Control, files: Sequence[ControlFile], axes: Sequence[Axis], loaded: Sequence[Path]
-) -> DecodedState | InputError:
-    """Return what the files that were read back do; or why the control would refuse them: what was
-    changed may be the reason. Raises InputError where they say nothing of an axis.
+) -> tuple[dict[str, DecodedState | InputError], InputError | None]:
+    """Return what the files that were read back do, by address, or why the control would refuse
+    them (what was changed may be the reason); and why they could not be read as a whole.
+
+    Where axes may be read alone an odd one hides no other. Raises InputError where the files say
+    nothing of an axis.
     """
     try:
         found = decode(control, files, axes)
     except InputError as error:
-        return error
+        alone = all(axis.address in control.format.one_by_one for axis in axes)
+        return {
+            axis.address: _found_alone(control, files, axis) if alone else error for axis in axes
+        }, error
     raise_all(InputError, list(_unsaid(axes, found, loaded)))
-    return found
+    return dict.fromkeys((axis.address for axis in axes), found), None
+
+
+def _found_alone(
+    control: Control, files: Sequence[ControlFile], axis: Axis
+) -> DecodedState | InputError:
+    try:
+        return decode(control, files, [axis])
+    except InputError as error:
+        return error
 
 
 def _speak_of(control: Control, back: Side, axes: Sequence[Axis]) -> bool:

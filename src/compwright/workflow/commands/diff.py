@@ -47,6 +47,7 @@ def diff_files(
         {pair: _changed(one) for pair, one in found.cross.items()},
         (*control.findings, *found.findings),
         told=found.told,
+        untold=found.untold,
     )
     return DiffOutcome(0 if document["same"] else 1, document)
 

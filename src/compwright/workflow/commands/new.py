@@ -17,6 +17,7 @@ from compwright.records.correction import AxisCompensation, ControlFile, Control
 from compwright.records.facts import AxisFacts
 from compwright.workflow.stages.control import Control, decode, open_control, read_files
 from compwright.workflow.stages.definitions import is_path
+from compwright.workflow.stages.one_by_one import axis_by_axis
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,21 +111,13 @@ def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState,
     try:
         return decode(control, files).state, ()
     except InputError:
-        left_out: list[str] = []
-        state: ControlState | None = None
-        for address in control.format.one_by_one:
-            facts = None if state is None else state.facts_of(address)
-            if facts is not None and not (facts.enabled or facts.increments.backlash):
-                continue
-            try:
-                read = decode(control, files, address=address).state
-            except InputError as error:
-                left_out.append(f"axis {address} is left out: {error.faults[0]}")
-            else:
-                state = read if state is None else replace(state, axes={**state.axes, **read.axes})
-        if state is None:
+        found = axis_by_axis(control, lambda address: decode(control, files, address=address).state)
+        if found.state is None:
             raise
-        return state, tuple(left_out)
+        return found.state, tuple(
+            f"axis {address} is left out: {error.faults[0]}"
+            for address, error in found.refused.items()
+        )
 
 
 def _open(options: Mapping[str, Prefilled], drafts: Sequence[AxisDraft]) -> Iterator[str]:

@@ -5,7 +5,7 @@ value that they enter, in the control's words.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, ControlFile, ControlState
 from compwright.workflow.stages.control import Control, decode
+from compwright.workflow.stages.one_by_one import axis_by_axis
 from compwright.workflow.stages.two_readers import EVERYWHERE, probe_positions
 
 #: Two corrections are the same below this many mm or deg: far below every quantum of a control.
@@ -27,13 +28,19 @@ _MOST_FAULTS = 2
 @dataclass(frozen=True, slots=True)
 class Side:
     """One set of files: everything that they enter, and what the control makes of it (None: that
-    cannot be read; ``findings`` say why).
+    cannot be read; ``findings`` say why). ``unread``: the axes that could not be read, while others
+    could.
     """
 
     files: tuple[ControlFile, ...]
     entries: Entries
     state: ControlState | None
     findings: tuple[Finding, ...] = ()
+    unread: frozenset[str] = frozenset()
+
+    def tells(self, address: str) -> bool:
+        """Whether it is known what the control makes of an axis."""
+        return self.state is not None and address not in self.unread
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,13 +81,15 @@ class CorrectionChange:
 class Differences:
     """``entries``: every value that differs, those that compensate first. ``corrections`` by
     address, of axes whose correction changed; ``cross`` by moving and corrected axis; ``told``:
-    both sides could be read, so that these are all.
+    both sides could be read whole, so that these are all; ``untold``: the axes with entries that
+    differ whose correction could not be compared.
     """
 
     entries: tuple[Placed, ...]
     corrections: Mapping[str, CorrectionChange] = field(default_factory=dict)
     cross: Mapping[tuple[str, str], CorrectionChange] = field(default_factory=dict)
     told: bool = False
+    untold: frozenset[str] = frozenset()
     findings: tuple[Finding, ...] = ()
 
 
@@ -105,17 +114,38 @@ def side(
     try:
         state, findings = _viewed(control, files, name)
     except (InputError, UsageError) as error:
-        faults = "; ".join(str(fault) for fault in error.faults[:_MOST_FAULTS])
-        more = len(error.faults) - _MOST_FAULTS
-        faults += f"; and {more} more" if more > 0 else ""
-        finding = Finding(
-            "CW-S080",
-            "warning",
-            f"{name}: what the control makes of these files cannot be told, only their entries are"
-            f" compared ({faults})",
-        )
-        return Side(tuple(files), entries, None, (*left, finding))
-    return Side(tuple(files), entries, state, (*left, *findings))
+        return _in_part(control, Side(files, entries, None, left), name, error)
+    return Side(files, entries, state, (*left, *findings))
+
+
+def _in_part(control: Control, unread: Side, name: str, error: InputError | UsageError) -> Side:
+    """Return a set of files of which the whole cannot be read, as far as single axes can be."""
+    named = {entry.axis for entry in unread.entries.values() if entry.acts}
+    seen: list[Finding] = []
+
+    def view(address: str) -> ControlState:
+        state, findings = _viewed(control, unread.files, name, address)
+        seen.extend(findings)
+        return state
+
+    found = axis_by_axis(control, view, named, (InputError, UsageError))
+    if found.state is None:
+        return replace(unread, findings=(*unread.findings, _untold(name, "these files", error)))
+    told = [_untold(name, f"axis {each}", why) for each, why in found.refused.items()]
+    findings = tuple(dict.fromkeys((*unread.findings, *seen, *told)))
+    return replace(unread, state=found.state, findings=findings, unread=frozenset(found.refused))
+
+
+def _untold(name: str, what: str, error: InputError | UsageError) -> Finding:
+    faults = "; ".join(str(fault) for fault in error.faults[:_MOST_FAULTS])
+    more = len(error.faults) - _MOST_FAULTS
+    faults += f"; and {more} more" if more > 0 else ""
+    return Finding(
+        "CW-S080",
+        "warning",
+        f"{name}: what the control makes of {what} cannot be told, only the entries are compared"
+        f" ({faults})",
+    )
 
 
 def _with_data(
@@ -138,14 +168,16 @@ def _with_data(
 
 
 def _viewed(
-    control: Control, files: Sequence[ControlFile], name: str
+    control: Control, files: Sequence[ControlFile], name: str, address: str | None = None
 ) -> tuple[ControlState, tuple[Finding, ...]]:
-    """Return what the files say; by one reader alone where the other refuses them."""
+    """Return what the files say, of one axis where that is asked for; by one reader alone where the
+    other refuses them.
+    """
     try:
-        return decode(control, files).state, ()
+        return decode(control, files, address=address).state, ()
     except CompwrightError as error:
         reading = control.format.for_a_view()
-        state = reading.read(files)
+        state = reading.read(files, address=address)
         why = "; ".join(str(fault) for fault in error.faults[:1])
         message = f"{name}: corrections are those of one reader alone; the second one says: {why}"
         return state, (Finding("CW-S081", "warning", message),)
@@ -167,12 +199,14 @@ def differences(control: Control, old: Side, new: Side) -> Differences:
     placed.sort(key=lambda one: not one.entry.acts)
     corrections: dict[str, CorrectionChange] = {}
     cross: dict[tuple[str, str], CorrectionChange] = {}
-    told = old.state is not None and new.state is not None
     if old.state is not None and new.state is not None:
         corrections = _corrections(old, new, old.state, new.state)
         cross = _cross(old.state, new.state)
     findings = (*old.findings, *new.findings)
-    return Differences(tuple(placed), corrections, cross, told, findings)
+    named = {address for one in placed for address in one.axes}
+    untold = frozenset(one for one in named if not (old.tells(one) and new.tells(one)))
+    told = not (untold or old.unread or new.unread or None in (old.state, new.state))
+    return Differences(tuple(placed), corrections, cross, told, untold, findings)
 
 
 def _placed(control: Control, change: EnteredChange, old: Side, new: Side) -> Placed:
@@ -198,6 +232,8 @@ def _corrections(
         was, now = (state.axes.get(address) for state in (old, new))
         known = now or was
         if known is None or not all(address in axes for axes in said):
+            continue
+        if not (before.tells(address) and after.tells(address)):
             continue
         where = np.unique(np.concatenate([_probes(one) for one in (was, now) if one is not None]))
         change = _most(known.kind, where, _curve(was, where), _curve(now, where))

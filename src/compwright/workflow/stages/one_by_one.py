@@ -1,0 +1,48 @@
+"""A control's files read axis by axis, where the whole cannot be read: an odd neighbour hides no
+other axis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, replace
+
+from compwright.foundations.errors import InputError, UsageError
+from compwright.records.correction import ControlState
+from compwright.workflow.stages.control import Control
+
+
+@dataclass(frozen=True, slots=True)
+class AxisByAxis:
+    """``state``: of all axes that could be read, None where none could; ``refused``: why another
+    one could not, by address.
+    """
+
+    state: ControlState | None
+    refused: Mapping[str, InputError | UsageError]
+
+
+def axis_by_axis(
+    control: Control,
+    read: Callable[[str], ControlState],
+    among: Collection[str] | None = None,
+    caught: type[InputError] | tuple[type[InputError], type[UsageError]] = InputError,
+) -> AxisByAxis:
+    """Return what ``read`` says of one address after the other, ``among`` these if given; none
+    where the control's axes may not be read alone. An axis without a table that acts and without
+    backlash is passed over. ``caught``: what leaves an axis out.
+    """
+    refused: dict[str, InputError | UsageError] = {}
+    state: ControlState | None = None
+    for address in control.format.one_by_one:
+        facts = None if state is None else state.facts_of(address)
+        idle = facts is not None and not (facts.enabled or facts.increments.backlash)
+        if idle or (among is not None and address not in among):
+            continue
+        try:
+            one = read(address)
+        except caught as error:
+            refused[address] = error
+        else:
+            state = one if state is None else replace(state, axes={**state.axes, **one.axes})
+    return AxisByAxis(state, refused)
