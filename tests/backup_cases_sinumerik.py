@@ -17,6 +17,7 @@ import numpy as np
 
 import sinumerik_archive as archive
 from sinumerik_archive import eec_lines, number, put, replace_eec
+from sinumerik_container import Packing
 
 PLAIN, ANSWERABLE, MUST_REFUSE = "plain", "answerable", "must_refuse"
 NAMES = {"AX1": "X1", "AX2": "Y1", "AX3": "Z1", "AX4": "C1", "AX5": "A1"}
@@ -70,6 +71,11 @@ class Case:
     nonzero: bool = False
     grid: tuple[float, float, int] = (0.0, 50.0, 20)
     written_tables: set[str] = field(default_factory=set)  # CEC indices that may be written
+    format: str = "siemens-840d-sl"
+    packing: Packing | None = None  # the archive in its container in place of its texts
+    over: dict[str, str] = field(default_factory=dict)  # small files that were loaded over it
+    own_beside_product: bool = False  # see VirtualSinumerik
+    point_beyond: bool = False
 
     @property
     def rotary(self) -> bool:
@@ -85,10 +91,16 @@ class Case:
         files = {"MD.INI": self.md, "AX_EEC.INI": self.eec}
         if self.cec is not None:
             files["NC_CEC.INI"] = self.cec
-        return files
+        if self.packing is not None:
+            files = {"backup.arc": self.packing.packed(files).decode("latin-1")}
+        return files | self.over
 
     def holds(self) -> list[str]:
-        return self.truth if self.truth is not None else list(self.given().values())
+        if self.truth is not None:
+            return self.truth
+        if self.packing is None:
+            return list(self.given().values())
+        return [self.md, self.eec, *([] if self.cec is None else [self.cec]), *self.over.values()]
 
     def may_refuse(self, demand: str, code: int | None = None) -> None:
         """Answerable from here on; a refusal must name one of what acts."""

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from places import REAL
+from sinumerik_container import BLOCK, padded
 
 ARCHIVE = REAL / "siemens" / "dmu_840d_sl.arc"
 LISTING = REAL / "siemens" / "compmaster_840d_axis_data.tsv"
@@ -24,8 +25,8 @@ needs_archive = pytest.mark.skipif(
 # What decides about compensation, and what stands around it: units, names, points, encoders, kinds,
 # ratios, limits, gantry.
 _KEPT = re.compile(
-    rb"N(10000|10240|18342|30200|3024\d|3030\d|3031\d|3032\d|3033\d|3034\d|31000|31030|31040|3245\d|327\d\d|3410\d|361[0-3]0|371\d\d"
-    rb"|38000|41300|41310|439\d\d) "
+    rb"N(10000|10220|1024\d|10250|18342|30200|3024\d|3030\d|3031\d|3032\d|3033\d|3034\d|31000|31030|31040|3245\d|327\d\d|3410\d|361[0-3]0|371\d\d"
+    rb"|38000|41300|41310|4132\d|439\d\d) "
 )
 
 
@@ -202,3 +203,72 @@ def listing() -> dict[str, list[str]]:
         if len(cells) > 1:
             rows[cells[0]] = cells[1:]
     return rows
+
+
+# -- the whole container, with other texts in it
+# --------------------------------------------------------------------------------------------------
+
+
+@cache
+def _members() -> tuple[tuple[bytes, bytes], ...]:
+    """Header and content of every member of the real container, by the sizes in the headers."""
+    whole = ARCHIVE.read_bytes()
+    found, at = [], 0
+    while at < len(whole):
+        head = whole[at : at + BLOCK]
+        size = int(head[124:136].rstrip(b"\x00 "))
+        found.append((head, whole[at + BLOCK : at + BLOCK + size]))
+        at += BLOCK + -(-size // BLOCK) * BLOCK
+    return tuple(found)
+
+
+def whole_container(texts: dict[str, str]) -> bytes:
+    """The real container, all 325 members, with these tables in it, and every machine datum that
+    the text ``MD.INI`` says otherwise put into the members that hold it.
+    """
+    wanted = {
+        _register(line): line.split("=", 1)[1].strip()
+        for line in texts["MD.INI"].splitlines()
+        if "=" in line and "$" in line
+    }
+    parts, missing = [], dict(wanted)
+    for head, content in _members():
+        name = head[50:100].rstrip(b"\x00").decode("latin-1")
+        new = content
+        if head[384:].rstrip(b"\x00") == b"\\_NC_ACT.DIR\\":
+            if name in texts:
+                new = texts[name].encode("latin-1")
+            elif name.startswith(("CFG_", "INITIAL")):
+                last = name.startswith("INITIAL")
+                new = _with(content, wanted, missing, last=last)
+        parts.append(_headed(head, new))
+    return b"".join(parts)
+
+
+def _register(line: str) -> str:
+    return line[line.index("$") :].split("=", 1)[0].strip()
+
+
+def _with(content: bytes, wanted: dict[str, str], missing: dict[str, str], *, last: bool) -> bytes:
+    lines = content.decode("latin-1").split("\n")
+    for n, line in enumerate(lines):
+        if not line.startswith("N") or "$" not in line or "=" not in line:
+            continue
+        register = _register(line)
+        value = wanted.get(register)
+        missing.pop(register, None)
+        if value is not None and value != line.split("=", 1)[1].split(" '")[0].strip():
+            lines[n] = f"{line.split('=', 1)[0]}={value}"
+    if last and missing:
+        at = max(n for n, line in enumerate(lines) if line.startswith("M17"))
+        lines[at:at] = [f"{register}={value}" for register, value in missing.items()]
+    return "\n".join(lines).encode("latin-1")
+
+
+def _headed(head: bytes, content: bytes) -> bytes:
+    """The member with its size and the sum of its header."""
+    block = bytearray(head)
+    block[124:136] = str(len(content)).encode().ljust(12, b"\x00")
+    block[148:156] = bytes(8)
+    block[148:156] = str(sum(block)).encode().ljust(8, b"\x00")
+    return bytes(block) + padded(content)

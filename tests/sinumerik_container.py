@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 BLOCK = 512
 
@@ -33,3 +34,37 @@ def container(texts: Sequence[tuple[str, str, bytes]], version: str = "002") -> 
         inner = "_N_" + name.replace(".", "_")
         parts.append(header(inner, name, folder, len(content)) + padded(content))
     return b"".join(parts)
+
+
+# -- variations of a container
+# --------------------------------------------------------------------------------------------------
+
+ACTIVE = "\\_NC_ACT.DIR\\"
+MARK = header("@@_N_IBN_SS", "@@_N_IBN_SS", "", 0, kind="0")
+_ORDER = ("AX_EEC.INI", "NC_CEC.INI", "INITIAL.INI")
+
+
+@dataclass(frozen=True)
+class Packing:
+    """How texts of a control stand in a container: copies of members, marks between them, programs
+    that load tables and are no state, a version, and the damage that is done to the whole.
+    """
+
+    version: str = "002"
+    copies: tuple[str, ...] = ()
+    marks: bool = False
+    programs: tuple[tuple[str, str, bytes], ...] = ()
+    damage: Callable[[bytes], bytes] | None = None
+
+    def packed(self, texts: dict[str, str]) -> bytes:
+        named = {
+            {"MD.INI": "INITIAL.INI"}.get(name, name): text.encode("latin-1")
+            for name, text in texts.items()
+        }
+        members = [(ACTIVE, name, named[name]) for name in _ORDER if name in named]
+        members += [(ACTIVE, name, named[name]) for name in self.copies if name in named]
+        whole = container([*members, *self.programs], self.version)
+        if self.marks:
+            at = whole.index(b"_N_INITIAL_INI")
+            whole = whole[:at] + MARK + whole[at:]
+        return self.damage(whole) if self.damage else whole

@@ -20,7 +20,6 @@ from virtual_sinumerik import Register, VirtualSinumerik, assignments
 
 Floats = NDArray[np.float64]
 Run = Callable[[list[str]], tuple[int, str]]
-FORMAT = "siemens-840d-sl"
 REPEATS = 15
 _HARMLESS_LINES = re.compile(
     r"^\s*(%.*|;.*|METRIC|INCH|CHANDATA\(\d+\)|NEWCONF|STOPRE|M17|M30)?\s*$"
@@ -128,6 +127,8 @@ def control_before(case: Case) -> VirtualSinumerik:
         reference_return={case.axis: case.home},
         dynamic_on=case.dynamic_on,
         positions=dict(case.positions),
+        own_beside_product=case.own_beside_product,
+        point_beyond=case.point_beyond,
     )
     control.used[case.axis] = case.system
     if case.gantry:
@@ -154,11 +155,14 @@ class Outcome:
     before: float = 0.0
     after: float = 0.0
     predicted: float = 0.0
+    band: tuple[float, float] = (0.0, 0.0)
+    loaded: VirtualSinumerik | None = None
     harms: list[str] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
     files: dict[str, bytes] = field(default_factory=dict)
     card: str = ""
     error: AxisError | None = None
+    count: int = 0  # targets of the test
 
     def __repr__(self) -> str:
         return self.line()
@@ -173,7 +177,7 @@ class Outcome:
         return f"{about}: exit {self.code}{numbers}: {'; '.join(self.harms)}"
 
 
-def write_job(folder: Path, case: Case, readings: dict[int, Floats], targets: Floats) -> Path:
+def rows_of(case: Case, readings: dict[int, Floats], targets: Floats) -> str:
     unit, factor, name = ("deg", 3600.0, "arcsec") if case.rotary else ("mm", 1000.0, "um")
     rows = [
         f"# axis: {case.letter}",
@@ -187,7 +191,11 @@ def write_job(folder: Path, case: Case, readings: dict[int, Floats], targets: Fl
                 f"{target:.3f},{mark},{run},{value * factor:.4f}"
                 for run, value in enumerate(values, 1)
             ]
-    (folder / "x.csv").write_text("\n".join(rows) + "\n")
+    return "\n".join(rows) + "\n"
+
+
+def write_job(folder: Path, case: Case, readings: dict[int, Floats], targets: Floats) -> Path:
+    (folder / "x.csv").write_text(rows_of(case, readings, targets))
     (folder / "control").mkdir()
     for file, text in case.given().items():
         (folder / "control" / file).write_bytes(text.encode("latin-1"))
@@ -218,7 +226,7 @@ def write_job(folder: Path, case: Case, readings: dict[int, Floats], targets: Fl
     )
     job = folder / "job.yaml"
     job.write_text(
-        f"compwright: 1\ncontroller: {{format: {FORMAT}, options: {options}}}\nstates: {{as_found:"
+        f"compwright: 1\ncontroller: {{format: {case.format}, options: {options}}}\nstates: {{as_found:"
         f" {state}}}\naxes:\n  {case.letter}: {{{', '.join(axis)}}}\n"
     )
     return job
@@ -235,13 +243,18 @@ def try_case(case: Case, folder: Path, run: Run) -> Outcome:
         ["run", str(write_job(folder, case, readings, targets)), "--out", str(folder / "out")]
     )
     outcome = Outcome(case, code, message, before=accuracy(readings) / case.unit, error=error)
-    tables = folder / "out" / "tables" / FORMAT
+    outcome.count = targets.size
+    tables = folder / "out" / "tables" / case.format
     outcome.written = tables.is_dir()
     if outcome.written:
         outcome.files = {path.name: path.read_bytes() for path in sorted(tables.iterdir())}
         outcome.card = (folder / "out" / "card" / "card.md").read_text(encoding="utf-8")
         document = json.loads((folder / "out" / "prediction.json").read_text(encoding="utf-8"))
         outcome.predicted = document["axes"][case.letter]["predicted_new_targets"]["A"]["median"]
+        outcome.band = (
+            document["axes"][case.letter]["predicted_new_targets"]["A"]["p05"],
+            document["axes"][case.letter]["predicted_new_targets"]["A"]["p95"],
+        )
         demand_of_written(outcome, control, folder / "out", targets.size)
     else:
         demand_of_refused(outcome)
@@ -272,6 +285,7 @@ def demand_of_written(outcome: Outcome, before: VirtualSinumerik, out: Path, cou
     control = before.copy()
     control.refused.clear()
     load_by_card(control, outcome)
+    outcome.loaded = control
     lost = [
         f"{'$' + r.register[0]}{list(r.register[1])}: {r.why}"
         for r in control.refused
@@ -294,6 +308,9 @@ def demand_of_written(outcome: Outcome, before: VirtualSinumerik, out: Path, cou
     if not outcome.after < outcome.before:
         outcome.harms.append(f"worse than before: {outcome.before:.1f} to {outcome.after:.1f}")
     outcome.harms += foreign_registers(case, before, control)
+    outcome.harms += entries_of_others(case, control, outcome.files)
+    outcome.harms += moved_grid(outcome, before, control)
+    outcome.harms += way_back(outcome, before, control, out)
     outcome.harms += foreign_bytes(
         case,
         outcome.files,
@@ -470,9 +487,7 @@ def belongs(case: Case, control: VirtualSinumerik, register: Register) -> bool:
         return axes[-1] in own
     if name == "MA_CEC_ENABLE":
         return axes[0] in own and bool(case.written_tables)
-    if name.startswith(
-        ("AN_CEC", "SN_CEC_TABLE_ENABLE", "SN_CEC_TABLE_WEIGHT", "MN_MM_CEC_MAX_POINTS")
-    ):
+    if name.startswith(("AN_CEC", "SN_CEC_TABLE_", "SN_CEC_0", "SN_CEC_1", "MN_MM_CEC_MAX_POINTS")):
         return bool(axes) and axes[0] in case.written_tables
     return False
 
@@ -527,7 +542,7 @@ def foreign_bytes(
                     for a, b in pairs
                     if _frame(a) != _frame(b)
                 ]
-    folder = out / "rollback" / FORMAT
+    folder = out / "rollback" / case.format
     copies = {path.name: path.read_bytes() for path in folder.iterdir()} if folder.is_dir() else {}
     harms += [
         f"rollback: {name} is no copy"
@@ -536,6 +551,92 @@ def foreign_bytes(
     ]
     harms += [f"rollback: {name} is missing" for name in given if name not in copies]
     return harms[:3]
+
+
+def entries_of_others(
+    case: Case, control: VirtualSinumerik, written: dict[str, bytes]
+) -> list[str]:
+    """Entries in files of our own that are not the axis' own, whatever their value is."""
+    found = [
+        f"{name}: enters ${register[0]}{list(register[1])}, which is not the axis' own"
+        for name, content in written.items()
+        if name not in case.given()
+        for register, _ in assignments(content.decode("latin-1"))
+        if not belongs(case, control, register)
+    ]
+    return found[:1]
+
+
+def moved_grid(outcome: Outcome, before: VirtualSinumerik, after: VirtualSinumerik) -> list[str]:
+    """A grid that the job did not ask to move, that is whole, that fits and that moved."""
+    case, e = outcome.case, str(outcome.case.system)
+    keys = [f"AA_ENC_COMP_{key}" for key in ("STEP", "MIN", "MAX")]
+    old = [before.value(key, e, case.axis) for key in keys]
+    new = [after.value(key, e, case.axis) for key in keys]
+    step, low, high = (before.length(case.axis, key, e, case.axis) for key in keys)
+    if "spacing" in case.table or case.written_tables or case.none or step <= 0 or old == new:
+        return []
+    count = (high - low) / step
+    reserved = before.value("MA_MM_ENC_COMP_MAX_POINTS", e, case.axis, default=5000)
+    travel = case.travel[1] - case.travel[0]
+    covered = min(high, case.travel[1]) - max(low, case.travel[0])
+    fits = (
+        abs(count - round(count)) < 1e-3
+        and 2 <= round(count) + 1 <= reserved
+        and (high - low == travel if case.modulo else covered > travel / 2)
+    )
+    known = case.active not in {"no", "false"}
+    return [f"the grid moved: {old} to {new}"] if fits and known else []
+
+
+def way_back(
+    outcome: Outcome, before: VirtualSinumerik, loaded: VirtualSinumerik, out: Path
+) -> list[str]:
+    """The small files of the way back, loaded as the card says, bring back every register that
+    counts, to the last digit.
+    """
+    case = outcome.case
+    folder = out / "rollback" / case.format
+    back = {path.name: path for path in folder.glob("BACK_*")} if folder.is_dir() else {}
+    words = re.sub(r"\\(.)", r"\1", outcome.card.partition("## Way back")[2].partition("\n## ")[0])
+    named = sorted((words.index(name), name) for name in back if name in words)
+    if len(named) < len(back):
+        return [f"the way back does not name {sorted(set(back) - {name for _, name in named})}"]
+    if not back:
+        return [] if case.none else ["no small files of the way back"]
+    control = loaded.copy()
+    for axis in {case.axis, case.gantry} - {None}:
+        control.load(f"$MA_ENC_COMP_ENABLE[{case.system},{axis}]=0")
+    for t in case.written_tables:
+        control.load(f"$SN_CEC_TABLE_ENABLE[{t}]=0")
+    if case.written_tables:
+        control.load(f"$MA_CEC_ENABLE[{case.axis}]=0")
+    for _, name in named:
+        control.load(back[name].read_text(encoding="ascii"))
+    if case.written_tables:
+        on = before.value("MA_CEC_ENABLE", case.axis)
+        control.load(f"$MA_CEC_ENABLE[{case.axis}]={on:g}")
+    x = np.linspace(*case.travel, 60)
+    worst = max(
+        float(np.ptp(control.correction(case.axis, x, d) - before.correction(case.axis, x, d)))
+        for d in (1, -1)
+    )
+    harms = [] if worst < 1e-12 else [f"the way back leaves {worst * 1e3:.4g} um (mdeg)"]
+    if case.none or case.files is not None or case.active is not None or case.written_tables:
+        return harms
+    return harms + [f"the way back: {harm}" for harm in unlike(before, control)]
+
+
+def unlike(before: VirtualSinumerik, after: VirtualSinumerik) -> list[str]:
+    """Registers that the control held and that hold another value now."""
+    found = [
+        f"${name}{list(index)}: {old.text} to {after.registers[name, index].text}"
+        for (name, index), old in before.registers.items()
+        if not name.startswith("MA_MM_")
+        and old.text != after.registers[name, index].text
+        and (_number(old.text) is None or old.number != _number(after.registers[name, index].text))
+    ]
+    return found[:1]
 
 
 def own_line(case: Case, control: VirtualSinumerik, found: list[Register]) -> bool:

@@ -141,12 +141,46 @@ def test_a_pair_acts_by_direction_with_weight_and_limit() -> None:
     )
 
 
-def test_a_product_of_two_tables_goes_to_the_first_ones_output() -> None:
+@pytest.mark.parametrize("own", [0.0, 1.0])
+def test_a_product_of_two_tables_goes_to_the_first_ones_output(own: float) -> None:
+    """Whether the first table adds its own value too is on no page: both worlds can be made."""
     other = CROSS.replace("[3", "[4").replace("(AX2)", "(AX1)").replace("0.01", "2")
-    virtual = control(CROSS.replace("TABLE[3]=0", "TABLE[3]=5"), other, ON, positions={"AX2": 50.0})
+    multiplied = CROSS.replace("TABLE[3]=0", "TABLE[3]=5")
+    virtual = control(multiplied, other, ON, positions={"AX2": 50.0}, own_beside_product=bool(own))
     np.testing.assert_allclose(
-        virtual.correction("AX1", np.array([25.0, 100.0]), 1), [0.005 * 0.5, 0.005 * 2], atol=1e-12
+        virtual.correction("AX1", np.array([25.0, 100.0]), 1),
+        [0.005 * (0.5 + own), 0.005 * (2 + own)],
+        atol=1e-12,
     )
+
+
+def test_the_machine_data_of_the_output_axis_say_the_unit_of_a_cross_table() -> None:
+    """MD32711, not MD10240."""
+    lines = (CROSS, ON, "$MN_SCALING_SYSTEM_IS_METRIC=0")
+    virtual = control(*lines, positions={"AX2": 50.0})
+    np.testing.assert_allclose(virtual.correction("AX1", PLACES, 1), 0.005, atol=1e-12)
+    virtual.load("$MA_CEC_SCALING_SYSTEM_METRIC[AX1]=0")
+    np.testing.assert_allclose(
+        virtual.correction("AX1", PLACES, 1), 0.01 * 25.4 * 50 / 2540, atol=1e-12
+    )
+
+
+def test_two_setting_data_are_added_to_the_first_two_points() -> None:
+    """SD41320 and SD41321."""
+    virtual = control(CROSS, ON, "$SN_CEC_0[3]=0.002\n$SN_CEC_1[3]=-0.004")
+    for place, expected in ((0.0, 0.002), (100.0, 0.006)):
+        virtual.positions["AX2"] = place
+        np.testing.assert_allclose(virtual.correction("AX1", PLACES, 1), expected, atol=1e-12)
+
+
+@pytest.mark.parametrize("beyond", [False, True])
+def test_a_step_that_does_not_divide_the_range_leaves_the_last_point_open(beyond: bool) -> None:
+    """-100 to 70 by 50: whether the point at 100 counts up to 70 is on no page."""
+    text = TABLE.replace("MAX[0,AX1]=100.0", "MAX[0,AX1]=70.0")
+    virtual = control(text, "$MA_ENC_COMP_ENABLE[0,AX1]=1", point_beyond=beyond)
+    found = virtual.correction("AX1", np.array([50.0, 70.0, 900.0]), 1)
+    last = 0.002 + 0.0025 * 20 / 50 if beyond else 0.002
+    np.testing.assert_allclose(found, [0.002, last, last], atol=1e-12)
 
 
 def test_conditions_are_no_assignments() -> None:

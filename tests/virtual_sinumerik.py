@@ -123,6 +123,10 @@ class VirtualSinumerik:
     used: dict[str, int] = field(default_factory=dict)
     reference_return: dict[str, int] = field(default_factory=dict)
     dynamic_on: bool = False
+    # What no page settles, so that both worlds can be made: whether a table that is multiplied adds
+    # its own value too, and whether the point beyond MAX counts where STEP does not divide.
+    own_beside_product: bool = False
+    point_beyond: bool = False
     positions: dict[str, float] = field(default_factory=dict)
     registers: dict[Register, Value] = field(default_factory=dict)
     refused: list[Refused] = field(default_factory=list)
@@ -262,12 +266,20 @@ class VirtualSinumerik:
         )
         if step <= 0 or high <= low:
             return np.zeros_like(x)
-        count = int(np.floor((high - low) / step + 1e-6)) + 1
+        count = self._points(low, high, step)
         values = np.array([self.length(axis, "AA_ENC_COMP", e, str(n), axis) for n in range(count)])
         if self.flag("AA_ENC_COMP_IS_MODULO", e, axis):
             x = low + np.mod(x - low, high - low)
-        result: Floats = np.interp(x, low + step * np.arange(count), values)
+        places = np.clip(x, low, high)
+        result: Floats = np.interp(places, low + step * np.arange(count), values)
         return result
+
+    def _points(self, low: float, high: float, step: float) -> int:
+        """How many points count: those up to MAX, within a thousandth of a step, and perhaps one
+        more.
+        """
+        inside = (high - low) / step
+        return int(np.ceil(inside - 1e-3) if self.point_beyond else np.floor(inside + 1e-3)) + 1
 
     def _cec(self, axis: str, x: Floats, direction: int) -> Floats:
         """The sum of all tables with this output axis, limited by MD32720 (mm, deg)."""
@@ -286,7 +298,8 @@ class VirtualSinumerik:
             values = self._curve(t, axis, x)
             partner = int(self.value("AN_CEC_MULT_BY_TABLE", t))
             if partner:
-                values = values * self._curve(str(partner - 1), axis, x)
+                product = values * self._curve(str(partner - 1), axis, x)
+                values = values + product if self.own_beside_product else product
             total += self.value("SN_CEC_TABLE_WEIGHT", t, default=1.0) * values
         limit = self.length(axis, "MA_CEC_MAX_SUM", axis) or 1.0
         return np.clip(total, -limit, limit)
@@ -305,16 +318,34 @@ class VirtualSinumerik:
         if inputs is None or outputs is None:
             return np.zeros_like(x)
         step, low, high = (
-            self.length(inputs.text, f"AN_CEC_{key}", t) for key in ("STEP", "MIN", "MAX")
+            self._cec_length(inputs.text, outputs.text, f"AN_CEC_{key}", t)
+            for key in ("STEP", "MIN", "MAX")
         )
         if step <= 0 or high <= low:
             return np.zeros_like(x)
         places = x if inputs.text == axis else np.full_like(x, self.positions.get(inputs.text, 0.0))
         if self.flag("AN_CEC_IS_MODULO", t):
             places = low + np.mod(places - low, high - low)
-        count = int(np.ceil((high - low) / step - 1e-6)) + 1
-        values = np.array([self.length(outputs.text, "AN_CEC", t, str(n)) for n in range(count)])
+        count = self._points(low, high, step)
+        values = np.array(
+            [
+                self._cec_length(outputs.text, outputs.text, "AN_CEC", t, str(n))
+                for n in range(count)
+            ]
+        )
+        for n in range(min(2, count)):  # SD41320 and SD41321 are added to the first two points
+            values[n] += self._cec_length(outputs.text, outputs.text, f"SN_CEC_{n}", t)
         result: Floats = np.interp(
             np.clip(places, low, high), low + step * np.arange(count), values
         )
+        if self.value("AN_CEC_TYPE", t):  # what it does is on no page: anything that hangs on it
+            result = result * (1.5 + np.cos(places / 97.0))
         return result
+
+    def _cec_length(self, axis: str, output: str, name: str, *index: str) -> float:
+        """A register of a table in mm or deg: MD32711 of the output axis says the unit, whatever
+        the basic system is.
+        """
+        metric = self.value("MA_CEC_SCALING_SYSTEM_METRIC", output, default=1.0) != 0
+        inch = not metric and not self.flag("MA_IS_ROT_AX", axis)
+        return self.value(name, *index) * (INCH * self.inch_turned if inch else 1.0)
