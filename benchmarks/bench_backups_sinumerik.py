@@ -1,5 +1,5 @@
 """Some hundred jobs on variations of a real SINUMERIK archive, before a virtual control that shares
-nothing with the package.
+nothing with the package: half of them the older deal, half the wider one.
 
 python benchmarks/bench_backups_sinumerik.py [COUNT]        (default 300)
 
@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import contextlib
 import io
+import itertools
 import sys
 import tempfile
 from collections import Counter
@@ -19,10 +20,12 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
 
 from backup_cases_sinumerik import Case
+from backup_deal_sinumerik import dealt
 from backup_variations_sinumerik import case_of, named, nothing
 from compwright.cli import run as compwright
 from sinumerik_archive import ARCHIVE, member, put
-from sinumerik_judge import try_case
+from sinumerik_follow import follow
+from sinumerik_judge import Outcome, try_case
 
 
 def run(arguments: list[str]) -> tuple[int, str]:
@@ -43,17 +46,27 @@ def whole() -> Case:
     return case
 
 
+def judged(case: Case) -> Outcome:
+    with tempfile.TemporaryDirectory() as folder:
+        outcome = try_case(case, Path(folder), run)
+        follow(outcome, Path(folder), run)
+    return outcome
+
+
 def main(count: int) -> int:
     if not ARCHIVE.is_file():
         print(f"skipped: {ARCHIVE} is not there")
         return 0
-    cases = [whole(), *(case_of(seed) for seed in range(count))]
+    half = count // 2
+    deals = itertools.chain(map(case_of, range(half)), map(dealt, range(count - half)))
     tally: Counter[tuple[str, str]] = Counter()
-    harms = 0
-    for case in cases:
-        with tempfile.TemporaryDirectory() as folder:
-            outcome = try_case(case, Path(folder), run)
+    jobs = harms = inside = worse = 0
+    for case in itertools.chain([whole()], deals):
+        outcome = judged(case)
+        jobs += 1
         tally[outcome.case.mark, "written" if outcome.written else "refused"] += 1
+        worse += outcome.written and outcome.after >= outcome.before
+        inside += outcome.written and outcome.band[0] <= outcome.after <= outcome.band[1]
         if outcome.harms:
             harms += 1
             print(outcome.line())
@@ -61,10 +74,10 @@ def main(count: int) -> int:
     for (mark, what), number in sorted(tally.items()):
         print(f"{mark:12} {what:8} {number:4}")
     print(
-        f"{len(cases)} jobs, {written} written ({100 * written / len(cases):.0f} %), {harms} with"
-        " harm"
+        f"{jobs} jobs, {written} written ({100 * written / jobs:.0f} %), {harms} with harm,"
+        f" {worse} made worse, {inside} within the prediction"
     )
-    return int(harms > 0 or written < 0.6 * len(cases))
+    return int(harms > 0 or written < 0.6 * jobs)
 
 
 if __name__ == "__main__":

@@ -151,6 +151,7 @@ def the_makers_program(case: Case, rng: np.random.Generator) -> None:
     case.md = put(
         put(case.md, f"$MA_NUM_ENCS[{case.axis}]", "2"), f"$MA_ENC_COMP_ENABLE[0,{case.axis}]", "0"
     )
+    case.md = put(case.md, f"$MA_ENC_COMP_ENABLE[1,{case.axis}]", "1")
     case.md = put(
         put(case.md, f"$MA_BACKLASH[1,{case.axis}]", "0"),
         f"$MA_MM_ENC_COMP_MAX_POINTS[1,{case.axis}]",
