@@ -43,6 +43,9 @@ COUNTED = {
     "inclination": {*range(5861, 5865), *range(5871, 5875)},
     "cyclic": set(range(14985, 14989)),
 }
+#: Point numbers of functions beside the table: they may follow a grid that moves, no amount may.
+OF_AXIS = set(range(5861, 5865))
+OF_PATH = {first + n for first in (5731, 5741, 5751) for n in range(4)}
 _GROUP = re.compile(rb"([ALS]\d+|Q1)[PMI]([-0-9.]+)")
 
 
@@ -283,10 +286,13 @@ def _judge_files(outcome: Outcome, played: Played, after: VirtualFanuc) -> None:
         ):
             outcome.written.append(axis.name)
     groups = {f"A{axis.address}": axis.address for axis in job.axes}
+    groups |= {f"L{before.path(axis.address)}": axis.address for axis in job.axes}
     if foreign := sorted(
         (number, group)
         for number, group in parameters
-        if group not in groups or number not in own_numbers(job)
+        if group not in groups
+        or number not in own_numbers(job)
+        or (group[0] == "L") != (number in OF_PATH)
     ):
         outcome.faults.append(f"FOREIGN parameters changed: {foreign[:4]}, {len(foreign)} in all")
     for axis in job.axes:
@@ -304,7 +310,9 @@ def own_numbers(job: Job) -> set[int]:
     """What compwright may write for an axis: the table, backlash, and functions that the job says
     are there.
     """
-    return OWN.union(*(COUNTED[name] for name in COUNTED if job.options.get(name) == "available"))
+    return (OWN | OF_AXIS | OF_PATH).union(
+        *(COUNTED[name] for name in COUNTED if job.options.get(name) == "available")
+    )
 
 
 def _grid_stays(
@@ -320,6 +328,9 @@ def _grid_stays(
         for number in (old.first, first)
     ]
     told = "CW-P140" in outcome.said + outcome.shown or "CW-S014" in outcome.said + outcome.shown
+    changed = {number for number, _ in differing(before.registers, after.registers)[0]}
+    if kept[0] and changed & (OF_AXIS | OF_PATH) and not outcome.job.options:
+        yield f"{axis.name}: point numbers of another function changed, and the grid stays"
     if there and "table" not in axis.words and not any(kept) and not told:
         yield f"{axis.name}: the grid that was there moved without a word"
 

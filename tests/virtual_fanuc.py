@@ -10,6 +10,8 @@ section 1, which stands above.
 Where the pages tell that a function acts and not how (its sign, its unit, what multiplies it), it
 can act ``hidden``: as any fixed function of the node that hangs on its own parameters and on 3620
 to 3624. Whoever leaves all of these alone leaves it as it is; whoever moves one gets another axis.
+Of inclination and straightness the pages tell the lines through point numbers: hidden is the factor
+alone, sign and unit, which hangs on 3623 too.
 
 Positions and corrections are mm, on a rotary axis degrees. A correction is what the control adds to
 the command; ``direction`` is +1 or -1, ``home`` the direction in which the reference is approached:
@@ -273,8 +275,10 @@ class VirtualFanuc:
 
     def _hidden(self, axis: int, x: Floats, direction: int, home: int) -> Floats:
         total = np.zeros_like(x)
-        if not self._is_told("inclination") and self.speaks(axis, range(5871, 5875)):
-            total = total + self._shape(axis, x, range(5861, 5875))
+        if not self._is_told("inclination") and self.grid(axis).acts:
+            total = total + self._gain(axis, "inclination") * self._inclination(
+                axis, self.grid(axis), x
+            )
         if not self._is_told("cyclic") and self.cyclic_numbers(axis):
             own = ",".join(self.registers.pitch.get(n, "") for n in self.cyclic_numbers(axis))
             total = total + self._shape(axis, x, range(14985, 14989), own)
@@ -294,6 +298,11 @@ class VirtualFanuc:
         found = [self.entry(number, axis) for number in numbers]
         texts = [entry.text if entry is not None else "" for entry in found]
         return np.random.default_rng([self.hidden, zlib.crc32(repr((axis, texts, more)).encode())])
+
+    def _gain(self, axis: int, function: str) -> float:
+        """What the lines of a function are multiplied with: of either sign."""
+        rng = self._draw(axis, [3623], function)
+        return float(rng.uniform(0.3, 2.0) * rng.choice([-1, 1]))
 
     def _shape(self, axis: int, x: Floats, numbers: Iterable[int], more: str = "") -> Floats:
         """Some micrometres (thousandths of a degree) at the node next to x, by its point number."""
@@ -391,14 +400,14 @@ class VirtualFanuc:
                 moving, tuple(range(first, first + 4)), tuple(range(amounts, amounts + 4))
             )
             if bent and line is not None and not self._is_told("straightness"):
-                own = [5711 + pair, 5721 + pair, *range(first, first + 4)]
-                own += range(amounts, amounts + 4)
-                shifts[bent] = shifts.get(bent, np.zeros_like(x)) + self._shape(moving, x, own)
-            elif bent and line is not None and grid.interval > 0:
+                factor = self._gain(moving, "straightness")
+            else:
+                factor = 1.0
+            if bent and line is not None and grid.interval > 0:
                 place = np.mod(x, grid.turn) if grid.turn else x
-                shifts[bent] = shifts.get(bent, np.zeros_like(x)) + self.detection_unit(
-                    bent
-                ) * _along(line, grid, place)
+                shifts[bent] = shifts.get(bent, np.zeros_like(x)) + (
+                    factor * self.detection_unit(bent) * _along(line, grid, place)
+                )
         return shifts
 
     def cyclic_numbers(self, axis: int) -> range:
