@@ -165,6 +165,15 @@ class TestSinumerik:
         assert np.array_equal(blank.correction("AX1", positions, UP), expected)
         assert any("blank" in note for note in blank.notes)
 
+    def test_points_above_max_are_ignored_and_the_last_one_inside_holds(self) -> None:
+        """An older, longer table (FB2 09/2009 p362); beyond MAX the value of point k (p240)."""
+        control = siemens(EEC.replace("=100.0", "=50.0"))
+        assert control.nodes("AX1").tolist() == [-100, -50, 0, 50]
+        assert values(control, "AX1", [-100, 0, 25, 50, 75, 500], UP) == [
+            *(-0.003, 0.0, 0.001, 0.002, 0.002, 0.002)
+        ]
+        assert any("points 4 to 4 lie above MAX" in note for note in control.notes)
+
     def test_interpolation_against_brute_force(self) -> None:
         rng = np.random.default_rng(1)
         table = np.round(rng.normal(0, 0.01, 26), 6)
@@ -195,7 +204,6 @@ class TestSinumerik:
             (EEC[: EEC.index("$AA_ENC_COMP[0,4")], "STEP"),
             (EEC.replace("$AA_ENC_COMP_MAX[0,AX1]=100.0\n", ""), "MAX"),
             (EEC.replace("=100.0", "=200.0"), "missing points"),
-            (EEC.replace("=100.0", "=50.0"), "above MAX"),
             (EEC.replace("=100.0", "=110.0"), "whole number"),
             (EEC.replace("STEP[0,AX1]=50.0", "STEP[0,AX1]=0"), "STEP > 0"),
             (EEC.replace("=100.0", "=-200.0"), "MAX >= MIN"),

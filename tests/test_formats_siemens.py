@@ -104,6 +104,21 @@ def test_variants_of_the_text_mean_the_same(what: str, change) -> None:  # type:
     np.testing.assert_array_equal(axis.positive, CORRECTIONS)
 
 
+@pytest.mark.parametrize("kept", [3, 4])
+def test_an_older_longer_table_behind_the_end_is_named_and_not_used(kept: int) -> None:
+    """Points above k = (MAX - MIN) / STEP are ignored: FB2 09/2009, 6FC5397-1BP20-0BA0, p362 (EEC).
+    The value of point k holds beyond it (FB2 03/2013 p240).
+    """
+    end = NODES[kept - 1]
+    state = siemens(SAMPLE.replace("_MAX[0,AX1]=100.0", f"_MAX[0,AX1]={end}"))
+    axis = state.axes["AX1"]
+    np.testing.assert_array_equal(axis.positions, NODES[:kept])
+    np.testing.assert_array_equal(axis.positive, CORRECTIONS[:kept])
+    (told,) = [finding for finding in state.findings if finding.code == "CW-S004"]
+    assert told.severity == "warning"
+    assert f"({kept} to 4)" in told.message
+
+
 def test_a_blank_instead_of_the_equals_sign_is_read_with_a_warning() -> None:
     state = siemens(SAMPLE.replace("=", " "))
     np.testing.assert_array_equal(state.axes["AX1"].positive, CORRECTIONS)
@@ -206,7 +221,6 @@ def test_switched_on_without_the_table_is_contradictory() -> None:
         ("a spacing that does not divide", "=50.0", "=60.0", "does not divide"),
         ("a rounded spacing", "=50.0", "=50.1", "does not divide"),
         ("half the spacing", "=50.0", "=25.0", "values are missing"),
-        ("twice the spacing", "=50.0", "=100.0", "behind the end"),
         ("spacing 0", "=50.0", "=0.0", "not positive"),
         ("spacing below 0", "=50.0", "=-50.0", "not"),
         ("end below start", "=100.0", "=-150.0", "not above"),

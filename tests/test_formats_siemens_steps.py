@@ -48,9 +48,14 @@ def test_other_values_beyond_the_end_are_refused(beyond: list[float]) -> None:
         read([*VALUES, *beyond], "-850", "0", "100")
 
 
-def test_a_value_behind_both_is_refused() -> None:
-    with pytest.raises(InputError, match="value 10 lies behind the end"):
-        read([*VALUES, 0.002, 0.003], "-850", "0", "100")
+def test_a_value_behind_both_is_ignored_and_named() -> None:
+    """Values greater than k are ignored (FB2 09/2009 p362), whichever way the control counts k."""
+    state = read([*VALUES, 0.002, 0.003], "-850", "0", "100")
+    without = read([*VALUES, 0.002], "-850", "0", "100")
+    where = np.linspace(-900, 300, 97)
+    first, second = (one.axes["AX1"].at(where, Direction.POSITIVE) for one in (state, without))
+    np.testing.assert_array_equal(first, second)
+    assert [one.severity for one in state.findings if one.code == "CW-S004"] == ["warning"]
 
 
 def test_a_table_of_zeros_holds_nothing_on_any_grid() -> None:

@@ -265,13 +265,12 @@ def _column(
     first: Assignment, label: str, values: dict[int, float], ends: _Ends, faults: list[Fault]
 ) -> FloatArray | None:
     """Return the values (count,) of points 0..count-1; None with a fault when they do not fill the
-    grid.
+    grid. Values above MAX are ignored (FB2 09/2009, 6FC5397-1BP20-0BA0, p. 362 and p. 370).
     """
     count = ends.count
     # one of the first len(values) + 5 points is absent, or none: the grid may be far larger than
     # the file
     absent = [point for point in range(min(count, len(values) + 6)) if point not in values]
-    beyond = [point for point, value in values.items() if point >= count + ends.split and value]
     if absent:
         faults.append(
             first.fault(
@@ -282,17 +281,8 @@ def _column(
                 + (" ..." if len(absent) > 5 else ""),
             )
         )
-    elif beyond:
-        faults.append(
-            first.fault(
-                f"{label} has points above MAX",
-                expected=f"points 0 to {count - 1}",
-                found=f"point {max(beyond)}",
-            )
-        )
-    else:
-        return np.array([values[point] for point in range(count)], dtype=np.float64)
-    return None
+        return None
+    return np.array([values[point] for point in range(count)], dtype=np.float64)
 
 
 def _values(entries: Sequence[Assignment], faults: list[Fault]) -> dict[int, float]:

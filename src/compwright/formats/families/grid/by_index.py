@@ -210,10 +210,10 @@ def _alike(source: TableSource, values: Mapping[int, Found], inside: int) -> boo
 
 
 def _complete(source: TableSource, values: Mapping[int, Found], grid: _Grid) -> bool:
-    """Return whether there is a value for each node, and none behind the end.
+    """Return whether there is a value for each node.
 
-    Values behind the end are memory that the control does not use; they must be zero to be
-    believed.
+    Values behind the end are memory that the control does not use, such as an older, longer table
+    (SINUMERIK FB2 09/2009, 6FC5397-1BP20-0BA0, p362 and p370: values greater than k are ignored).
     """
     steps = grid.steps
     # one of the first len(values) + 1 indices is free; a few more make the message useful, however
@@ -227,16 +227,21 @@ def _complete(source: TableSource, values: Mapping[int, Found], grid: _Grid) -> 
         )
         return False
     extra = sorted(index for index in values if index > steps + grid.beyond)
-    for index in extra:
-        tokens = values[index].occurrence.tokens
-        if any(Decimal(tokens[name].text) != 0 for name in source.value_fields):
-            message, expected = (
-                f"value {index} lies behind the end of the table",
-                f"values 0 to {steps}",
-            )
-            source.fault(message, values[index], expected=expected, what=f"{len(values)} values")
-            return False
-    if extra:
+    held = [
+        index
+        for index in extra
+        if any(
+            Decimal(values[index].occurrence.tokens[name].text) != 0 for name in source.value_fields
+        )
+    ]
+    if held:
+        message = (
+            f"{len(extra)} values behind the end of the table ({extra[0]} to {extra[-1]}) are not"
+            f" used by the control, {len(held)} of them not zero: an older, longer table, unless"
+            " its end or its spacing is wrong"
+        )
+        source.notes.find("CW-S004", "warning", f"{source.label}: {message}")
+    elif extra:
         message = f"{len(extra)} values behind the end of the table are zero and not used"
         source.notes.find("CW-S004", "info", f"{source.label}: {message}")
     return True
