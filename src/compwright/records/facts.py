@@ -78,7 +78,8 @@ class IncrementFacts:
     by its numbers and is left alone. ``first_stage``: the part of the backlash that comes out at
     once where the rest follows on the way, detection units. ``inclined``: the line of
     inclination compensation that is there, in words; empty: none. ``waved``: the second table, the
-    same.
+    same. ``turn``: the travel of one turn that its table has, deg. ``foreign``: numbers to which
+    another function points that is not its own, wherever they lie.
     """
 
     reference_number: int | None = None
@@ -99,6 +100,8 @@ class IncrementFacts:
     first_stage: int = 0
     inclined: str = ""
     waved: str = ""
+    turn: float | None = None
+    foreign: tuple[range, ...] = ()
 
     @property
     def claimed(self) -> tuple[range, ...]:

@@ -8,6 +8,7 @@ numbers. Sources: `parameters` and docs/controllers/fanuc.md.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import islice
 
 from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.beside import functions
@@ -49,9 +50,10 @@ def pointed_numbers(parameters: Parameters) -> frozenset[int]:
     return frozenset((*(value.whole for value in values if value.acts), *cyclic))
 
 
-def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
-    """Yield a fault for what uses the axis' own numbers although it is not the axis' own: points of
-    straightness that another axis moves, another axis' inclination, a cyclic table.
+def foreign_numbers(own: AxisParameters) -> Iterator[tuple[Value, range]]:
+    """Yield the point numbers to which something else points that is not the axis' own, each with
+    the parameter that says so: points of straightness that another axis moves, another axis'
+    inclination, a cyclic table.
     """
     mine = {(value.file, value.start) for function in functions(own) for value in function.values}
     straight = any(value.acts for value in own.all.of(known.STRAIGHTNESS_MOVING))
@@ -59,10 +61,16 @@ def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
     points += [
         value for value in own.all.of(known.INCLINATION_POINTS) if str(value.index) != own.address
     ]
-    points = [value for value in points if (value.file, value.start) not in mine]
-    users = [value for value in points if value.acts and value.whole in numbers]
-    users += [first for first, span in _cyclic(own.all) if not set(numbers).isdisjoint(span)]
-    for value in users[:1]:
+    for value in points:
+        if value.acts and (value.file, value.start) not in mine:
+            yield value, range(value.whole, value.whole + 1)
+    yield from _cyclic(own.all)
+
+
+def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
+    """Yield a fault for what uses the axis' own numbers although it is not the axis' own."""
+    users = (value for value, others in foreign_numbers(own) if not set(numbers).isdisjoint(others))
+    for value in islice(users, 1):
         yield value.fault(
             f"{own.label}: another function uses its point numbers {numbers.start} to"
             f" {numbers.stop - 1}",

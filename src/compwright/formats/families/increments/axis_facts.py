@@ -8,6 +8,7 @@ from decimal import Decimal
 
 from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.families.increments import parameters as known
+from compwright.formats.families.increments.acting import foreign_numbers
 from compwright.formats.families.increments.axis_values import INCH, AxisValues
 from compwright.formats.families.increments.beside import (
     OPTION_OF,
@@ -82,6 +83,7 @@ def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, obj
     said = replace(
         facts.increments,
         hung=hung(own),
+        foreign=tuple(numbers for _, numbers in foreign_numbers(own)),
         first_stage=first_stage(own),
         inclined=told.get("inclination", ""),
         waved=told.get("cyclic", ""),
@@ -110,7 +112,8 @@ def _increments(values: AxisValues) -> IncrementFacts:
         separate_rapid=values.separate_rapid(),
         inch=values.own.bit(known.INCH, 0),
         rapid_feed=_rapid_feed(values),
-        interval=_interval(values),
+        interval=_length(values, "table_spacing"),
+        turn=_length(values, "turn"),
     )
 
 
@@ -122,10 +125,12 @@ def _rapid_feed(values: AxisValues) -> float | None:
     return float(Decimal(rapid.text) * (INCH if inch else 1))
 
 
-def _interval(values: AxisValues) -> float | None:
-    """Return 3624, mm or deg; None where it cannot be read, which is told where the table is."""
-    interval = replace(values, notes=Notes()).length("table_spacing", values.kind(quiet=True))
-    return None if interval is None else float(interval)
+def _length(values: AxisValues, quantity: str) -> float | None:
+    """Return 3624 or 3625, mm or deg; None where it cannot be read, which is told where the table
+    is.
+    """
+    length = replace(values, notes=Notes()).length(quantity, values.kind(quiet=True))
+    return None if length is None else float(length)
 
 
 def _coordinate(values: AxisValues, quantity: str, kind: AxisKind) -> float | None:

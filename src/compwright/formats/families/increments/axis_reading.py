@@ -60,7 +60,8 @@ class IncrementReader:
         if sections is None:
             curves = (_NO_POINTS, _NO_POINTS, _NO_POINTS)
             return self._with_counted(kind, None, self._compensation(kind, curves, backlash))
-        values.notes.faults.extend(acting.meets(values.own, sections.numbers))
+        for numbers in filter(None, (sections.numbers, sections.second)):
+            values.notes.faults.extend(acting.meets(values.own, numbers))
         own = self._increments(sections.numbers)
         other = own if sections.second is None else self._increments(sections.second)
         if own is None or other is None:

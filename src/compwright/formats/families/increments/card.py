@@ -39,7 +39,7 @@ def increment_values(
         "detection_unit": f"{scale.quantum('value'):g} {axis.kind.unit}",
         "backlash": _feed_backlash(scale.write("backlash", compensation.backlash), facts),
         "further": "; ".join(
-            filter(None, (_further(axis, facts.increments), *_beside(family, axis, facts)))
+            filter(None, (_further(family, axis, facts.increments), *_beside(family, axis, facts)))
         ),
         "other_sign": "'+'" if scale.options.get("pitch_sign") == "-" else "'-'",
     }
@@ -82,15 +82,17 @@ def _beside(family: Family, axis: Axis, facts: AxisFacts) -> Iterator[str]:
         yield f"leave as it is what acts beside the table: {told}"
 
 
-def _further(axis: Axis, facts: IncrementFacts) -> str:
-    """Return what has to be set beside the grid and 1851: second set, turn, backlash at rapid
-    traverse.
+def _further(family: Family, axis: Axis, facts: IncrementFacts) -> str:
+    """Return what has to stand beside the grid and 1851: second set, turn, backlash at rapid
+    traverse; the turn of an axis without ends as the written files (``facts``) hold it.
     """
-    said = {"3605#0": str(int(facts.two_sets))}
+    said = {}
+    if "bidirectional" in family.definition.bindings:
+        said["3605#0"] = str(int(facts.two_sets))
     if facts.two_sets:
         pair = {"3626": facts.negative_first, "3627": facts.negative_offset}
         said |= {name: UNKNOWN if value is None else str(value) for name, value in pair.items()}
-    if axis.modulo is not None:
-        said["3625"] = f"{axis.modulo:g}"
+    if axis.modulo is not None and facts.turn is not None:
+        said[name_of(family.definition, "turn")] = f"{facts.turn:g}"
     told = [*(f"{name} = {value}" for name, value in said.items()), backlash_words(facts)]
     return ", ".join(filter(None, told))

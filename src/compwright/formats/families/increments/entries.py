@@ -16,7 +16,7 @@ from compwright.formats.families.increments.axis_reading import increment_limit
 from compwright.formats.families.increments.axis_values import INCH, thousandths
 from compwright.formats.families.increments.backlash import both_backlashes
 from compwright.formats.families.increments.lengths import length_text
-from compwright.formats.families.increments.moving import moved_numbers
+from compwright.formats.families.increments.moving import check_sets, moved_numbers
 from compwright.formats.families.increments.numbering import (
     NoRoom,
     Place,
@@ -303,6 +303,7 @@ class _Axis:
                 f"the table of an endless axis must close: it creeps by {own[-1] - own[0]:g}"
                 " detection units each turn"
             )
+        check_sets(self.facts, two=two)
         said, home = self.said.reference_return, self.compensation.reference_return
         if two and said is not None and said is not home:
             raise NotHeld(

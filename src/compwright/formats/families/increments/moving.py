@@ -34,8 +34,26 @@ def moved_numbers(
         (point, new)
         for each in facts.hung
         for point in _known(each, facts, place, interval)
-        if (new := _there(each, point, facts, place, interval)) != point.number
+        if (new := _there(axis, each, point, facts, place, interval)) != point.number
     )
+
+
+def check_sets(facts: IncrementFacts, *, two: bool) -> None:
+    """Hold what hangs on a table against a change between one set of data and two. Raises NotHeld
+    with the first function: whether it acts beside both kinds is not known.
+    """
+    for each in facts.hung if two is not facts.two_sets else ():
+        mode = "bidirectional" if facts.two_sets else "single"
+        raise NotHeld(
+            f"{each.label}, acts beside {_sets(two=facts.two_sets)}, and whether it acts beside"
+            f" {_sets(two=two)} alike is not known: 3605#0 would change from"
+            f" {int(facts.two_sets)} to {int(two)}; table: {{mode: {mode}}} keeps it, or take the"
+            " function out and measure again"
+        )
+
+
+def _sets(*, two: bool) -> str:
+    return "two sets of data" if two else "one set of data"
 
 
 def _stays(axis: Axis, facts: IncrementFacts, place: Place, interval: float) -> bool:
@@ -83,7 +101,12 @@ def _known(
 
 
 def _there(
-    each: Hung, point: PointNumber, facts: IncrementFacts, place: Place, interval: float
+    axis: Axis,
+    each: Hung,
+    point: PointNumber,
+    facts: IncrementFacts,
+    place: Place,
+    interval: float,
 ) -> int:
     """Return the number of a point's position in the new grid."""
     old, first, last = (
@@ -97,10 +120,25 @@ def _there(
     if on_node and inside:
         return new
     why = "is no node of the new grid" if not on_node else "lies outside the old or the new grid"
+    help_ = _old_ends(axis, facts, interval) if on_node else _HELP
     raise NotHeld(
         f"{each.label}, acts beside the table: the position of {point.label} {why}"
-        f" ({_grids(facts, place, interval)}); {_HELP}"
+        f" ({_grids(facts, place, interval)}); {help_}"
     )
+
+
+def _old_ends(axis: Axis, facts: IncrementFacts, interval: float) -> str:
+    """Return what would help where the new grid is finer than the old one and ends elsewhere."""
+    old = float(facts.interval or 0.0)
+    ratio = old / interval
+    if axis.modulo is not None or round(ratio) < 1 or abs(ratio - round(ratio)) > _ON_GRID:
+        return _HELP
+    reference, first, last = (
+        int(number or 0)
+        for number in (facts.reference_number, facts.first_number, facts.last_number)
+    )
+    low, high = (axis.reference + (end - reference) * old for end in (first - 1, last))
+    return f"table: {{start: {low:g}, end: {high:g}}}, the old ends, would keep it, or {_HELP}"
 
 
 def _grids(facts: IncrementFacts, place: Place, interval: float) -> str:

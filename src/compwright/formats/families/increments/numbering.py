@@ -133,8 +133,9 @@ def longest_gap(highest: int, used: Sequence[range], start: int = 0) -> int:
 def used_numbers(state: ControlState | None, without: Iterable[str]) -> list[range]:
     """Return the point numbers that are not free for the axes ``without``.
 
-    Those that other axes claim, a table that is switched off included; those that hold data or to
-    which another function points, whoever they belong to, unless the axes have them now.
+    Those that other axes claim, a table that is switched off included; those that hold data,
+    whoever they belong to, unless the axes have them now; those to which another function points
+    that is not the axes' own, also where the axes claim them.
     """
     if state is None:
         return []
@@ -147,6 +148,11 @@ def used_numbers(state: ControlState | None, without: Iterable[str]) -> list[ran
     return [
         *(numbers for one, each in claims.items() if one not in left_out for numbers in each),
         *(range(number, number + 1) for number in others),
+        *(
+            numbers
+            for one in sorted(left_out)
+            for numbers in state.facts_of(one).increments.foreign
+        ),
     ]
 
 
