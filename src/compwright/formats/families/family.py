@@ -317,12 +317,17 @@ class Family(ABC):
         """Whether the control's files number axes otherwise than by address."""
         return False
 
-    @property
-    def one_by_one(self) -> Sequence[str]:
-        """The addresses that may be read alone where one odd axis spoils the whole; empty where
-        none may.
+    def one_by_one(self, files: Sequence[ControlFile]) -> Sequence[str]:
+        """Return the addresses that may be read alone where one odd axis of the control's files
+        spoils the whole; empty where none may.
         """
+        del files
         return ()
+
+    def tells_idle(self, state: ControlState, address: str) -> bool:
+        """Return whether what was read of other axes tells that nothing acts on this one."""
+        del state, address
+        return False
 
     def misnamed(self, axis: Axis, facts: AxisFacts, state: str) -> Iterable[Fault]:
         """Return where the control's files of a ``state`` (its name), which say ``facts``, call an

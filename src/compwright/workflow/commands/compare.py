@@ -101,7 +101,8 @@ def _found(
     try:
         found = decode(control, files, axes)
     except InputError as error:
-        alone = all(axis.address in control.format.one_by_one for axis in axes)
+        singly = control.format.one_by_one(files)
+        alone = all(axis.address in singly for axis in axes)
         return {
             axis.address: _found_alone(control, files, axis) if alone else error for axis in axes
         }, error

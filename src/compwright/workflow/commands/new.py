@@ -111,7 +111,9 @@ def _read(control: Control, files: Sequence[ControlFile]) -> tuple[ControlState,
     try:
         return decode(control, files).state, ()
     except InputError:
-        found = axis_by_axis(control, lambda address: decode(control, files, address=address).state)
+        found = axis_by_axis(
+            control, files, lambda address: decode(control, files, address=address).state
+        )
         if found.state is None:
             raise
         return found.state, tuple(

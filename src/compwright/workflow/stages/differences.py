@@ -128,7 +128,7 @@ def _in_part(control: Control, unread: Side, name: str, error: InputError | Usag
         seen.extend(findings)
         return state
 
-    found = axis_by_axis(control, view, named, (InputError, UsageError))
+    found = axis_by_axis(control, unread.files, view, named, (InputError, UsageError))
     if found.state is None:
         return replace(unread, findings=(*unread.findings, _untold(name, "these files", error)))
     told = [_untold(name, f"axis {each}", why) for each, why in found.refused.items()]

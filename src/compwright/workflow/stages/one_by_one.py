@@ -4,11 +4,11 @@ other axis.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from compwright.foundations.errors import InputError, UsageError
-from compwright.records.correction import ControlState
+from compwright.records.correction import ControlFile, ControlState
 from compwright.workflow.stages.control import Control
 
 
@@ -24,19 +24,19 @@ class AxisByAxis:
 
 def axis_by_axis(
     control: Control,
+    files: Sequence[ControlFile],
     read: Callable[[str], ControlState],
     among: Collection[str] | None = None,
     caught: type[InputError] | tuple[type[InputError], type[UsageError]] = InputError,
 ) -> AxisByAxis:
-    """Return what ``read`` says of one address after the other, ``among`` these if given; none
-    where the control's axes may not be read alone. An axis without a table that acts and without
-    backlash is passed over. ``caught``: what leaves an axis out.
+    """Return what ``read`` says of one address of ``files`` after the other, ``among`` these if
+    given; none where the control's axes may not be read alone. An axis on which nothing acts, as
+    far as the others tell, is passed over. ``caught``: what leaves an axis out.
     """
     refused: dict[str, InputError | UsageError] = {}
     state: ControlState | None = None
-    for address in control.format.one_by_one:
-        facts = None if state is None else state.facts_of(address)
-        idle = facts is not None and not (facts.enabled or facts.increments.backlash)
+    for address in control.format.one_by_one(files):
+        idle = state is not None and control.format.tells_idle(state, address)
         if idle or (among is not None and address not in among):
             continue
         try:
@@ -44,5 +44,11 @@ def axis_by_axis(
         except caught as error:
             refused[address] = error
         else:
-            state = one if state is None else replace(state, axes={**state.axes, **one.axes})
+            state = one if state is None else _together(state, one)
     return AxisByAxis(state, refused)
+
+
+def _together(one: ControlState, other: ControlState) -> ControlState:
+    """Return what two readings of the same files say, each of its own axes."""
+    axes, facts = {**one.axes, **other.axes}, {**one.facts, **other.facts}
+    return replace(one, axes=axes, facts=facts)

@@ -114,10 +114,15 @@ class IncrementsFamily(Family):
         del entries
         return whereabouts(entry, state)
 
-    @property
-    def one_by_one(self) -> Sequence[str]:
+    def one_by_one(self, files: Sequence[ControlFile]) -> Sequence[str]:
         """See `Family.one_by_one`: axes have numbers, and each its own part of the points."""
+        del files
         return [str(number) for number in range(1, _MOST_AXES + 1)]
+
+    def tells_idle(self, state: ControlState, address: str) -> bool:
+        """See `Family.tells_idle`: every reading tells the facts of all axes."""
+        facts = state.facts_of(address)
+        return not (facts.enabled or facts.increments.backlash)
 
     def sheets(
         self, compensations: Sequence[AxisCompensation], axes: Sequence[Axis]

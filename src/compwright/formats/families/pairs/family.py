@@ -77,6 +77,10 @@ class PairsFamily(GridFamily):
         own = [file for file in files if not is_entry_sheet(file)]
         return {**by_statements(self.definition, sheets), **entered(own, naming)}
 
+    def one_by_one(self, files: Sequence[ControlFile]) -> Sequence[str]:
+        """See `Family.one_by_one`: every line names its axis, and each axis has its own table."""
+        return self.reader(self.for_a_view(), files, (), None, Activity()).named()
+
     def whereabouts(
         self, entry: Entered, entries: Entries, state: ControlState | None
     ) -> tuple[tuple[str, ...], float | None]:
