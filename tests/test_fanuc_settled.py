@@ -251,3 +251,51 @@ def test_a_new_job_of_the_real_backup_runs_without_a_question(tmp_path: Path) ->
         # Numbers and interval stay, those of B too: 301 to 312 behind the reference's 300.
         kept, now = before.grid(axis.address), after.grid(axis.address)
         assert replace(now, magnification=kept.magnification) == kept, name
+
+
+@pytest.mark.parametrize(
+    ("name", "codes", "said"),
+    [
+        ("X", "A1P88A2P89", "1"),  # 88, 89: the codes of X and Y
+        ("Y", "A1P88A2P89", "2"),
+        ("Z", "A1P88A2P89", None),
+        ("X", "A1P88A2P88", None),  # two axes of one letter tell nothing
+    ],
+)
+def test_an_axis_is_found_by_the_letter_that_the_files_give_it(
+    name: str, codes: str, said: str | None, tmp_path: Path
+) -> None:
+    rows = "".join(
+        f"N{number:05d}Q1A1P{value}A2P{value if number == 1851 else 0}\n"
+        for number, value in sorted(TABLE.items())
+    )
+    (tmp_path / "P.TXT").write_text(
+        f"%\nN01020Q1{codes}\n{rows}%\n", encoding="ascii", newline="\n"
+    )
+    (tmp_path / "PITCH.TXT").write_bytes(POINTS)
+    targets = np.linspace(2.0, 48.0, 6)
+    error = {d: np.tile(0.004 * targets / 50.0, (3, 1)) for d in (1, -1)}
+    noise = np.random.default_rng(1)
+    rows_of_test = "".join(
+        f"{x:g},{'+-'[d < 0]},{run + 1},{1e3 * e[run, i] + 0.2 * noise.standard_normal():.3f}\n"
+        for d, e in error.items()
+        for run in range(3)
+        for i, x in enumerate(targets)
+    )
+    (tmp_path / "t.csv").write_text(
+        f"target_mm,direction,run,deviation_um\n{rows_of_test}", encoding="ascii"
+    )
+    (tmp_path / "job.yaml").write_text(
+        "compwright: 1\ncontroller: {format: fanuc-30i, options: {detection_unit: 0.001, first_point: 9}}\n"
+        "states: {as_found: [P.TXT, PITCH.TXT]}\n"
+        f"axes: {{{name!r}: {{travel: [0, 50], before: [t.csv]}}}}\n",
+        encoding="ascii",
+    )
+    code, words, shown = quietly(["run", str(tmp_path / "job.yaml")])
+    if said is None:
+        assert code == 2
+        assert "give the address of axis" in words
+    else:
+        assert code in (0, 1), words  # axis 2 has no table of its own, and may get one
+        assert f"address of axis {name}" in shown
+        assert f"1020 of axis {said}" in shown

@@ -100,6 +100,13 @@ class Family(ABC):
         """
         return normal_address(self.definition, axis)
 
+    def addresses_by_name(self, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
+        """Return the address of each axis, and what says so, by the name that the control's own
+        files give to it alone; none where they name no axes. Raises InputError.
+        """
+        del files
+        return {}
+
     def options_of(self, axis: Axis | None) -> Mapping[str, object]:
         """Return the options of an axis: its own over the controller's, which alone count for an
         axis that no job knows. Raises UsageError.

@@ -131,7 +131,8 @@ def _planned(job: Job, file: Path) -> tuple[Plan, Control, Job, dict[str, Decode
     if named.id != plan.format:
         raise InputError(stale("format", named.id, plan.format, str(file)))
     control = replace(control, notes=named.notes)
-    job, _ = named_axes(job, control)
+    own = plan.states.get(AS_FOUND, ())
+    job, _ = named_axes(job, control, lambda: control.format.addresses_by_name(own))
     known = [entry.axis for entry in plan.axes.values()]
     states = {
         name: decode(control, files, known, active=plan.active.get(name))

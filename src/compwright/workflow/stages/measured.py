@@ -17,7 +17,13 @@ from compwright.records.correction import Assumption, ControlState
 from compwright.records.job import AS_FOUND, Job
 from compwright.workflow.stages.acting import acting
 from compwright.workflow.stages.circles import read_circles
-from compwright.workflow.stages.control import Control, DecodedState, open_control, origin_of
+from compwright.workflow.stages.control import (
+    Control,
+    DecodedState,
+    open_control,
+    origin_of,
+    read_files,
+)
 from compwright.workflow.stages.inputs import JobInputs, read_job_inputs
 from compwright.workflow.stages.own_output import refuse_own_output
 from compwright.workflow.stages.plausible import given_twice, impossible_tests, named_tests
@@ -63,7 +69,8 @@ def measured(job: Job, folder: Path, out: Path) -> Measured:
     this machine, or was made by an earlier run from the same tests.
     """
     control = open_control(job.format, job.options, origin_of(job))
-    job, named = named_axes(job, control)
+    own = [folder / path for path in job.states.get(AS_FOUND, ())]
+    job, named = named_axes(job, control, lambda: control.format.addresses_by_name(read_files(own)))
     idle = idle_keys(
         job,
         systems=control.format.counts_systems,

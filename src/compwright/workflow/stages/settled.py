@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 from compwright.formats.definition.options import (
@@ -17,18 +17,22 @@ from compwright.records.job import AxisJob, Job
 from compwright.workflow.stages.control import Control, DecodedState
 
 
-def named_axes(job: Job, control: Control) -> tuple[Job, tuple[Assumption, ...]]:
+def named_axes(
+    job: Job, control: Control, by_name: Callable[[], Mapping[str, tuple[str, str]]]
+) -> tuple[Job, tuple[Assumption, ...]]:
     """Return the job with control and axes named as the control names them, and what had to be
     assumed for that.
 
-    Raises UsageError for an address that the control cannot have, and for two axes at one address.
+    ``by_name``: the addresses that the control's own files give to names of axes, and what says so;
+    asked only where a job's address is none that the control can have. Raises UsageError for such
+    an address that they do not tell, and for two axes at one address.
     """
     axes: dict[str, AxisJob] = {}
     assumed: list[Assumption] = []
     faults: list[Fault] = []
     for name, entry in job.axes.items():
         try:
-            address, assumption = normal_address(control.definition, entry.axis)
+            address, assumption = _address(control, entry.axis, by_name)
             gantry = (
                 None
                 if entry.axis.gantry is None
@@ -53,6 +57,19 @@ def named_axes(job: Job, control: Control) -> tuple[Job, tuple[Assumption, ...]]
         axes[name] = replace(entry, axis=replace(entry.axis, address=address, gantry=gantry))
     raise_all(UsageError, faults)
     return replace(job, format=control.id, axes=axes), tuple(assumed)
+
+
+def _address(
+    control: Control, axis: Axis, by_name: Callable[[], Mapping[str, tuple[str, str]]]
+) -> tuple[str, Assumption | None]:
+    try:
+        return normal_address(control.definition, axis)
+    except UsageError:
+        said = by_name().get(axis.address.strip().upper())
+        if said is None:
+            raise
+        address, evidence = said
+        return address, Assumption(f"address of axis {axis.name}", address, evidence)
 
 
 def settled_by_files(job: Job, states: Mapping[str, DecodedState], as_found: str) -> Job:

@@ -47,7 +47,7 @@ def facts_of(values: AxisValues) -> AxisFacts:
         for name in ("limit_low", "limit_high", "reference_coordinate")
     )
     return AxisFacts(
-        name=_name(values),
+        name=name_of(values),
         kind=None if rotary is None else AxisKind(rotary),
         limits=None if low is None or high is None else (low, high),
         enabled=bool(increments.magnification) and first != last,
@@ -65,7 +65,7 @@ def facts_of(values: AxisValues) -> AxisFacts:
     )
 
 
-def _name(values: AxisValues) -> str | None:
+def name_of(values: AxisValues) -> str | None:
     """Return what the control calls the axis: the letter of 1020 and, where there are more, the
     characters of 1025 and 1026, all by their codes.
     """

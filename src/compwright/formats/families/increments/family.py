@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Self
 
 from compwright.formats.definition.options import DETECTION_UNIT
@@ -61,6 +61,15 @@ class IncrementsFamily(Family):
         """See `Family.read`. No file of these controls switches a table off."""
         del activity
         return StateReader(self, files, axes, address).read()
+
+    def addresses_by_name(self, files: Sequence[ControlFile]) -> Mapping[str, tuple[str, str]]:
+        """See `Family.addresses_by_name`: the letters of 1020."""
+        names = StateReader(self, files, (), None).names()
+        return {
+            name: (address, f"1020 of axis {address} in the control's files")
+            for address, name in names.items()
+            if list(names.values()).count(name) == 1
+        }
 
     def for_a_view(self) -> Self:
         """See `Family.for_a_view`: functions beside the table are counted by their best-known

@@ -22,7 +22,7 @@ from compwright.formats.definition.options import (
 from compwright.formats.definition.schema import Definition
 from compwright.formats.families.family import Family
 from compwright.formats.families.increments.acting import pointed_numbers, refusals
-from compwright.formats.families.increments.axis_facts import facts_of, with_beside
+from compwright.formats.families.increments.axis_facts import facts_of, name_of, with_beside
 from compwright.formats.families.increments.axis_reading import IncrementReader
 from compwright.formats.families.increments.axis_values import AxisValues
 from compwright.formats.families.increments.detection_unit import settled_options
@@ -114,6 +114,15 @@ class StateReader:
             findings=tuple(dict.fromkeys(self.notes.findings)),
             reserved=self._filled() | pointed_numbers(self.parameters) | unknown,
         )
+
+    def names(self) -> dict[str, str]:
+        """Return what the files call each axis, by address; those without a name are left out."""
+        said = {
+            address: name_of(self._values(address, Notes()))
+            for address in self.gathered.addresses()
+            if address not in (None, "0")
+        }
+        return {address: name for address, name in said.items() if name is not None}
 
     def _cross(self) -> Iterator[CrossCompensation]:
         """Yield what straightness compensation adds between axes, where it is counted."""
