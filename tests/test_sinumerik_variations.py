@@ -7,7 +7,9 @@ what is read back, the test after loading.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,8 +21,18 @@ from backup_deal_sinumerik import dealt, deliver
 from backup_variations_sinumerik import Special, named
 from compwright.cli import run as compwright
 from sinumerik_archive import ARCHIVE, needs_archive, whole_container
-from sinumerik_follow import follow
-from sinumerik_judge import Outcome, Run, try_case
+from sinumerik_container import Packing
+from sinumerik_follow import exported, follow
+from sinumerik_judge import (
+    Outcome,
+    Run,
+    control_before,
+    entries_of_others,
+    foreign_registers,
+    moved_grid,
+    try_case,
+    way_back,
+)
 
 pytestmark = needs_archive
 
@@ -68,6 +80,7 @@ def test_a_dealt_job_does_no_harm(seed: int, judged: Judge) -> None:
         (acting.own_product, 1),
         (acting.step_that_does_not_divide, 2),
         (acting.step_that_does_not_divide, 3),
+        (acting.stale_points_behind_the_end, 1),
         (acting.inch_with_builders_tables, 1),
         (acting.units_of_the_users_own, 1),
         (acting.second_gantry, 1),
@@ -93,3 +106,59 @@ def test_what_acts_is_honoured_or_refused_by_name(
 def test_the_real_container_with_its_own_texts_is_itself() -> None:
     """The writer of variations against the file of the control: sizes, padding, header sums."""
     assert whole_container({"MD.INI": ""}) == ARCHIVE.read_bytes()
+
+
+@pytest.fixture
+def written(tmp_path: Path, run: Run) -> Outcome:
+    """A container's job that went well."""
+    case = named(acting.builders_tables_into_the_axis, 2)
+    case.packing = Packing()
+    outcome = try_case(case, tmp_path, run)
+    assert not outcome.harms, outcome.line()
+    return outcome
+
+
+def test_the_judge_sees_what_is_wrong(written: Outcome, tmp_path: Path) -> None:
+    """A moved grid, an entry of another axis, an old value that comes back changed by a digit, a
+    neighbour that moved.
+    """
+    case, after = written.case, written.loaded
+    assert after is not None
+    before, out = control_before(case), tmp_path / "out"
+
+    moved = after.copy()
+    moved.load(f"$AA_ENC_COMP_STEP[1,{case.axis}]=7", protected=False)
+    assert moved_grid(written, before, moved)
+    assert not moved_grid(written, before, after)
+
+    more = written.files["X1_MD.INI"].replace(b"M17", b"$MA_BACKLASH[1,AX2]=0\nM17")
+    files = written.files | {"X1_MD.INI": more}
+    assert entries_of_others(case, after, files)
+
+    neighbour = after.copy()
+    neighbour.load("$AA_ENC_COMP[1,1,AX2]=0.001", protected=False)
+    assert foreign_registers(case, before, neighbour)
+
+    (back,) = (out / "rollback").glob("*/BACK_X1_EEC.INI")
+    text = back.read_text()
+    point = re.search(r"\$AA_ENC_COMP\[1,1,AX1\]=(\S+)", text)
+    assert point is not None
+    back.write_text(text.replace(point[0], point[0] + "1"))
+    assert way_back(written, before, after, out)
+
+
+def test_what_the_judge_exports_is_what_the_control_holds(written: Outcome) -> None:
+    """Loaded into a control that knows nothing yet, it gives the same corrections."""
+    case, after = written.case, written.loaded
+    assert after is not None
+    (whole,) = exported(case, after).values()
+    fresh = replace(control_before(case), registers={})
+    for head in ("AX_EEC.INI", "NC_CEC.INI", "INITIAL.INI"):
+        at = whole.index(f"_N_{head.replace('.', '_')}")
+        size = int(whole[at + 124 : at + 136].rstrip("\0"))
+        fresh.load(whole[at + 512 : at + 512 + size], protected=False)
+    x = np.linspace(*case.travel, 40)
+    for direction in (1, -1):
+        assert fresh.correction(case.axis, x, direction) == pytest.approx(
+            after.correction(case.axis, x, direction), abs=1e-12
+        )
