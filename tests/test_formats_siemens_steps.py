@@ -13,7 +13,7 @@ from compwright.formats.control_format import control_format
 from compwright.foundations.errors import InputError
 from compwright.records.axis import Direction
 from compwright.records.correction import ControlFile, ControlState
-from format_samples import SIEMENS
+from format_samples import SIEMENS, axis_of, table
 
 #: 850 mm in steps of 100: points at -850 ... -50, and 50 beyond MAX = 0.
 VALUES = [0.0, 0.001, 0.002, 0.004, 0.003, 0.002, 0.001, 0.001, 0.002]
@@ -77,3 +77,31 @@ def test_a_step_that_was_rounded_when_it_was_written() -> None:
     assert axis.positions[-1] == pytest.approx(555.0, abs=5e-4)
     (told,) = [one for one in state.assumed if "spacings" in one.fact]
     assert told.value == "39"
+
+
+@pytest.mark.parametrize("ratio", ["14.7", "14.5", "14.3"])
+def test_a_new_table_on_such_nodes_ends_at_the_last_of_them(ratio: str) -> None:
+    """Whoever counts the point beyond MAX, or does not, reads the same: 15 points, MAX on the last;
+    what stood beyond becomes 0.
+    """
+    rows = "".join(f"$AA_ENC_COMP[0,{n},AX1]=0\n" for n in range(16))
+    own = ControlFile(
+        "A.INI",
+        (
+            f"CHANDATA(1)\n{rows}$AA_ENC_COMP_STEP[0,AX1]=50\n$AA_ENC_COMP_MIN[0,AX1]=0\n"
+            f"$AA_ENC_COMP_MAX[0,AX1]={50 * float(ratio):g}\n$AA_ENC_COMP_IS_MODULO[0,AX1]=0\n"
+            "$MA_ENC_COMP_ENABLE[0,AX1]=1\nM17\n"
+        ).encode(),
+    )
+    axis = axis_of("AX1")
+    state = control_format(SIEMENS, {}).read([own], [axis])
+    nodes = state.axes["AX1"].positions
+    assert nodes[-1] == 700
+    values = np.linspace(0.0, -0.014, 15)
+    new = control_format(SIEMENS, {}, state).write(
+        [table("AX1", list(nodes), list(values))], [axis], [own]
+    )
+    text = "".join(file.content.decode() for file in new)
+    assert float(text.split("$AA_ENC_COMP_MAX[0,AX1]=")[1].split()[0]) == 700
+    read_back = control_format(SIEMENS, {}).read(new, [axis]).axes["AX1"]
+    np.testing.assert_allclose(read_back.positive, values, atol=5e-7)

@@ -93,8 +93,10 @@ def _stays(text: TableText) -> bool:
     start, end, step = (text.scale.read(name, text.there[name]) for name in _GRID)
     if step <= 0:
         return False
-    positions = text.compensation.positions
-    if round((end - start) / step) + 1 != positions.size:
+    positions, ratio = text.compensation.positions, (end - start) / step
+    steps = round(ratio)
+    if steps + 1 != positions.size or abs(ratio - steps) > ROUNDED_STEPS:
+        # an end between two points would leave it to the control which of them is the last one
         return False
     there = np.array([float(start + index * step) for index in range(positions.size)])
     return bool(np.all(np.abs(there - positions) < SAME_NODE))
