@@ -139,7 +139,7 @@ def entry_tables(entries: Sequence[Mapping[str, Any]]) -> list[RenderableType]:
     table = plain_table()
     for heading in ("entry", "meaning"):
         table.add_column(heading)
-    for heading in ("at", "old", "new"):
+    for heading in ("at (file's unit)", "old", "new"):
         table.add_column(heading, justify="right")
     for entry in both[:_MOST_ROWS]:
         table.add_row(

@@ -159,7 +159,7 @@ def _with_data(
     kept: list[ControlFile] = []
     idle: list[str] = []
     for file in files:
-        own = {} if file.name in used else control.format.entered([file])
+        own = {} if file.name in acting else control.format.entered([file])
         if file.name in acting or is_container(file) or any(one.acts for one in own.values()):
             kept.append(file)
         elif file.name not in used and not own:

@@ -30,6 +30,7 @@ _MEANINGS = {
     "$AA_ENC_COMP_MIN": "EEC: first position",
     "$AA_ENC_COMP_MAX": "EEC: last position",
     "$AA_ENC_COMP_IS_MODULO": "EEC: repeats each turn",
+    "$AA_ENC_COMP_": "EEC",
     "$AA_ENC_COMP": "EEC: value",
     "$AA_QEC": "quadrant error compensation",
     "$AN_CEC_INPUT": "CEC: moving axis",
@@ -38,11 +39,16 @@ _MEANINGS = {
     "$AN_CEC_MIN": "CEC: first position",
     "$AN_CEC_MAX": "CEC: last position",
     "$AN_CEC_DIRECTION": "CEC: direction",
-    "$AN_CEC_MULT_BY_TABLE": "CEC: multiplied by the table before",
+    "$AN_CEC_MULT_BY_TABLE": "CEC: multiplied by the table of index number - 1",
+    "$AN_CEC_IS_MODULO": "CEC: repeats each turn",
+    "$AN_CEC_TYPE": "CEC: kind of the table (1: cylinder)",
+    "$AN_CEC_": "CEC",
     "$AN_CEC": "CEC: value",
     "$SN_CEC_TABLE_ENABLE": "SD41300: CEC table on",
     "$SN_CEC_TABLE_WEIGHT": "SD41310: weight of a CEC table",
-    "$SN_CEC": "SD41320, SD41321: added to a CEC table",
+    "$SN_CEC_0": "SD41320: added to a CEC table",
+    "$SN_CEC_1": "SD41321: added to a CEC table",
+    "$SN_CEC": "CEC",
     "$MA_ENC_COMP_ENABLE": "MD32700: EEC on",
     "$MA_CEC_ENABLE": "MD32710: CEC on",
     "$MA_CEC_MAX_SUM": "MD32720: limit of the sum of CEC tables",
@@ -77,19 +83,12 @@ def entered(files: Sequence[ControlFile], naming: Sequence[ControlFile] = ()) ->
     """
     lines = list(_lines(files))
     names = dict(_named(line for _, _, line in (*_lines(naming), *lines)))
-    found: dict[str, Entered] = {}
+    found = {entry.name: entry for entry in _units(lines)}
     channel = "1"
     for file, number, line in lines:
         scope = _CHANNEL.fullmatch(line)
         if scope is not None:
             channel = scope[1]
-        system = _SYSTEM.fullmatch(line)
-        if system is not None:
-            name = f"{file}: {_BASIC}"
-            meaning = "unit of lengths of this file"
-            found[name] = Entered(
-                name, _BASIC, system[1].upper(), file, number, acts=True, meaning=meaning
-            )
         match = _LINE.fullmatch(line.replace(f";{BY_HAND}", "", 1))
         if match is None:
             continue
@@ -107,6 +106,23 @@ def _lines(files: Sequence[ControlFile]) -> Iterator[tuple[str, int, str]]:
     for file in texts_of(files):
         text = re.split(r"\r\n|\r|\n", file.content.decode("latin-1"))
         yield from ((file.name, number, line) for number, line in enumerate(text, start=1))
+
+
+def _units(lines: Sequence[tuple[str, int, str]]) -> Iterator[Entered]:
+    """Yield the unit in which the files say that their numbers stand, once; each file that says
+    another one than most of them by its name.
+    """
+    said = [
+        (file, number, match[1].upper())
+        for file, number, line in lines
+        if (match := _SYSTEM.fullmatch(line)) is not None
+    ]
+    units = sorted({unit for _, _, unit in said}, reverse=True)  # METRIC where as many say either
+    most = max(units, key=[unit for _, _, unit in said].count, default="")
+    for file, number, unit in said:
+        name, whose = (_BASIC, "the files") if unit == most else (f"{file}: {_BASIC}", "this file")
+        meaning = f"unit of lengths of {whose}"
+        yield Entered(name, _BASIC, unit, file, number, acts=True, meaning=meaning)
 
 
 def _named(lines: Iterator[str]) -> Iterator[tuple[str, str]]:
