@@ -493,13 +493,16 @@ def _lines(
     if len(old) != len(new):
         yield f"{name}: {len(old)} lines became {len(new)}"
         return
-    for a, b in zip(old, new, strict=True):
-        if a == b:
+    for before, after in zip(old, new, strict=True):
+        if before == after:
             continue
+        a, b = before.strip(b"\r"), after.strip(b"\r")
+        if before.replace(a, b) != after:
+            yield f"{name}: the line end changed: {before[-9:]!r} became {after[-9:]!r}"
         blank = [re.sub(rb"(?<=[PMI])[-0-9.]+", b"#", line) for line in (a, b)]
         if blank[0] != blank[1]:
             yield f"{name}: more than values changed: {a[:60]!r} became {b[:60]!r}"
-        number = int((re.match(rb"N(\d+)", a) or [b"", b"0"])[1])
+        number = int((re.search(rb"N(\d+)", a) or [b"", b"0"])[1])
         parameter = number < 10000 or b"Q1" in a[:8]
         if parameter and not (number in own and _only(a, b, groups)):
             yield f"{name}: another axis's entry changed: {a[:60]!r} became {b[:60]!r}"
