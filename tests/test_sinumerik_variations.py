@@ -78,6 +78,7 @@ def test_a_dealt_job_does_no_harm(seed: int, judged: Judge) -> None:
         (acting.odd_tables_into_the_axis, 1),
         (acting.own_odd_table, 1),
         (acting.own_product, 1),
+        (acting.step_that_does_not_divide, 1),
         (acting.step_that_does_not_divide, 2),
         (acting.step_that_does_not_divide, 3),
         (acting.stale_points_behind_the_end, 1),
