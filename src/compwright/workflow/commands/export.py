@@ -81,7 +81,7 @@ def export_plan(
     control = open_control(format_id, options, origin)
     if control.id == plan.format:
         control = open_control(format_id, {**plan.options, **options}, origin)
-    moved, taken = _axes_here(plan, control, addresses)
+    moved, taken = _axes_here(plan, control, addresses, options)
     state = _state(plan, control, list(moved.values()), states, str(path), active=active)
     refuse_added_again(plan, path, state)
     moved = {name: settled_axis(axis, [state.state], control.given) for name, axis in moved.items()}
@@ -142,13 +142,13 @@ def _refitted(
 
 
 def _axes_here(
-    plan: Plan, control: Control, addresses: Mapping[str, str]
+    plan: Plan, control: Control, addresses: Mapping[str, str], options: Mapping[str, object]
 ) -> tuple[dict[str, Axis], list[Assumption]]:
     """Return the axes of the plan as this control names them, and what had to be assumed for it.
 
     Of the plan's own control all of them; of another one those that get something, or whose name
     the user gives. Options are a control's own: those of the plan's control, read from its files or
-    stated, say nothing of another.
+    stated, say nothing of another; ``options``, those of the command, go over them.
     """
     same = plan.format == control.id
     fitted = {name for name, entry in plan.axes.items() if entry.fitted is not None}
@@ -160,7 +160,8 @@ def _axes_here(
             continue
         asked = addresses.get(name, axis.address if same else name)
         address, assumption = control.format.address(replace(axis, address=asked))
-        axes[name] = replace(axis, address=address, options=axis.options if same else {})
+        own = {key: value for key, value in axis.options.items() if same and key not in options}
+        axes[name] = replace(axis, address=address, options=own)
         assumed += [assumption] if assumption is not None and name in fitted else []
     return axes, assumed
 
