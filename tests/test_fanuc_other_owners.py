@@ -23,9 +23,13 @@ CYCLIC: Edits = {(14985, "4"): "22", (14986, "4"): "30", (14987, "4"): "2.0"}
 ITS_POINTS = range(22, 31)
 
 
-def test_a_table_that_was_off_is_put_beside_the_points_of_another_function(tmp_path: Path) -> None:
+@pytest.mark.parametrize("table", ["", "table: {spacing: 20}"])
+def test_a_table_that_was_off_is_put_beside_the_points_of_another_function(
+    table: str, tmp_path: Path
+) -> None:
+    """A table that leaves its old numbers clears them, but for those of the other table."""
     bench = Bench(tmp_path, {(3623, "1"): "0", **CYCLIC})
-    assert bench.run("X") == 0
+    assert bench.run("X", axes={"X": table}) == 0
     parameters, points = bench.written()
     first, last = (int(said(parameters, number, 1)) for number in (3621, 3622))
     assert set(range(first, last + 1)).isdisjoint(ITS_POINTS)
@@ -38,6 +42,16 @@ def test_a_table_that_is_on_is_refused_by_the_parameter_that_points_there(
 ) -> None:
     assert Bench(tmp_path, CYCLIC).run("X") == 3
     assert "parameter 14985 of axis 4" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("amount", ["0", "40"])
+def test_an_inclination_of_another_axis_names_sections_of_that_axis(
+    amount: str, tmp_path: Path
+) -> None:
+    """5861 counts in the row of its own axis and holds no data: X shares nothing with it."""
+    bench = Bench(tmp_path, {(5861, "3"): "20", (5864, "3"): "30", (5873, "3"): amount})
+    assert bench.run("X") == 0
+    assert bench.left("X") < 0.03
 
 
 @pytest.mark.parametrize("number", [1, 11])

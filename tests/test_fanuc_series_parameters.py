@@ -4,6 +4,7 @@ series only (a real backup of a D4G3 holds it beside 1013), and of the 15i no pa
 
 from __future__ import annotations
 
+import re
 from copy import deepcopy
 from dataclasses import replace
 from pathlib import Path
@@ -88,7 +89,11 @@ def test_15i_numbers_of_other_series_count_for_nothing_and_are_named_once() -> N
     table = state.axes["1"]
     assert np.round(table.positive * 1000, 9).tolist() == list(TOTALS)
     assert (table.backlash, table.others) == (0.002, ())
-    assert state.facts == bare.facts
+    own, other = (replace(facts.facts["1"].increments, hung=()) for facts in (state, bare))
+    assert replace(state.facts["1"], increments=own) == replace(bare.facts["1"], increments=other)
+    # what may compensate by the grid holds the grid
+    held = {re.search("[0-9]{4}", each.label)[0] for each in state.facts["1"].increments.hung}  # type: ignore[index]
+    assert held == {"3602", "3605", "5711", "5721", "5861", "5871"}
     new = [each for each in state.findings if each not in bare.findings]
     assert [(each.code, each.severity) for each in new] == [("CW-S057", "warning")]
     assert all(f"{number}" in new[0].message for number in STRANGE)
@@ -113,6 +118,22 @@ def test_15i_a_job_among_numbers_of_other_series(tmp_path: Path) -> None:
     assert run_15i(tmp_path, ["ALL.TXT"]) in (0, 1)
     written = (tmp_path / "out" / "tables" / "fanuc-15i" / "ALL.TXT").read_text()
     assert all(f"N{number:05d}{text}\n" in written for number, text in STRANGE.items())
+
+
+def test_15i_the_grid_stays_where_something_nobody_knows_may_hang_on_it(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """5873 may be inclination there as elsewhere: by a moved grid it would bend the axis."""
+    (tmp_path / "ALL.TXT").write_bytes(one_file("fanuc-15i", more="N05873A1P400").content)
+    assert run_15i(tmp_path, ["ALL.TXT"]) in (0, 1)
+    job = tmp_path / "job.yaml"
+    job.write_text(job.read_text().replace("before:", "table: {spacing: 5}, before:"))
+    moved = ["run", str(job), "--out", str(tmp_path / "moved")]
+    assert compwright(moved) == 4
+    assert "parameter 5873 of axis 1 = 400" in capsys.readouterr().err
+    assert not (tmp_path / "moved" / "tables").exists()
+    (tmp_path / "ALL.TXT").write_bytes(one_file("fanuc-15i").content)
+    assert compwright([*moved, "--force"]) in (0, 1)
 
 
 def test_15i_new_asks_for_the_unit(tmp_path: Path) -> None:

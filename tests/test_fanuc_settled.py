@@ -199,7 +199,6 @@ def test_new_writes_what_the_real_backup_says(tmp_path: Path) -> None:
         "programmed": "radius",
         "screw_pitch": 10.0,  # 1821 = 100000 detection units of 0.0001 mm
         "before": None,
-        "options": {"detection_unit": 0.0001},
     }
     assert draft["axes"] == {
         "X": {**linear, "travel": [-1000.0, 1.0], "address": "1"},
@@ -212,9 +211,15 @@ def test_new_writes_what_the_real_backup_says(tmp_path: Path) -> None:
             "modulo": 360.0,
             "address": "4",
             "before": None,
-            "options": {"detection_unit": 0.0001},
         },
     }
+    # the run reads it again, so that the files stay its evidence
+    told = [line for line in text.splitlines() if "detection_unit" in line]
+    assert len(told) == 4
+    assert all(
+        line.startswith("    # detection_unit: 0.0001, read from the control's files: 1820 = 20")
+        for line in told
+    )
     offered = [line for line in text.splitlines() if "screw_pitch" in line]
     assert len(offered) == 3
     assert all("offered: 1821 = 100000" in line and "inferred" in line for line in offered)
@@ -241,6 +246,12 @@ def test_a_new_job_of_the_real_backup_runs_without_a_question(tmp_path: Path) ->
     (tmp_path / "job.yaml").write_text(yaml.safe_dump(draft))
     code, said, _ = quietly(["run", str(tmp_path / "job.yaml"), "--out", str(tmp_path / "out")])
     assert code == 0, said
+    facts = {
+        each["fact"]: each["evidence"]
+        for each in json.loads((tmp_path / "out" / "prediction.json").read_text())["assumed"]
+    }
+    assert "option detection_unit" not in facts
+    assert "1820 = 20" in facts["axis 1: detection unit"]
     after = VirtualFanuc(reloaded(files, tmp_path / "out" / "tables" / "fanuc-30i"))
     prediction = json.loads((tmp_path / "out" / "prediction.json").read_text())
     for name, axis in axes.items():

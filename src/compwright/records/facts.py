@@ -78,8 +78,8 @@ class IncrementFacts:
     by its numbers and is left alone. ``first_stage``: the part of the backlash that comes out at
     once where the rest follows on the way, detection units. ``inclined``: the line of
     inclination compensation that is there, in words; empty: none. ``waved``: the second table, the
-    same. ``turn``: the travel of one turn that its table has, deg. ``foreign``: numbers to which
-    another function points that is not its own, wherever they lie.
+    same. ``turn``: the travel of one turn that its table has, deg. ``foreign``: the numbers of
+    second tables, wherever they lie: none of them is free for a table.
     """
 
     reference_number: int | None = None

@@ -112,7 +112,9 @@ def export_plan(
     )
     return ExportOutcome(
         files=tuple(written),
-        assumed=tuple(dict.fromkeys((*control.assumed(state.state), *state.state.assumed, *taken))),
+        assumed=tuple(
+            dict.fromkeys((*control.assumed(state.state, axes=axes), *state.state.assumed, *taken))
+        ),
         missing=tuple(name for name, entry in plan.axes.items() if entry.fitted is None),
         findings=(*control.findings, *cross.findings),
     )

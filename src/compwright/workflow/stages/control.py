@@ -149,9 +149,11 @@ class Control:
         except UsageError as error:
             raise self.origin.named(error) from error
 
-    def assumed(self, *states: ControlState) -> tuple[Assumption, ...]:
-        """Return every option that was left at its default and that no file of ``states``
-        answers.
+    def assumed(self, *states: ControlState, axes: Sequence[Axis] = ()) -> tuple[Assumption, ...]:
+        """Return every option that was left at its default and that no file of ``states`` answers.
+
+        ``axes``: those of a job; without one every axis of the states counts. An option that each
+        of them answers, by the job or by its files, is not left at its default.
         """
         answered = {
             name for state in states for facts in state.facts.values() for name in facts.said
@@ -161,12 +163,21 @@ class Control:
             for name, option in self.definition.options.items()
             if option.settled_by in answered
         }
-        said = set(self.given) | settled | _SAID_ELSEWHERE
+        said = set(self.given) | settled | _SAID_ELSEWHERE | self._said_by_axes(states, axes)
         return tuple(
             Assumption(f"option {name}", _shown(value), self._default_evidence(name))
             for name, value in self.options.items()
             if name not in said
         )
+
+    def _said_by_axes(self, states: Sequence[ControlState], axes: Sequence[Axis]) -> set[str]:
+        named = [(self.format.address(axis)[0], set(axis.options)) for axis in axes] or [
+            (address, set[str]()) for state in states for address in state.axes
+        ]
+        each = [
+            own.union(*(state.facts_of(address).said for state in states)) for address, own in named
+        ]
+        return set.intersection(*each) if each else set()
 
     def _default_evidence(self, name: str) -> str:
         rule = self.definition.options.get(name)

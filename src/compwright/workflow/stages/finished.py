@@ -44,7 +44,7 @@ class Finished:
         states = self.measured.states.values()
         capacities = [work.capacity for work in self.works.values() if work.capacity is not None]
         return (
-            *self.fitted.control.assumed(*states),
+            *self.fitted.control.assumed(*states, axes=list(self.measured.axes.values())),
             *self.measured.named,
             *(entry for state in states for entry in state.assumed),
             *(entry for capacity in capacities for entry in capacity.assumed),

@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from itertools import islice
 
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.beside import functions
 from compwright.formats.families.increments.parameters import AxisParameters, Parameters, Value
 from compwright.foundations.errors import Fault
 from compwright.records.axis import AxisKind
@@ -27,8 +26,10 @@ def refusals(own: AxisParameters) -> Iterator[Fault]:
         )
 
 
-def _cyclic(parameters: Parameters) -> list[tuple[Value, range]]:
-    """Return the numbers of the cyclic tables that are set, each with the value of its first."""
+def second_tables(parameters: Parameters) -> list[tuple[Value, range]]:
+    """Return the point numbers of the second (cyclic) tables that are set, whose data they hold,
+    each with the parameter of its first.
+    """
     ends = [
         (first, AxisParameters(parameters, str(first.index)).get(known.CYCLIC_LAST))
         for first in parameters.of([known.CYCLIC_FIRST])
@@ -46,30 +47,16 @@ def pointed_numbers(parameters: Parameters) -> frozenset[int]:
     """
     numbers = (*known.INCLINATION_POINTS, *known.STRAIGHTNESS_POINTS, *known.STRAIGHTNESS_MORE)
     values = parameters.of(numbers)
-    cyclic = (number for _, numbers in _cyclic(parameters) for number in numbers)
+    cyclic = (number for _, numbers in second_tables(parameters) for number in numbers)
     return frozenset((*(value.whole for value in values if value.acts), *cyclic))
 
 
-def foreign_numbers(own: AxisParameters) -> Iterator[tuple[Value, range]]:
-    """Yield the point numbers to which something else points that is not the axis' own, each with
-    the parameter that says so: points of straightness that another axis moves, another axis'
-    inclination, a cyclic table.
-    """
-    mine = {(value.file, value.start) for function in functions(own) for value in function.values}
-    straight = any(value.acts for value in own.all.of(known.STRAIGHTNESS_MOVING))
-    points = own.all.of(known.STRAIGHTNESS_POINTS) if straight else []
-    points += [
-        value for value in own.all.of(known.INCLINATION_POINTS) if str(value.index) != own.address
-    ]
-    for value in points:
-        if value.acts and (value.file, value.start) not in mine:
-            yield value, range(value.whole, value.whole + 1)
-    yield from _cyclic(own.all)
-
-
 def meets(own: AxisParameters, numbers: range) -> Iterator[Fault]:
-    """Yield a fault for what uses the axis' own numbers although it is not the axis' own."""
-    users = (value for value, others in foreign_numbers(own) if not set(numbers).isdisjoint(others))
+    """Yield a fault for a second table whose points are among the axis' own numbers: both would
+    hang on the same data. Inclination and straightness only name sections there.
+    """
+    second = second_tables(own.all)
+    users = (value for value, others in second if not set(numbers).isdisjoint(others))
     for value in islice(users, 1):
         yield value.fault(
             f"{own.label}: another function uses its point numbers {numbers.start} to"

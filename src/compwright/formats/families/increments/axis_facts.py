@@ -8,7 +8,7 @@ from decimal import Decimal
 
 from compwright.formats.definition.options import DETECTION_UNIT
 from compwright.formats.families.increments import parameters as known
-from compwright.formats.families.increments.acting import foreign_numbers
+from compwright.formats.families.increments.acting import second_tables
 from compwright.formats.families.increments.axis_values import INCH, AxisValues
 from compwright.formats.families.increments.beside import (
     OPTION_OF,
@@ -83,7 +83,7 @@ def with_beside(facts: AxisFacts, own: AxisParameters, options: Mapping[str, obj
     said = replace(
         facts.increments,
         hung=hung(own),
-        foreign=tuple(numbers for _, numbers in foreign_numbers(own)),
+        foreign=tuple(numbers for _, numbers in second_tables(own.all)),
         first_stage=first_stage(own),
         inclined=told.get("inclination", ""),
         waved=told.get("cyclic", ""),

@@ -16,6 +16,8 @@ from compwright.formats.families.increments import parameters as known
 from compwright.formats.families.increments.parameters import AxisParameters, Value
 from compwright.records.facts import Hung, PointNumber
 
+#: What may compensate by the grid where nobody knows what it is on a series.
+_MAY_COMPENSATE = {"inclination", "straightness", "cyclic", "spatial", "totals", "pitch_bits"}
 #: The option of each function by which the user says that compwright may count and write it.
 _ACROSS, _BENT = (
     "straightness compensation of another axis by this one",
@@ -82,6 +84,11 @@ def hung(own: AxisParameters) -> tuple[Hung, ...]:
         )
         for function in functions(own)
         if function.points is None or function.points
+    ) + tuple(
+        Hung(label=f"perhaps further compensation, {value.place}", points=None)
+        for value in own.all.unknown
+        if known.NAMES[value.number] in _MAY_COMPENSATE
+        and (value.owner != "A" or value.index == own.index)
     )
 
 

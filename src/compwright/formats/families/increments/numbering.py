@@ -134,8 +134,8 @@ def used_numbers(state: ControlState | None, without: Iterable[str]) -> list[ran
     """Return the point numbers that are not free for the axes ``without``.
 
     Those that other axes claim, a table that is switched off included; those that hold data,
-    whoever they belong to, unless the axes have them now; those to which another function points
-    that is not the axes' own, also where the axes claim them.
+    whoever they belong to, unless the axes have them now; those of a second table, also where the
+    axes claim them.
     """
     if state is None:
         return []
