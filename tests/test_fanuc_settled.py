@@ -248,7 +248,7 @@ def test_a_new_job_of_the_real_backup_runs_without_a_question(tmp_path: Path) ->
     assert code == 0, said
     facts = {
         each["fact"]: each["evidence"]
-        for each in json.loads((tmp_path / "out" / "prediction.json").read_text())["assumed"]
+        for each in json.loads((tmp_path / "out" / "plan.json").read_text())["assumed"]
     }
     assert "option detection_unit" not in facts
     assert "1820 = 20" in facts["axis 1: detection unit"]
