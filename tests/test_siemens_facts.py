@@ -27,7 +27,7 @@ from compwright.records.correction import (
     ControlState,
     CrossCompensation,
 )
-from format_samples import codes, files, table
+from format_samples import DEFINITIONS, codes, files, table
 from mutants import Check, falls, merged_definition, mutants
 from sinumerik_archive import cec_lines, eec_lines
 from virtual_sinumerik import VirtualSinumerik
@@ -132,6 +132,27 @@ def acts(definition: Definition) -> None:
         6: ("AX5", "AX4"),
     }
     assert state.facts["AX1"].pairs.own == (3, 4)
+
+
+def absent(definition: Definition) -> None:
+    """What no file says: a table is on and does not repeat, there is no backlash, the axis has
+    ends. All of it is told.
+    """
+    eec, cec = (
+        eec_lines("AX1", 0, 0.0, 200.0, [0.001, 0.004], modulo=False),
+        cec_lines(3, "AX1", "AX1", 0, 400, [0.01, -0.02], direction=1),
+    )
+    silent = re.compile(r"^\$(AA_ENC_COMP|AN_CEC)_IS_MODULO.*\n", re.MULTILINE)
+    given = text_of(silent.sub("", eec), silent.sub("", cec))
+    told = " ".join(f"{each.fact} {each.value}" for each in read(definition, given, X).assumed)
+    state = control_format(definition, OURS).read(given, address="AX1")
+    # errors: 1 and 4 µm of the one, 10 and -20 of the other, both taken away; the ends stay
+    found = state.axes["AX1"].at(np.array([-50.0, 0.0, 200.0, 900.0]), Direction.POSITIVE)
+    assert np.allclose(found, [-0.011, -0.011, 0.001, 0.016], atol=SAME), found
+    assert state.axes["AX1"].backlash == 0.0
+    assert state.axes["AX1"].kind is AxisKind.LINEAR
+    assert "CW-S005" in codes(state)
+    assert "IS_MODULO" in told
 
 
 def forms(definition: Definition) -> None:
@@ -628,7 +649,7 @@ PROBES: dict[str, Check] = {f"{entry[0]} last": last(entry) for entry in LAST} |
 CHECKS: dict[str, Check] = {
     each.__name__: each
     for each in (
-        fresh, acts, names, inches, claims, limits, kinds, tables, ranges, options, patched, forms,
+        fresh, acts, absent, names, inches, claims, limits, kinds, tables, ranges, options, patched, forms,
         gate,
     )
 }  # fmt: skip
@@ -649,7 +670,8 @@ def checks_for(name: str) -> dict[str, Check]:
 #: Facts that decide nothing here -> why. Whatever else survives is a hole in the checks, or a dead
 #: key of the definition.
 DECIDES_NOTHING = {
-    r"bindings\.\w+\.when_absent": "what is missing is told, asked for or refused by the reading",
+    r"bindings\.\w+\.when_absent": "zeros for what has no value when it is absent: what is missing is"
+    " told, asked for or refused by the reading; the values that there are: below",
     r"bindings\.(machine|channel|channel_machine)_axis\.(field|repeated)": "every name counts,"
     " wherever it stands",
     r"bindings\.(modulo_start|modulo_range|limit_\w+|gantry_type|encoders|inch_length|unit_mask"
@@ -702,3 +724,24 @@ def test_what_decides_nothing_is_a_fact_that_is_there() -> None:
     assert len(names) > 700
     for pattern in DECIDES_NOTHING:
         assert any(re.match(pattern, name) for name in names), pattern
+
+
+@pytest.mark.parametrize(
+    ("quantity", "value"),
+    [
+        ("repeats", "yes"),
+        ("enabled", "no"),
+        ("backlash", "0.001"),
+        ("rotary", "rotary"),
+        ("cross_repeats", "yes"),
+    ],
+)
+def test_what_counts_where_no_file_says_it_decides_something(quantity: str, value: str) -> None:
+    definition = DEFINITIONS[FORMAT]
+    binding = definition.bindings[quantity]
+    assert binding.when_absent is not None
+    turned = replace(binding, when_absent=replace(binding.when_absent, value=value))
+    bindings = {**definition.bindings, quantity: turned}
+    absent(definition)
+    with pytest.raises((AssertionError, CompwrightError, KeyError)):
+        absent(replace(definition, bindings=bindings))
