@@ -113,7 +113,7 @@ def _refuse(capacity: Capacity, request: TableRequest) -> None:
     if request.mode == "bidirectional" and capacity.curves == 1:
         faults.append(
             Fault(
-                message=f"{capacity.format} holds one table for both directions",
+                message=f"{capacity.format} holds one table for both directions of this axis",
                 place="table.mode",
                 expected="single or auto",
                 found="bidirectional",

@@ -83,8 +83,8 @@ def edge_findings(
         findings.append(Finding("CW-F006", "info", message))
     elif beyond > hair:
         message = (
-            f"The table reaches up to {beyond:g} {unit} beyond the travel, so that its points lie"
-            " at round positions"
+            f"The table reaches up to {beyond:g} {unit} beyond the travel: its points lie at round"
+            " positions, or where other columns of the same table need them"
         )
         findings.append(Finding("CW-F006", "info", message))
     return tuple(findings)
