@@ -233,10 +233,11 @@ class Family(ABC):
         del own, axes
         return Delivery(tuple(files))
 
-    def named_files(self, axis: Axis, written: Sequence[str]) -> dict[str, str]:
+    def named_files(self, axis: Axis, files: Sequence[ControlFile]) -> dict[str, str]:
         """Return how the texts of the card call the definition's files for an axis, where that is
-        not their own name; ``written``: the names of all files, in their order.
+        not their own name; ``files``: all that were written.
         """
+        written = self.loading_order(files)
         address, _ = self.address(axis)
         fresh, small = (
             self._file_names(replace(axis, address=name))

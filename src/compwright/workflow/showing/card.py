@@ -241,8 +241,7 @@ def _steps(
 
 def _named_files(control: Control, axis: Axis, loaded: DecodedState | None) -> dict[str, str]:
     """Return the names of the files in the texts of the steps."""
-    written = control.format.loading_order(loaded.files) if loaded else []
-    return control.format.named_files(axis, written)
+    return control.format.named_files(axis, loaded.files if loaded else ())
 
 
 def _restore(control: Control, inputs: JobInputs, back: Sequence[ControlFile]) -> list[str]:

@@ -4,7 +4,9 @@ over another one.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Self
 
 import numpy as np
@@ -166,12 +168,23 @@ class PairsFamily(GridFamily):
         """See `Family.between`: tables of their own, where the control has them."""
         return pairs_between(self, asked) if available(self.options) else super().between(asked)
 
-    def named_files(self, axis: Axis, written: Sequence[str]) -> dict[str, str]:
-        """See `Family.named_files`: one table on an axis, and those over itself that it empties."""
-        names = super().named_files(axis, written)
+    def named_files(self, axis: Axis, files: Sequence[ControlFile]) -> dict[str, str]:
+        """See `Family.named_files`: one table on an axis, and those over itself that it empties; of
+        a pair the one may stand in a new file, the other in the control's own.
+        """
+        names, written = super().named_files(axis, files), [file.name for file in files]
         table, emptied = names.get("file_1", ""), names.get("file_3", "")
         if table in written and emptied in written:
             names["file_1"] = f"{emptied} and {table}"
+        fresh = self._file_names(replace(axis, address=self.address(axis)[0]))
+        if fresh["file_3"] in written:
+            indices = "|".join(map(str, allowed_tables(self.definition, self.options_of(axis))))
+            row = re.compile(rb"\$AN_CEC\s*\[\s*(?:%b)\s*," % indices.encode())
+            own = [file for file in files if indices and file.name not in fresh.values()]
+            with_rows = [file for file in own if row.search(file.content)]
+            if with_rows:
+                also = ", ".join(self.loading_order(with_rows))
+                names["file_3"] = f"{fresh['file_3']}, then your own {also}, as patched"
         return names
 
     def _around_emptied(self, axis: Axis) -> dict[str, str]:
