@@ -507,11 +507,17 @@ class TestProducts:
             "$SN_CEC_TABLE_WEIGHT[1]=0\n",
         ],
     )
-    def test_with_a_partner_that_puts_out_nothing_there_is_no_product(self, asleep: str) -> None:
+    def test_what_the_product_with_a_partner_that_sleeps_gives_is_on_no_page(
+        self, asleep: str
+    ) -> None:
         text = cec(0, [0.1, 0.2], self.GRID, MULT_BY_TABLE=2) + cec(
             1, [0.5, 0.1], self.GRID, ("Y1", "Z1")
         )
-        assert at(load(text, asleep), "AX1", [0, 100], UP) == [0.1, 0.2]
+        control = load(text + eec("AX1", [0.1, 0.1], self.GRID), asleep)
+        assert at(control, "AX1", [0, 100], UP) == [-0.1, -0.1]
+        assert any("$AN_CEC_MULT_BY_TABLE[0]" in note for note in control.notes)
+
+    def test_with_a_partner_of_zeros_there_is_no_product(self) -> None:
         zero = cec(0, [0.1, 0.2], self.GRID, MULT_BY_TABLE=2) + cec(
             1, [0.0, 0.0], self.GRID, ("Y1", "Z1")
         )

@@ -15,6 +15,8 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from compwright.controllers.request import Request
 from compwright.controllers.sinumerik.axes import AxisNames
 from compwright.controllers.sinumerik.cec_tables import TableLoader
@@ -119,11 +121,15 @@ def _say_sign(sign: int, request: Request, remarks: Remarks) -> None:
 
 
 def _without_products(tables: Mapping[int, SagTable], remarks: Remarks) -> list[SagTable]:
-    """Return the tables without those whose product with another one acts; these are named."""
+    """Return the tables without those whose product with another one may act; these are named.
+
+    No page says what the product with a table that SD41300 switches off, or that is weighted with
+    0, gives: only one whose values are all zero is none.
+    """
     counted: list[SagTable] = []
     for index, table in tables.items():
         partner = None if table.factor is None else tables.get(table.factor)
-        if partner is None or not (partner.acts() and table.acts()):
+        if partner is None or not (np.any(partner.table.values) and table.acts()):
             counted.append(table)
             continue
         remarks.notes.append(
