@@ -67,7 +67,7 @@ class PairLimits(AxisLimits):
                 Assumption(
                     fact=f"axis {self.axis.name}: number of points of its CEC tables (MD18342)",
                     value="as many as are needed; the card says how many to set",
-                    evidence="unconfirmed: the control's files do not say it",
+                    evidence="unconfirmed: the control's files do not say it, or reserve none yet",
                 )
             )
         if self.facts.pairs.max_sum is None:
