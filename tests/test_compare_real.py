@@ -131,3 +131,34 @@ def test_a_real_archive_in_its_container(tmp_path: Path) -> None:
     code, answer = compare(out, small, tmp_path)
     assert code == 0
     assert answer["not_looked_at"]["values"] > 1000
+
+
+@needs_archive
+def test_a_second_visit_with_small_files_over_the_archive(tmp_path: Path) -> None:
+    """What the small files repeat of the archive as a comment is said by the archive, and no
+    difference; a neighbour that was changed meanwhile is one.
+    """
+    (tmp_path / "first").mkdir()
+    first = planned(tmp_path / "first", SIEMENS, [ARCHIVE], "AX2", (-700, 0)) / "tables" / SIEMENS
+    (tmp_path / "second").mkdir()
+    for path in first.glob("*_EEC.INI"):  # half of what the machine needs: a gain is left
+        path.write_text(
+            re.sub(
+                r"(COMP\[\d,\d+,\w+\]=)(\S+)",
+                lambda row: f"{row[1]}{float(row[2]) / 2:.6f}",
+                path.read_text(),
+            )
+        )
+    state = [ARCHIVE, *sorted(first.iterdir())]
+    out = planned(tmp_path / "second", SIEMENS, state, "AX2", (-700, 0))
+    small = {path.name: path.read_bytes() for path in (out / "tables" / SIEMENS).iterdir()}
+    back = {ARCHIVE.name: ARCHIVE.read_bytes(), **small}
+    code, answer = compare(out, back, tmp_path)
+    assert (code, answer["differences"], answer["axes"]["X"]["verdict"]) == (0, [], "loaded")
+    assert "CW-S080" not in [finding["code"] for finding in answer["findings"]]
+    old = b"$MA_BACKLASH[0,AX3]="
+    line = next(row for row in back[ARCHIVE.name].split(b"\n") if old in row)
+    turned = line[:-1] + (b"1" if line[-1:] == b"0" else b"0")
+    edited = back[ARCHIVE.name].replace(line + b"\n", turned + b"\n")
+    code, answer = compare(out, {**back, ARCHIVE.name: edited}, tmp_path)
+    assert (code, told(answer)) == (1, {("AX3", "$MA_BACKLASH[0,AX3]")})

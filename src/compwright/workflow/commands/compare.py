@@ -12,7 +12,6 @@ import numpy as np
 from compwright.documents.compare import ComparedAxis, Difference, compare_document
 from compwright.documents.plan import read_plan
 from compwright.formats.families.between import in_place
-from compwright.formats.text.entered import texts_of
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError, UsageError, raise_all
 from compwright.foundations.units import outside_factor, outside_unit
@@ -34,7 +33,7 @@ from compwright.workflow.stages.cross_tables import write_planned
 from compwright.workflow.stages.differences import Side, side
 from compwright.workflow.stages.read_back import read_back_differences
 from compwright.workflow.stages.two_readers import probe_positions
-from compwright.workflow.stages.written import write_fitted
+from compwright.workflow.stages.written import deliver, write_fitted
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,8 +143,10 @@ def _written(
     tabled = [axis.name for axis, table in fitted if table.compensation.positions.size]
     cross = [entry for entry in plan.cross if entry.written]
     files = write_planned(control, cross, files, as_found, axes, tabled).files
+    loaded = deliver(control, files, as_found, [axis for axis, _ in fitted], None).files
     addresses = [axes[name].address for name in tabled]
-    return in_place(texts_of(as_found.files), texts_of(files), addresses), wish
+    # a container stays one: small files lie over it, and are no contradiction
+    return in_place(as_found.files, loaded, addresses), wish
 
 
 def _compared(
