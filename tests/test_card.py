@@ -18,11 +18,13 @@ from compwright.formats.card import card_steps, card_steps_of_all
 from compwright.formats.control_format import control_format
 from compwright.planning.quick_check import check_positions
 from compwright.records.axis import Axis, AxisKind
+from compwright.records.correction import ControlFile
 from compwright.records.facts import AxisFacts
 from compwright.reporting.card import card_html
 from format_samples import DEFINITIONS, SIEMENS, axis_of, files, table
 from places import PROJECT
 from reporting_samples import sample_card
+from sinumerik_container import container
 
 TRAVEL = {"X": (0.0, 1200.0), "A": (-120.0, 120.0)}  # of the example
 
@@ -220,3 +222,14 @@ def test_values_are_loaded_before_the_switches_that_protect_them(cec: str) -> No
         "AX_EEC.INI",
         "MD.INI",
     ]
+
+
+def test_a_whole_archive_goes_before_the_files_that_lie_over_it() -> None:
+    """Loaded behind them it would bring its own old values back."""
+    on = b"$MA_ENC_COMP_ENABLE[0,AX1]=1\n"
+    given = [
+        ControlFile("X1_EEC.INI", b"$AA_ENC_COMP[0,0,AX1]=0\n"),
+        ControlFile("A.ARC", container([("\\_NC_ACT.DIR\\", "MD.INI", on)])),
+        ControlFile("X1_MD.INI", on),
+    ]
+    assert control_format(SIEMENS, {}).loading_order(given) == ["A.ARC", "X1_EEC.INI", "X1_MD.INI"]

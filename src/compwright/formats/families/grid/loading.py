@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from compwright.formats.definition.schema import Definition
+from compwright.formats.text.container import is_container
 from compwright.records.correction import ControlFile
 
 #: What makes tables act, and while it does protects their values from being written.
@@ -14,8 +15,8 @@ _VALUES = ("value", "cross_value")
 
 
 def loading_order(definition: Definition, files: Sequence[ControlFile]) -> list[str]:
-    """Return the names of files in the order in which a control takes them all: values before the
-    switches that protect them.
+    """Return the names of files in the order in which a control takes them all: a whole
+    archive before the files that lie over it, values before the switches that protect them.
     """
 
     def holds(file: ControlFile, quantity: str) -> bool:
@@ -25,8 +26,9 @@ def loading_order(definition: Definition, files: Sequence[ControlFile]) -> list[
         form = definition.statements[binding.statement].form.split("[", 1)[0].encode()
         return re.search(re.escape(form) + rb"\s*\[", file.content) is not None
 
-    def place(file: ControlFile) -> tuple[bool, bool]:
+    def place(file: ControlFile) -> tuple[bool, bool, bool]:
         return (
+            not is_container(file),
             any(holds(file, name) for name in _SWITCHES),
             not any(holds(file, name) for name in _VALUES),
         )
