@@ -72,6 +72,20 @@ def test_a_dealt_job_does_no_harm(seed: int, judged: Judge) -> None:
 
 
 @pytest.mark.parametrize(
+    "seed",
+    [
+        1129,  # a container, and a builder's product whose partner puts out to no axis
+        1424,  # a builder's product whose partner is switched off by SD41300
+        1473,  # a pair with one table in the control's own file, the other in a new one
+    ],
+)
+def test_a_product_or_a_split_pair_is_written_well(seed: int, tmp_path: Path, run: Run) -> None:
+    outcome = try_case(dealt(seed), tmp_path, run)
+    assert outcome.written
+    assert not outcome.harms, outcome.line()
+
+
+@pytest.mark.parametrize(
     ("special", "seed"),
     [
         (acting.products_into_the_axis, 1),

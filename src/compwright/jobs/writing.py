@@ -7,7 +7,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,15 +22,12 @@ class Prefilled:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisDraft:
-    """One axis of a draft: values by key of the job file, in the order in which they are written.
-
-    ``read``: what `run` reads from the control's files itself, told as remarks only: written into
-    the job it would stand against the files instead of on them.
+    """One axis of a draft: values by key of the job file, in the order in which they are
+    written.
     """
 
     name: str
     values: Mapping[str, Prefilled]
-    read: Mapping[str, Prefilled] = field(default_factory=dict)
 
 
 def job_text(
@@ -59,10 +56,6 @@ def job_text(
     for axis in axes:
         lines.append(f"  {_plain(axis.name)}:")
         lines += [_line(4, name, entry) for name, entry in axis.values.items()]
-        lines += [
-            f"    # {name}: {_plain(entry.value)}, {entry.source}"
-            for name, entry in axis.read.items()
-        ]
     return "\n".join(lines) + "\n"
 
 

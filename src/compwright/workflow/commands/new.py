@@ -69,8 +69,6 @@ def new_job(
         every_axis = control.definition.options[unsaid.name].asked is not None
         if stands_in or every_axis:
             given |= _left_open(unsaid, drafts)
-        if all("options" in draft.values for draft in drafts):
-            drafts = [_read_by_run(draft, unsaid) for draft in drafts]
     named = storage.relative(Path(format_id), out.parent) if is_path(format_id) else format_id
     text = job_text(named, given, [storage.relative(path, out.parent) for path in files], drafts)
     storage.write_file(out, encoded(text), force=force)
@@ -92,14 +90,6 @@ def _left_open(unsaid: LeftOpen, drafts: Sequence[AxisDraft]) -> dict[str, Prefi
     if all("options" in draft.values for draft in drafts):
         return {}
     return {unsaid.name: Prefilled(None, f"{unsaid.words}; nothing in the files says it")}
-
-
-def _read_by_run(draft: AxisDraft, unsaid: LeftOpen) -> AxisDraft:
-    """Return a draft that leaves an option to the files, which say it of every axis."""
-    values = dict(draft.values)
-    options = values.pop("options")
-    read = options.value[unsaid.name] if isinstance(options.value, dict) else options.value
-    return replace(draft, values=values, read={unsaid.name: Prefilled(read, options.source)})
 
 
 def _without_lengths(draft: AxisDraft, unsaid: LeftOpen) -> AxisDraft:

@@ -111,8 +111,9 @@ def settled_options(values: AxisValues, options: Mapping[str, object]) -> Mappin
     taken = dict(options)
     if said is None and given is None and _silent(values, kind):
         taken[DETECTION_UNIT] = 1.0
-    elif said is not None and given is None:
-        taken[DETECTION_UNIT] = said.size
+    elif said is not None:
+        if given is None:
+            taken[DETECTION_UNIT] = said.size
         values.notes.assume(
             f"{values.label}: detection unit",
             f"{said.size:g} {kind.unit}",

@@ -155,6 +155,7 @@ class SmallFiles:
                 for table, pair in pairs.items()
                 if pair[1] == address and table not in written and self._moves(tables[table])
             ]
+            others += self._multiplied_by(tables, others, written)
             acts = self._switched_on(address, system)
             enters_own = own if acts or any(map(self._changed, own)) else []
             yield self._plan("one_curve", address, ordered(enters_own), rows=True)
@@ -176,6 +177,19 @@ class SmallFiles:
             yield self._plan("one_curve", address, enters, by_hand=hands, tells=tells, rows=False)
         for address in dict.fromkeys(corrected for _, corrected in pairs.values()):
             yield self._cross(address, tables, pairs, told)
+
+    def _multiplied_by(
+        self, tables: Mapping[str, Sequence[Key]], others: Sequence[str], written: Sequence[str]
+    ) -> list[str]:
+        """Return the further tables by which the ``others`` are multiplied (index + 1)."""
+        numbers = (
+            int(value_of(self.new.entries[key])) - 1
+            for table in others
+            for key in tables[table]
+            if self._is(key, ("cross_multiplier",))
+        )
+        named = dict.fromkeys(str(number) for number in numbers if str(number) in tables)
+        return [table for table in named if table not in (*others, *written)]
 
     def _cross(
         self,
