@@ -177,7 +177,7 @@ def test_terminal_shows_what_is_missing(tmp_path: Path) -> None:
     text = shown(tmp_path, [], 80)
     assert "not measured in the − direction" in text
     assert "Not evaluated" in text
-    assert "z.txt" in text
+    assert "z.txt" in "".join(text.split())  # a long path breaks at the end of a line
 
 
 def test_hostile_text_is_shown_as_it_is(tmp_path: Path) -> None:
