@@ -56,3 +56,18 @@ def test_files_of_odd_axes_alone_are_refused_by_name(
     assert code == 3
     assert not job.exists()
     assert "AX2" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("on", ["0", "1"])
+def test_the_turn_of_an_endless_axis_is_told_by_its_machine_data(on: str, tmp_path: Path) -> None:
+    """MD30310 = 1: modulo, MD30330 its range; whether its table acts is another matter."""
+    values = ["0", "0.001", "0.002", "0.001", "0"]
+    texts = table("AX2", "100", values, modulo=1).replace("=400\n", "=360\n").replace("=100", "=90")
+    texts = texts.replace("$MA_ENC_COMP_ENABLE[0,AX2]=1", f"$MA_ENC_COMP_ENABLE[0,AX2]={on}")
+    data = "$MA_IS_ROT_AX[AX2]=1\n$MA_ROT_IS_MODULO[AX2]=1\n$MA_MODULO_RANGE[AX2]=360\n"
+    code, job = job_of(texts + data, tmp_path)
+    assert code == 0
+    axis = job.read_text()
+    assert "kind: rotary" in axis
+    assert "travel: [0.0, 360.0]" in axis
+    assert "modulo: 360.0" in axis

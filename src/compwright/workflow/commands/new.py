@@ -266,7 +266,8 @@ def _travel(
     ``turns``: a table that repeats says that its axis has none, whatever else the files say.
     """
     low, high = facts.limits or (0.0, 0.0)
-    turn = facts.endless if axis.period is None else axis.period
+    endless = facts.endless if facts.turn is None else facts.turn.length
+    turn = endless if axis.period is None else axis.period
     if turn is not None and axis.kind is AxisKind.ROTARY:
         yield "travel", Prefilled([0.0, float(turn)], f"one turn of an endless axis, by {said}")
     elif low < high and abs(low) < 99999 and abs(high) < 99999:
