@@ -74,6 +74,7 @@ def test_a_dealt_job_does_no_harm(seed: int, judged: Judge) -> None:
 @pytest.mark.parametrize(
     "seed",
     [
+        166,  # a pair, points reserved for one of its tables only (MD18342)
         1129,  # a container, and a builder's product whose partner puts out to no axis
         1424,  # a builder's product whose partner is switched off by SD41300
         1473,  # a pair with one table in the control's own file, the other in a new one

@@ -88,8 +88,8 @@ class PairLimits(AxisLimits):
         fixed = self.definition.limit_number("cross_points")
         if fixed is not None:
             return fixed
-        reserved = [tables.reserved.get(index, 0) for index in taken]
-        fact = min(reserved) if all(points > 0 for points in reserved) else None
+        reserved = [points for index in taken if (points := tables.reserved.get(index, 0)) > 0]
+        fact = min(reserved, default=None)  # where none are reserved yet the card has it done
         return settled_number(self.definition, self.points_option(), self.options, fact)
 
     def _tables(self, addresses: Sequence[str], tables: PairTables) -> list[int]:
