@@ -13,6 +13,7 @@ from compwright.cli.words import (
     control_options,
     exiting,
     force_option,
+    format_option,
     json_option,
     pairs,
     state_option,
@@ -21,13 +22,7 @@ from compwright.cli.words import (
 
 @compwright.command()
 @click.argument("paths", nargs=-1, required=True, metavar="FILE...", type=PATH)
-@click.option(
-    "--format",
-    "format_id",
-    required=True,
-    metavar="ID",
-    help="The control: its id, see compwright formats list, or your own definition (*.yaml).",
-)
+@format_option
 @control_options
 @click.option("--axis", metavar="ADDRESS", help="Only this axis, by the control's own name.")
 @click.option(
@@ -61,13 +56,7 @@ def decode(
 
 @compwright.command()
 @click.argument("plan", metavar="PLAN.json", type=PATH)
-@click.option(
-    "--format",
-    "format_id",
-    required=True,
-    metavar="ID",
-    help="The control: its id, see compwright formats list, or your own definition (*.yaml).",
-)
+@format_option
 @control_options
 @state_option
 @click.option("--out", required=True, type=PATH, help="Folder for the control's files.")
@@ -138,13 +127,7 @@ def compare(
     metavar="NEW...",
     help="The other backup of the same machine; files or folders.",
 )
-@click.option(
-    "--format",
-    "format_id",
-    required=True,
-    metavar="ID",
-    help="The control: its id, see compwright formats list, or your own definition (*.yaml).",
-)
+@format_option
 @control_options
 @json_option
 @force_option

@@ -14,6 +14,7 @@ from compwright.cli.words import (
     control_options,
     exiting,
     force_option,
+    format_option,
     json_option,
     pairs,
     state_option,
@@ -94,13 +95,7 @@ def run_command(
     metavar="FILE...",
     help="Files of the control, or a folder of them.",
 )
-@click.option(
-    "--format",
-    "format_id",
-    required=True,
-    metavar="ID",
-    help="The control: its id, see compwright formats list, or your own definition (*.yaml).",
-)
+@format_option
 @control_options
 @click.option("--out", required=True, type=PATH, metavar="JOB.yaml", help="The job file to write.")
 @force_option

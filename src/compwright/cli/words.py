@@ -90,6 +90,15 @@ json_option = click.option(
 force_option = click.option("--force", is_flag=True, help="Replace files that exist already.")
 
 
+format_option = click.option(
+    "--format",
+    "format_id",
+    required=True,
+    metavar="ID",
+    help="The control: its id, see compwright formats list, or your own definition (*.yaml).",
+)
+
+
 control_options = click.option(
     "--option",
     "options",
