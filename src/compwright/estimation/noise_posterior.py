@@ -1,0 +1,39 @@
+"""What the repeated readings of a test tell of their noise, and what they leave to be said about
+the error: equally likely draws.
+
+A reading is the error of its cell (a target approached in one direction) plus noise. Given the
+noise, the likelihood of the readings of a test as a function of the errors of its cells is a normal
+density times a factor without them (restricted likelihood: Patterson and Thompson, Biometrika 58,
+1971; Harville, Biometrika 61, 1974). The factor tells of the noise whatever the error is; the
+density carries all that is left.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from compwright.foundations.findings import Finding
+from compwright.records.axis import FloatArray
+from compwright.records.noise import NoiseDraws
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NoisePosterior:
+    """Equally likely noise of a test of m targets, each draw with what its readings then say of
+    the cells: mm or deg.
+
+    ``mean``, ``precision`` (count, 2m): weighted mean of the readings and its inverse variance,
+    first all targets approached in +, then in -; both 0 where a cell has no reading.
+    ``columns`` (count, 2m, q): what offsets and tilts of the traverses leave common to the means,
+    as columns of unit variance. Given draw k the means are normal about the errors of the cells
+    with covariance columns columns' + 1 / precision. What drifts with the runs is taken out of
+    the means. ``sigma``: standard deviation of one reading, with ``dof`` degrees of freedom.
+    """
+
+    draws: NoiseDraws
+    mean: FloatArray
+    precision: FloatArray
+    columns: FloatArray
+    sigma: float
+    dof: float
+    findings: tuple[Finding, ...] = ()
