@@ -1,0 +1,242 @@
+"""Virtual axes by kind for ``table_quality.py``: known error, known noise, numpy alone.
+
+Made a second time, apart from the package's own simulation, so that both cannot be wrong together.
+Positions in mm (deg), deviations in µm (arcsec), deviation = measured minus target. Signs of
+direction: +1, -1. Readings of a test have the shape (2, m, n): +, then -; NaN where none was made.
+"""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.random import Generator
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+#: Usual leads of screws, mm.
+PITCHES = (5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Noise:
+    """What a reading shows beside the error curve; µm unless said otherwise.
+
+    ``sigma``: standard deviation of a reading at the low end in + (scale of Student's t where
+    ``student`` gives its degrees of freedom); ``negative``: its factor in -; ``growth``: it is
+    1 + growth times as large at the high end. ``outlier_size`` in sigma, either sign. ``shift``
+    and ``tilt`` (over the travel): drawn per traverse; ``walk``: step from a traverse to the next.
+    ``drift``, ``expansion`` (at the far end, none at the low one): grown from the first reading to
+    the last, linear in time, the same in each test unless ``redrawn`` (then a standard deviation).
+    ``warmup`` grows as 1 - exp(-t / ``warmup_time``), t = 1 at the end of the test; of it
+    ``warmup_slope`` grows along the travel. ``temperature``: standard deviation of a slope per
+    test, over the travel.
+    """
+
+    sigma: float
+    negative: float = 1.0
+    growth: float = 0.0
+    student: float = 0.0
+    outlier_share: float = 0.0
+    outlier_size: float = 0.0
+    shift: float = 0.0
+    tilt: float = 0.0
+    walk: float = 0.0
+    drift: float = 0.0
+    expansion: float = 0.0
+    redrawn: bool = False
+    warmup: float = 0.0
+    warmup_time: float = 1.0
+    warmup_slope: float = 0.0
+    temperature: float = 0.0
+    resolution: float = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Machine:
+    """One axis with its first test and the wishes of its job.
+
+    ``mean``: error arriving in +; ``reversal``: B, mean(+) less mean(-); both functions of
+    position. ``periods``: of the periodic errors in it, largest first; ``told``: what the job says.
+    """
+
+    low: float
+    high: float
+    mean: Callable[[Floats], Floats]
+    reversal: Callable[[Floats], Floats]
+    noise: Noise
+    targets: Floats
+    runs: int = 5
+    turn: float | None = None
+    rotary: bool = False
+    signs: tuple[int, ...] = (1, -1)
+    missing: float = 0.0
+    periods: tuple[float, ...] = ()
+    told: tuple[float, ...] = ()
+    spacing: float = 10.0
+    mode: str = "auto"
+    job: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def length(self) -> float:
+        """Travel."""
+        return self.high - self.low
+
+    def error(self, x: Floats) -> Floats:
+        """Error (2, len(x)) in + and in -."""
+        return np.stack([self.mean(x), self.mean(x) - self.reversal(x)])
+
+    def new_targets(self, rng: Generator) -> Floats:
+        """As many targets, dithered anew: the rule of ``predicted_new_targets``."""
+        m = self.targets.size
+        steps = np.arange(m) + 0.5 + rng.uniform(-0.3, 0.3, m)
+        x = np.clip(self.low + steps * self.length / m, self.low + 4, self.high - 4)
+        return np.round(x, 3)
+
+    def temperature(self, rng: Generator) -> float:
+        """Draw what the temperature of a test adds over the travel, µm."""
+        return float(self.noise.temperature * rng.standard_normal())
+
+    def measure(self, x: Floats, rng: Generator, warm: float = 0.0) -> Floats:
+        """Readings (2, m, n) of a test at ``x``, before the instrument's resolution; the standard
+        cycle: up through all targets, down, and again. ``warm``: see ``temperature``.
+        """
+        noise, m, n = self.noise, x.size, self.runs
+        order = np.stack([np.arange(m), m + np.arange(m)[::-1]])[:, :, None]
+        time = (order + 2 * m * np.arange(n)) / (2 * m * n - 1)
+        u = ((x - self.low) / self.length)[None, :, None]
+        scale = noise.sigma * (1 + noise.growth * u) * np.array([1, noise.negative])[:, None, None]
+        shape = (2, m, n)
+        if noise.student:
+            random = rng.standard_t(noise.student, shape)
+        else:
+            random = rng.standard_normal(shape)
+        hit = rng.uniform(size=shape) < noise.outlier_share
+        random = random + hit * noise.outlier_size * rng.choice([-1.0, 1.0], shape)
+        beside = self._traverses(u, rng) + self._in_time(u, time, rng) + warm * u
+        datum = 20 * rng.standard_normal()
+        return np.asarray(self.error(x)[:, :, None] + scale * random + beside + datum)
+
+    def _traverses(self, u: Floats, rng: Generator) -> Floats:
+        noise, n = self.noise, self.runs
+        steps = rng.standard_normal((n, 2))
+        walk = noise.walk * np.cumsum(steps.ravel()).reshape(n, 2).T
+        shift = noise.shift * rng.standard_normal((2, n)) + walk
+        tilt = noise.tilt * rng.standard_normal((2, n))
+        return np.asarray(shift[:, None, :] + tilt[:, None, :] * (u - 0.5))
+
+    def _in_time(self, u: Floats, time: Floats, rng: Generator) -> Floats:
+        noise = self.noise
+        drift, expansion = noise.drift, noise.expansion
+        if noise.redrawn:
+            drift, expansion = np.array([drift, expansion]) * rng.standard_normal(2)
+        warm = noise.warmup * (1 - np.exp(-time / noise.warmup_time))
+        warm = warm * (1 - noise.warmup_slope + noise.warmup_slope * u)
+        return np.asarray((drift + expansion * u) * time + warm)
+
+    def seen(self, readings: Floats) -> Floats:
+        """Return them as the instrument shows them: in whole steps of its resolution."""
+        step = self.noise.resolution
+        return np.round(readings / step) * step if step else readings
+
+
+Curve = Callable[[Floats], Floats]
+
+
+def smooth(rng: Generator, low: float, length: float, size: float) -> Curve:
+    """A slope and four waves over the travel, ``size`` µm from lowest to highest or so."""
+    waves = rng.normal(size=4) / np.arange(1, 5) ** 1.3
+    phases = rng.uniform(0, 2 * np.pi, 4)
+    stretch = rng.uniform(0.35, 0.8)
+    slope = rng.normal(0, 0.5)
+
+    def curve(x: Floats) -> Floats:
+        u = (np.asarray(x, dtype=float) - low) / length
+        k = np.arange(1, 5)[:, None]
+        sines = np.sin(2 * np.pi * k * stretch * u.ravel() + phases[:, None])
+        return np.asarray(size / 2 * (waves @ sines + slope * u.ravel()).reshape(u.shape))
+
+    return curve
+
+
+def sines(periods: tuple[float, ...], amplitudes: tuple[float, ...], rng: Generator) -> Curve:
+    """Periodic errors, each with its phase and a second harmonic of up to 0.4 of it."""
+    parts = [
+        (period / k, amplitude * share, rng.uniform(0, 2 * np.pi))
+        for period, amplitude in zip(periods, amplitudes, strict=True)
+        for k, share in ((1, 1.0), (2, rng.uniform(0, 0.4)))
+    ]
+
+    def curve(x: Floats) -> Floats:
+        x = np.asarray(x, dtype=float)
+        return np.asarray(
+            sum((a * np.sin(2 * np.pi * x / p + f) for p, a, f in parts), np.zeros_like(x))
+        )
+
+    return curve
+
+
+def total(*curves: Curve) -> Curve:
+    """Return the sum of curves."""
+    return lambda x: np.asarray(sum((curve(x) for curve in curves), np.zeros(np.shape(x))))
+
+
+def constant(value: float) -> Curve:
+    """Return a curve that is the same everywhere."""
+    return lambda x: np.full(np.shape(x), value)
+
+
+def bump(place: float, width: float, height: float) -> Curve:
+    """Return a local excess."""
+    return lambda x: np.asarray(height * np.exp(-0.5 * ((np.asarray(x) - place) / width) ** 2))
+
+
+def dithered(rng: Generator, low: float, length: float, count: int) -> Floats:
+    """Targets as ISO 230-2:2006 clause 4.2 wants them: equal intervals plus a random part."""
+    steps = np.arange(count) + 0.5 + rng.uniform(-0.3, 0.3, count)
+    return np.asarray(np.round(low + steps * length / count, 3))
+
+
+def fine(periods: tuple[float, ...], length: float) -> float:
+    """A spacing of the table that holds the shortest period, at least travel / 1000."""
+    wanted = min([*(p / 5 for p in periods), length / 50])
+    usual = np.array([0.5, 1, 2, 2.5, 5, 10, 20, 50])
+    good = usual[(usual <= wanted) & (usual >= length / 1000)]
+    return float(good.max() if good.size else usual[usual >= length / 1000].min())
+
+
+def plain(rng: Generator, *, waves: bool = True) -> Machine:
+    """An axis of a machining centre: slope and bow, lost motion, white noise, and (three in four)
+    a periodic error of a pitch that the job tells.
+    """
+    length = float(rng.integers(30, 121) * 10)
+    low = float(rng.choice([0.0, -length, -length / 2]))
+    count = int(rng.integers(max(11, int(length) // 60), max(16, int(length) // 25) + 1))
+    pitch = float(rng.choice(PITCHES[:] if length < 900 else PITCHES[2:]))
+    size = float(rng.uniform(0.4, 2.5)) if waves and rng.uniform() < 0.75 else 0.0
+    curve = smooth(rng, low, length, rng.uniform(4, 20))
+    return Machine(
+        low=low,
+        high=low + length,
+        mean=total(curve, sines((pitch,), (size,), rng)),
+        reversal=constant(-float(rng.uniform(0.5, 8))),
+        noise=Noise(sigma=float(rng.uniform(0.25, 1.0))),
+        targets=dithered(rng, low, length, count),
+        periods=(pitch,) if size else (),
+        told=(pitch,) if waves else (),
+        spacing=fine((pitch,) if waves else (), length),
+    )
+
+
+def name_seed(kind: str, *numbers: int) -> Generator:
+    """Return the generator of a kind and its numbers, the same on every machine."""
+    return np.random.default_rng([zlib.crc32(kind.encode()), *numbers])
+
+
+def loud(machine: Machine, **noise: Any) -> Machine:
+    """Return the machine with more in its noise."""
+    return replace(machine, noise=replace(machine.noise, **noise))

@@ -1,0 +1,359 @@
+"""How good are the tables, and how honest the predictions? Several hundred virtual axes by kind.
+
+    python benchmarks/table_quality.py [N] [--kind K]... [--repeats R] [--results FILE] [--jobs J]
+
+For each axis: a test, ``run``, then fresh tests with the table that ``run`` wrote, at the same
+targets and at targets dithered anew. Asked: does a parameter lie within p05 to p95; how large is A
+beside that of the table that knows the truth, on the same nodes and for the same fresh readings;
+what would other tables have done; was the period found.
+
+Width: that of the band of A beside the spread of A over repetitions of the whole experiment on the
+same axis (first test, run, fresh test), 5 to 95 %: what A really does on this axis in the hands of
+this tool. Nobody's band can be narrower on average and hold 90 %. Only with ``--repeats``.
+
+``--results`` keeps every axis in a file of JSON lines and does not repeat what stands there.
+Prints and judges nothing.
+"""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import io
+import json
+import sys
+import tempfile
+import time
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from machine_kinds import KINDS, machine_of
+from machines import Machine, name_seed
+from numpy.typing import NDArray
+from rival_tables import Table, parameters, rivals
+
+Floats = NDArray[np.float64]
+Record = dict[str, Any]
+
+FRESH = 8  # tests after loading, at the same targets and at new ones
+REPEATED = 4  # axes of a kind whose whole experiment is repeated
+PARAMETERS = ("A", "E", "R", "B", "M")
+RIVALS = ("interpolation", "spline", "minimax")
+
+
+def job_of(machine: Machine) -> str:
+    """Return the job file, for a control whose table is no limit."""
+    axis: dict[str, Any] = {
+        "travel": [machine.low, machine.high],
+        "address": "AX1",
+        "before": ["x.csv"],
+        "table": {"spacing": machine.spacing, "mode": machine.mode},
+    }
+    if machine.rotary:
+        axis["kind"] = "rotary"
+    if machine.turn:
+        axis["modulo"] = machine.turn
+    if machine.told:
+        axis["screw_pitch"] = list(machine.told)
+    options = {"cec": "available", "cec_sign": "error", "cec_tables": [0, 1]}
+    return json.dumps(
+        {
+            "compwright": 1,
+            "controller": {"format": "siemens-840d-sl", "options": options},
+            "states": {"as_found": "none"},
+            "axes": {"X": axis},
+            **machine.job,
+        }
+    )
+
+
+def csv_of(machine: Machine, x: Floats, readings: Floats) -> str:
+    """Return the measurement file."""
+    target, unit = ("deg", "arcsec") if machine.rotary else ("mm", "um")
+    lines = ["# axis: X", "# cycle: standard", f"target_{target},direction,run,deviation_{unit}"]
+    for word, block in zip("+-", readings, strict=True):
+        for i, row in enumerate(block):
+            lines += [
+                f"{x[i]:.3f},{word},{run + 1},{value:.4f}"
+                for run, value in enumerate(row)
+                if np.isfinite(value)
+            ]
+    return "\n".join(lines) + "\n"
+
+
+def measured(machine: Machine, rng: np.random.Generator, warm: float) -> Floats:
+    """Return the first test as the instrument leaves it; NaN where a reading was not made."""
+    readings = machine.seen(machine.measure(machine.targets, rng, warm))
+    lost = rng.uniform(size=readings.shape) < machine.missing
+    lost[:, :, :2] = False  # a cell keeps two
+    readings[lost] = np.nan
+    for index, sign in enumerate((1, -1)):
+        if sign not in machine.signs:
+            readings[index] = np.nan
+    return readings
+
+
+def run_tool(machine: Machine, readings: Floats, folder: Path) -> tuple[Record, float]:
+    """Return ``axes.X`` of the prediction and the seconds of the run."""
+    from compwright.cli import run
+
+    (folder / "x.csv").write_text(csv_of(machine, machine.targets, readings), encoding="utf-8")
+    (folder / "job.yaml").write_text(job_of(machine), encoding="utf-8")
+    said = io.StringIO()
+    start = time.perf_counter()
+    with contextlib.redirect_stdout(said), contextlib.redirect_stderr(said):
+        code = run(["run", str(folder / "job.yaml"), "--out", str(folder / "out")])
+    seconds = time.perf_counter() - start
+    if code not in {0, 1}:
+        raise RuntimeError(said.getvalue())
+    document = json.loads((folder / "out" / "prediction.json").read_text(encoding="utf-8"))
+    return document["axes"]["X"], seconds
+
+
+def experiment(kind: str, number: int, repeat: int) -> Record:
+    """Measure, run, measure again; ``repeat`` counts repetitions on the same axis."""
+    machine = machine_of(kind, number)
+    rng = name_seed(kind, number, 1, repeat)
+    warm = machine.temperature(rng)
+    readings = measured(machine, rng, warm)
+    record: Record = {"kind": kind, "number": number, "repeat": repeat}
+    with tempfile.TemporaryDirectory() as name:
+        try:
+            axis, record["seconds"] = run_tool(machine, readings, Path(name))
+        except Exception as error:  # noqa: BLE001 - a run that fails is a result
+            return {**record, "failed": f"{type(error).__name__}: {error}"[:500]}
+    table = axis["table"]
+    nodes = np.array(table["positions"] if table else [machine.low, machine.high], dtype=float)
+    grid = nodes if table else np.arange(machine.low, machine.high, machine.spacing)
+    ours = np.zeros((2, nodes.size))
+    if table:
+        ours = np.array([table["correction_positive"], table["correction_negative"]])
+    tables = rivals(machine, machine.targets, readings, grid, warm)
+    tables["ours"] = Table(nodes, ours, machine.turn)
+    fresh = _fresh(machine, tables, name_seed(kind, number, 2, repeat))
+    return {
+        **record,
+        **fresh,
+        "no_table": not table,
+        "bands": {
+            where: _bands(axis[key], machine.signs)
+            for where, key in (("same", "predicted"), ("new", "predicted_new_targets"))
+        },
+        "periods": axis.get("periods", []),
+        "codes": sorted(entry["code"] for entry in axis.get("findings", [])),
+        "truth": list(machine.periods),
+        "told": list(machine.told),
+        "length": machine.length,
+    }
+
+
+def _bands(predicted: Mapping[str, Any] | None, signs: tuple[int, ...]) -> Record:
+    """Return [p05, median, p95] by parameter; those of the one direction under the short names."""
+    ending = "" if len(signs) == 2 else "_positive" if signs[0] > 0 else "_negative"
+    bands = {}
+    for name in PARAMETERS:
+        entry = (predicted or {}).get(name + ending if name in "AER" else name)
+        if entry:
+            bands[name] = [entry["p05"], entry["median"], entry["p95"]]
+    return bands
+
+
+def _fresh(machine: Machine, tables: Mapping[str, Table], rng: np.random.Generator) -> Record:
+    """Return, for the same and for new targets, our parameters in each fresh test, and the mean A
+    (E where a test has no A) of each table; all tables see the same readings.
+    """
+    ours: Record = {"same": defaultdict(list), "new": defaultdict(list)}
+    merit: Record = {where: dict.fromkeys(tables, 0.0) for where in ours}
+    for where in ours:
+        for _ in range(FRESH):
+            x = machine.targets if where == "same" else machine.new_targets(rng)
+            raw = machine.measure(x, rng, machine.temperature(rng))
+            for name, table in tables.items():
+                values = parameters(machine.seen(raw + table.at(x)[:, :, None]), machine.signs)
+                merit[where][name] += values.get("A", values["E"]) / FRESH
+                if name == "ours":
+                    for key, value in values.items():
+                        ours[where][key].append(round(value, 4))
+    return {"fresh": ours, "merit": merit}
+
+
+# ---- what came out
+
+
+def found(record: Record) -> tuple[list[bool], int]:
+    """Return which of the true periods were named (probability above 0.5; within 2 % or
+    0.3 P²/L), and how many were named that are neither one nor a harmonic or multiple of one.
+    """
+    named = [
+        p["period"] for p in record["periods"] if p["source"] == "found" and p["probability"] > 0.5
+    ]
+
+    def near(value: float, true: float) -> bool:
+        return bool(abs(value - true) <= max(0.02 * true, 0.3 * true**2 / record["length"]))
+
+    right = [any(near(value, true) for value in named) for true in record["truth"]]
+    related = [true * f for true in record["truth"] for f in (1, 0.5, 1 / 3, 0.25, 2)]
+    return right, sum(not any(near(value, one) for one in related) for value in named)
+
+
+def coverage(records: Sequence[Record], where: str, names: Sequence[str]) -> float:
+    """Return how often a fresh parameter lies in its band, in %."""
+    held: list[float] = []
+    for one in records:
+        for name in names:
+            band, values = one["bands"][where].get(name), one["fresh"][where].get(name)
+            if band and values:
+                held.append(float(np.mean([band[0] <= value <= band[2] for value in values])))
+    return 100 * float(np.mean(held)) if held else float("nan")
+
+
+def beyond(records: Sequence[Record], where: str, name: str) -> tuple[float, float]:
+    """Return how often a parameter lies below and above its band, in %."""
+    low, high = [], []
+    for one in records:
+        band, values = one["bands"][where].get(name), one["fresh"][where].get(name)
+        if band and values:
+            low.append(np.mean([value < band[0] for value in values]))
+            high.append(np.mean([value > band[2] for value in values]))
+    return (100 * float(np.mean(low)), 100 * float(np.mean(high))) if low else (np.nan, np.nan)
+
+
+def against(records: Sequence[Record], name: str, oracle: str = "oracle") -> float:
+    """Return the mean ratio of A at new targets to that of the oracle."""
+    ratios = [one["merit"]["new"][name] / one["merit"]["new"][oracle] for one in records]
+    return float(np.mean(ratios)) if ratios else float("nan")
+
+
+def width(records: Sequence[Record], names: Sequence[str] = ("A",)) -> float:
+    """Return the mean width of our bands over the spread of the parameter over repetitions."""
+    axes = defaultdict(list)
+    for one in records:
+        axes[one["number"]].append(one)
+    ratios = []
+    for repeats in axes.values():
+        if len(repeats) < 8:
+            continue
+        for where in ("same", "new"):
+            for name in names:
+                bands = [one["bands"][where].get(name) for one in repeats]
+                values = [value for one in repeats for value in one["fresh"][where].get(name, [])]
+                if all(bands) and values:
+                    low, high = np.quantile(values, [0.05, 0.95])
+                    ratios.append(np.mean([band[2] - band[0] for band in bands]) / (high - low))
+    return float(np.mean(ratios)) if ratios else float("nan")
+
+
+HEAD = (
+    "| kind | n | same: all | same: A | new: all | new: A | width | ours | interpolation | spline"
+    " | minimax | period | false | s |"
+)
+
+
+def row(name: str, records: Sequence[Record]) -> str:
+    """Return the line of a kind; coverage in %, A as ratio to the oracle's."""
+    failed = sum("failed" in one for one in records)
+    everything = [one for one in records if "failed" not in one]
+    first = [one for one in everything if one["repeat"] == 0]
+    cells = [name, f"{len(first)}" + (f" ({failed} failed)" if failed else "")]
+    for where in ("same", "new"):
+        cells += [f"{coverage(first, where, names):.0f}" for names in (PARAMETERS, ["A"])]
+    cells.append(f"{width(everything):.2f}")
+    oracle = "oracle, one table" if name.endswith("one table") else "oracle"
+    cells += [f"{against(first, table, oracle):.2f}" for table in ("ours", *RIVALS)]
+    searched = [found(one) for one in first if one["truth"] and not one["told"]]
+    right = [hit for hits, _ in searched for hit in hits]
+    cells.append(f"{100 * np.mean(right):.0f}" if right else "")
+    wrong = [found(one)[1] > 0 for one in first if not one["told"]]
+    cells.append(f"{100 * np.mean(wrong):.0f}" if wrong else "")
+    cells.append(f"{np.median([one['seconds'] for one in first]):.2f}" if first else "")
+    return "| " + " | ".join(cells).replace("nan", "") + " |"
+
+
+def show(records: Sequence[Record], kinds: Sequence[str], *, details: bool) -> None:
+    """Print the table; ``details``: how often each parameter lies below and above its band."""
+    by_kind = {kind: [one for one in records if one["kind"] == kind] for kind in kinds}
+    print(HEAD)
+    print("|---" * HEAD.count(" | ") + "|---|")
+    for kind, some in by_kind.items():
+        if some:
+            print(row(kind, some))
+    used = [one for some in by_kind.values() for one in some]
+    print(row("all", used))
+    if details:
+        for kind, some in by_kind.items():
+            good = [one for one in some if "failed" not in one and one["repeat"] == 0]
+            for where in ("same", "new") if good else ():
+                parts = [
+                    f"{name} {low:.0f}/{high:.0f}"
+                    for name in PARAMETERS
+                    for low, high in [beyond(good, where, name)]
+                    if np.isfinite(low)
+                ]
+                print(f"{kind}, {where}: below/above the band in %: {', '.join(parts)}")
+    for one in used:
+        if "failed" in one:
+            print(f"failed: {one['kind']} {one['number']} {one['repeat']}: {one['failed'][:200]}")
+
+
+# ---- the work
+
+
+def wanted(kinds: Sequence[str], count: int, repeats: int) -> Iterator[tuple[str, int, int]]:
+    """Yield what has to be there: all kinds alike from the first axis on."""
+    for number in range(count):
+        for kind in kinds:
+            yield kind, number, 0
+    for repeat in range(1, repeats):
+        for number in range(min(REPEATED, count)):
+            for kind in kinds:
+                yield kind, number, repeat
+
+
+def main() -> None:
+    """Work, then print."""
+    reader = argparse.ArgumentParser(description="Tables and predictions on virtual axes by kind.")
+    reader.add_argument("count", nargs="?", type=int, default=20, help="axes per kind")
+    reader.add_argument("--kind", action="append", help="only kinds with this in their names")
+    reader.add_argument("--repeats", type=int, default=0, help=f"of {REPEATED} axes per kind")
+    reader.add_argument("--results", type=Path, help="JSON lines, read and added to")
+    reader.add_argument("--jobs", type=int, default=1, help="processes")
+    reader.add_argument("--seconds", type=float, default=float("inf"), help="stop after these")
+    reader.add_argument("--details", action="store_true", help="each parameter's misses")
+    words = reader.parse_args()
+    kinds = [k for k in KINDS if not words.kind or any(part in k for part in words.kind)]
+    records: list[Record] = []
+    if words.results and words.results.exists():
+        lines = words.results.read_text(encoding="utf-8").splitlines()
+        records = [json.loads(line) for line in lines]
+    done = {(one["kind"], one["number"], one["repeat"]) for one in records}
+    todo = [task for task in wanted(kinds, words.count, words.repeats) if task not in done]
+    end = time.monotonic() + words.seconds
+    sys.modules["matplotlib"] = None  # type: ignore[assignment] # no report: nobody reads it here
+    for record in _worked(todo, words.jobs, end):
+        records.append(record)
+        if words.results:
+            with words.results.open("a", encoding="utf-8") as file:
+                file.write(json.dumps(record) + "\n")
+    show(records, kinds, details=words.details)
+
+
+def _worked(todo: Sequence[tuple[str, int, int]], jobs: int, end: float) -> Iterator[Record]:
+    if jobs == 1:
+        for task in todo:
+            if time.monotonic() > end:
+                return
+            yield experiment(*task)
+        return
+    with ProcessPoolExecutor(jobs) as pool:  # in portions, so that an end comes soon
+        for start in range(0, len(todo), 8 * jobs):
+            if time.monotonic() > end:
+                return
+            yield from pool.map(experiment, *zip(*todo[start : start + 8 * jobs], strict=True))
+
+
+if __name__ == "__main__":
+    main()
