@@ -308,9 +308,7 @@ def _long(rng: Generator) -> Machine:
             low=0.0,
             high=length,
             mean=smooth(rng, 0, length, rng.uniform(15, 60)),
-            targets=dithered(
-                rng, 0, length, int(rng.integers(int(length) // 250, int(length) // 120))
-            ),
+            targets=dithered(rng, 0, length, count),
             runs=1,
             spacing=fine((), length),
         ),

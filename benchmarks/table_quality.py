@@ -196,7 +196,8 @@ def found(record: Record) -> tuple[list[bool], int]:
         return bool(abs(value - true) <= max(0.02 * true, 0.3 * true**2 / record["length"]))
 
     right = [any(near(value, true) for value in named) for true in record["truth"]]
-    related = [true * f for true in record["truth"] for f in (1, 0.5, 1 / 3, 0.25, 2)]
+    known = [*record["truth"], *record["told"]]
+    related = [one * f for one in known for f in (1, 0.5, 1 / 3, 0.25, 2)]
     return right, sum(not any(near(value, one) for one in related) for value in named)
 
 
@@ -267,7 +268,7 @@ def row(name: str, records: Sequence[Record]) -> str:
     searched = [found(one) for one in first if one["truth"] and not one["told"]]
     right = [hit for hits, _ in searched for hit in hits]
     cells.append(f"{100 * np.mean(right):.0f}" if right else "")
-    wrong = [found(one)[1] > 0 for one in first if not one["told"]]
+    wrong = [found(one)[1] > 0 for one in first]
     cells.append(f"{100 * np.mean(wrong):.0f}" if wrong else "")
     cells.append(f"{np.median([one['seconds'] for one in first]):.2f}" if first else "")
     return "| " + " | ".join(cells).replace("nan", "") + " |"
