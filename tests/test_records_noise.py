@@ -1,34 +1,19 @@
-"""The noise of a test as numbers: the order of the cycle, and parts taken away."""
+"""The noise of a test as numbers: order and progress over the runs, scale, parts taken away."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from compwright.records.noise import cycle_times, normal_noise, traverse_order, without
+from compwright.records.noise import normal_noise, progress, traverse_order, without
 
 
-def test_a_standard_cycle_goes_up_and_down_in_turn() -> None:
-    """Two runs over three targets: +1 up, -1 down, +2 up, -2 down; twelve readings, 1/11 apart."""
-    plus, minus = cycle_times(3, 2, 2, "standard")
-    assert (plus + 0.5) * 11.0 == pytest.approx(np.array([[0, 6], [1, 7], [2, 8]]))
-    assert (minus + 0.5) * 11.0 == pytest.approx(np.array([[5, 11], [4, 10], [3, 9]]))
-
-
-def test_a_step_cycle_ends_with_one_target_before_the_next() -> None:
-    """ISO 230-2:1997, annex A: +, -, +, - at each target; twelve readings."""
-    plus, minus = cycle_times(3, 2, 2, "step")
-    assert (plus + 0.5) * 11.0 == pytest.approx(np.array([[0, 2], [4, 6], [8, 10]]))
-    assert (minus + 0.5) * 11.0 == pytest.approx(np.array([[1, 3], [5, 7], [9, 11]]))
-
-
-@pytest.mark.parametrize("cycle", ["standard", "step"])
-@pytest.mark.parametrize(("positive", "negative"), [(5, 5), (3, 5), (5, 0), (0, 2), (1, 1)])
-def test_every_reading_has_its_own_time(cycle: str, positive: int, negative: int) -> None:
-    blocks = cycle_times(7, positive, negative, cycle)  # type: ignore[arg-type]
-    assert [block.shape for block in blocks] == [(7, positive), (7, negative)]
-    times = np.sort(np.concatenate([block.ravel() for block in blocks]))
-    assert times == pytest.approx(np.linspace(-0.5, 0.5, 7 * (positive + negative)))
+def test_traverses_alternate_beginning_with_plus() -> None:
+    plus, minus = traverse_order(3, 3)
+    assert list(plus) == [0, 2, 4]
+    assert list(minus) == [1, 3, 5]
 
 
 def test_traverses_left_over_come_last() -> None:
@@ -37,9 +22,31 @@ def test_traverses_left_over_come_last() -> None:
     assert list(minus) == [1, 3, 4, 5]
 
 
+def test_progress_is_even_or_flattens_out() -> None:
+    """Warming up with a time constant of a third of the test: (1 - e^-1.5) / (1 - e^-3) = 0.8176
+    at half time.
+    """
+    even, flattening = progress(5, np.array([0.0, 3.0]))
+    assert even == pytest.approx([0.0, 0.25, 0.5, 0.75, 1.0], abs=1e-8)
+    assert flattening[[0, 2, 4]] == pytest.approx([0.0, 0.8176, 1.0], abs=1e-4)
+    assert list(progress(1, np.array(2.0))) == [0.0]
+
+
+def test_the_scale_grows_along_the_travel() -> None:
+    """exp(0.5 u) at u = -1, 1; a bulge of 0.3 leaves the mean of its logarithm over u at zero."""
+    noise = normal_noise(np.array([2.0]), centre=100.0, half=100.0)
+    noise = replace(noise, growth=np.array([0.5]), sigma=np.array([[2.0, 4.0]]))
+    ends = noise.scale_at(np.array([0.0, 200.0]))
+    assert ends[0] == pytest.approx(np.array([[1.2131, 3.2974], [2.4261, 6.5949]]), abs=1e-4)
+    worn = replace(noise, growth=np.zeros(1), bulge=np.array([0.3]))
+    along = np.log(worn.scale_at(np.linspace(0.0, 200.0, 2001))[0, 0] / 2.0)
+    assert np.mean(along) == pytest.approx(0.0, abs=1e-3)
+    assert along[1000] == pytest.approx(-0.1)
+
+
 def test_a_part_is_taken_away_and_the_rest_stays() -> None:
     noise = normal_noise(np.array([1.0, 2.0]))
-    drifting = without(noise, "scatter", "drift")
-    assert not np.any(drifting.sigma)
-    assert np.all(np.isinf(drifting.dof))
+    quiet = without(noise, "scatter", "drift")
+    assert not np.any(quiet.sigma)
+    assert np.all(np.isinf(quiet.dof))
     assert noise.taken(np.array([1, 1, 0])).sigma[:, 1] == pytest.approx([2.0, 2.0, 1.0])

@@ -1,20 +1,21 @@
-"""What a positioning test adds to the error of the axis: numbers of the noise, and the order in
-which a cycle takes its readings.
-"""
+"""What a positioning test adds to the error of the axis: numbers of the noise."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from compwright.records.axis import FloatArray
-from compwright.records.positioning import Cycle
 
 #: Parts of the noise that `without` takes away.
 NoisePart = Literal["scatter", "tails", "growth", "traverses", "drift"]
+
+#: How offset and tilt of the traverses hang together: each drawn on its own; both traverses of a
+#: run alike (a new set-up between runs); or a random walk from traverse to traverse in time.
+INDEPENDENT, RUNS, WALK = range(3)
 
 BoolArray = NDArray[np.bool_]
 IndexArray = NDArray[np.intp]
@@ -25,31 +26,37 @@ class NoiseDraws:
     """Equally likely draws of the noise of one test, mm or deg; each (count,) where nothing else is
     said.
 
-    A reading at x in traverse v, taken at the time tau (-1/2 the first, 1/2 the last:
-    `cycle_times`), with u = (x - ``centre``) / ``half``, differs from the error of the axis by
+    A reading at x in run j and direction d, with u = (x - ``centre``) / ``half``, differs from the
+    error of the axis by
 
-        offset_v + tilt_v u + (drift + drift_tilt u) tau + sigma exp(growth u) e
+        offset_jd + tilt_jd u + (drift + drift_tilt u) (p_j - mean p) + s(u) e
 
-    ``sigma`` (count, 2), for approaches in + and -: the scale of e, which follows Student's law
-    with ``dof`` degrees of freedom (inf: normal); of a share ``outlier_share`` of all readings the
-    scale is ``outlier_size`` times as large. ``offset`` and ``tilt``: standard deviations of
-    offset_v and tilt_v, drawn afresh for every traverse; where ``walk``, those of the step from
-    one traverse to the next. ``drift`` and ``drift_tilt``: what a test of this protocol shows
-    again, from the first reading to the last.
+    ``sigma`` (count, 2), for approaches in + and -: s(u) = sigma exp(growth u + bulge (u² - 1/3)).
+    e is standard normal, or follows Student's law with ``dof`` degrees of freedom (inf: normal); of
+    a share ``outlier_share`` of all readings it has the scale ``outlier_size`` instead, or, where
+    ``outlier_fixed``, lies on either side by ``outlier_size`` in addition.
+    ``offset`` and ``tilt``: standard deviations of offset_jd and tilt_jd, drawn afresh for every
+    test, by ``pattern`` (`INDEPENDENT`, `RUNS`, `WALK`: then those of one step).
+    ``drift``, ``drift_tilt``: what a test of this protocol shows again, from the first run to the
+    last, on the way p that `progress` gives for ``drift_rate``. What drifts within a run is the
+    same in every run and part of the error curve.
     """
 
     centre: float
     half: float
     sigma: FloatArray
     growth: FloatArray
+    bulge: FloatArray
     dof: FloatArray
     outlier_share: FloatArray
     outlier_size: FloatArray
+    outlier_fixed: BoolArray
+    pattern: IndexArray
     offset: FloatArray
     tilt: FloatArray
-    walk: BoolArray
     drift: FloatArray
     drift_tilt: FloatArray
+    drift_rate: FloatArray
 
     @property
     def count(self) -> int:
@@ -58,23 +65,20 @@ class NoiseDraws:
 
     def taken(self, index: IndexArray) -> NoiseDraws:
         """Return the draws at ``index`` (n,)."""
-        return replace(
-            self,
-            **{name: getattr(self, name)[index] for name in _ARRAYS},
-        )
+        return replace(self, **{name: getattr(self, name)[index] for name in _ARRAYS})
+
+    def scale_at(self, positions: FloatArray) -> FloatArray:
+        """Return the scale s(u) (count, 2, k) of a reading at ``positions`` (k,) in + and in -, mm
+        or deg.
+        """
+        u = (positions - self.centre) / self.half
+        logs = np.outer(self.growth, u) + np.outer(self.bulge, u**2 - 1.0 / 3.0)
+        scale: FloatArray = self.sigma[:, :, np.newaxis] * np.exp(logs)[:, np.newaxis]
+        return scale
 
 
-_ARRAYS: Final = (
-    "sigma",
-    "growth",
-    "dof",
-    "outlier_share",
-    "outlier_size",
-    "offset",
-    "tilt",
-    "walk",
-    "drift",
-    "drift_tilt",
+_ARRAYS: Final = tuple(
+    field.name for field in fields(NoiseDraws) if field.name not in ("centre", "half")
 )
 
 
@@ -88,14 +92,17 @@ def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> N
         half=half,
         sigma=np.column_stack([sigma, sigma]),
         growth=nothing,
+        bulge=nothing,
         dof=np.full(sigma.shape, np.inf),
         outlier_share=nothing,
         outlier_size=np.ones(sigma.shape),
+        outlier_fixed=np.zeros(sigma.shape, dtype=np.bool_),
+        pattern=np.zeros(sigma.shape, dtype=np.intp),
         offset=nothing,
         tilt=nothing,
-        walk=np.zeros(sigma.shape, dtype=np.bool_),
         drift=nothing,
         drift_tilt=nothing,
+        drift_rate=nothing,
     )
 
 
@@ -110,7 +117,7 @@ def without(draws: NoiseDraws, *parts: NoisePart) -> NoiseDraws:
     changes: dict[NoisePart, dict[str, Any]] = {
         "scatter": {"sigma": np.zeros_like(draws.sigma)},
         "tails": {"dof": np.full(draws.count, np.inf), "outlier_share": nothing},
-        "growth": {"growth": nothing},
+        "growth": {"growth": nothing, "bulge": nothing},
         "traverses": {"offset": nothing, "tilt": nothing},
         "drift": {"drift": nothing, "drift_tilt": nothing},
     }
@@ -130,22 +137,14 @@ def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray
     )
 
 
-def cycle_times(
-    targets: int, positive: int, negative: int, cycle: Cycle
-) -> tuple[FloatArray, FloatArray]:
-    """Return the times of the readings (targets, positive) and (targets, negative), from -1/2 for
-    the first to 1/2 for the last, taken one by one at an even pace.
+def progress(runs: int, rate: FloatArray) -> FloatArray:
+    """Return how far a drift has come at each run, (..., runs) from 0 to 1, for ``rate`` (...).
 
-    Standard cycle: traverse by traverse, the targets upwards in +, downwards in -. Step cycle: all
-    approaches to one target, + and - in turn, before the next
-    (ISO 230-2:1997, figure 1 and annex A).
+    p_j = (1 - exp(-rate j / (runs - 1))) / (1 - exp(-rate)); ``rate`` 0: j / (runs - 1), even
+    progress; above 0: a first-order approach to a steady state, as a body warms up (Newton's law of
+    cooling).
     """
-    plus, minus = traverse_order(positive, negative)
-    place = np.arange(targets)[:, np.newaxis]
-    if cycle == "step":
-        steps = [place * (positive + negative) + order for order in (plus, minus)]
-    else:
-        steps = [plus * targets + place, minus * targets + (targets - 1 - place)]
-    last = max(targets * (positive + negative) - 1, 1)
-    first, second = (step / last - 0.5 for step in steps)
-    return first, second
+    way = np.linspace(0.0, 1.0, runs) if runs > 1 else np.zeros(runs)
+    steep = np.maximum(rate, 1e-9)[..., np.newaxis]
+    curve: FloatArray = np.expm1(-steep * way) / np.expm1(-steep)
+    return curve
