@@ -19,6 +19,7 @@ from compwright.records.positioning import Cycle, PositioningTest
 from compwright.simulation.circles import VirtualCircle
 from compwright.simulation.circular import CircleCorrection, CircleRecording, record_circle
 from compwright.simulation.curves import FLAT, Curve
+from compwright.simulation.scatter import Scatter
 
 #: What a control adds to the command, by position (any shape) and approach direction: mm or deg.
 Correction = Callable[[FloatArray, Direction], FloatArray]
@@ -41,9 +42,10 @@ class AxisError:
 
     ``slope`` is relative (mm per mm, > 0 travels too far) and acts from the axis' reference
     position. ``reversal`` is the mean of B = mean(+) - mean(-), negative for lost motion, and
-    ``reversal_variation`` what is added to it over the travel. ``noise`` is the standard deviation
-    of one reading. ``drift`` is the change of the deviation from the first reading of a test to its
-    last, in proportion to the number of readings made.
+    ``reversal_variation`` what is added to it over the travel. ``scatter`` is what differs from one
+    reading to the next. ``drift`` is the change of the deviation from the first reading of a test
+    to its last, ``expansion`` that of the slope (relative, from the reference position), both in
+    proportion to the number of readings made.
     """
 
     slope: float = 0.0
@@ -51,14 +53,15 @@ class AxisError:
     screw: tuple[ScrewError, ...] = ()
     reversal: float = 0.0
     reversal_variation: Curve = FLAT
-    noise: float = 0.0
+    scatter: Scatter = field(default_factory=Scatter)
     drift: float = 0.0
+    expansion: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TestPlan:
     """How an axis is measured: ``targets`` (m,) ascending, ``runs`` per direction, ``datum`` the
-    instrument's zero offset.
+    instrument's zero offset, ``resolution`` the step in which it reads (0: exact), mm or deg.
     """
 
     targets: FloatArray
@@ -66,12 +69,20 @@ class TestPlan:
     cycle: Cycle = "standard"
     directions: Literal["both", "+", "-"] = "both"
     datum: float = 0.0
+    resolution: float = 0.0
 
     __test__ = False  # not a test class, whatever the name suggests to a collector
 
     def runs_in(self, direction: Direction) -> int:
         """Return the number of traverses in one direction."""
         return self.runs if self.directions in {"both", direction.value} else 0
+
+    def seen(self, deviations: FloatArray) -> FloatArray:
+        """Return deviations as the instrument reads them."""
+        if self.resolution == 0.0:
+            return deviations
+        steps: FloatArray = np.round(deviations / self.resolution) * self.resolution
+        return steps
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,22 +132,25 @@ class VirtualMachine:
     def measure(
         self, axis: str, *, rng: np.random.Generator, correction: Correction | None = None
     ) -> PositioningTest:
-        """Return one positioning test of ``axis``: error + correction + noise + drift + datum.
+        """Return one positioning test of ``axis``: error + correction + scatter + drift + datum, in
+        steps of the instrument's resolution.
 
-        ``rng`` gives the noise and nothing else, so the same seed gives the same readings with any
-        correction. Raises UsageError for an axis that the machine does not have.
+        ``rng`` gives the scatter and nothing else, so the same seed gives the same readings with
+        any correction. Raises UsageError for an axis that the machine does not have.
         """
         own = self._axis(axis)
         plan = own.test
-        drift = dict(zip(Direction, _progress(plan), strict=True))
+        progress = dict(zip(Direction, _progress(plan), strict=True))
+        runs = {direction: plan.runs_in(direction) for direction in Direction}
+        scatter = own.error.scatter.drawn(plan.targets, runs, own.axis.travel, rng)
+        gone = own.error.drift + own.error.expansion * (plan.targets - own.axis.reference)[:, None]
         readings = {}
         for direction in Direction:
             mean = self.error(axis, plan.targets, direction) + plan.datum
             if correction is not None:
                 mean = mean + correction(plan.targets, direction)
-            noise = own.error.noise * rng.standard_normal((plan.targets.size, plan.runs))
-            block = mean[:, None] + own.error.drift * drift[direction] + noise
-            readings[direction] = block[:, : plan.runs_in(direction)]
+            drift = (gone * progress[direction])[:, : runs[direction]]
+            readings[direction] = plan.seen(mean[:, None] + drift + scatter[direction])
         return PositioningTest(
             name=own.axis.name.lower(),
             axis=own.axis.name,

@@ -26,6 +26,7 @@ from compwright.simulation.machine import (
     VirtualAxis,
     VirtualMachine,
 )
+from compwright.simulation.scatter import Scatter, Traverses
 
 SCHEMA: Final = 1
 # One stream of random numbers for each thing that is random, so that a change of one leaves the
@@ -209,11 +210,51 @@ def _error(axis: Axis, section: Section) -> AxisError:
         screw=tuple(_screw(axis, entry) for entry in section.sections("screw")),
         reversal=mean,
         reversal_variation=variation,
-        noise=section.number(f"noise_{units.deviation}", 0.0, least=0.0) * units.inside,
+        scatter=_scatter(axis, section),
         drift=section.number(f"drift_{units.deviation}", 0.0) * units.inside,
+        expansion=section.number(f"expansion_{units.slope}", 0.0) * _SLOPE[axis.kind],
     )
     section.close()
     return error
+
+
+def _scatter(axis: Axis, section: Section) -> Scatter:
+    units = _UNITS[axis.kind]
+    noise, other = f"noise_{units.deviation}", f"noise_negative_{units.deviation}"
+    outliers, traverses = section.section("outliers"), section.section("traverses")
+    share, size = _outliers(axis, outliers) if outliers is not None else (0.0, 0.0)
+    return Scatter(
+        noise=section.number(noise, 0.0, least=0.0) * units.inside,
+        noise_negative=(
+            section.number(other, least=0.0) * units.inside if section.has(other) else None
+        ),
+        growth=section.number("growth_of_noise", 1.0, least=0.0),
+        tails=section.number("tails_dof", above=0.0) if section.has("tails_dof") else None,
+        outlier_share=share,
+        outlier_size=size,
+        traverses=_traverses(axis, traverses) if traverses is not None else Traverses(),
+    )
+
+
+def _outliers(axis: Axis, section: Section) -> tuple[float, float]:
+    units = _UNITS[axis.kind]
+    percent = section.number("share_percent", above=0.0)
+    if percent > 100.0:
+        section.reject("share_percent", "is more than all readings", "at most 100")
+    size = section.number(f"size_{units.deviation}", above=0.0) * units.inside
+    section.close()
+    return percent / 100.0, size
+
+
+def _traverses(axis: Axis, section: Section) -> Traverses:
+    units = _UNITS[axis.kind]
+    traverses = Traverses(
+        offset=section.number(f"offset_{units.deviation}", 0.0, least=0.0) * units.inside,
+        slope=section.number(f"slope_{units.slope}", 0.0, least=0.0) * _SLOPE[axis.kind],
+        walk=section.number(f"walk_{units.deviation}", 0.0, least=0.0) * units.inside,
+    )
+    section.close()
+    return traverses
 
 
 def _smooth(axis: Axis, section: Section) -> Curve:
@@ -294,6 +335,7 @@ def _test(axis: Axis, section: Section) -> TestPlan:
             "Literal['both', '+', '-']", section.choice("directions", ["both", "+", "-"], "both")
         ),
         datum=section.number(f"datum_{units.deviation}", 0.0) * units.inside,
+        resolution=section.number(f"resolution_{units.deviation}", 0.0, least=0.0) * units.inside,
     )
     section.close()
     return plan

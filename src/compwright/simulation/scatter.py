@@ -1,0 +1,103 @@
+"""What differs from one reading to the next: noise, tails, outliers, traverses that stand apart.
+
+White noise is what every evaluation hopes for; machines and instruments need not follow.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from compwright.records.axis import Direction, FloatArray
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Traverses:
+    """What sets one traverse (the readings of one run in one direction) apart from the others, mm
+    or deg, standard deviations.
+
+    ``offset``, ``slope`` (mm/mm, deg/deg, about the middle of the travel): drawn for each traverse;
+    ``walk``: the step of the offset from one traverse to the next in the order of the cycle.
+    """
+
+    offset: float = 0.0
+    slope: float = 0.0
+    walk: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scatter:
+    """How readings scatter, mm or deg.
+
+    ``noise``: standard deviation of a reading at the lower end of the travel; ``noise_negative``:
+    the one of arrivals in -, where it is another; both are ``growth`` times as large at the upper
+    end, linear between. ``tails``: degrees of freedom of Student's t, of which the noise is then
+    the scale. ``outlier_share`` of the readings lie ``outlier_size`` off, to either side.
+    """
+
+    noise: float = 0.0
+    noise_negative: float | None = None
+    growth: float = 1.0
+    tails: float | None = None
+    outlier_share: float = 0.0
+    outlier_size: float = 0.0
+    traverses: Traverses = field(default_factory=Traverses)
+
+    def drawn(
+        self,
+        positions: FloatArray,
+        runs: Mapping[Direction, int],
+        travel: tuple[float, float],
+        rng: np.random.Generator,
+    ) -> dict[Direction, FloatArray]:
+        """Return what comes on top of the error in each direction, (m, runs) of it.
+
+        ``rng`` itself gives the noise, its children all else: what is not asked for changes no
+        other number.
+        """
+        tails, outliers, traverses = rng.spawn(3)
+        most = max(runs.values())
+        apart = self._apart(positions, runs, travel, traverses)
+        ramp = np.interp(positions, travel, (1.0, self.growth))[:, None]
+        blocks = {}
+        for direction in Direction:
+            noise = rng.standard_normal((positions.size, most))
+            if self.tails is not None:
+                noise /= np.sqrt(tails.chisquare(self.tails, noise.shape) / self.tails)
+            scale = self.noise
+            if direction is Direction.NEGATIVE and self.noise_negative is not None:
+                scale = self.noise_negative
+            block = scale * noise
+            if self.growth != 1.0:
+                block *= ramp
+            far = outliers.uniform(size=noise.shape) < self.outlier_share
+            block += far * self.outlier_size * outliers.choice([-1.0, 1.0], noise.shape)
+            blocks[direction] = block[:, : runs[direction]] + apart[direction]
+        return blocks
+
+    def _apart(
+        self,
+        positions: FloatArray,
+        runs: Mapping[Direction, int],
+        travel: tuple[float, float],
+        rng: np.random.Generator,
+    ) -> dict[Direction, FloatArray]:
+        """Return what the traverses have of their own, in the order in which they are run: up,
+        down, and again.
+        """
+        own = self.traverses
+        order = [(run, way) for run in range(max(runs.values())) for way in Direction]
+        middle = 0.5 * (travel[0] + travel[1])
+        blocks = {way: np.zeros((positions.size, count)) for way, count in runs.items()}
+        walked = 0.0
+        for run, way in order:
+            if run >= runs[way]:
+                continue
+            offset, slope, step = rng.standard_normal(3)
+            walked += own.walk * step
+            blocks[way][:, run] = (
+                own.offset * offset + walked + own.slope * slope * (positions - middle)
+            )
+        return blocks
