@@ -211,13 +211,11 @@ def run_view() -> dict[str, Any]:
                     },
                     "quantum": 1.0,
                     "limits": [
-                        {
-                            "cause": "resolution of a table value, 1 µm",
-                            "value": 0.297,
-                            "unit": "um",
-                        },
-                        {"cause": "number of points, 18 of 128", "value": 0.115, "unit": "um"},
+                        {"cause": "noise", "value": 2.45, "unit": "um"},
+                        {"cause": "quantum", "value": 0.4, "unit": "um", "rms": 0.297},
+                        {"cause": "number of points", "value": -0.02, "unit": "um", "rms": 0.115},
                     ],
+                    "limited": {"parameter": "A", "now": 24.6, "then": 4.89, "least": 3.9},
                     "accept": {
                         "A": {"limit": 8.0, "decision": "accept"},
                         "E": {"limit": 2.0, "decision": "undecided"},
@@ -232,6 +230,7 @@ def run_view() -> dict[str, Any]:
                     "table": None,
                     "quantum": None,
                     "limits": [],
+                    "limited": None,
                     "accept": {},
                 },
             },

@@ -28,7 +28,7 @@ from compwright.evaluation.circular import evaluate_circle
 from compwright.evaluation.standards import evaluate
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import AxisCompensation, CrossCompensation
-from compwright.records.fitted import Limit
+from compwright.records.limits import Cause, Limiting
 from compwright.records.prediction import AxisPrediction, Quantiles, TestPrediction
 from compwright.records.verification import ReadBack
 from evaluation_samples import axis_test
@@ -121,13 +121,35 @@ def test_a_prediction(kind: AxisKind, factor: float, unit: str) -> None:
         ),
         table=table(kind),
         quantum=0.0005,
-        limits=(Limit("value range", 0.002),),
+        limits=Limiting(
+            parameter="A",
+            now=0.05,
+            then=0.02,
+            least=0.01,
+            spread=0.001,
+            causes=(
+                Cause(cause="noise", value=0.01),
+                Cause(cause="value range", value=0.002, rms=0.0005),
+            ),
+        ),
     )
     found = prediction_document("id", {"X": axis}, judged="independent")["axes"]["X"]
     assert found["quantum"] == pytest.approx(0.0005 * factor)
     assert found["limits"] == [
-        {"cause": "value range", "value": pytest.approx(0.002 * factor), "unit": unit}
+        {"cause": "noise", "value": pytest.approx(0.01 * factor), "unit": unit},
+        {
+            "cause": "value range",
+            "value": pytest.approx(0.002 * factor),
+            "unit": unit,
+            "rms": pytest.approx(0.0005 * factor),
+        },
     ]
+    assert found["limited"] == {
+        "parameter": "A",
+        "now": pytest.approx(0.05 * factor),
+        "then": pytest.approx(0.02 * factor),
+        "least": pytest.approx(0.01 * factor),
+    }
     assert found["before"]["E_positive"] == pytest.approx(0.04 * factor)
     assert found["predicted"]["A"]["p95"] == pytest.approx(0.05 * factor)
 

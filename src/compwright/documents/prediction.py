@@ -12,6 +12,7 @@ from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, outside_fac
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation, CrossCompensation, Judged
+from compwright.records.limits import Limiting
 from compwright.records.prediction import (
     AxisPrediction,
     CirclePrediction,
@@ -169,6 +170,27 @@ def _test(test: TestPrediction) -> dict[str, Any]:
     }
 
 
+def _causes(limits: Limiting, factor: float, unit: str) -> list[dict[str, Any]]:
+    return [
+        {
+            "cause": cause.cause,
+            "value": cause.value * factor,
+            "unit": unit,
+            **({} if cause.rms is None else {"rms": cause.rms * factor}),
+        }
+        for cause in limits.causes
+    ]
+
+
+def _limited(limits: Limiting, factor: float) -> dict[str, Any]:
+    return {
+        "parameter": limits.parameter,
+        "now": limits.now * factor,
+        "then": limits.then * factor,
+        "least": limits.least * factor,
+    }
+
+
 def _axis(axis: AxisPrediction, judged: Judged) -> dict[str, Any]:
     tests = [_test(test) for test in axis.tests]
     kind = axis.tests[0].before.test.kind
@@ -183,10 +205,8 @@ def _axis(axis: AxisPrediction, judged: Judged) -> dict[str, Any]:
         "table": compensation_outside(axis.table) if axis.table is not None else None,
         "judged": judged,
         "quantum": axis.quantum * factor if axis.quantum is not None else None,
-        "limits": [
-            {"cause": limit.cause, "value": limit.value * factor, "unit": unit}
-            for limit in axis.limits
-        ],
+        "limits": [] if axis.limits is None else _causes(axis.limits, factor, unit),
+        "limited": None if axis.limits is None else _limited(axis.limits, factor),
         "accept": {
             name: {
                 "limit": entry.limit,

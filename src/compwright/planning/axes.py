@@ -233,7 +233,6 @@ def predict_axis(
     """Return what fresh tests of an axis will show when ``new`` acts. ``table``: what was written
     for it, as read back; None where nothing was.
     """
-    fitted = work.planned.fitted
     change = difference(new, work.active)
     axis = work.planned.axis
     tests = tuple(
@@ -250,7 +249,6 @@ def predict_axis(
         tests=tests,
         table=table,
         quantum=work.capacity.quantum if work.capacity is not None else None,
-        limits=fitted.limits if fitted is not None else (),
         accept=accept,
         findings=(*work.findings, *guard, *_offered(work, tests)),
     )

@@ -44,7 +44,7 @@ def predict_new_targets(
     new_targets = dithered_targets(
         axis.travel,
         test.targets.size,
-        _generator(axis.name, test.name, "targets"),
+        generator(axis.name, test.name, "targets"),
         END_MARGIN[axis.kind],
     )
     return _predict_at(result, posterior, change, new_targets, axis)
@@ -88,7 +88,7 @@ def _predict_at(
     targets: FloatArray,
     axis: Axis,
 ) -> Mapping[str, Quantiles]:
-    rng = _generator(axis.name, result.test.name, "draws")
+    rng = generator(axis.name, result.test.name, "draws")
     draws = posterior.draw(targets, DRAWS, rng)
     same = targets is result.test.targets
     runs: dict[Direction, int | FloatArray] = {
@@ -122,7 +122,7 @@ def yardstick(result: PositioningResult) -> str | None:
     return next((name for name in names if result.parameters.get(name) is not None), None)
 
 
-def _generator(*names: str) -> np.random.Generator:
+def generator(*names: str) -> np.random.Generator:
     """Return a generator that depends on the names only: the same job predicts the same numbers."""
     digest = hashlib.sha256("\x1f".join(names).encode("utf-8", "surrogatepass")).digest()
     return np.random.default_rng(int.from_bytes(digest[:8], "big"))

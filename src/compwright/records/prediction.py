@@ -9,7 +9,7 @@ from typing import Literal
 from compwright.foundations.findings import Finding
 from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation
-from compwright.records.fitted import Limit
+from compwright.records.limits import Limiting
 from compwright.records.result import PositioningResult
 
 Decision = Literal["accept", "reject", "undecided"]
@@ -73,12 +73,12 @@ class AcceptDecision:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisPrediction:
     """The prediction of one axis. ``table`` is what the files give when read back; None where no
-    table is written.
+    table is written. ``limits``: what keeps the axis where it then is.
     """
 
     tests: tuple[TestPrediction, ...]
     table: AxisCompensation | None
     quantum: float | None
-    limits: tuple[Limit, ...] = ()
+    limits: Limiting | None = None
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()

@@ -18,6 +18,7 @@ from typing import Any, Final
 from compwright.reporting import sections
 from compwright.reporting.card import changes_content
 from compwright.reporting.circles import circle_blocks
+from compwright.reporting.limiting import limits_block
 from compwright.reporting.numbers import (
     SIMPLE,
     decimals_of,
@@ -306,7 +307,7 @@ def _run_axis(
         "mode": _mode(axis),
         "table": _table(prefix, name, table, axis, predicted) if table else None,
         "refused": plain(axis.get("refused") or ""),
-        "limits": _limits(predicted, unit),
+        "limits": limits_block(predicted, unit),
         "state": _state(axis.get("state")),
         "estimate": (
             _figure(
@@ -432,21 +433,6 @@ def _mode(axis: Document) -> str:
     }
     text = plain(axis.get("mode_reason") or words.get(str(axis.get("mode")), ""))
     return text[:1].upper() + text[1:]
-
-
-def _limits(predicted: Document, unit: object) -> TextTable | None:
-    limits = predicted.get("limits") or []
-    if not limits:
-        return None
-    rows = [
-        [
-            plain(limit.get("cause")),
-            number(limit.get("value"), 3),
-            unit_text(limit.get("unit", unit)),
-        ]
-        for limit in limits
-    ]
-    return {"heads": sections.heads("Limit", ("Cost", ""), "Unit"), "rows": rows}
 
 
 def _state(state: object) -> str:

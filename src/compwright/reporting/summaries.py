@@ -15,6 +15,7 @@ from rich.table import Table
 from rich.text import Text
 
 from compwright.foundations.findings import DOUBTS_FIRST
+from compwright.reporting.limiting import limits_line
 from compwright.reporting.numbers import MISSING, number, plain, symbol, unit_text
 from compwright.reporting.sections import rule_lines
 
@@ -33,9 +34,6 @@ _STYLES: Final = {
 #: Rows of a table of corrections that a terminal shows without being asked; a longer table is cut
 #: visibly.
 _MOST_ROWS: Final = 60
-#: A limit that costs less (µm, arcsec) than the last digit shown is not worth a line; the JSON has
-#: it.
-_LEAST_SHOWN: Final = 0.005
 
 
 def doubt_lines(doubts: Sequence[Mapping[str, str]]) -> list[RenderableType]:
@@ -75,11 +73,8 @@ def prediction_tables(prediction: Mapping[str, Any]) -> list[RenderableType]:
             ]
         shown += [Text(line) for line in rule_lines(axis["accept"], unit)]
         shown.append(Text(_table_line(axis, unit)))
-        shown += [
-            Text(f"Limit: {entry['cause']}, costs {number(entry['value'])} {unit}.")
-            for entry in axis["limits"]
-            if entry["value"] >= _LEAST_SHOWN
-        ]
+        limits = limits_line(axis)
+        shown += [Text(limits)] if limits else []
         shown += [*finding_lines(axis["findings"]), Text()]
     return [*shown, *circle_tables(prediction["circles"])]
 

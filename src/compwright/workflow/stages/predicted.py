@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from compwright.planning.axes import AxisWork, predict_axis
 from compwright.planning.circles import CircleWork, predicted_circle
+from compwright.planning.limiting import what_limits
+from compwright.planning.verdict import verdict
 from compwright.prediction.acting import IDLE, Acting, Correction
 from compwright.records.job import AS_FOUND
 from compwright.records.prediction import AxisPrediction, CirclePrediction
@@ -36,11 +38,29 @@ def predicted(measured: Measured, wanted: Wanted, fitted: Fitted, written: Writt
         planned = work.planned
         has = planned.fitted is not None and loaded is not None
         table = loaded.state.axes[planned.axis.address] if has and loaded is not None else None
-        axes[name] = predict_axis(work, after_loading(work, loaded), table, rule)
+        axes[name] = _limited(
+            predict_axis(work, after_loading(work, loaded), table, rule), work, loaded
+        )
     then = _acting_then(measured, fitted, written) if wanted.circles else IDLE
     return Predicted(
         axes=axes, circles={work.name: _circle(work, measured, then) for work in wanted.circles}
     )
+
+
+def _limited(
+    prediction: AxisPrediction, work: AxisWork, loaded: DecodedState | None
+) -> AxisPrediction:
+    """Return the prediction with what keeps the axis where it is, and whether a table helps."""
+    limits = what_limits(work, after_loading(work, loaded))
+    if limits is None:
+        return prediction
+    said = verdict(
+        work.planned.axis,
+        limits,
+        tabled=work.planned.fitted is not None,
+        refused=bool(work.refused),
+    )
+    return replace(prediction, limits=limits, findings=(*prediction.findings, *said))
 
 
 def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:

@@ -1,0 +1,73 @@
+"""What limits an axis: how much of its predicted parameter each cause makes, told by the same draws
+with the cause and without it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Final
+
+from compwright.planning.axes import AxisWork
+from compwright.planning.fresh import BAND, FreshTests, fresh_tests
+from compwright.planning.outlook import yardstick
+from compwright.planning.shortfalls import shortfalls
+from compwright.prediction.acting import Correction, difference
+from compwright.records.limits import Cause, Limiting
+from compwright.records.prediction import Quantiles
+
+#: What scatters from reading to reading, and what readings did not tell of the error.
+NOISE: Final = "noise"
+UNKNOWN: Final = "error that the test leaves open"
+NO_TABLE: Final = "no table is written"
+#: A cause below this share of the parameter is not worth a word, unless the fit has named it.
+_WORTH_SAYING: Final = 0.002
+
+
+def what_limits(work: AxisWork, new: Correction) -> Limiting | None:
+    """Return what limits the first of A, E, ... that the first test of an axis has, when ``new``
+    acts; None where it has none.
+
+    Each cause is taken away alone, while all others stay. What the table does not hold of the known
+    error is the sum of the causes that `shortfalls` names, so that taking one away is adding what
+    it lacks.
+    """
+    result = work.results[0]
+    name = yardstick(result)
+    if name is None:
+        return None
+    fresh = fresh_tests(result, work.posterior, work.planned.axis)
+    change = difference(new, work.active)
+    then = fresh.quantiles(change)[name]
+    now = fresh.quantiles(difference(work.as_found, work.active))[name]
+    least = fresh.quantiles(change, known=False, unknown=False)[name]
+    causes = [
+        Cause(cause=cause, value=then.median - without[name].median, rms=rms)
+        for cause, without, rms in _without(work, fresh, change)
+    ]
+    worth = [
+        cause
+        for cause in causes
+        if cause.rms is not None or abs(cause.value) > _WORTH_SAYING * abs(then.median)
+    ]
+    return Limiting(
+        parameter=name,
+        now=now.median,
+        then=then.median,
+        least=least.median,
+        spread=(then.p95 - then.p05) / BAND,
+        causes=tuple(sorted(worth, key=lambda cause: -cause.value)),
+    )
+
+
+def _without(
+    work: AxisWork, fresh: FreshTests, change: Correction
+) -> Iterator[tuple[str, Mapping[str, Quantiles], float | None]]:
+    """Yield every cause with the parameters of tests without it, and what the fit says of it."""
+    yield NOISE, fresh.quantiles(change, noise=False), None
+    yield UNKNOWN, fresh.quantiles(change, unknown=False), None
+    wanted, fitted, capacity = work.planned.wanted, work.planned.fitted, work.capacity
+    if wanted is None or fitted is None or capacity is None:
+        yield NO_TABLE, fresh.quantiles(change, known=False), None
+        return
+    for lack in shortfalls(wanted, fitted, capacity):
+        yield lack.cause, fresh.quantiles(difference(change, lack.curve)), lack.rms

@@ -1,0 +1,152 @@
+"""What the table of an axis does not hold of what is wanted, as curves by cause, whose sum it is.
+
+A single curve holds nothing of a reversal that varies along the travel; straight lines between the
+nodes hold nothing of what bends there (the best curve on the same nodes without any limit of value
+tells how much that is); what is left then are limits of value and whole numbers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+
+from compwright.fitting.fit import fit_table
+from compwright.fitting.grid import POINTS_PER_PERIOD
+from compwright.fitting.periodic import without_periods
+from compwright.planning.wanted import beside
+from compwright.prediction.acting import Correction, difference
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation
+from compwright.records.estimate import WantedCorrection
+from compwright.records.fitted import FittedTable, TableRequest
+
+PERIOD: Final = "spacing too wide for the period"
+REVERSAL: Final = "one table for both directions"
+NO_BACKLASH: Final = "no backlash value"
+QUANTUM: Final = "quantum"
+#: What the fit calls that which lies between the nodes, and what lies in the values.
+_NODES: Final = ("number of points", "spacing of the points")
+_LINE: Final = "a straight line instead of a table"
+_VALUES: Final = (QUANTUM, "value range", "backlash range", "largest increment", _LINE)
+#: A quantum (mm or deg) that no table shows.
+_FINE: Final = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class Shortfall:
+    """What acts less what is wanted, mm or deg, as far as it comes from ``cause``; ``rms``: what
+    the fit says that this cause leaves; None where it says nothing.
+    """
+
+    cause: str
+    curve: Correction
+    rms: float | None
+
+
+def shortfalls(
+    wanted: WantedCorrection, fitted: FittedTable, capacity: Capacity
+) -> tuple[Shortfall, ...]:
+    """Return the shortfalls of a ``fitted`` table from what is ``wanted`` (totals), but for a
+    constant, which only moves the datum; those that are nothing left out.
+    """
+    rms = {limit.cause: limit.value for limit in fitted.limits}
+    return tuple(
+        Shortfall(cause, curve, rms.get(cause))
+        for cause, curve in _parts(wanted, fitted, capacity, rms)
+        if cause in rms or _moves(curve, wanted.positions)
+    )
+
+
+def _parts(
+    wanted: WantedCorrection,
+    fitted: FittedTable,
+    capacity: Capacity,
+    rms: Mapping[str, float],
+) -> Iterator[tuple[str, Correction]]:
+    table, own = _alone(fitted.compensation, wanted)
+    held = _without_lost(own, table)
+    yield PERIOD, difference(_curve(held), _curve(own))
+    rest = difference(table.at, _curve(held))
+    if table.positions.size:
+        best = _best(held, table, capacity).at
+        yield (
+            next((name for name in _NODES if name in rms), _NODES[-1]),
+            difference(best, _curve(held)),
+        )
+        rest = difference(table.at, best)
+    if fitted.mode == "single":
+        whole = rest
+        level = float(np.mean(_half(whole, wanted.positions)))
+        varying = _odd(lambda x: _half(whole, x) - level)
+        yield REVERSAL, varying
+        rest = difference(rest, varying)
+        if NO_BACKLASH in rms:
+            constant = _odd(lambda x: np.full(np.shape(x), level))
+            yield NO_BACKLASH, constant
+            rest = difference(rest, constant)
+    yield max(_VALUES, key=lambda name: rms.get(name, 0.0)), rest
+
+
+def _alone(
+    held: AxisCompensation, wanted: WantedCorrection
+) -> tuple[AxisCompensation, WantedCorrection]:
+    """Return the table without what stays beside it, and what is then wanted of it."""
+    if not held.others:
+        return held, wanted
+    return replace(held, others=()), beside(wanted, held.others)
+
+
+def _without_lost(wanted: WantedCorrection, table: AxisCompensation) -> WantedCorrection:
+    """Return ``wanted`` without the periods that the nodes are too far apart for, as the fit leaves
+    them out.
+    """
+    if table.positions.size < 2:
+        return wanted
+    step = float(np.max(np.diff(table.positions)))
+    lost = [one for one in wanted.periods if step * POINTS_PER_PERIOD > one * (1.0 + 1e-9)]
+    return without_periods(wanted, lost)[0] if lost else wanted
+
+
+def _best(
+    wanted: WantedCorrection, table: AxisCompensation, capacity: Capacity
+) -> AxisCompensation:
+    """Return two curves of least mean square on the nodes of ``table``, of any value."""
+    free = replace(
+        capacity,
+        curves=2,
+        second_curve="chosen",
+        quantum=_FINE,
+        value_range=(-np.inf, np.inf),
+        backlash_range=(-np.inf, np.inf),
+        lattice=None,
+        zero=None,
+        stays=(),
+        nodes=tuple(table.positions.tolist()),
+    )
+    request = TableRequest(mode="bidirectional")
+    plain = replace(wanted, periods=())
+    return fit_table(plain, free, request, address=table.address).compensation
+
+
+def _curve(wanted: WantedCorrection) -> Correction:
+    return lambda x, way: np.interp(x, wanted.positions, wanted.total(way))
+
+
+def _half(curve: Correction, positions: FloatArray) -> FloatArray:
+    """Return half of what ``curve`` does in + less what it does in -."""
+    plus, minus = (curve(positions, way) for way in Direction)
+    return 0.5 * (plus - minus)
+
+
+def _odd(half: Callable[[FloatArray], FloatArray]) -> Correction:
+    return lambda x, way: way.sign * half(x)
+
+
+def _moves(curve: Correction, positions: FloatArray) -> bool:
+    return any(float(np.ptp(curve(positions, way))) > _FINE for way in Direction) or (
+        abs(float(_half(curve, positions)[0])) > _FINE
+    )

@@ -1,0 +1,80 @@
+"""Whether a table is what an axis needs: what it cures, what no table cures, and who can."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Final
+
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.planning.limiting import NOISE, UNKNOWN
+from compwright.planning.shortfalls import REVERSAL
+from compwright.records.axis import Axis
+from compwright.records.limits import Cause, Limiting
+
+#: From this share of the parameter on a cause is the reason.
+_DOMINATES: Final = 0.5
+#: What to do about a cause, by its name.
+_ADVICE: Final = {
+    NOISE: (
+        "the same position does not come back the same, which no table takes out: look at how the"
+        " instrument stands (vibration, air, fixing), then call a mechanic (play, guides,"
+        " bearings, coupling, scale)"
+    ),
+    REVERSAL: (
+        "the reversal changes along the travel, and one table with one reversal value cannot hold"
+        " that: a mechanic (nut, screw, guides), or a control with a table for each direction"
+    ),
+    UNKNOWN: (
+        "the test leaves the error itself open: more targets or more runs tell more of it than a"
+        " table can use now"
+    ),
+}
+
+
+def verdict(axis: Axis, limiting: Limiting, *, tabled: bool, refused: bool) -> Iterator[Finding]:
+    """Yield what to say where a table cures little of an axis (CW-P150), or some while most is
+    scatter (CW-P151).
+
+    ``tabled``: a table is written; ``refused``: one was made and improves nothing. A gain counts
+    when it is more than one standard deviation by which the parameter differs from test to test.
+    """
+    left = limiting.then if tabled else limiting.now if refused else limiting.least
+    gained = limiting.now - left
+    helps = gained > limiting.spread
+    scatter = limiting.least / limiting.now if limiting.now > 0.0 else 0.0
+    factor, unit = outside_factor(axis.kind.unit), shown_unit(axis.kind.unit)
+    name, now = limiting.parameter, f"{limiting.now * factor:.2f} {unit}"
+    if helps and tabled and scatter >= _DOMINATES:
+        yield Finding(
+            "CW-P151",
+            "info",
+            f"Axis {axis.name}: of {name} {now} at new targets the table takes away"
+            f" {gained / limiting.now:.0%}; {scatter:.0%} is scatter, which no table takes away",
+        )
+    if helps:
+        return
+    main = _main_cause(limiting, scatter)
+    if main is None:
+        return
+    share = main.value / limiting.then
+    without = "" if not tabled else f" ({limiting.then * factor:.2f} {unit} with it)"
+    yield Finding(
+        "CW-P150",
+        "warning",
+        f"Axis {axis.name}: a table will not help here. {name} is {now} at new targets{without};"
+        f" the largest cause is {main.cause} ({main.value * factor:.2f} {unit}, {share:.0%}):"
+        f" {_ADVICE[main.cause]}",
+    )
+
+
+def _main_cause(limiting: Limiting, scatter: float) -> Cause | None:
+    """Return the cause that explains why a table does not help; None where it is none of those
+    that somebody else could cure.
+    """
+    known = [cause for cause in limiting.causes if cause.cause in _ADVICE]
+    largest = max(known, key=lambda cause: cause.value, default=None)
+    if largest is None or not limiting.then > 0.0:
+        return None
+    enough = largest.value >= _DOMINATES * limiting.then or scatter >= _DOMINATES
+    return largest if enough else None

@@ -1,0 +1,38 @@
+"""What keeps a parameter of an axis where it is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cause:
+    """``value``: the predicted median of the parameter with the cause less the one without it, mm
+    or deg, from the same draws; negative where it happens to cancel another one.
+
+    ``rms``: of a limit of the control, the root mean square that it leaves over the travel and both
+    directions (mm or deg); None: not one of those.
+    """
+
+    cause: str
+    value: float
+    rms: float | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Limiting:
+    """What a fresh test at new targets is expected to show of one ``parameter``, medians in mm or
+    deg: ``now`` with what is in the control, ``then`` with what is written, ``least`` of an axis
+    without any error, by its scatter alone.
+
+    ``spread``: the standard deviation of ``then`` from test to test. ``causes``, the largest first,
+    do not add up to ``then``: the parameter is a range, and what two causes do at different places
+    counts once.
+    """
+
+    parameter: str
+    now: float
+    then: float
+    least: float
+    spread: float
+    causes: tuple[Cause, ...] = ()

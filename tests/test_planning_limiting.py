@@ -1,0 +1,205 @@
+"""What limits an axis, of axes whose error, scatter and table are known by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from compwright.planning.axes import AxisWork, fit_all
+from compwright.planning.limiting import NO_TABLE, NOISE, UNKNOWN, what_limits
+from compwright.planning.shortfalls import PERIOD, QUANTUM, REVERSAL, shortfalls
+from compwright.planning.verdict import verdict
+from compwright.prediction.acting import nothing
+from compwright.records.axis import Axis, Direction
+from compwright.records.capacity import Capacity
+from compwright.records.correction import no_compensation
+from compwright.records.fitted import TableRequest
+from compwright.records.limits import Limiting
+from planning_samples import MINUS, PLUS, UM, Curve, KnownAxis, axis_of, capacity_of, work_of
+
+BENT = 4.0 * UM
+ONE_CURVE: dict[str, Any] = {"curves": 1, "backlash_quantum": 1e-7, "backlash_range": (-1.0, 1.0)}
+
+
+def fitted(
+    known: KnownAxis, *, spacing: float = 50.0, axis: Axis | None = None, **limits: Any
+) -> AxisWork:
+    """An axis whose table is fitted to its known error, on nodes every ``spacing`` mm."""
+    axis = axis or axis_of()
+    bare = no_compensation(axis.address, axis.kind)
+    work = work_of(known, axis, active=bare)
+    dense = np.linspace(*axis.travel, 4001)
+    request = TableRequest(start=0.0, end=1000.0, spacing=spacing)
+    planned = replace(work.planned, request=request, estimate=known.summary(dense))
+
+    def capacity(axis: Axis, *, one_curve: bool = False) -> Capacity:
+        return replace(capacity_of(axis, one_curve=one_curve), **{"quantum": 1e-7, **limits})
+
+    return fit_all({"X": replace(work, planned=planned)}, capacity, "job.yaml")["X"]
+
+
+def limits_of(work: AxisWork) -> Limiting:
+    table = work.planned.fitted
+    found = what_limits(work, nothing if table is None else table.compensation.at)
+    assert found is not None
+    return found
+
+
+def causes_of(work: AxisWork) -> dict[str, float]:
+    """What each cause makes of A, µm."""
+    return {cause.cause: cause.value / UM for cause in limits_of(work).causes}
+
+
+def both(curve: Curve, **words: float) -> KnownAxis:
+    return KnownAxis(curve, curve, **words)
+
+
+def test_without_scatter_nothing_limits_a_table_that_holds_all() -> None:
+    found = limits_of(fitted(both(lambda x: 30e-6 * x)))
+    assert found.parameter == "A"
+    # the slope over the new targets, which leave up to 8 % of the travel out at its ends
+    assert 27.0 < found.now / UM < 30.0
+    assert found.then / UM == pytest.approx(0.0, abs=1e-3)
+    assert all(abs(cause.value) < 1e-6 for cause in found.causes)
+
+
+def test_scatter_is_all_that_is_left_where_the_table_holds_all() -> None:
+    """Without scatter nothing is left, so that all of A is noise, and no table goes lower."""
+    found = limits_of(fitted(both(lambda x: 30e-6 * x, noise=1.0 * UM)))
+    assert found.least == pytest.approx(found.then, abs=1e-3 * UM)
+    noise = next(cause for cause in found.causes if cause.cause == NOISE)
+    assert noise.value == pytest.approx(found.then, abs=1e-3 * UM)
+    # the same test by hand: 11 targets in 2 directions, two readings of 1 µm each, k = 2
+    readings = np.random.default_rng(1).standard_normal((4000, 22, 2))
+    mean, s = readings.mean(axis=2), readings.std(axis=2, ddof=1)
+    by_hand = np.median((mean + 2 * s).max(axis=1) - (mean - 2 * s).min(axis=1))
+    assert found.then / UM == pytest.approx(by_hand, rel=0.04)  # both of some thousand draws
+
+
+def test_a_period_that_the_nodes_cannot_hold() -> None:
+    """A wave of ±3 µm over 10 mm, nodes every 50 mm: 6 µm at most, and as near to it as eleven
+    targets come, arcsine law; without that cause nothing.
+    """
+    wave = both(lambda x: 3.0 * UM * np.sin(2 * np.pi * x / 10.0))
+    work = fitted(wave, axis=axis_of(screw_pitch=(10.0,)))
+    found = causes_of(work)
+    assert found[PERIOD] == pytest.approx(limits_of(work).then / UM, abs=0.05)
+    assert 4.5 < found[PERIOD] <= 6.0 + 1e-6
+    assert set(found) - {PERIOD} <= {NOISE, UNKNOWN, "spacing of the points", QUANTUM}
+
+
+def test_a_reversal_that_one_value_cannot_hold() -> None:
+    """The reversal goes from -8 to +8 µm over the travel: one curve and one value leave ±4 µm in
+    each direction at the ends, two curves nothing.
+    """
+    known = KnownAxis(lambda x: BENT * (x / 500.0 - 1.0), lambda x: -BENT * (x / 500.0 - 1.0))
+    single = fitted(known, axis=axis_of(reference=500.0), **ONE_CURVE)
+    found = causes_of(single)
+    assert found[REVERSAL] == pytest.approx(limits_of(single).then / UM, abs=1e-3)
+    assert 7.0 < found[REVERSAL] < 8.0
+    twice = fitted(known, curves=2)
+    assert limits_of(twice).then / UM == pytest.approx(0.0, abs=1e-3)
+
+
+def test_what_whole_quanta_leave() -> None:
+    """Quanta of 4 µm, ramps between the nodes: no more than half a quantum either way."""
+    work = fitted(both(lambda x: 30e-6 * x + 5 * UM * np.sin(x / 90.0)), quantum=4.0 * UM)
+    found = causes_of(work)
+    assert 1.0 < found[QUANTUM] <= 4.0
+
+
+def test_without_a_table_the_known_error_is_the_limit() -> None:
+    work = work_of(both(lambda x: 30e-6 * x, noise=1.0 * UM))
+    found = causes_of(work)
+    assert found[NO_TABLE] > 20.0
+    assert max(found, key=lambda cause: found[cause]) == NO_TABLE
+
+
+@pytest.mark.parametrize(
+    "limits",
+    [
+        {},
+        {"quantum": 2.0 * UM},
+        {"curves": 1, "backlash_quantum": UM, "backlash_range": (0.0, 3 * UM)},
+        {"curves": 1},
+        {"value_range": (-9.0 * UM, 9.0 * UM)},
+        {"interpolation": "step"},
+    ],
+)
+def test_the_shortfalls_are_all_that_is_not_held(limits: dict[str, Any]) -> None:
+    """Their sum is what acts less what is wanted, everywhere, in both directions."""
+    known = KnownAxis(
+        lambda x: 10e-6 * x + 5 * UM * np.sin(x / 60.0) + 2 * UM * np.sin(2 * np.pi * x / 20.0),
+        lambda x: 12e-6 * x + 5 * UM * np.cos(x / 70.0) + 2 * UM * np.sin(2 * np.pi * x / 20.0),
+        noise=8.0 * UM,  # below it a table out of range is not refused
+    )
+    work = fitted(known, axis=axis_of(screw_pitch=(20.0,)), **limits)
+    wanted, table, capacity = work.planned.wanted, work.planned.fitted, work.capacity
+    assert wanted is not None
+    assert table is not None
+    assert capacity is not None
+    where = np.linspace(0.0, 1000.0, 733)
+    parts = shortfalls(wanted, table, capacity)
+    left = [
+        table.compensation.at(where, way)
+        - np.interp(where, wanted.positions, wanted.total(way))
+        - sum(part.curve(where, way) for part in parts)
+        for way in Direction
+    ]
+    assert np.ptp(np.concatenate(left)) < 1e-12
+
+
+def said(known: KnownAxis, **words: Any) -> list[tuple[str, str]]:
+    """Codes and messages of the verdict."""
+    work = fitted(known, **words)
+    found = limits_of(work)
+    told = verdict(work.planned.axis, found, tabled=True, refused=False)
+    return [(finding.code, finding.message) for finding in told]
+
+
+def test_a_table_that_cures_the_axis_gets_no_verdict() -> None:
+    assert said(both(lambda x: 60e-6 * x, noise=1.0 * UM)) == []
+
+
+def test_where_scatter_dominates_a_table_does_not_help() -> None:
+    """1 µm of slope under a scatter of 10 µm: a mechanic, not a table."""
+    ((code, message),) = said(both(lambda x: 1e-6 * x, noise=10.0 * UM))
+    assert code == "CW-P150"
+    assert "will not help" in message
+    assert "mechanic" in message
+
+
+def test_where_a_table_helps_some_the_rest_is_told() -> None:
+    """60 µm of slope over a scatter that alone gives about as much: what each makes is said."""
+    known = both(lambda x: 60e-6 * x, noise=10.0 * UM)
+    ((code, message),) = said(known)
+    assert code == "CW-P151"
+    found = limits_of(fitted(known))
+    assert f"{1 - found.then / found.now:.0%}" in message
+    assert f"{found.least / found.now:.0%} is scatter" in message
+
+
+def test_a_reversal_that_moves_along_the_travel_is_named() -> None:
+    known = KnownAxis(lambda x: BENT * (x / 500.0 - 1.0), lambda x: -BENT * (x / 500.0 - 1.0))
+    ((code, message),) = said(known, axis=axis_of(reference=500.0), **ONE_CURVE)
+    assert code == "CW-P150"
+    assert "reversal changes along the travel" in message
+
+
+def test_directions_are_those_of_the_machine() -> None:
+    """One curve, the reversal varies: what is left has opposite signs in the two directions."""
+    known = KnownAxis(lambda x: BENT * (x / 500.0 - 1.0), lambda x: -BENT * (x / 500.0 - 1.0))
+    work = fitted(known, axis=axis_of(reference=500.0), **ONE_CURVE)
+    wanted, table, capacity = work.planned.wanted, work.planned.fitted, work.capacity
+    assert wanted is not None
+    assert table is not None
+    assert capacity is not None
+    parts = {part.cause: part.curve for part in shortfalls(wanted, table, capacity)}
+    end = np.array([1000.0])
+    # the axis is 4 µm too far at the end in +, where the one curve does nothing: the shortfall is
+    # what acts less what is wanted, 0 - (-4)
+    assert parts[REVERSAL](end, PLUS)[0] / UM == pytest.approx(4.0, abs=0.01)
+    assert parts[REVERSAL](end, MINUS)[0] / UM == pytest.approx(-4.0, abs=0.01)
