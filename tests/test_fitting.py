@@ -19,6 +19,7 @@ from compwright.fitting.periodic import without_periods
 from compwright.fitting.problem import QuadraticProblem, hat_matrix, quadrature
 from compwright.fitting.rounding import round_curve
 from compwright.fitting.solve import solve_quadratic
+from compwright.fitting.sparse import entries, identity
 from compwright.foundations.errors import CapacityError, UsageError
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity
@@ -117,8 +118,8 @@ def test_hat_matrix_by_hand() -> None:
         [0, 0, 1],
         [0, 0, 1],
     ]
-    assert hat_matrix(where, nodes, below="zero", above="hold").tolist() == expected
-    ends = hat_matrix(where, nodes, below="hold", above="zero")
+    assert hat_matrix(where, nodes, below="zero", above="hold").dense().tolist() == expected
+    ends = hat_matrix(where, nodes, below="hold", above="zero").dense()
     assert ends[0].tolist() == [1, 0, 0]
     assert ends[-1].tolist() == [0, 0, 0]
 
@@ -147,10 +148,10 @@ def random_problem(rng: np.random.Generator, n: int, c: int) -> QuadraticProblem
     root = rng.standard_normal((n, n))
     A = rng.standard_normal((c, n))
     return QuadraticProblem(
-        P=root @ root.T + 0.5 * np.eye(n),
+        P=entries(root @ root.T + 0.5 * np.eye(n)),
         q=3 * rng.standard_normal(n),
         constant=0.0,
-        A=A,
+        A=entries(A),
         lower=-rng.uniform(0.01, 0.5, c),
         upper=rng.uniform(0.01, 0.5, c),
     )
@@ -165,7 +166,7 @@ def test_random_quadratic_problems_are_optimal_against_scipy() -> None:
         solution = solve_quadratic(problem)
 
         def value(x: Array, p: QuadraticProblem = problem) -> float:
-            return float(0.5 * x @ p.P @ x + p.q @ x)
+            return float(0.5 * x @ (p.P @ x) + p.q @ x)
 
         limits = [
             {"type": "ineq", "fun": lambda x, p=problem: p.upper - p.A @ x},
@@ -195,10 +196,10 @@ def test_the_fallback_finds_the_same_optimum(monkeypatch: pytest.MonkeyPatch) ->
 def test_the_certificate_sees_every_kind_of_fault() -> None:
     # Minimise (x-3)^2/2 for x <= 1: optimum 1, multiplier 2.
     problem = QuadraticProblem(
-        P=np.eye(1),
+        P=identity(1),
         q=np.array([-3.0]),
         constant=4.5,
-        A=np.eye(1),
+        A=identity(1),
         lower=np.array([-np.inf]),
         upper=np.array([1.0]),
     )
@@ -215,7 +216,7 @@ def test_the_certificate_sees_every_kind_of_fault() -> None:
 
 def test_the_gap_is_a_bound() -> None:
     # Minimise x for x >= 2, written -x <= -2: the least value is 2, multiplier 1.
-    cost, G, h = np.array([1.0]), np.array([[-1.0]]), np.array([-2.0])
+    cost, G, h = np.array([1.0]), identity(1).times(-1.0), np.array([-2.0])
     assert range_gap(cost, G, h, np.array([1.0]), 2.0, 10.0) == 0.0
     assert range_gap(cost, G, h, np.array([1.0]), 2.5, 10.0) == pytest.approx(0.5)
     assert range_gap(cost, G, h, np.array([0.0]), 2.0, 10.0) == pytest.approx(

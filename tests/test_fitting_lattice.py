@@ -429,7 +429,7 @@ def test_any_push_gives_a_bound() -> None:
     values = np.hstack([np.zeros((steps.shape[0], 1)), np.cumsum(steps, axis=1)])
     values -= values[:, [2]]
     values = values[np.all((values >= -1.5) & (values <= 1.0), axis=1)]
-    matrix = hat_matrix(points, nodes, below="hold", above="hold")
+    matrix = hat_matrix(points, nodes, below="hold", above="hold").dense()
     for _ in range(40):
         size = 10.0 ** rng.uniform(-3, 1)
         push = Push(
@@ -744,7 +744,7 @@ def test_a_finer_spacing_is_taken_where_increments_need_it() -> None:
 def test_steps_change_in_the_middle_and_the_upper_node_has_it() -> None:
     nodes = np.array([0.0, 10.0, 30.0])
     where = np.array([-1.0, 4.999, 5.0, 19.999, 20.0, 31.0])
-    matrix = hat_matrix(where, nodes, below="hold", above="hold", interpolation="step")
+    matrix = hat_matrix(where, nodes, below="hold", above="hold", interpolation="step").dense()
     assert np.argmax(matrix, axis=1).tolist() == [0, 0, 1, 1, 2, 2]
     table = AxisCompensation(
         address="1",

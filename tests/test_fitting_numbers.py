@@ -14,6 +14,7 @@ from compwright.fitting.fit import fit_table
 from compwright.fitting.problem import QuadraticProblem, Rows
 from compwright.fitting.rounding import to_quanta
 from compwright.fitting.solve import RangeProblem, solve_range
+from compwright.fitting.sparse import entries, identity, stacked
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
@@ -83,15 +84,15 @@ def test_the_least_range_and_its_gap_by_hand(scale: float, slack: float) -> None
     up; half the slack is given to it, so that the range lies that much above the least.
     """
     limits = QuadraticProblem(
-        P=np.eye(1),
+        P=identity(1),
         q=np.array([-scale]),
         constant=0.0,
-        A=np.empty((0, 1)),
+        A=stacked([], 1),
         lower=np.empty(0),
         upper=np.empty(0),
     )
     problem = RangeProblem(
-        D=np.array([[0.0], [1.0], [2.0]]), d=np.array([0.0, scale, 0.0]), limits=limits
+        D=entries(np.array([[0.0], [1.0], [2.0]])), d=np.array([0.0, scale, 0.0]), limits=limits
     )
     x, proof = solve_range(problem, slack=slack)
     assert x == pytest.approx([0.5 * slack], abs=1e-6)

@@ -13,6 +13,7 @@ from typing import Final
 import numpy as np
 
 from compwright.fitting.problem import QuadraticProblem, quadrature
+from compwright.fitting.sparse import SparseMatrix
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
@@ -32,8 +33,8 @@ def certificate(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> dict
     limit that has only one side, likewise. ``complementarity``: the largest distance from a limit
     that pushes, where only limits in touch may push.
     """
-    stiffness = np.maximum(np.abs(np.diag(problem.P)), 1e-300)
-    gradient = problem.P @ x + problem.q + problem.A.T @ y
+    stiffness = np.maximum(np.abs(problem.P.diagonal()), 1e-300)
+    gradient = problem.P @ x + problem.q + problem.A.transposed @ y
     held = problem.A @ x
     force = _in_lengths(problem, y, stiffness)
     above, below = problem.upper - held, held - problem.lower
@@ -54,8 +55,7 @@ def _in_lengths(problem: QuadraticProblem, y: FloatArray, stiffness: FloatArray)
     """Return multipliers as the shift of the unknowns that they cause (c,): mm or deg."""
     if not y.size:
         return y
-    pull: FloatArray = np.max(np.abs(problem.A) / stiffness, axis=1) * y
-    return pull
+    return problem.A.largest_in_rows(stiffness) * y
 
 
 def _worst(values: FloatArray) -> float:
@@ -64,7 +64,7 @@ def _worst(values: FloatArray) -> float:
 
 def range_gap(
     cost: FloatArray,
-    G: FloatArray,
+    G: SparseMatrix,
     h: FloatArray,
     multipliers: FloatArray,
     reached: float,
@@ -78,7 +78,7 @@ def range_gap(
     ``multipliers`` (r,).
     """
     y = np.maximum(multipliers, 0.0)
-    left = float(np.sum(np.abs(cost + G.T @ y)))
+    left = float(np.sum(np.abs(cost + G.transposed @ y)))
     bound = -float(h @ y) - box * left
     return max(0.0, reached - bound)
 

@@ -20,7 +20,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from compwright.fitting.problem import IntArray, Rows
+from compwright.fitting.problem import Rows
+from compwright.fitting.sparse import IntArray
 from compwright.records.axis import FloatArray
 
 BoolArray = NDArray[np.bool_]

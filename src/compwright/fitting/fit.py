@@ -33,6 +33,7 @@ from compwright.fitting.problem import (
 from compwright.fitting.remarks import added, edge_findings, loss_findings, worth_saying
 from compwright.fitting.rounding import round_curve, to_quanta
 from compwright.fitting.solve import RangeProblem, solve_quadratic, solve_range
+from compwright.fitting.sparse import stacked, sum_of
 from compwright.fitting.whole import goal_finding, whole_table
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.foundations.findings import Finding
@@ -263,8 +264,10 @@ class _Fit:
         rows = [self.layout.columns(table, direction) for direction in BOTH]
         aims = [np.interp(points, where, wanted.total(direction)) for direction in BOTH]
         if goal == "M":
-            rows, aims = [0.5 * (rows[0] + rows[1])], [0.5 * (aims[0] + aims[1])]
-        problem = RangeProblem(D=np.vstack(rows), d=np.concatenate(aims), limits=self.problem())
+            rows, aims = [sum_of(rows).times(0.5)], [0.5 * (aims[0] + aims[1])]
+        problem = RangeProblem(
+            D=stacked(rows, self.layout.size), d=np.concatenate(aims), limits=self.problem()
+        )
         return _Best(*solve_range(problem, slack=0.01 * self.capacity.quantum))
 
     def rms(self, x: FloatArray) -> float:

@@ -37,7 +37,7 @@ from compwright.fitting.chain import (
     priced,
     relax,
 )
-from compwright.fitting.problem import IntArray
+from compwright.fitting.sparse import IntArray
 from compwright.fitting.windows import cheapest, closed_lanes, reachable
 from compwright.records.axis import FloatArray
 

@@ -39,7 +39,7 @@ def without_periods(
     pieces = int(np.clip(span / (2.0 * max(periods)), 1, 60))
     beneath = hat_matrix(
         where, np.linspace(where[0], where[-1], pieces + 1), below="hold", above="hold"
-    )
+    ).dense()
     middle = 0.5 * (wanted.positive + wanted.negative)
     solution = np.linalg.lstsq(np.hstack([beneath, waves]), middle, rcond=None)[0]
     periodic = waves @ solution[beneath.shape[1] :]

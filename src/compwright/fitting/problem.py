@@ -9,23 +9,26 @@ from dataclasses import dataclass
 from typing import Final, Literal
 
 import numpy as np
-from numpy.typing import NDArray
-from scipy.sparse import csr_array
 
+from compwright.fitting.sparse import (
+    IntArray,
+    SparseMatrix,
+    differences,
+    identity,
+    stacked,
+    sum_of,
+    summed,
+)
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import Beyond, Interpolation
 from compwright.records.estimate import WantedCorrection
 
 Shape = Literal["single", "bidirectional"]
-IntArray = NDArray[np.int64]
 BOTH: Final = (Direction.POSITIVE, Direction.NEGATIVE)
 #: Weight of the differences of neighbouring values against the fit: decides only nodes that no part
 #: of the travel sees.
 _TIE: Final = 1e-10
-#: From so many unknowns on the matrices are multiplied sparse; below, the dense product is quick
-#: and symmetric to the last bit.
-_MANY: Final = 800
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,16 +83,17 @@ def hat_matrix(
     below: Beyond,
     above: Beyond,
     interpolation: Interpolation = "linear",
-) -> FloatArray:
+) -> SparseMatrix:
     """Return `rows_at` as the matrix (p, k) that turns values at ``nodes`` (k,) into the control's
     value at ``positions`` (p,): hat functions (de Boor 1978, chapter III).
     """
     rows = rows_at(positions, nodes, below=below, above=above, interpolation=interpolation)
-    matrix = np.zeros((positions.size, nodes.size))
-    index = np.arange(positions.size)
-    matrix[index, rows.left] = rows.lower
-    matrix[index, rows.left + 1] = rows.upper
-    return matrix
+    return summed(
+        (positions.size, nodes.size),
+        np.tile(np.arange(positions.size), 2),
+        np.concatenate([rows.left, rows.left + 1]),
+        np.concatenate([rows.lower, rows.upper]),
+    )
 
 
 def bends(nodes: FloatArray, interpolation: Interpolation) -> FloatArray:
@@ -140,21 +144,21 @@ class Layout:
             return 2 * self.nodes.size
         return self.nodes.size + (0 if self.reversal == "none" else 1)
 
-    def columns(self, matrix: FloatArray, direction: Direction) -> FloatArray:
+    def columns(self, matrix: SparseMatrix, direction: Direction) -> SparseMatrix:
         """Return the matrix (p, size) of the correction in ``direction``, from the table's own
         ``matrix`` (p, k).
         """
-        k = self.nodes.size
-        full = np.zeros((matrix.shape[0], self.size))
+        k, shape = self.nodes.size, (matrix.shape[0], self.size)
         if self.shape == "bidirectional":
-            start = 0 if direction is self.home else k
-            full[:, start : start + k] = matrix
-            return full
-        full[:, :k] = matrix
-        if self.reversal != "none" and direction is not self.home:
-            # A second table holds the constant only where a table acts; backlash acts everywhere.
-            full[:, k] = matrix.sum(axis=1) if self.reversal == "free" else 1.0
-        return full
+            return matrix.placed(shape, column=0 if direction is self.home else k)
+        own = matrix.placed(shape)
+        if self.reversal == "none" or direction is self.home:
+            return own
+        # A second table holds the constant only where a table acts; backlash acts everywhere.
+        points = np.arange(matrix.shape[0], dtype=np.int64)
+        acts = matrix @ np.ones(k) if self.reversal == "free" else np.ones(points.size)
+        constant = SparseMatrix(shape=shape, row=points, column=np.full(points.size, k), value=acts)
+        return sum_of([own, constant])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -166,10 +170,10 @@ class QuadraticProblem:
     Rows of A with ``lower`` equal to ``upper`` are equalities: the zero state, the closed period.
     """
 
-    P: FloatArray
+    P: SparseMatrix
     q: FloatArray
     constant: float
-    A: FloatArray
+    A: SparseMatrix
     lower: FloatArray
     upper: FloatArray
 
@@ -182,7 +186,7 @@ class Sampled:
 
     points: FloatArray
     weights: FloatArray
-    matrix: FloatArray
+    matrix: SparseMatrix
     wanted: Mapping[Direction, FloatArray]
 
     def mean_square(self, layout: Layout, x: FloatArray) -> float:
@@ -249,7 +253,7 @@ def state_problem(
         P=P,
         q=q,
         constant=constant,
-        A=np.vstack([np.empty((0, layout.size)), *(rows for _, rows, _, _ in blocks)]),
+        A=stacked([rows for _, rows, _, _ in blocks], layout.size),
         lower=np.concatenate(
             [np.empty(0), *(np.full(rows.shape[0], low) for _, rows, low, _ in blocks)]
         ),
@@ -259,36 +263,25 @@ def state_problem(
     )
 
 
-def _product(one: FloatArray, other: FloatArray) -> FloatArray:
-    """Return one' other; of thousands of nodes only the two or three numbers in a row that are not
-    zero are multiplied.
-    """
-    if one.shape[1] < _MANY:
-        dense: FloatArray = one.T @ other
-        return dense
-    return np.asarray((csr_array(one).T @ csr_array(other)).toarray())
-
-
-def _objective(data: Sampled, layout: Layout) -> tuple[FloatArray, FloatArray, float]:
+def _objective(data: Sampled, layout: Layout) -> tuple[SparseMatrix, FloatArray, float]:
     k = layout.nodes.size
-    P, q, constant = np.zeros((layout.size, layout.size)), np.zeros(layout.size), 0.0
+    square = (layout.size, layout.size)
+    tie = differences(k).gram(np.full(k - 1, _TIE / k))
+    parts = [tie.placed(square)]
+    if layout.shape == "bidirectional":
+        parts.append(tie.placed(square, k, k))
+    q, constant = np.zeros(layout.size), 0.0
     for direction in BOTH:
         columns = layout.columns(data.matrix, direction)
-        weighted = columns * data.weights[:, np.newaxis]
-        P += _product(columns, weighted)
-        q -= weighted.T @ data.wanted[direction]
+        parts.append(columns.gram(data.weights))
+        q -= columns.transposed @ (data.weights * data.wanted[direction])
         constant += 0.5 * float(data.weights @ data.wanted[direction] ** 2)
-    steps = np.diff(np.eye(k), axis=0)
-    tie = _TIE / k * _product(steps, steps)
-    P[:k, :k] += tie
-    if layout.shape == "bidirectional":
-        P[k:, k:] += tie
-    return P, q, constant
+    return sum_of(parts), q, constant
 
 
 def _limits(
     layout: Layout, capacity: Capacity, reference: float
-) -> list[tuple[str, FloatArray, float, float]]:
+) -> list[tuple[str, SparseMatrix, float, float]]:
     """Return name, rows, lower and upper bound of every group of limits: ``reference`` and
     ``period`` (equalities), ``value range``, ``backlash range``.
     """
@@ -301,26 +294,30 @@ def _limits(
         interpolation=capacity.interpolation,
     )
     zero = layout.columns(at_reference, layout.home)
-    blocks = [("reference", zero[np.any(zero != 0.0, axis=1)], 0.0, 0.0)]
+    blocks = [("reference", zero.taken(np.full(1, zero.row.size > 0)), 0.0, 0.0)]
     two_curves = layout.shape == "bidirectional" or layout.reversal == "free"
-    curves = [layout.columns(np.eye(k), layout.home)]
+    curves = [layout.columns(identity(k), layout.home)]
     if two_curves:
-        curves.append(layout.columns(np.eye(k), layout.home.opposite))
+        curves.append(layout.columns(identity(k), layout.home.opposite))
     if capacity.period is not None:
         closing = curves if layout.shape == "bidirectional" else curves[:1]
-        blocks.append(
-            ("period", np.vstack([curve[:1] - curve[-1:] for curve in closing]), 0.0, 0.0)
-        )
+        closed = [_first_less_last(curve) for curve in closing]
+        blocks.append(("period", stacked(closed, layout.size), 0.0, 0.0))
     low, high = limited_range(capacity)
     if np.isfinite(low) or np.isfinite(high):
-        blocks.append(("value range", np.vstack(curves), low, high))
+        blocks.append(("value range", stacked(curves, layout.size), low, high))
     if two_curves and capacity.zero is not None:
         plus, minus = (layout.columns(at_reference, direction) for direction in BOTH)
-        blocks.append(("backlash range", plus - minus, *capacity.backlash_range))
+        blocks.append(
+            ("backlash range", sum_of([plus, minus.times(-1.0)]), *capacity.backlash_range)
+        )
     if layout.shape == "single" and layout.reversal == "backlash":
-        row = np.zeros((1, layout.size))
-        row[0, k] = (
-            layout.home.opposite.sign
-        )  # from the correction in the other direction to the backlash
+        # from the correction in the other direction to the backlash
+        row = identity(1).times(layout.home.opposite.sign).placed((1, layout.size), column=k)
         blocks.append(("backlash range", row, *capacity.backlash_range))
     return blocks
+
+
+def _first_less_last(curve: SparseMatrix) -> SparseMatrix:
+    row = np.arange(curve.shape[0])
+    return sum_of([curve.taken(row == 0), curve.taken(row == row[-1]).times(-1.0)])

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
 from compwright.fitting.chain import Chain, Limits
-from compwright.fitting.problem import IntArray
+from compwright.fitting.sparse import IntArray
 from compwright.records.axis import FloatArray
 
 

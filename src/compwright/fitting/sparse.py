@@ -1,0 +1,175 @@
+"""Matrices of which few entries are not zero, in numpy alone, so that a certificate rests on no
+solver's arithmetic; every sum is taken in the order of the entries, whatever the processor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from compwright.records.axis import FloatArray
+
+IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class SparseMatrix:
+    """``value`` (e,) at (``row``, ``column``), row by row, each place at most once; all else is
+    zero.
+    """
+
+    shape: tuple[int, int]
+    row: IntArray
+    column: IntArray
+    value: FloatArray
+
+    @property
+    def transposed(self) -> SparseMatrix:
+        """The transposed matrix."""
+        return summed(self.shape[::-1], self.column, self.row, self.value)
+
+    def __matmul__(self, x: FloatArray) -> FloatArray:
+        """Return the product (rows,) with the vector ``x`` (columns,)."""
+        product: FloatArray = np.bincount(
+            self.row, self.value * x[self.column], minlength=self.shape[0]
+        ).astype(np.float64)
+        return product
+
+    def dense(self) -> FloatArray:
+        """Return the matrix with its zeros."""
+        full = np.zeros(self.shape)
+        full[self.row, self.column] = self.value
+        return full
+
+    def diagonal(self) -> FloatArray:
+        """Return the entries (n,) at equal row and column."""
+        full = np.zeros(min(self.shape))
+        there = self.row == self.column
+        full[self.row[there]] = self.value[there]
+        return full
+
+    def upper(self) -> SparseMatrix:
+        """Return the entries on the diagonal and above it."""
+        kept = self.column >= self.row
+        return SparseMatrix(
+            shape=self.shape, row=self.row[kept], column=self.column[kept], value=self.value[kept]
+        )
+
+    def taken(self, rows: BoolArray) -> SparseMatrix:
+        """Return the rows that ``rows`` marks, in their order."""
+        new = np.cumsum(rows) - 1
+        kept = rows[self.row]
+        shape = (int(np.count_nonzero(rows)), self.shape[1])
+        return SparseMatrix(
+            shape=shape,
+            row=new[self.row[kept]],
+            column=self.column[kept],
+            value=self.value[kept],
+        )
+
+    def placed(self, shape: tuple[int, int], row: int = 0, column: int = 0) -> SparseMatrix:
+        """Return the matrix as a block of a larger one of ``shape``, from ``row`` and ``column``
+        on.
+        """
+        return SparseMatrix(
+            shape=shape, row=self.row + row, column=self.column + column, value=self.value
+        )
+
+    def times(self, factor: float) -> SparseMatrix:
+        """Return the matrix multiplied by ``factor``."""
+        return SparseMatrix(
+            shape=self.shape, row=self.row, column=self.column, value=factor * self.value
+        )
+
+    def largest_in_rows(self, divisor: FloatArray) -> FloatArray:
+        """Return the largest absolute entry of each row (rows,), each first divided by that of
+        ``divisor`` (columns,) for its column; 0 in a row of zeros.
+        """
+        largest = np.zeros(self.shape[0])
+        np.maximum.at(largest, self.row, np.abs(self.value) / divisor[self.column])
+        return largest
+
+    def gram(self, weights: FloatArray) -> SparseMatrix:
+        """Return M' diag(``weights``) M, (columns, columns): the normal equations of weighted least
+        squares (Golub and Van Loan, Matrix Computations, 4th ed. 2013, section 6.1).
+        """
+        weighted = self.value * weights[self.row]
+        rows, columns, values = [self.column], [self.column], [weighted * self.value]
+        for apart in range(1, self.row.size):
+            same = self.row[apart:] == self.row[:-apart]
+            if not np.any(same):
+                break
+            one, other = self.column[:-apart][same], self.column[apart:][same]
+            product = weighted[:-apart][same] * self.value[apart:][same]
+            rows += [one, other]
+            columns += [other, one]
+            values += [product, product]
+        size = self.shape[1]
+        return summed(
+            (size, size), np.concatenate(rows), np.concatenate(columns), np.concatenate(values)
+        )
+
+
+def summed(
+    shape: tuple[int, int], row: IntArray, column: IntArray, value: FloatArray
+) -> SparseMatrix:
+    """Return the matrix of entries in any order; what stands at one place is added up."""
+    place, back = np.unique(row * shape[1] + column, return_inverse=True)
+    total = np.bincount(back, value, minlength=place.size)
+    kept = total != 0.0
+    return SparseMatrix(
+        shape=shape,
+        row=place[kept] // shape[1],
+        column=place[kept] % shape[1],
+        value=total[kept],
+    )
+
+
+def entries(matrix: FloatArray) -> SparseMatrix:
+    """Return what is not zero in ``matrix`` (r, c)."""
+    row, column = np.nonzero(matrix)
+    return SparseMatrix(
+        shape=(matrix.shape[0], matrix.shape[1]), row=row, column=column, value=matrix[row, column]
+    )
+
+
+def identity(size: int) -> SparseMatrix:
+    """Return the matrix (size, size) that changes nothing."""
+    every = np.arange(size, dtype=np.int64)
+    return SparseMatrix(shape=(size, size), row=every, column=every, value=np.ones(size))
+
+
+def differences(size: int) -> SparseMatrix:
+    """Return the matrix (size - 1, size) of what each value lies above the one before it."""
+    lower = np.arange(size - 1, dtype=np.int64)
+    ones = np.ones(size - 1)
+    return summed(
+        (size - 1, size),
+        np.concatenate([lower, lower]),
+        np.concatenate([lower, lower + 1]),
+        np.concatenate([-ones, ones]),
+    )
+
+
+def sum_of(matrices: Sequence[SparseMatrix]) -> SparseMatrix:
+    """Return the sum of matrices of one shape."""
+    return summed(
+        matrices[0].shape,
+        np.concatenate([one.row for one in matrices]),
+        np.concatenate([one.column for one in matrices]),
+        np.concatenate([one.value for one in matrices]),
+    )
+
+
+def stacked(matrices: Sequence[SparseMatrix], columns: int) -> SparseMatrix:
+    """Return matrices of ``columns`` columns, one below the other."""
+    starts = np.cumsum([0, *(one.shape[0] for one in matrices)])
+    shape = (int(starts[-1]), columns)
+    blocks = [one.placed(shape, int(start)) for one, start in zip(matrices, starts, strict=False)]
+    empty = np.empty(0, dtype=np.int64)
+    nothing = SparseMatrix(shape=shape, row=empty, column=empty, value=np.empty(0))
+    return sum_of([nothing, *blocks])
