@@ -8,21 +8,8 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from machines import (
-    PITCHES,
-    Curve,
-    Machine,
-    bump,
-    constant,
-    dithered,
-    fine,
-    loud,
-    name_seed,
-    plain,
-    sines,
-    smooth,
-    total,
-)
+from error_curves import bump, hinge, sines, smooth, total, turning
+from machines import PITCHES, Machine, dithered, fine, loud, name_seed, plain
 from numpy.random import Generator
 
 Kind = Callable[[Generator], Machine]
@@ -64,8 +51,8 @@ def _known(rng: Generator) -> Machine:
 def _kink(rng: Generator) -> Machine:
     axis = plain(rng)
     place = axis.low + axis.length * rng.uniform(0.2, 0.8)
-    steeper = sign(rng) * rng.uniform(6, 20) / axis.length  # µm at the far end
-    return replace(axis, mean=total(axis.mean, lambda x: steeper * np.maximum(x - place, 0)))
+    steeper = sign(rng) * rng.uniform(6, 20) / axis.length
+    return replace(axis, mean=total(axis.mean, hinge(place, steeper, 13 / axis.length)))
 
 
 @kind("worn spot")
@@ -99,7 +86,7 @@ def _one(rng: Generator) -> Machine:
 @kind("few targets")
 def _few(rng: Generator) -> Machine:
     axis = plain(rng)
-    count = int(rng.integers(6, 11))
+    count = int(rng.integers(7, 12))
     return replace(axis, targets=dithered(rng, axis.low, axis.length, count))
 
 
@@ -318,25 +305,18 @@ def _long(rng: Generator) -> Machine:
 
 @kind("endless rotary axis")
 def _rotary(rng: Generator) -> Machine:
-    sizes = rng.normal(size=3) * rng.uniform(1, 8) / np.arange(1, 4)
+    waves, size = rng.normal(size=3), float(rng.uniform(1, 8))
     phases = rng.uniform(0, 2 * np.pi, 3)
     period = float(rng.choice([4.0, 5.0, 8.0, 10.0]))
     told = bool(rng.uniform() < 0.5)
-
-    def turn(x: np.ndarray) -> np.ndarray:
-        waves = [
-            a * np.sin(np.radians(k * x) + f)
-            for k, a, f in zip((1, 2, 3), sizes, phases, strict=True)
-        ]
-        return np.asarray(sum(waves, np.zeros(np.shape(x))))
-
-    worm: Curve = sines((period,), (float(rng.uniform(0.8, 3)),), rng) if told else constant(0.0)
+    turn = turning(waves * size / np.arange(1, 4), phases, size)
+    mean = total(turn, sines((period,), (rng.uniform(0.8, 3),), rng)) if told else turn
     axis = plain(rng, waves=False)
     return replace(
         axis,
         low=0.0,
         high=360.0,
-        mean=total(turn, worm),
+        mean=mean,
         targets=dithered(rng, 0, 360, int(rng.integers(16, 37))),
         rotary=True,
         turn=360.0,

@@ -8,11 +8,12 @@ direction: +1, -1. Readings of a test have the shape (2, m, n): +, then -; NaN w
 from __future__ import annotations
 
 import zlib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from error_curves import Curve, constant, sines, smooth, total
 from numpy.random import Generator
 from numpy.typing import NDArray
 
@@ -66,8 +67,8 @@ class Machine:
 
     low: float
     high: float
-    mean: Callable[[Floats], Floats]
-    reversal: Callable[[Floats], Floats]
+    mean: Curve
+    reversal: Curve
     noise: Noise
     targets: Floats
     runs: int = 5
@@ -102,24 +103,35 @@ class Machine:
         return float(self.noise.temperature * rng.standard_normal())
 
     def measure(self, x: Floats, rng: Generator, warm: float = 0.0) -> Floats:
-        """Readings (2, m, n) of a test at ``x``, before the instrument's resolution; the standard
-        cycle: up through all targets, down, and again. ``warm``: see ``temperature``.
+        """Readings (2, m, n) of a test at ``x``, before the instrument's resolution."""
+        return self.error(x)[:, :, None] + self.scatter(x, rng, warm)
+
+    def times(self, m: int) -> Floats:
+        """When each of the readings (2, m, n) is made, 0 to 1, in the standard cycle: up through
+        all targets, down, and again.
         """
-        noise, m, n = self.noise, x.size, self.runs
         order = np.stack([np.arange(m), m + np.arange(m)[::-1]])[:, :, None]
-        time = (order + 2 * m * np.arange(n)) / (2 * m * n - 1)
-        u = ((x - self.low) / self.length)[None, :, None]
-        scale = noise.sigma * (1 + noise.growth * u) * np.array([1, noise.negative])[:, None, None]
-        shape = (2, m, n)
+        return np.asarray((order + 2 * m * np.arange(self.runs)) / (2 * m * self.runs - 1))
+
+    def scales(self, u: Floats) -> Floats:
+        """Size of white noise (2, m, 1) at ``u`` (m,), 0 to 1 along the travel."""
+        factor = np.array([1, self.noise.negative])[:, None, None]
+        return np.asarray(self.noise.sigma * (1 + self.noise.growth * u[:, None]) * factor)
+
+    def scatter(self, x: Floats, rng: Generator, warm: float = 0.0) -> Floats:
+        """All that readings (2, m, n) show beside the error. ``warm``: see ``temperature``."""
+        noise = self.noise
+        u = (x - self.low) / self.length
+        shape = (2, x.size, self.runs)
         if noise.student:
             random = rng.standard_t(noise.student, shape)
         else:
             random = rng.standard_normal(shape)
         hit = rng.uniform(size=shape) < noise.outlier_share
         random = random + hit * noise.outlier_size * rng.choice([-1.0, 1.0], shape)
-        beside = self._traverses(u, rng) + self._in_time(u, time, rng) + warm * u
+        beside = self._traverses(u[:, None], rng) + self._in_time(u, rng) + warm * u[:, None]
         datum = 20 * rng.standard_normal()
-        return np.asarray(self.error(x)[:, :, None] + scale * random + beside + datum)
+        return np.asarray(self.scales(u) * random + beside + datum)
 
     def _traverses(self, u: Floats, rng: Generator) -> Floats:
         noise, n = self.noise, self.runs
@@ -129,70 +141,21 @@ class Machine:
         tilt = noise.tilt * rng.standard_normal((2, n))
         return np.asarray(shift[:, None, :] + tilt[:, None, :] * (u - 0.5))
 
-    def _in_time(self, u: Floats, time: Floats, rng: Generator) -> Floats:
-        noise = self.noise
-        drift, expansion = noise.drift, noise.expansion
-        if noise.redrawn:
-            drift, expansion = np.array([drift, expansion]) * rng.standard_normal(2)
+    def _in_time(self, u: Floats, rng: Generator) -> Floats:
+        factors = rng.standard_normal(2) if self.noise.redrawn else np.ones(2)
+        return self.in_time(u, self.noise.drift * factors[0], self.noise.expansion * factors[1])
+
+    def in_time(self, u: Floats, drift: float, expansion: float) -> Floats:
+        """What drift, expansion and warming up add to readings (2, m, n) at ``u`` (m,)."""
+        noise, time, along = self.noise, self.times(u.size), u[:, None]
         warm = noise.warmup * (1 - np.exp(-time / noise.warmup_time))
-        warm = warm * (1 - noise.warmup_slope + noise.warmup_slope * u)
-        return np.asarray((drift + expansion * u) * time + warm)
+        warm = warm * (1 - noise.warmup_slope + noise.warmup_slope * along)
+        return np.asarray((drift + expansion * along) * time + warm)
 
     def seen(self, readings: Floats) -> Floats:
         """Return them as the instrument shows them: in whole steps of its resolution."""
         step = self.noise.resolution
         return np.round(readings / step) * step if step else readings
-
-
-Curve = Callable[[Floats], Floats]
-
-
-def smooth(rng: Generator, low: float, length: float, size: float) -> Curve:
-    """A slope and four waves over the travel, ``size`` µm from lowest to highest or so."""
-    waves = rng.normal(size=4) / np.arange(1, 5) ** 1.3
-    phases = rng.uniform(0, 2 * np.pi, 4)
-    stretch = rng.uniform(0.35, 0.8)
-    slope = rng.normal(0, 0.5)
-
-    def curve(x: Floats) -> Floats:
-        u = (np.asarray(x, dtype=float) - low) / length
-        k = np.arange(1, 5)[:, None]
-        sines = np.sin(2 * np.pi * k * stretch * u.ravel() + phases[:, None])
-        return np.asarray(size / 2 * (waves @ sines + slope * u.ravel()).reshape(u.shape))
-
-    return curve
-
-
-def sines(periods: tuple[float, ...], amplitudes: tuple[float, ...], rng: Generator) -> Curve:
-    """Periodic errors, each with its phase and a second harmonic of up to 0.4 of it."""
-    parts = [
-        (period / k, amplitude * share, rng.uniform(0, 2 * np.pi))
-        for period, amplitude in zip(periods, amplitudes, strict=True)
-        for k, share in ((1, 1.0), (2, rng.uniform(0, 0.4)))
-    ]
-
-    def curve(x: Floats) -> Floats:
-        x = np.asarray(x, dtype=float)
-        return np.asarray(
-            sum((a * np.sin(2 * np.pi * x / p + f) for p, a, f in parts), np.zeros_like(x))
-        )
-
-    return curve
-
-
-def total(*curves: Curve) -> Curve:
-    """Return the sum of curves."""
-    return lambda x: np.asarray(sum((curve(x) for curve in curves), np.zeros(np.shape(x))))
-
-
-def constant(value: float) -> Curve:
-    """Return a curve that is the same everywhere."""
-    return lambda x: np.full(np.shape(x), value)
-
-
-def bump(place: float, width: float, height: float) -> Curve:
-    """Return a local excess."""
-    return lambda x: np.asarray(height * np.exp(-0.5 * ((np.asarray(x) - place) / width) ** 2))
 
 
 def dithered(rng: Generator, low: float, length: float, count: int) -> Floats:
@@ -205,8 +168,8 @@ def fine(periods: tuple[float, ...], length: float) -> float:
     """A spacing of the table that holds the shortest period, at least travel / 1000."""
     wanted = min([*(p / 5 for p in periods), length / 50])
     usual = np.array([0.5, 1, 2, 2.5, 5, 10, 20, 50])
-    good = usual[(usual <= wanted) & (usual >= length / 1000)]
-    return float(good.max() if good.size else usual[usual >= length / 1000].min())
+    usual = usual[(usual >= length / 1000) & (length % usual == 0)]
+    return float(max(usual[usual <= wanted], default=usual.min()))
 
 
 def plain(rng: Generator, *, waves: bool = True) -> Machine:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from informed import Informed
 from machines import Machine
 from numpy.typing import NDArray
 from scipy.interpolate import make_smoothing_spline
@@ -38,11 +39,10 @@ def parameters(readings: Floats, signs: tuple[int, ...]) -> dict[str, float]:
     those of the one direction where only one was run.
     """
     used = readings[[0 if sign > 0 else 1 for sign in signs]]
-    count = np.sum(np.isfinite(used), axis=2)
-    mean = np.nanmean(used, axis=2)
+    mean = used.mean(axis=2)
     values = {"E": float(mean.max() - mean.min())}
-    if count.min() > 1:
-        s = np.nanstd(used, axis=2, ddof=1)
+    if used.shape[2] > 1:
+        s = used.std(axis=2, ddof=1)
         values["A"] = float((mean + 2 * s).max() - (mean - 2 * s).min())
         values["R"] = float((4 * s).max())
     if len(signs) == 2:
@@ -55,7 +55,7 @@ def parameters(readings: Floats, signs: tuple[int, ...]) -> dict[str, float]:
 
 
 def rivals(
-    machine: Machine, x: Floats, readings: Floats, nodes: Floats, warm: float = 0.0
+    machine: Machine, readings: Floats, nodes: Floats, warm: float, known: Informed
 ) -> dict[str, Table]:
     """Return the tables of the others, by name.
 
@@ -63,8 +63,10 @@ def rivals(
     test (``warm``: what its temperature added over the travel), without drift; ``oracle, one
     table``: one curve and a constant reversal. ``interpolation``: of the means; ``spline``:
     smoothing spline by generalised cross-validation; ``minimax``: the least A of the test itself
-    (linear program), on as many nodes as there are targets.
+    (linear program), on as many nodes as there are targets; ``informed``: see that module, as many
+    curves as the job asks for.
     """
+    x = machine.targets
     complete = _both(readings, machine.signs)
     mean = np.nanmean(complete, axis=2)
     spread = np.nanstd(complete, axis=2, ddof=1) if machine.runs > 1 else np.zeros_like(mean)
@@ -72,12 +74,15 @@ def rivals(
     dense = np.linspace(machine.low, machine.high, max(2001, 5 * nodes.size))
     slope = warm * (dense - machine.low) / machine.length
     truth = _both(machine.error(dense), machine.signs) + slope
-    middle, half = truth.mean(axis=0), (truth[0] - truth[1]).mean() / 2
+    best = _both(known.error(dense), machine.signs)
     turn = machine.turn
     return {
         "oracle": Table(nodes, -_squares(nodes, dense, truth, turn), turn),
-        "oracle, one table": Table(
-            nodes, -_squares(nodes, dense, np.stack([middle + half, middle - half]), turn), turn
+        "oracle, one table": Table(nodes, -_squares(nodes, dense, _flat(truth), turn), turn),
+        "informed": Table(
+            nodes,
+            -_squares(nodes, dense, _flat(best) if machine.mode == "single" else best, turn),
+            turn,
         ),
         "interpolation": Table(x, -mean, turn),
         "spline": Table(nodes, -np.stack([_spline(x, one, nodes) for one in mean]), turn),
@@ -88,6 +93,12 @@ def rivals(
 def _both(values: Floats, signs: tuple[int, ...]) -> Floats:
     """Where one direction was not run, the other one stands for it."""
     return values if len(signs) == 2 else np.repeat(values[[0 if signs[0] > 0 else 1]], 2, axis=0)
+
+
+def _flat(curves: Floats) -> Floats:
+    """One curve and the mean reversal."""
+    middle, half = curves.mean(axis=0), (curves[0] - curves[1]).mean() / 2
+    return np.stack([middle + half, middle - half])
 
 
 def _hats(nodes: Floats, x: Floats, turn: float | None) -> Floats:

@@ -1,15 +1,15 @@
 """How good are the tables, and how honest the predictions? Several hundred virtual axes by kind.
 
-    python benchmarks/table_quality.py [N] [--kind K]... [--repeats R] [--results FILE] [--jobs J]
+    python benchmarks/table_quality.py [N] [--kind K]... [--results FILE] [--jobs J]
 
 For each axis: a test, ``run``, then fresh tests with the table that ``run`` wrote, at the same
 targets and at targets dithered anew. Asked: does a parameter lie within p05 to p95; how large is A
 beside that of the table that knows the truth, on the same nodes and for the same fresh readings;
 what would other tables have done; was the period found.
 
-Width: that of the band of A beside the spread of A over repetitions of the whole experiment on the
-same axis (first test, run, fresh test), 5 to 95 %: what A really does on this axis in the hands of
-this tool. Nobody's band can be narrower on average and hold 90 %. Only with ``--repeats``.
+Width: mean width of the bands (of A alone) over that of a judge who knows kind and size of the
+noise and the family of the error curve, and has seen the same readings (``informed.py``); how often
+the judge's own bands hold is printed with ``--details``, and its table stands beside the others.
 
 ``--results`` keeps every axis in a file of JSON lines and does not repeat what stands there.
 Prints and judges nothing.
@@ -31,6 +31,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from informed import Informed, inform
 from machine_kinds import KINDS, machine_of
 from machines import Machine, name_seed
 from numpy.typing import NDArray
@@ -40,9 +41,9 @@ Floats = NDArray[np.float64]
 Record = dict[str, Any]
 
 FRESH = 8  # tests after loading, at the same targets and at new ones
-REPEATED = 4  # axes of a kind whose whole experiment is repeated
+DRAWS = 160  # of the judge who knows the noise
 PARAMETERS = ("A", "E", "R", "B", "M")
-RIVALS = ("interpolation", "spline", "minimax")
+RIVALS = ("informed", "interpolation", "spline", "minimax")
 
 
 def job_of(machine: Machine) -> str:
@@ -114,13 +115,13 @@ def run_tool(machine: Machine, readings: Floats, folder: Path) -> tuple[Record, 
     return document["axes"]["X"], seconds
 
 
-def experiment(kind: str, number: int, repeat: int) -> Record:
-    """Measure, run, measure again; ``repeat`` counts repetitions on the same axis."""
+def experiment(kind: str, number: int) -> Record:
+    """Measure, run, measure again."""
     machine = machine_of(kind, number)
-    rng = name_seed(kind, number, 1, repeat)
+    rng = name_seed(kind, number, 1)
     warm = machine.temperature(rng)
     readings = measured(machine, rng, warm)
-    record: Record = {"kind": kind, "number": number, "repeat": repeat}
+    record: Record = {"kind": kind, "number": number}
     with tempfile.TemporaryDirectory() as name:
         try:
             axis, record["seconds"] = run_tool(machine, readings, Path(name))
@@ -132,9 +133,10 @@ def experiment(kind: str, number: int, repeat: int) -> Record:
     ours = np.zeros((2, nodes.size))
     if table:
         ours = np.array([table["correction_positive"], table["correction_negative"]])
-    tables = rivals(machine, machine.targets, readings, grid, warm)
+    known = inform(machine, readings)
+    tables = rivals(machine, readings, grid, warm, known)
     tables["ours"] = Table(nodes, ours, machine.turn)
-    fresh = _fresh(machine, tables, name_seed(kind, number, 2, repeat))
+    fresh = _fresh(machine, tables, name_seed(kind, number, 2))
     return {
         **record,
         **fresh,
@@ -143,6 +145,7 @@ def experiment(kind: str, number: int, repeat: int) -> Record:
             where: _bands(axis[key], machine.signs)
             for where, key in (("same", "predicted"), ("new", "predicted_new_targets"))
         },
+        "informed": _informed_bands(known, tables["ours"], name_seed(kind, number, 3)),
         "periods": axis.get("periods", []),
         "codes": sorted(entry["code"] for entry in axis.get("findings", [])),
         "truth": list(machine.periods),
@@ -181,6 +184,25 @@ def _fresh(machine: Machine, tables: Mapping[str, Table], rng: np.random.Generat
     return {"fresh": ours, "merit": merit}
 
 
+def _informed_bands(known: Informed, table: Table, rng: np.random.Generator) -> Record:
+    """Return [p05, median, p95] by parameter of who knows the noise, with our table loaded."""
+    machine = known.machine
+    bands: Record = {}
+    for where in ("same", "new"):
+        values = defaultdict(list)
+        for _ in range(DRAWS):
+            x = machine.targets if where == "same" else machine.new_targets(rng)
+            mean = known.error(x, rng) + table.at(x)
+            raw = mean[:, :, None] + machine.scatter(x, rng, machine.temperature(rng))
+            for name, value in parameters(machine.seen(raw), machine.signs).items():
+                values[name].append(value)
+        bands[where] = {
+            name: [round(float(q), 4) for q in np.quantile(some, [0.05, 0.5, 0.95])]
+            for name, some in values.items()
+        }
+    return bands
+
+
 # ---- what came out
 
 
@@ -201,12 +223,14 @@ def found(record: Record) -> tuple[list[bool], int]:
     return right, sum(not any(near(value, one) for one in related) for value in named)
 
 
-def coverage(records: Sequence[Record], where: str, names: Sequence[str]) -> float:
+def coverage(
+    records: Sequence[Record], where: str, names: Sequence[str], whose: str = "bands"
+) -> float:
     """Return how often a fresh parameter lies in its band, in %."""
     held: list[float] = []
     for one in records:
         for name in names:
-            band, values = one["bands"][where].get(name), one["fresh"][where].get(name)
+            band, values = one[whose][where].get(name), one["fresh"][where].get(name)
             if band and values:
                 held.append(float(np.mean([band[0] <= value <= band[2] for value in values])))
     return 100 * float(np.mean(held)) if held else float("nan")
@@ -223,48 +247,42 @@ def beyond(records: Sequence[Record], where: str, name: str) -> tuple[float, flo
     return (100 * float(np.mean(low)), 100 * float(np.mean(high))) if low else (np.nan, np.nan)
 
 
-def against(records: Sequence[Record], name: str, oracle: str = "oracle") -> float:
-    """Return the mean ratio of A at new targets to that of the oracle."""
-    ratios = [one["merit"]["new"][name] / one["merit"]["new"][oracle] for one in records]
+def against(records: Sequence[Record], name: str) -> float:
+    """Return the mean ratio of A at new targets to that of the oracle of as many tables."""
+    ratios = []
+    for one in records:
+        oracle = "oracle, one table" if one["kind"].endswith("one table") else "oracle"
+        ratios.append(one["merit"]["new"][name] / one["merit"]["new"][oracle])
     return float(np.mean(ratios)) if ratios else float("nan")
 
 
-def width(records: Sequence[Record], names: Sequence[str] = ("A",)) -> float:
-    """Return the mean width of our bands over the spread of the parameter over repetitions."""
-    axes = defaultdict(list)
-    for one in records:
-        axes[one["number"]].append(one)
+def width(records: Sequence[Record], names: Sequence[str]) -> float:
+    """Return the mean width of our bands over that of who knows the noise."""
     ratios = []
-    for repeats in axes.values():
-        if len(repeats) < 8:
-            continue
+    for one in records:
         for where in ("same", "new"):
             for name in names:
-                bands = [one["bands"][where].get(name) for one in repeats]
-                values = [value for one in repeats for value in one["fresh"][where].get(name, [])]
-                if all(bands) and values:
-                    low, high = np.quantile(values, [0.05, 0.95])
-                    ratios.append(np.mean([band[2] - band[0] for band in bands]) / (high - low))
+                band, other = one["bands"][where].get(name), one["informed"][where].get(name)
+                if band and other:
+                    ratios.append((band[2] - band[0]) / (other[2] - other[0]))
     return float(np.mean(ratios)) if ratios else float("nan")
 
 
 HEAD = (
-    "| kind | n | same: all | same: A | new: all | new: A | width | ours | interpolation | spline"
-    " | minimax | period | false | s |"
+    "| kind | n | same: all | A | new: all | A | width: all | A | ours | informed | interpolation"
+    " | spline | minimax | period | false | s |"
 )
 
 
 def row(name: str, records: Sequence[Record]) -> str:
     """Return the line of a kind; coverage in %, A as ratio to the oracle's."""
     failed = sum("failed" in one for one in records)
-    everything = [one for one in records if "failed" not in one]
-    first = [one for one in everything if one["repeat"] == 0]
+    first = [one for one in records if "failed" not in one]
     cells = [name, f"{len(first)}" + (f" ({failed} failed)" if failed else "")]
     for where in ("same", "new"):
         cells += [f"{coverage(first, where, names):.0f}" for names in (PARAMETERS, ["A"])]
-    cells.append(f"{width(everything):.2f}")
-    oracle = "oracle, one table" if name.endswith("one table") else "oracle"
-    cells += [f"{against(first, table, oracle):.2f}" for table in ("ours", *RIVALS)]
+    cells += [f"{width(first, names):.2f}" for names in (PARAMETERS, ["A"])]
+    cells += [f"{against(first, table):.2f}" for table in ("ours", *RIVALS)]
     searched = [found(one) for one in first if one["truth"] and not one["told"]]
     right = [hit for hits, _ in searched for hit in hits]
     cells.append(f"{100 * np.mean(right):.0f}" if right else "")
@@ -286,7 +304,7 @@ def show(records: Sequence[Record], kinds: Sequence[str], *, details: bool) -> N
     print(row("all", used))
     if details:
         for kind, some in by_kind.items():
-            good = [one for one in some if "failed" not in one and one["repeat"] == 0]
+            good = [one for one in some if "failed" not in one]
             for where in ("same", "new") if good else ():
                 parts = [
                     f"{name} {low:.0f}/{high:.0f}"
@@ -295,23 +313,15 @@ def show(records: Sequence[Record], kinds: Sequence[str], *, details: bool) -> N
                     if np.isfinite(low)
                 ]
                 print(f"{kind}, {where}: below/above the band in %: {', '.join(parts)}")
+            if good:
+                judge = [coverage(good, w, PARAMETERS, "informed") for w in ("same", "new")]
+                print(f"{kind}: the judge's bands hold {judge[0]:.0f} and {judge[1]:.0f} %")
     for one in used:
         if "failed" in one:
-            print(f"failed: {one['kind']} {one['number']} {one['repeat']}: {one['failed'][:200]}")
+            print(f"failed: {one['kind']} {one['number']}: {one['failed'][:200]}")
 
 
 # ---- the work
-
-
-def wanted(kinds: Sequence[str], count: int, repeats: int) -> Iterator[tuple[str, int, int]]:
-    """Yield what has to be there: all kinds alike from the first axis on."""
-    for number in range(count):
-        for kind in kinds:
-            yield kind, number, 0
-    for repeat in range(1, repeats):
-        for number in range(min(REPEATED, count)):
-            for kind in kinds:
-                yield kind, number, repeat
 
 
 def main() -> None:
@@ -319,7 +329,6 @@ def main() -> None:
     reader = argparse.ArgumentParser(description="Tables and predictions on virtual axes by kind.")
     reader.add_argument("count", nargs="?", type=int, default=20, help="axes per kind")
     reader.add_argument("--kind", action="append", help="only kinds with this in their names")
-    reader.add_argument("--repeats", type=int, default=0, help=f"of {REPEATED} axes per kind")
     reader.add_argument("--results", type=Path, help="JSON lines, read and added to")
     reader.add_argument("--jobs", type=int, default=1, help="processes")
     reader.add_argument("--seconds", type=float, default=float("inf"), help="stop after these")
@@ -330,8 +339,9 @@ def main() -> None:
     if words.results and words.results.exists():
         lines = words.results.read_text(encoding="utf-8").splitlines()
         records = [json.loads(line) for line in lines]
-    done = {(one["kind"], one["number"], one["repeat"]) for one in records}
-    todo = [task for task in wanted(kinds, words.count, words.repeats) if task not in done]
+    done = {(one["kind"], one["number"]) for one in records}
+    tasks = [(kind, number) for number in range(words.count) for kind in kinds]
+    todo = [task for task in tasks if task not in done]
     end = time.monotonic() + words.seconds
     sys.modules["matplotlib"] = None  # type: ignore[assignment] # no report: nobody reads it here
     for record in _worked(todo, words.jobs, end):
@@ -342,7 +352,7 @@ def main() -> None:
     show(records, kinds, details=words.details)
 
 
-def _worked(todo: Sequence[tuple[str, int, int]], jobs: int, end: float) -> Iterator[Record]:
+def _worked(todo: Sequence[tuple[str, int]], jobs: int, end: float) -> Iterator[Record]:
     if jobs == 1:
         for task in todo:
             if time.monotonic() > end:

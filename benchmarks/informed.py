@@ -1,0 +1,102 @@
+"""Who knows the kind and the size of the noise, and the family of the error curve: the posterior of
+the curve from the same readings, its table, and the narrowest honest bands.
+
+Least squares with known variances (Gelman et al. 2013, Bayesian Data Analysis, chapter 14):
+readings = shapes · weights + what traverses, drift and temperature add + noise. Tails and outliers
+by reweighting (Lange, Little and Taylor 1989: Robust statistical modeling using the t
+distribution).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from machines import Machine
+from numpy.random import Generator
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Informed:
+    """Posterior of the weights of ``machine``'s curves: ``mean`` (k,), ``root`` (k, k) of the
+    covariance.
+    """
+
+    machine: Machine
+    mean: Floats
+    root: Floats
+
+    def error(self, x: Floats, rng: Generator | None = None) -> Floats:
+        """Error (2, m) at ``x``: the mean, or a draw."""
+        weights = self.mean
+        if rng is not None:
+            weights = weights + self.root @ rng.standard_normal(weights.size)
+        up, less = _shapes(self.machine, x)
+        k = up.shape[0]
+        mean = weights[:k] @ up
+        return np.stack([mean, mean - weights[k:] @ less])
+
+
+def inform(machine: Machine, readings: Floats) -> Informed:
+    """Return the posterior from the readings (2, m, n) of the first test, NaN where none is."""
+    x, noise = machine.targets, machine.noise
+    u = (x - machine.low) / machine.length
+    known = machine.in_time(u, *((0, 0) if noise.redrawn else (noise.drift, noise.expansion)))
+    made = np.isfinite(readings)
+    y = (readings - known)[made]
+    y = y - y.mean()
+    rows, sizes = _columns(machine, x, u)
+    rows = rows[:, made].T
+    scale = np.broadcast_to(machine.scales(u), made.shape)[made]
+    step = noise.resolution**2 / 12
+    weights = np.ones(y.size)
+    for _ in range(12 if noise.student or noise.outlier_share else 1):
+        precision = weights / (scale**2 + step)
+        covariance = np.linalg.inv(rows.T @ (precision[:, None] * rows) + np.diag(sizes**-2.0))
+        mean = covariance @ (rows.T @ (precision * y))
+        left = ((y - rows @ mean) / scale) ** 2
+        left += np.einsum("ij,jk,ik->i", rows, covariance, rows) / scale**2
+        if noise.student:
+            weights = (noise.student + 1) / (noise.student + left)
+            weights *= (noise.student + 1) / (noise.student + 3)  # its information on the place
+        elif noise.outlier_share:
+            far = noise.outlier_share / 2 * np.exp(-0.5 * (np.sqrt(left) - noise.outlier_size) ** 2)
+            near = (1 - noise.outlier_share) * np.exp(-0.5 * left)
+            weights = near / (near + far)
+    k = machine.mean.weights.size + machine.reversal.weights.size
+    return Informed(machine, mean[:k], np.linalg.cholesky(covariance[:k, :k]))
+
+
+def _shapes(machine: Machine, x: Floats) -> tuple[Floats, Floats]:
+    return machine.mean.shapes(x), machine.reversal.shapes(x)
+
+
+def _columns(machine: Machine, x: Floats, u: Floats) -> tuple[Floats, Floats]:
+    """Return the columns (k + q, 2, m, n) of all that is unknown, and its standard deviations."""
+    noise, n, shape = machine.noise, machine.runs, (2, x.size, machine.runs)
+    up, less = _shapes(machine, x)
+    columns: list[Floats] = [np.broadcast_to(one[None, :, None], shape) for one in up]
+    direction = np.array([0.0, -1.0])[:, None, None]
+    columns += [np.broadcast_to(direction * one[None, :, None], shape) for one in less]
+    sizes = [*machine.mean.sizes, *machine.reversal.sizes]
+
+    def add(size: float, column: Floats) -> None:
+        if size:
+            columns.append(np.broadcast_to(column, shape))
+            sizes.append(size)
+
+    order = np.arange(2)[:, None, None] + 2 * np.arange(n)
+    add(20.0, np.ones(shape))
+    for traverse in range(2 * n):
+        this = (order == traverse).astype(float)
+        add(noise.shift, this)
+        add(noise.tilt, this * (u[:, None] - 0.5))
+        add(noise.walk, (order >= traverse).astype(float))
+    add(noise.temperature, u[:, None])
+    if noise.redrawn:
+        add(noise.drift, machine.times(x.size))
+        add(noise.expansion, machine.times(x.size) * u[:, None])
+    return np.stack(columns), np.array(sizes)
