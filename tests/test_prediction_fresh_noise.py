@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ COUNT = 4000
 
 def noise_of_size(sigma: float, **changes: object) -> NoiseDraws:
     quiet = normal_noise(np.full(COUNT, sigma), centre=200.0, half=200.0)
-    arrays = {
+    arrays: dict[str, Any] = {
         name: np.full(COUNT, value, dtype=getattr(quiet, name).dtype)
         for name, value in changes.items()
     }

@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 
 from compwright.records.axis import FloatArray
-from compwright.records.noise import RUNS, WALK, NoiseDraws, progress, traverse_order
+from compwright.records.noise import RUNS, WALK, NoiseDraws, progress, slackening, traverse_order
 
 _PLUS, _MINUS = range(2)
 #: Below this many degrees of freedom Student's law has readings without measure.
@@ -31,9 +31,11 @@ def fresh_noise(
     offsets = _traverse_effects(draws, draws.offset, positive, negative, rng)
     tilts = _traverse_effects(draws, draws.tilt, positive, negative, rng)
     scale = draws.scale_at(targets)
+    both = positive > 0 and negative > 0
+    slack = slackening(max(positive, negative), draws.drift_rate, u, returns=both)
     blocks = []
     for way, runs in ((_PLUS, positive), (_MINUS, negative)):
-        drifted = _drift(draws, u, runs)
+        drifted = slack[way][:, :, np.newaxis] * _drift(draws, u, runs)
         whole = offsets[way][:, np.newaxis] + u[:, np.newaxis] * tilts[way][:, np.newaxis]
         errors = _errors(draws, (draws.count, targets.size, runs), rng)
         blocks.append(drifted + whole + scale[:, way, :, np.newaxis] * errors)

@@ -29,7 +29,7 @@ class NoiseDraws:
     A reading at x in run j and direction d, with u = (x - ``centre``) / ``half``, differs from the
     error of the axis by
 
-        offset_jd + tilt_jd u + (drift + drift_tilt u) (p_j - mean p) + s(u) e
+        offset_jd + tilt_jd u + (drift + drift_tilt u) (p_j - mean p) q_d(u) + s(u) e
 
     ``sigma`` (count, 2), for approaches in + and -: s(u) = sigma exp(growth u + bulge (u² - 1/3)).
     e is standard normal, or follows Student's law with ``dof`` degrees of freedom (inf: normal); of
@@ -38,8 +38,8 @@ class NoiseDraws:
     ``offset`` and ``tilt``: standard deviations of offset_jd and tilt_jd, drawn afresh for every
     test, by ``pattern`` (`INDEPENDENT`, `RUNS`, `WALK`: then those of one step).
     ``drift``, ``drift_tilt``: what a test of this protocol shows again, from the first run to the
-    last, on the way p that `progress` gives for ``drift_rate``. What drifts within a run is the
-    same in every run and part of the error curve.
+    last, on the way p that `progress` gives for ``drift_rate``, with q from `slackening`. What
+    drifts within a run is the same in every run and part of the error curve.
     """
 
     centre: float
@@ -138,7 +138,8 @@ def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray
 
 
 def progress(runs: int, rate: FloatArray) -> FloatArray:
-    """Return how far a drift has come at each run, (..., runs) from 0 to 1, for ``rate`` (...).
+    """Return how far a drift has come when each run begins, (..., runs) from 0 to 1, for ``rate``
+    (...).
 
     p_j = (1 - exp(-rate j / (runs - 1))) / (1 - exp(-rate)); ``rate`` 0: j / (runs - 1), even
     progress; above 0: a first-order approach to a steady state, as a body warms up (Newton's law of
@@ -148,3 +149,18 @@ def progress(runs: int, rate: FloatArray) -> FloatArray:
     steep = np.maximum(rate, 1e-9)[..., np.newaxis]
     curve: FloatArray = np.expm1(-steep * way) / np.expm1(-steep)
     return curve
+
+
+def slackening(
+    runs: int, rate: FloatArray, u: FloatArray, *, returns: bool
+) -> tuple[FloatArray, FloatArray]:
+    """Return by how much less a drift of ``rate`` (count,) moves a reading at ``u`` (k,), -1 to 1,
+    between one run and the next than it moves the first reading of a run: (count, k) in + and in -.
+
+    A run goes up through the targets and, where it ``returns`` (both directions are measured),
+    down again in the second half of its time: exp(-rate t), t in parts of the test.
+    """
+    per_run = rate[:, np.newaxis] / max(runs - 1, 1)
+    up = 0.5 * (u + 1.0) * (0.5 if returns else 1.0)
+    down = 0.5 * (1.0 - u) * (0.5 if returns else 1.0) + (0.5 if returns else 0.0)
+    return np.exp(-per_run * up), np.exp(-per_run * down)

@@ -1,0 +1,137 @@
+"""Readings of a test as the noise sees them: about the means of their cells, reduced to what they
+say of the traverses.
+
+A cell is a target approached in one direction. Its mean carries the error of the axis and is left
+free (flat prior), so that nothing here depends on the error curve; what remains are the contrasts
+between the readings of a cell (Harville, "Bayesian inference for variance components using only
+error contrasts", Biometrika 61, 1974). Offset and tilt of every traverse act on them linearly.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from compwright.records.axis import FloatArray
+from compwright.records.positioning import PositioningTest
+
+#: Directions of the traverses that the readings say nothing of: eigenvalues below this share of
+#: the largest are rounding.
+_RANK: float = 1e-9
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Readings:
+    """``values`` (c, n), mm or deg: cells all + then all - (c = 2 m), one column per run; 0 where
+    ``there`` (c, n) is False. ``u`` (c,): position from -1 to 1 over the targets.
+    """
+
+    values: FloatArray
+    there: NDArray[np.bool_]
+    u: FloatArray
+    centre: float
+    half: float
+
+    @property
+    def runs(self) -> int:
+        """Number of runs."""
+        return int(self.values.shape[1])
+
+    @property
+    def dof(self) -> int:
+        """Readings beyond the first of each cell (JCGM 100:2008, 4.2.4)."""
+        return int(np.sum(self.there) - np.count_nonzero(np.any(self.there, axis=1)))
+
+    @property
+    def powers(self) -> FloatArray:
+        """Shape over the travel (2, c) of offset and tilt of a traverse: 1 and u."""
+        return np.stack([np.ones_like(self.u), self.u])
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reduced:
+    """What weighted contrasts say of the effects (k,) of the traverses, per unit of variance.
+
+    ``root`` (k, r), root @ root.T the information; ``scores`` (r,) = root.T @ effects + unit noise;
+    ``rest``: sum of squares that no effect explains; ``means``, ``weights`` (c,): weighted mean
+    and total weight of each cell; ``shares`` (c, k): by how much each effect moves that mean.
+    """
+
+    root: FloatArray
+    scores: FloatArray
+    rest: float
+    means: FloatArray
+    weights: FloatArray
+    shares: FloatArray
+
+
+def readings_of(test: PositioningTest) -> Readings:
+    """Return the readings of ``test`` by cell and run."""
+    m = test.targets.size
+    runs = max(test.positive.shape[1], test.negative.shape[1])
+    values = np.full((2 * m, runs), np.nan)
+    values[:m, : test.positive.shape[1]] = test.positive
+    values[m:, : test.negative.shape[1]] = test.negative
+    there = np.isfinite(values)
+    low, high = float(np.min(test.targets)), float(np.max(test.targets))
+    centre, half = 0.5 * (low + high), max(0.5 * (high - low), 1e-300)
+    return Readings(
+        values=np.where(there, values, 0.0),
+        there=there,
+        u=np.tile((test.targets - centre) / half, 2),
+        centre=centre,
+        half=half,
+    )
+
+
+def at_traverses(readings: Readings, effects: FloatArray) -> FloatArray:
+    """Return what ``effects`` (4 n,), by direction, offset before tilt, run, do to the readings
+    (c, n).
+    """
+    parts = effects.reshape(2, 2, readings.runs)
+    m = readings.u.size // 2
+    u = readings.u[:m, np.newaxis]
+    return np.concatenate([offset + u * tilt for offset, tilt in parts])
+
+
+def reduced(readings: Readings, values: FloatArray, weights: FloatArray) -> Reduced:
+    """Return what ``values`` (c, n) with ``weights`` (c, n), 0 where there is none, say of the
+    effects once the cells' means are eliminated (Harville 1974; normal equations by blocks:
+    Björck, Numerical Methods for Least Squares Problems, 1996, section 6.3).
+    """
+    n, m = readings.runs, readings.u.size // 2
+    total = weights.sum(axis=1)
+    inverse = np.where(total > 0.0, 1.0 / np.maximum(total, 1e-300), 0.0)
+    means = inverse * np.sum(weights * values, axis=1)
+    left = weights * (values - means[:, np.newaxis])
+    powers = readings.powers
+    information = np.zeros((4 * n, 4 * n))
+    moment = np.empty((2, 2, n))
+    shares = np.zeros((2 * m, 4 * n))
+    for way, rows in enumerate((slice(0, m), slice(m, 2 * m))):
+        share = weights[rows] * inverse[rows, np.newaxis]
+        for a in range(2):
+            own = slice((2 * way + a) * n, (2 * way + a + 1) * n)
+            shares[rows, own] = powers[a, rows, np.newaxis] * share
+            moment[way, a] = powers[a, rows] @ left[rows]
+            for b in range(2):
+                shape = (powers[a, rows] * powers[b, rows])[:, np.newaxis]
+                block = -(shape * share).T @ weights[rows]
+                block[np.arange(n), np.arange(n)] += np.sum(shape * weights[rows], axis=0)
+                other = slice((2 * way + b) * n, (2 * way + b + 1) * n)
+                information[own, other] = block
+    size, axes = np.linalg.eigh(information)
+    kept = size > _RANK * max(float(size[-1]), 1e-300)
+    length = np.sqrt(size[kept])
+    scores = (axes[:, kept].T @ moment.ravel()) / length
+    squares = float(np.sum(left * (values - means[:, np.newaxis])))
+    return Reduced(
+        root=axes[:, kept] * length,
+        scores=scores,
+        rest=max(squares - float(scores @ scores), 0.0),
+        means=means,
+        weights=total,
+        shares=shares,
+    )

@@ -1,0 +1,244 @@
+"""The posterior of the noise: known noise is put into readings and found again; what is not there
+is not found.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from compwright.estimation.noise import LEAST_DOF, noise_of
+from compwright.estimation.noise_posterior import NoisePosterior
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.noise import INDEPENDENT, RUNS
+from compwright.records.positioning import PositioningTest
+
+UM = 1e-3
+M, N = 21, 5
+TARGETS = np.linspace(0.0, 1000.0, M)
+U = np.linspace(-1.0, 1.0, M)[:, np.newaxis]
+
+
+def white(seed: int, m: int = M, n: int = N) -> FloatArray:
+    """Standard normal numbers (2, m, n)."""
+    return np.random.default_rng(seed).standard_normal((2, m, n))
+
+
+def made(readings: FloatArray, **changes: object) -> PositioningTest:
+    """A test with ``readings`` (2, m, n) in µm about an error curve of 20 µm."""
+    m, n = readings.shape[1:]
+    targets = np.linspace(0.0, 1000.0, m)
+    curve = 20.0 * np.sin(targets / 150.0)[:, np.newaxis]
+    test = PositioningTest(
+        name="x",
+        axis="X",
+        kind=AxisKind.LINEAR,
+        targets=targets,
+        positive=(readings[0] + curve) * UM,
+        negative=(readings[1] + curve + 3.0) * UM,
+        runs_positive=tuple(range(1, n + 1)),
+        runs_negative=tuple(range(1, n + 1)),
+        frame="machine",
+    )
+    return replace(test, **changes)  # type: ignore[arg-type]
+
+
+def posterior(readings: FloatArray, **changes: object) -> NoisePosterior:
+    found = noise_of(made(readings, **changes))
+    assert found is not None
+    return found
+
+
+def inside(truth: float, draws: FloatArray, reach: float = 0.005) -> bool:
+    """Whether the central 99 % of the draws hold the truth."""
+    low, high = np.quantile(draws, [reach, 1.0 - reach])
+    return bool(low <= truth <= high)
+
+
+# --- nothing but white noise
+# --------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_white_noise_has_its_size_and_little_else(seed: int) -> None:
+    """Pooled s of 168 degrees of freedom is known to 5.5 %; the posterior is as narrow as that."""
+    draws = posterior(white(seed)).draws
+    sigma = draws.sigma.mean(axis=1) / UM
+    assert inside(1.0, sigma)
+    assert np.std(sigma) < 2.0 * 0.055
+    for part in (draws.offset, draws.tilt, np.abs(draws.drift), np.abs(draws.drift_tilt)):
+        assert np.mean(part > 0.5 * UM) < 0.2
+
+
+def test_the_means_of_the_cells_are_plain_means_of_white_noise() -> None:
+    """Precision n / sigma², the curve untouched; the columns are small beside it."""
+    readings = white(4)
+    found = posterior(readings)
+    test = made(readings)
+    plain = np.concatenate([test.positive.mean(axis=1), test.negative.mean(axis=1)])
+    assert np.median(found.mean, axis=0) == pytest.approx(plain, abs=0.15 * UM)  # of 0.45 µm
+    assert np.median(1.0 / found.precision) == pytest.approx(UM**2 / N, rel=0.35)
+    assert np.median(np.sum(found.columns**2, axis=2)) < 0.1 * UM**2 / N
+
+
+# --- what moves whole traverses
+# --------------------------------------------------------------------------------------------------
+
+
+def test_a_drift_over_the_runs_is_found_with_sign_and_size() -> None:
+    """6 µm down from first to last run. Least squares over 210 readings know it to 0.2 µm."""
+    drift = -6.0 * (np.arange(N) / (N - 1) - 0.5)
+    draws = posterior(white(5) + drift).draws
+    assert np.median(draws.drift) == pytest.approx(-6.0 * UM, abs=0.6 * UM)
+    assert inside(-6.0 * UM, draws.drift)
+    assert np.median(draws.sigma) == pytest.approx(UM, rel=0.15)  # not taken for scatter
+
+
+def test_a_drift_that_grows_along_the_travel_is_found() -> None:
+    """Expansion about the middle: the mean over the targets does not move at all."""
+    drift = 6.0 * U * (np.arange(N) / (N - 1) - 0.5)
+    draws = posterior(white(6) + drift).draws
+    assert np.median(draws.drift_tilt) == pytest.approx(6.0 * UM, abs=0.9 * UM)
+    assert np.median(draws.drift) == pytest.approx(0.0, abs=0.3 * UM)
+
+
+def test_warming_up_that_flattens_is_told_from_even_drift() -> None:
+    """Time constant of a fifth of the test, reading by reading in the order of the cycle."""
+    run, place = np.arange(N), np.arange(M)[:, np.newaxis] / M
+    time = np.stack([run + 0.5 * place, run + 1.0 - 0.5 * place]) / N
+    draws = posterior(white(7) + 10.0 * (1.0 - np.exp(-5.0 * time))).draws
+    assert np.mean(draws.drift_rate > 0.0) > 0.9
+    # From the beginning of the first run to that of the last: 10 (1 - exp(-5 · 4/5)) = 9.8 µm.
+    assert np.median(draws.drift) == pytest.approx(9.8 * UM, abs=1.5 * UM)
+
+
+@pytest.mark.parametrize(("pattern", "shape"), [(INDEPENDENT, (2, 1, N)), (RUNS, (1, 1, N))])
+def test_traverses_shifted_against_each_other_are_found(
+    pattern: int, shape: tuple[int, ...]
+) -> None:
+    shifts = 2.0 * np.random.default_rng(8).standard_normal(shape)
+    draws = posterior(white(8) + shifts).draws
+    assert np.mean(draws.offset > 0.5 * UM) > 0.95
+    assert inside(2.0 * UM, draws.offset)
+    assert np.mean(draws.pattern == pattern) > 0.6
+    assert np.median(draws.sigma) == pytest.approx(UM, rel=0.15)
+
+
+def test_shifted_traverses_leave_the_means_in_doubt_together() -> None:
+    """Offsets of 3 µm: the mean of five in one direction is unknown to 3/sqrt(5) µm, common to all
+    targets; the contrasts say nothing of it.
+    """
+    shifts = 3.0 * np.random.default_rng(9).standard_normal((2, 1, N))
+    found = posterior(white(9) + shifts)
+    common = np.einsum("kcq,keq->kce", found.columns, found.columns)
+    expected = found.draws.offset**2 / N
+    clear = found.draws.pattern == INDEPENDENT
+    assert np.count_nonzero(clear) > 10
+    middle, other = M // 2, M + M // 2
+    assert common[clear, middle, middle] == pytest.approx(expected[clear], rel=0.05)
+    assert common[clear, middle, M - 1] == pytest.approx(expected[clear], rel=0.05)
+    assert common[clear, middle, other] == pytest.approx(0.0, abs=0.05 * UM**2)
+
+
+# --- single readings
+# --------------------------------------------------------------------------------------------------
+
+
+def test_an_outlier_counts_little_and_leaves_the_scale_alone() -> None:
+    readings = white(10)
+    readings[0, 7, 2] += 25.0
+    found = posterior(readings)
+    assert inside(1.0 * UM, found.draws.sigma)
+    without = made(readings).positive[7, [0, 1, 3, 4]].mean()
+    assert np.median(found.mean[:, 7]) == pytest.approx(without, abs=0.3 * UM)  # of 5 µm
+    assert np.median(found.precision[:, 7]) < 0.95 * np.median(found.precision[:, 8])
+
+
+def test_heavy_tails_are_found() -> None:
+    readings = np.random.default_rng(11).standard_t(3.0, (2, M, N))
+    draws = posterior(readings).draws
+    assert np.mean(np.isfinite(draws.dof) | (draws.outlier_share > 0.0)) > 0.95
+    assert inside(1.0 * UM, draws.sigma, 0.0)
+
+
+@pytest.mark.parametrize("seed", [12, 13])
+def test_scatter_that_differs_by_direction_or_grows_is_found(seed: int) -> None:
+    by_direction = white(seed) * np.array([1.0, 2.5])[:, np.newaxis, np.newaxis]
+    draws = posterior(by_direction).draws
+    assert inside(1.0 * UM, draws.sigma[:, 0])
+    assert inside(2.5 * UM, draws.sigma[:, 1])
+    growing = white(seed) * np.exp(0.8 * U)
+    assert inside(0.8, posterior(growing).draws.growth)
+
+
+def test_readings_of_a_coarse_instrument_show_their_scatter() -> None:
+    """Steps of 2 µm with a scatter of 1 µm: a fresh reading of this instrument scatters by 1.155 µm
+    (variance 1 + 2² / 12); many readings of a cell are equal, which is no heavy tail.
+    """
+    readings = (
+        2.0 * np.round(0.5 * white(14))
+        - 20.0 * np.sin(np.linspace(0.0, 1000.0, M) / 150.0)[:, np.newaxis]
+    )
+    readings[1] -= 3.0
+    draws = posterior(readings).draws
+    assert inside(1.155 * UM, draws.sigma.mean(axis=1))
+    assert np.mean((draws.dof < 8.0) | (draws.outlier_share > 0.0)) < 0.3
+
+
+def test_readings_without_any_scatter_have_the_least_noise() -> None:
+    found = posterior(np.zeros((2, M, N)))
+    assert np.all(np.isfinite(found.mean))
+    assert np.all(found.draws.sigma > 0.0)
+    assert np.all(found.draws.sigma < 0.1 * UM)
+
+
+# --- protocols
+# --------------------------------------------------------------------------------------------------
+
+
+def test_few_repetitions_leave_the_noise_to_the_curve() -> None:
+    assert noise_of(made(white(1, n=1))) is None
+    assert noise_of(made(white(1, m=(LEAST_DOF - 1) // 2, n=2))) is None
+    assert noise_of(made(white(1, m=LEAST_DOF // 2, n=2))) is not None
+
+
+def test_one_direction_with_readings_missing() -> None:
+    readings = white(15)
+    readings[0, 3, 1:] = np.nan
+    readings[0, 9] = np.nan
+    found = posterior(readings, negative=np.empty((M, 0)), runs_negative=())
+    assert inside(1.0 * UM, found.draws.sigma[:, 0])
+    empty = np.r_[9, M : 2 * M]
+    assert not np.any(found.precision[:, empty])
+    assert not np.any(found.mean[:, empty])
+    assert np.all(np.isfinite(found.columns))
+
+
+def test_a_missing_run_does_not_take_its_drift_out_of_the_mean() -> None:
+    """The last run stopped halfway: the means of the other half lack its 4 µm of drift."""
+    drift = 8.0 * (np.arange(N) / (N - 1) - 0.5)
+    readings = 0.3 * white(16) + drift
+    readings[:, 11:, 4] = np.nan
+    found = posterior(readings)
+    curve = np.tile(20.0 * np.sin(TARGETS / 150.0), 2) + np.repeat([0.0, 3.0], M)
+    left = np.median(found.mean, axis=0) / UM - curve
+    assert np.mean(left[11:M]) - np.mean(left[:11]) == pytest.approx(0.0, abs=0.25)  # of 1 µm
+
+
+def test_nothing_drifts_in_a_step_cycle() -> None:
+    drift = 6.0 * (np.arange(N) / (N - 1) - 0.5)
+    draws = posterior(white(17) + drift, cycle="step").draws
+    assert not np.any(draws.drift)
+    assert np.all(draws.pattern <= RUNS)
+
+
+def test_the_same_test_has_the_same_noise_in_any_unit() -> None:
+    """Same bytes from the same readings; arcsec for µm changes sizes alone."""
+    readings = white(18)
+    first, second = posterior(readings), posterior(readings)
+    assert first.mean.tobytes() == second.mean.tobytes()
+    assert first.draws.sigma.tobytes() == second.draws.sigma.tobytes()
+    doubled = posterior(2.0 * readings).draws
+    assert doubled.sigma == pytest.approx(2.0 * first.draws.sigma, rel=1e-3)
