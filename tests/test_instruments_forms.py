@@ -38,7 +38,6 @@ def fault(content: bytes) -> str:
         (b"# a\r# b\r\n# c\n\xff", "line 4: is not text in a known encoding"),
         (b"\xff\xfea", "is not text in a known encoding"),
         (b"<html><body>", "found XML or HTML"),
-        (b"HEADER::\r\nFile type  : rtl\r\n", "laser file of the Renishaw form"),
         (b'{"schema": "compwright/plan/1"}', "JSON"),
         (b"point,position,value,unit\n1,0,0.5,um\n", "typed-entry sheet"),
         (b"0.000,+,1,-2.6\n", "a row of numbers where the header row should be"),

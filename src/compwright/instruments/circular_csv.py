@@ -26,7 +26,7 @@ from compwright.instruments.comments import Comments, read_comments
 from compwright.instruments.csv_table import INCHES, Table, in_inches, read_table, split_lines
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, parse_count, parse_number
-from compwright.instruments.reading import (
+from compwright.instruments.reading_findings import (
     assumed_finding,
     doubtful_finding,
     left_out_finding,

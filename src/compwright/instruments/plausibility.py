@@ -21,6 +21,12 @@ Codes of this room:
 - ``CW-R050`` warning: targets approached in one direction only were left out
 - ``CW-R051`` warning: the file may have been cut off inside its last number
 - ``CW-R052`` info: what lies beside the measurements in a folder was skipped
+- ``CW-R053`` warning: the file holds less than it promises, or does not end as its form does
+- ``CW-R054`` warning: runs of exact zeros were left out as a way back that was not made
+- ``CW-R055`` warning: the way back was told by the number of its runs alone
+- ``CW-R056`` warning: angles without a unit were taken as microradian
+- ``CW-R057`` warning: means instead of readings
+- ``CW-R058`` warning: a compensation table instead of a test
 """
 
 from __future__ import annotations

@@ -30,6 +30,13 @@ _SAVE_AGAIN = (
 )
 
 
+#: Bytes beyond ASCII that stand side by side: Chinese text has them in pairs, Cyrillic text has
+#: words of them, western text has single ones.
+_HIGH_BYTES = re.compile(rb"[\x80-\xff]+")
+#: A Cyrillic word in cp1251.
+_CYRILLIC = re.compile(rb"[\xc0-\xff\xa8\xb8]{3,}")
+
+
 def read_lines(content: bytes, file: str) -> list[str]:
     """Return the lines of a text file without their ends (LF, CRLF or CR); line n of the file is
     item n - 1.
@@ -38,12 +45,70 @@ def read_lines(content: bytes, file: str) -> list[str]:
     binary file (named where its first bytes tell what it is) and text in another encoding, with the
     line on which the first wrong byte stands.
     """
+    _refuse_other_files(content, file)
+    return _lines(_decode(content, file), file)
+
+
+def read_any_lines(content: bytes, file: str, encoding: str | None = None) -> tuple[list[str], str]:
+    """Return the lines as `read_lines` does, of text in the code page of old Windows programs too,
+    and the name of the encoding.
+
+    Without ``encoding`` by `encoding_of`. Raises InputError for a binary file and for bytes that
+    are no text in that encoding.
+    """
+    _refuse_other_files(content, file)
+    name = encoding or encoding_of(content)
+    try:
+        text = content.decode("utf-8-sig" if name == "utf-8" else name)
+    except (UnicodeDecodeError, LookupError) as error:
+        known = not isinstance(error, LookupError)
+        raise InputError(
+            Fault(
+                message="is not text in the encoding that was named" if encoding else "is no text",
+                file=file,
+                expected="the encoding in which the file was written: utf-8, utf-16, cp1252, ..",
+                found=f"{name}{'' if known else ', which is not known'}",
+            )
+        ) from error
+    return _lines(text, file), name
+
+
+def encoding_of(content: bytes) -> str:
+    """Return the encoding that ``content`` is most probably written in.
+
+    UTF-16 by its byte order mark; UTF-8; else cp1251 where most bytes beyond ASCII stand in words
+    of Cyrillic letters, gbk where all stand in pairs, cp1252 for the rest.
+    """
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return "utf-16"
+    try:
+        content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        runs = _HIGH_BYTES.findall(content)
+        words = [run for run in runs if _CYRILLIC.fullmatch(run)]
+        if 2 * len(b"".join(words)) > len(b"".join(runs)):
+            return "cp1251"
+        return "gbk" if all(len(run) % 2 == 0 for run in runs) and _decodes(content) else "cp1252"
+    return "utf-8"
+
+
+def _decodes(content: bytes) -> bool:
+    try:
+        content.decode("gbk")
+    except UnicodeDecodeError:
+        return False
+    return True
+
+
+def _refuse_other_files(content: bytes, file: str) -> None:
     for signature, name in _SIGNATURES:
         if content.startswith(signature):
             raise InputError(
                 Fault(message="is not a text file", file=file, expected=_WANTED, found=name)
             )
-    text = _decode(content, file)
+
+
+def _lines(text: str, file: str) -> list[str]:
     if not text.strip("\ufeff \t\r\n"):
         raise InputError(Fault(message="is empty", file=file, expected="a header row and readings"))
     control = _CONTROL.search(text)

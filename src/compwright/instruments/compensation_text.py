@@ -1,0 +1,296 @@
+"""Compensation text of laser software (``.ren``, the output of its error compensation): keys
+without a colon, then a list of values or a table.
+
+``Sign convention`` says whether the values are errors (measured minus target) or corrections; it is
+an option of that software and is never assumed. Values and positions in mm. After two readers of
+third parties and one record of a real table; no real file was at hand.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import Final
+
+from compwright.foundations.findings import Finding
+from compwright.instruments.answers import Answers
+from compwright.instruments.assembling import Reading, as_text
+from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.foreign_units import LENGTHS
+from compwright.instruments.numbers import DecimalMarks, parse_number
+from compwright.instruments.parsed import Parsed
+from compwright.instruments.sections import Line
+from compwright.records.axis import AxisKind, Direction
+
+_KEYS: Final = (
+    *("compensation start", "compensation end", "compensation spacing", "compensation output"),
+    *("compensation type", "compensation resolution", "reference position", "backlash error"),
+    *("sign convention", "table type", "test name"),
+)
+_KEY = re.compile(rf"\s*(?P<key>{'|'.join(_KEYS)})\b\s*[:=]?\s*(?P<value>.*?)\s*", re.IGNORECASE)
+_OUTPUT = "compensation output"
+_SIGNS = {"as errors": 1.0, "errors": 1.0, "as corrections": -1.0, "corrections": -1.0}
+_NONE = frozenset({"", "n/a", "na", "none", "-"})
+_COLUMNS = {"no.": "no", "no": "no", "target no": "no", "target no.": "no", "point": "no"} | {
+    name: name for name in ("axis position", "combined", "forward", "reverse")
+}
+_NUMBER_WITH_UNIT = re.compile(r"(?P<number>[+-]?[0-9.,]+(?:[eE][+-]?[0-9]+)?)\s*(?P<unit>\S*)")
+#: Positions printed and computed from start and spacing are the same within this, mm.
+_SAME = 1e-3
+#: A value and its nearest multiple of the resolution are the same within this share of it.
+_MULTIPLE = 1e-3
+
+
+@dataclass(slots=True)
+class _Text:
+    keys: dict[str, tuple[str, int]] = field(default_factory=dict)
+    columns: tuple[str, ...] = ()
+    rows: list[Line] = field(default_factory=list)
+    other: list[str] = field(default_factory=list)
+
+    def get(self, key: str) -> str:
+        return self.keys.get(key, ("", 0))[0]
+
+    def place(self, key: str) -> str:
+        return f"line {self.keys[key][1]}, {key}" if key in self.keys else ""
+
+
+def is_compensation_text(text: Sequence[str]) -> bool:
+    """Whether the lines of a file are of this form."""
+    found = {match["key"].lower() for line in text if (match := _KEY.fullmatch(line)) is not None}
+    return len(found & {"compensation start", "compensation end", "compensation spacing"}) >= 2
+
+
+def read_compensation_text(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
+    """Return the table as one run per direction, deviations measured minus target; every fault is
+    noted.
+
+    Faults: no word on the sign, another type than absolute values, one table with a backlash (which
+    direction it belongs to is not known), values that may be counts of the resolution, fewer or
+    more rows than start, end and spacing promise, positions that disagree with them.
+    """
+    found = _text(text)
+    marks = DecimalMarks(faults)
+    sign = _sign(found, answers, faults)
+    kind = found.get("compensation type").lower()
+    if kind not in {"", "absolute"}:
+        faults.add(
+            "holds values of a type that is not read",
+            place=found.place("compensation type"),
+            expected="Absolute",
+            found=shown(found.get("compensation type")),
+        )
+    grid = _grid(found, marks, faults)
+    columns = _columns(found, grid, marks, faults)
+    factor = _unit(found, columns, answers, faults)
+    _check_directions(found, columns, marks, faults)
+    marks.check()
+    faults.raise_if_any()
+    if "combined" in columns and "forward" not in columns:
+        columns = {"forward": columns["combined"], "reverse": columns["combined"]}
+    pairs = ((Direction.POSITIVE, "forward"), (Direction.NEGATIVE, "reverse"))
+    readings = [
+        Reading(position + 0.0, direction, 1, value * factor * sign, f"line {line}")
+        for direction, name in pairs
+        for position, value, line in columns[name]
+    ]
+    header = {key: value for key, (value, _) in found.keys.items() if value}
+    if found.other:
+        header["comment"] = "\n".join(found.other)
+    return Parsed(
+        kind=AxisKind.LINEAR,
+        readings=tuple(readings),
+        header=header,
+        assumed=("forward: approach in direction +", *(() if answers.unit else ("unit: mm",))),
+        findings=(_a_table(found.get("sign convention") or "its sign said by the profile"),),
+    )
+
+
+def _text(text: Sequence[str]) -> _Text:
+    found = _Text()
+    inside = False
+    for number, raw in enumerate(text, start=1):
+        line = raw.strip()
+        if not line:
+            continue
+        match = _KEY.fullmatch(line)
+        columns = _header(line)
+        if columns:
+            found.columns, inside = columns, True
+        elif match is not None and not inside:
+            found.keys.setdefault(match["key"].lower(), (match["value"], number))
+            inside = match["key"].lower() == _OUTPUT and not match["value"]
+        elif inside:
+            found.rows.append((number, line))
+        else:
+            found.other.append(line)
+    return found
+
+
+def _header(line: str) -> tuple[str, ...]:
+    """Return the columns of a header row of a table, empty for any other line."""
+    names = [_COLUMNS.get(cell.lower(), "") for cell in re.split(r"\s{2,}|\t|;", line) if cell]
+    return tuple(names) if "axis position" in names and "" not in names else ()
+
+
+def _sign(found: _Text, answers: Answers, faults: FaultList) -> float:
+    """Return the factor to measured minus target, from the file's field, else from the answers."""
+    written = found.get("sign convention").lower()
+    if written in _SIGNS:
+        return _SIGNS[written]
+    if not written and answers.sign is not None:
+        return 1.0 if answers.sign == "measured minus target" else -1.0
+    faults.add(
+        "nothing tells whether the values are errors or corrections"
+        if not written
+        else "the sign is of a kind that is not known",
+        place=found.place("sign convention"),
+        expected="a line 'Sign convention' with 'As errors' or 'As corrections', or a profile with"
+        " the sign (compwright profile FILE --out P.yaml, then --profile P.yaml)",
+        found=shown(found.get("sign convention")) if written else "",
+    )
+    return 1.0
+
+
+def _length(
+    found: _Text, key: str, marks: DecimalMarks, faults: FaultList, *, needed: bool = True
+) -> float | None:
+    written = found.get(key)
+    if not written or written.lower() in _NONE:
+        if needed:
+            faults.add(f"'{key.capitalize()}' is missing", expected="a length in mm")
+        return None
+    match = _NUMBER_WITH_UNIT.fullmatch(written)
+    if match is None or match["unit"].lower() not in {"", "mm"}:
+        faults.add(
+            "is no length in mm", place=found.place(key), expected="mm", found=shown(written)
+        )
+        return None
+    return marks.parse(match["number"], place=found.place(key), column=key)
+
+
+def _grid(found: _Text, marks: DecimalMarks, faults: FaultList) -> list[float]:
+    """Return the positions that start, end and spacing promise."""
+    start, end, spacing = (
+        _length(found, f"compensation {what}", marks, faults)
+        for what in ("start", "end", "spacing")
+    )
+    if start is None or end is None or spacing is None:
+        return []
+    steps = (end - start) / spacing if spacing else -1.0
+    if steps < 0 or abs(steps - round(steps)) * abs(spacing) > _SAME or steps > 1e6:
+        faults.add(
+            "start, end and spacing do not fit together",
+            place=found.place("compensation spacing"),
+            expected="an end that is whole spacings beyond the start",
+            found=f"{as_text(start)}, {as_text(end)} and {as_text(spacing)} mm",
+        )
+        return []
+    return [start + index * spacing for index in range(round(steps) + 1)]
+
+
+def _columns(
+    found: _Text, grid: Sequence[float], marks: DecimalMarks, faults: FaultList
+) -> dict[str, list[tuple[float, float, int]]]:
+    """Return position, value and line of each row, by column."""
+    names = found.columns or ("combined",)
+    columns: dict[str, list[tuple[float, float, int]]] = {
+        name: [] for name in names if name in {"combined", "forward", "reverse"}
+    }
+    if grid and len(found.rows) != len(grid):
+        faults.add(
+            "has not as many rows as start, end and spacing promise; the file may have been cut",
+            expected=str(len(grid)),
+            found=str(len(found.rows)),
+        )
+    for index, (number, line) in enumerate(found.rows):
+        cells = line.split()
+        if len(cells) != len(names):
+            faults.add(
+                "is no row of the table",
+                place=f"line {number}",
+                expected=f"{len(names)} numbers",
+                found=shown(line),
+            )
+            continue
+        values = {
+            name: marks.parse(cell, place=f"line {number}", column=name)
+            for name, cell in zip(names, cells, strict=True)
+            if name != "no"
+        }
+        position = values.get("axis position", grid[index] if index < len(grid) else None)
+        if position is None:
+            continue
+        if index < len(grid) and abs(position - grid[index]) > _SAME:
+            faults.add(
+                "is at another position than start and spacing say",
+                place=f"line {number}",
+                expected=as_text(grid[index]),
+                found=as_text(position),
+            )
+        for name, column in columns.items():
+            value = values[name]
+            if value is not None:
+                column.append((position, value, number))
+    return columns
+
+
+def _unit(
+    found: _Text,
+    columns: dict[str, list[tuple[float, float, int]]],
+    answers: Answers,
+    faults: FaultList,
+) -> float:
+    """Return the factor of the values to mm: they are mm, but where they may be counts of the
+    resolution.
+    """
+    if answers.unit is not None:
+        if answers.unit not in LENGTHS:
+            faults.add("is a table of lengths", expected=" or ".join(LENGTHS), found=answers.unit)
+        return LENGTHS.get(answers.unit, 1.0)
+    match = _NUMBER_WITH_UNIT.fullmatch(found.get("compensation resolution"))
+    of_one = match is not None and _is_one(match["number"])
+    values = [value for column in columns.values() for _, value, _ in column]
+    whole = all(abs(value - round(value)) <= _MULTIPLE for value in values) and any(values)
+    if whole and not of_one:
+        faults.add(
+            "the values are whole numbers: nothing tells whether they are mm or counts of the"
+            " compensation resolution",
+            place=found.place("compensation resolution"),
+            expected="a profile with the unit of the values (compwright profile FILE --out P.yaml)",
+            found=shown(found.get("compensation resolution")),
+        )
+    return 1.0
+
+
+def _is_one(text: str) -> bool:
+    try:
+        return parse_number(text) == 1.0
+    except ValueError:
+        return False
+
+
+def _check_directions(
+    found: _Text, columns: Iterable[str], marks: DecimalMarks, faults: FaultList
+) -> None:
+    if {"forward", "reverse"} <= set(columns):
+        return
+    backlash = _length(found, "backlash error", marks, faults, needed=False)
+    if "combined" not in columns or backlash != 0.0:
+        faults.add(
+            "holds one table for both directions, and how its backlash is split between them is not"
+            " known",
+            place=found.place("backlash error"),
+            expected="columns Forward and Reverse, a backlash error of 0, or the test (.rtl)",
+            found=shown(found.get("backlash error")),
+        )
+
+
+def _a_table(sign: str) -> Finding:
+    return Finding(
+        "CW-R058",
+        "warning",
+        f"The file is a compensation table made by the laser's software ({sign}), not a test: it is"
+        " read as one run per direction of its errors. To make a table, use the test itself.",
+    )

@@ -1,0 +1,365 @@
+"""Positioning tests of laser software in its text form: ``.rtl`` (linear) and ``.rta`` (angular).
+
+Targets in mm or deg with their count, ``Flags``, runs counted by traverse, and rows of run, target
+(both from 1) and deviation: µm for linear axes, µrad for angular ones; deviation = measured minus
+target. Layout, units and sign after six independent readers and writers; no real file was at hand.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import ARCSECONDS_PER_DEGREE
+from compwright.instruments.answers import Answers
+from compwright.instruments.assembling import Reading, as_text
+from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.foreign_units import ANGLES, LENGTHS
+from compwright.instruments.mean_blocks import is_mean_blocks
+from compwright.instruments.numbers import DecimalMarks, parse_count
+from compwright.instruments.parsed import Parsed
+from compwright.instruments.reading_findings import cut_finding, falling_finding
+from compwright.instruments.sections import (
+    Line,
+    Sections,
+    has_section,
+    header_of,
+    no_end_finding,
+    sections_of,
+    with_axis,
+)
+from compwright.records.axis import AxisKind, Direction
+
+_TARGETS, _RUNS, _ROWS = "TARGET DATA", "RUNS", "DEVIATIONS"
+_ROW_HEADER = re.compile(r"run\s+target\s+data\s*:?", re.IGNORECASE)
+_KINDS = {"rtl": AxisKind.LINEAR, "rta": AxisKind.ROTARY}
+#: Other files of the family: what they hold, for the message that refuses them.
+_OTHER_KINDS = {
+    "rts": "straightness",
+    "rtx": "dynamic data",
+    "rtq": "squareness",
+    "rtf": "flatness",
+}
+#: Flags that a writer of this form puts for a test in one direction; a hint, not a proof.
+_ONE_WAY = ["0", "1", "2", "0"]
+_UNIT = {AxisKind.LINEAR: "um", AxisKind.ROTARY: "urad"}
+#: Largest deviation of an angular file, in µrad (about 1 arcsec), below which the numbers are
+#: rather in mrad: one of the known programs takes them so.
+_LEAST_MICRORADIAN = 5.0
+
+
+@dataclass(slots=True)
+class _Runs:
+    """Rows of the file by run number, in the order of the file: (target index, deviation as
+    written, line).
+    """
+
+    rows: dict[int, list[tuple[int, float, int]]]
+    targets: list[float]
+    promised: int | None
+
+    def order(self, run: int) -> int:
+        """Return +1 where the targets of a run stand in rising order, -1 in falling, 0 in neither
+        or for a single one.
+        """
+        steps = {int(np.sign(b - a)) for (a, _, _), (b, _, _) in pairwise(self.rows[run])}
+        return steps.pop() if len(steps) == 1 else 0
+
+    def zero(self, run: int) -> bool:
+        """Whether every deviation of a run is exactly zero."""
+        return all(value == 0.0 for _, value, _ in self.rows[run])
+
+
+def is_laser_runs(text: Sequence[str]) -> bool:
+    """Whether the lines of a file are of this form."""
+    return has_section(text, [_ROWS, _RUNS]) or (
+        has_section(text, ["HEADER", _TARGETS]) and not is_mean_blocks(text)
+    )
+
+
+def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
+    """Return the test in the lines of a file; every fault is noted.
+
+    Faults: another type of file, counts that disagree with what is there, rows that are none or
+    name a run or target that does not exist, targets whose order does not tell the directions.
+    Raises InputError where nothing can be read without guessing.
+    """
+    sections = sections_of(text, faults)
+    kind = _kind(sections, faults)
+    marks = DecimalMarks(faults)
+    runs = _Runs(
+        rows=_rows(sections, marks, faults),
+        targets=_targets(sections, marks),
+        promised=_count(sections, _RUNS, "Run-count", faults),
+    )
+    marks.check()
+    _check_counts(sections, runs, faults)
+    faults.raise_if_any()
+    directions, assumed, findings = _directions(sections, runs, faults)
+    faults.raise_if_any()
+    factor, unit_words, unit_finding = _unit(kind, runs, answers, faults)
+    faults.raise_if_any()
+    sign = -1.0 if answers.sign == "target minus measured" else 1.0
+    readings = [
+        Reading(runs.targets[index - 1] + 0.0, *directions[run], value * factor * sign, place(line))
+        for run, rows in runs.rows.items()
+        if run in directions
+        for index, value, line in rows
+    ]
+    header = header_of(sections, ["HEADER", "USER-TEXT", "EQUIPMENT", "ENVIRONMENT"])
+    signs = () if answers.sign else ("deviation: measured minus target",)
+    about = (no_end_finding(sections), _fewer_runs(runs), unit_finding, *findings)
+    return Parsed(
+        kind=kind,
+        readings=tuple(readings),
+        header=with_axis(header, sections.value("USER-TEXT", "Axis")[0]),
+        assumed=(*unit_words, *signs, *assumed),
+        findings=tuple(finding for finding in about if finding is not None),
+    )
+
+
+def place(line: int) -> str:
+    """Return a line of the file as the place of a fault."""
+    return f"line {line}"
+
+
+def _kind(sections: Sections, faults: FaultList) -> AxisKind:
+    written, where = sections.value("HEADER", "File type")
+    name = written.strip().lower().lstrip(".")
+    if name not in _KINDS:
+        holds = _OTHER_KINDS.get(name)
+        faults.add(
+            f"holds {holds}, not positions" if holds else "is of a type that is not known",
+            place=where,
+            expected="File type: rtl (linear) or rta (angular)",
+            found=shown(written) if written else "no line 'File type' below HEADER::",
+        )
+        faults.raise_if_any()
+    return _KINDS[name]
+
+
+def _targets(sections: Sections, marks: DecimalMarks) -> list[float]:
+    """Return the targets in the file's order: the numbers between ``Targets :`` and the next
+    key.
+    """
+    targets: list[float] = []
+    inside = False
+    for number, text in sections.lines.get(_TARGETS, ()):
+        key = re.match(r"([A-Za-z][\w -]*?)\s*:", text)
+        if key is not None:
+            inside = key[1].lower() == "targets"
+        if not inside:
+            continue
+        for cell in text[key.end() if key else 0 :].split():
+            value = marks.parse(cell, place=f"line {number}, Targets", column="targets")
+            if value is not None:
+                targets.append(value)
+    return targets
+
+
+def _rows(
+    sections: Sections, marks: DecimalMarks, faults: FaultList
+) -> dict[int, list[tuple[int, float, int]]]:
+    rows: defaultdict[int, list[tuple[int, float, int]]] = defaultdict(list)
+    for number, text in sections.lines.get(_ROWS, ()):
+        if _ROW_HEADER.fullmatch(text):
+            continue
+        row = _row((number, text), marks, faults)
+        if row is not None:
+            run, index, value = row
+            rows[run].append((index, value, number))
+    return dict(sorted(rows.items()))
+
+
+def _row(line: Line, marks: DecimalMarks, faults: FaultList) -> tuple[int, int, float] | None:
+    number, text = line
+    cells = text.split()
+    try:
+        run, index, written = parse_count(cells[0]), parse_count(cells[1]), *cells[2:]
+    except (ValueError, IndexError):
+        faults.add(
+            "is no row of run, target and deviation",
+            place=place(number),
+            expected="such as '1  1  0.3'",
+            found=shown(text),
+        )
+        return None
+    value = marks.parse(written, place=place(number), column="deviations")
+    return None if value is None else (run, index, value)
+
+
+def _count(sections: Sections, section: str, key: str, faults: FaultList) -> int | None:
+    written, where = sections.value(section, key)
+    if not where:
+        return None
+    try:
+        return parse_count(written)
+    except ValueError as reason:
+        faults.add(str(reason), place=where, expected="a count", found=shown(written))
+        return None
+
+
+def _check_counts(sections: Sections, runs: _Runs, faults: FaultList) -> None:
+    promised = _count(sections, _TARGETS, "Target-count", faults)
+    if not runs.targets:
+        faults.add("holds no targets", expected="numbers below 'Targets :' in TARGET DATA::")
+    elif promised is not None and promised != len(runs.targets):
+        faults.add(
+            "has not as many targets as it says",
+            place=sections.value(_TARGETS, "Target-count")[1],
+            expected=f"{promised} numbers below 'Targets :'",
+            found=f"{len(runs.targets)}",
+        )
+    if not runs.rows:
+        faults.add("holds no readings", expected="rows below 'Run Target Data:' in DEVIATIONS::")
+    for run, rows in runs.rows.items():
+        for index, _, line in rows:
+            if index > len(runs.targets) > 0:
+                faults.add(
+                    "names a target that is not there",
+                    place=place(line),
+                    expected=f"1 to {len(runs.targets)}",
+                    found=str(index),
+                )
+            if runs.promised is not None and run > runs.promised:
+                faults.add(
+                    "names a run that is not there",
+                    place=place(line),
+                    expected=f"1 to {runs.promised} (Run-count)",
+                    found=str(run),
+                )
+
+
+def _directions(
+    sections: Sections, runs: _Runs, faults: FaultList
+) -> tuple[Mapping[int, tuple[Direction, int]], tuple[str, ...], list[Finding]]:
+    """Return direction and run number of each traverse, in words what was taken, and what is
+    remarkable about it.
+
+    Odd traverses go from the first target to the last, even ones back. Evidence, in this order: an
+    even half of nothing but zeros was not made; rows of an even traverse in falling order went
+    back; flags of one direction.
+    """
+    steps = {int(np.sign(b - a)) for a, b in pairwise(runs.targets)}
+    if len(steps) > 1 or 0 in steps:
+        faults.add(
+            "the targets stand neither from low to high nor from high to low, so that nothing tells"
+            " from which side they were approached",
+            place=sections.value(_TARGETS, "Target-count")[1],
+            expected="targets in one order; else export the readings as plain CSV",
+        )
+        return {}, (), []
+    rising = steps != {-1}
+    out, back = (Direction.POSITIVE, Direction.NEGATIVE)[:: 1 if rising else -1]
+    odd = [run for run in runs.rows if run % 2]
+    even = [run for run in runs.rows if not run % 2]
+    one_way = sections.value(_TARGETS, "Flags")[0].split() == _ONE_WAY
+    findings: list[Finding] = []
+    if even and all(map(runs.zero, even)) and not all(map(runs.zero, odd)):
+        findings.append(_zeros_left_out(even))
+        even = []
+    if any(runs.order(run) < 0 for run in odd) or (
+        one_way and any(runs.order(run) < 0 for run in even)
+    ):
+        wrong = next(run for run in (*odd, *even) if runs.order(run) < 0)
+        faults.add(
+            "the order of its rows contradicts its direction",
+            place=place(runs.rows[wrong][0][2]),
+            expected="rows from the first target to the last in odd runs, and in all runs of a test"
+            " in one direction (Flags: 0 1 2 0)",
+            found=f"run {wrong} from the last target to the first",
+        )
+    if one_way:
+        numbered = {run: (out, n) for n, run in enumerate(sorted([*odd, *even]), start=1)}
+        words = f"all {len(numbered)} runs: approaches in direction {out} (Flags: 0 1 2 0)"
+    else:
+        numbered = {run: (out, (run + 1) // 2) for run in odd}
+        numbered |= {run: (back, run // 2) for run in even}
+        words = f"run 1, 3, ..: {len(odd)} traverses, approaches in direction {out}"
+        if even:
+            words += f"; run 2, 4, ..: {len(even)} traverses, approaches in direction {back}"
+            if not any(runs.order(run) < 0 for run in even) and len(runs.targets) > 1:
+                findings.append(_unproven_way_back(even[0], back))
+    if not rising:
+        findings.append(_falling_targets(out))
+    return numbered, (words,), findings
+
+
+def _zeros_left_out(even: Sequence[int]) -> Finding:
+    return Finding(
+        "CW-R054",
+        "warning",
+        f"Runs left out: {', '.join(map(str, even[:6]))}{', ..' if len(even) > 6 else ''}. They are"
+        " exactly zero throughout, as some programs fill the way back of a test in one direction.",
+    )
+
+
+def _unproven_way_back(run: int, back: Direction) -> Finding:
+    return Finding(
+        "CW-R055",
+        "warning",
+        f"Even runs were taken as the way back (direction {back}) by their number alone: the rows"
+        f" of run {run} stand in the same order as those of run 1. If the test went one way only,"
+        " reversal and backlash are not in it.",
+    )
+
+
+def _falling_targets(out: Direction) -> Finding:
+    return falling_finding(
+        f"The targets are listed from high to low, so odd runs were taken as approaches in"
+        f" direction {out}: check it at the machine.",
+    )
+
+
+def _fewer_runs(runs: _Runs) -> Finding | None:
+    """Return the finding about fewer runs or rows than the header promises; a hole within a run is
+    told by `plausibility`.
+    """
+    last = max(runs.rows)
+    if runs.promised is None or last >= runs.promised:
+        return None
+    return cut_finding(
+        f"The file promises {runs.promised} runs (Run-count) and holds {last}: it may have been cut"
+        " off, or the test was stopped.",
+    )
+
+
+def _unit(
+    kind: AxisKind, runs: _Runs, answers: Answers, faults: FaultList
+) -> tuple[float, tuple[str, ...], Finding | None]:
+    """Return the factor to mm or deg, in words what was taken, and what is doubtful about it."""
+    units = LENGTHS if kind is AxisKind.LINEAR else ANGLES
+    if answers.unit is not None:
+        if answers.unit not in units:
+            faults.add(
+                "unit and type of file contradict each other",
+                place="unit",
+                expected=" or ".join(units),
+                found=answers.unit,
+            )
+        return units.get(answers.unit, 1.0), (), None
+    factor = units[_UNIT[kind]]
+    if kind is AxisKind.LINEAR:
+        return factor, ("unit: um",), None
+    largest = max(abs(value) for rows in runs.rows.values() for _, value, _ in rows)
+    if 0.0 < largest < _LEAST_MICRORADIAN:
+        faults.add(
+            "nothing in the file tells the unit of its angles, and its numbers are too small to be"
+            " surely microradian",
+            expected="a profile with the line 'unit: urad' or 'unit: mrad' (compwright profile"
+            " FILE --out P.yaml, then --profile P.yaml): compare one number with the instrument's"
+            " own report",
+            found=f"no deviation larger than {as_text(largest)}",
+        )
+    arcsec = as_text(round(largest * factor * ARCSECONDS_PER_DEGREE, 4))
+    words = (
+        "The file does not tell the unit of its deviations; microradian was taken: the largest,"
+        f" {as_text(largest)}, is then {arcsec} arcsec. Compare it with the instrument."
+    )
+    return factor, ("unit: urad",), Finding("CW-R056", "warning", words)

@@ -1,0 +1,228 @@
+"""Means of a positioning test in the text form ``.pos`` (API laser): blocks of a title line
+``Position <tab> Forward Directional Avg Error`` and rows of position and mean deviation, in mm.
+
+The deviation is measured minus target. After one reader of a third party; no real file was at hand.
+The readings themselves are not in such a file.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+
+from compwright.foundations.findings import Finding
+from compwright.instruments.answers import Answers
+from compwright.instruments.assembling import Reading, as_text
+from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.foreign_units import LENGTHS
+from compwright.instruments.numbers import DecimalMarks
+from compwright.instruments.parsed import Parsed
+from compwright.instruments.reading_findings import cut_finding, falling_finding
+from compwright.instruments.sections import (
+    header_of,
+    no_end_finding,
+    sections_of,
+    with_axis,
+)
+from compwright.records.axis import AxisKind, Direction
+
+_TITLE = re.compile(
+    r"\s*Position\s+(?P<which>Bidirectional|Forward|Reverse|Backward)(?:\s+Directional)?"
+    r"\s+Avg\.?\s+Error.*",
+    re.IGNORECASE,
+)
+_BOTH, _FORWARD, _BACK = "both", "forward", "back"
+_WHICH = {"bidirectional": _BOTH, "forward": _FORWARD, "reverse": _BACK, "backward": _BACK}
+_ROW = re.compile(r"[+-]?[0-9.,]\S*(?:\s+\S+)*")
+_ENVIRONMENT: Final = "ENVIRONMENT"
+
+#: Means by position as written, with the line of each, in the order of the file.
+_Block = dict[float, tuple[float, int]]
+
+
+def is_mean_blocks(text: Sequence[str]) -> bool:
+    """Whether the lines of a file are of this form."""
+    return any("Avg" in line and _TITLE.fullmatch(line) for line in text)
+
+
+def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -> Parsed:
+    """Return the means in the lines of a file as one run per direction; every fault is noted.
+
+    Where the means of the way back are not printed, they are twice those of both directions less
+    those of the way out. Faults: means of both directions alone, which tell no direction; blocks at
+    different positions; means that contradict each other beyond the digits printed.
+    """
+    sections = sections_of(text, faults)
+    marks = DecimalMarks(faults)
+    blocks, decimals = _blocks(text, marks, faults)
+    marks.check()
+    faults.raise_if_any()
+    out, back, computed = _both_ways(blocks, 0.5 * 10.0**-decimals, faults)
+    faults.raise_if_any()
+    unit = answers.unit or "mm"
+    if unit not in LENGTHS:
+        faults.add("is a file of lengths", expected=" or ".join(LENGTHS), found=unit)
+        faults.raise_if_any()
+    factor = LENGTHS[unit] * (-1.0 if answers.sign == "target minus measured" else 1.0)
+    listed = list(out)
+    rising = len(listed) < 2 or listed[-1] > listed[0]
+    directions = (Direction.POSITIVE, Direction.NEGATIVE)[:: 1 if rising else -1]
+    readings = [
+        Reading(position + 0.0, direction, 1, value * factor, f"line {line}")
+        for direction, block in zip(directions, (out, back), strict=True)
+        for position, (value, line) in block.items()
+    ]
+    header = header_of(sections, ["HEADER", "USER-TEXT", "EQUIPMENT"])
+    assumed = [] if answers.unit else ["unit: mm"]
+    assumed += [] if answers.sign else ["deviation: measured minus target"]
+    assumed.append(f"forward: approach in direction {directions[0]}")
+    findings = [_means_only(computed=computed), *_not_in_order(listed), _cut(sections.lines)]
+    return Parsed(
+        kind=AxisKind.LINEAR,
+        readings=tuple(readings),
+        header=with_axis(header, sections.value("USER-TEXT", "Axis")[0]),
+        assumed=tuple(assumed),
+        findings=tuple(
+            finding
+            for finding in (*findings, no_end_finding(sections) if sections.ended else None)
+            if finding is not None
+        ),
+    )
+
+
+def _blocks(
+    text: Sequence[str], marks: DecimalMarks, faults: FaultList
+) -> tuple[Mapping[str, _Block], int]:
+    """Return the blocks by what they are the means of, and how many decimals the means carry."""
+    blocks: dict[str, _Block] = {}
+    current: _Block | None = None
+    decimals = 0
+    for number, line in enumerate(text, start=1):
+        title = _TITLE.fullmatch(line)
+        if title is not None:
+            which = _WHICH[title["which"].lower()]
+            if which in blocks:
+                faults.add("a block is given twice", place=f"line {number}", found=shown(line))
+            current = blocks[which] = {}
+        elif blocks and line.strip():
+            if not _ROW.fullmatch(line.strip()):
+                current = None  # the next section, or a title of another analysis
+                continue
+            if current is None:
+                faults.add(
+                    "stands below no title of means",
+                    place=f"line {number}",
+                    expected="rows directly below 'Position  Forward Directional Avg Error'",
+                    found=shown(line),
+                )
+                continue
+            row = _row(number, line, marks, faults)
+            if row is not None and row[0] in current:
+                faults.add(
+                    "a position is given twice",
+                    place=f"line {number}",
+                    found=shown(line),
+                )
+            elif row is not None:
+                current[row[0]] = (row[1], number)
+                decimals = max(decimals, row[2])
+    return blocks, decimals
+
+
+def _row(
+    number: int, line: str, marks: DecimalMarks, faults: FaultList
+) -> tuple[float, float, int] | None:
+    cells = line.split()
+    if len(cells) != 2:
+        faults.add(
+            "is no row of position and mean deviation",
+            place=f"line {number}",
+            expected="two numbers",
+            found=shown(line),
+        )
+        return None
+    position = marks.parse(cells[0], place=f"line {number}", column="position")
+    value = marks.parse(cells[1], place=f"line {number}", column="mean deviation")
+    if position is None or value is None:
+        return None
+    return position, value, len(cells[1].replace(",", ".").partition(".")[2])
+
+
+def _both_ways(
+    blocks: Mapping[str, _Block], half_digit: float, faults: FaultList
+) -> tuple[_Block, _Block, bool]:
+    """Return the means of the way out and of the way back, and whether the latter was computed."""
+    both, out, back = (blocks.get(which) for which in (_BOTH, _FORWARD, _BACK))
+    given = [block for block in (both, out, back) if block is not None]
+    if not any(given):
+        faults.add("holds no means", expected="rows of position and mean deviation")
+        return {}, {}, False
+    if any(set(block) != set(given[0]) for block in given):
+        faults.add(
+            "the blocks of means stand at different positions; the file may have been cut off",
+            expected="the same positions in each",
+            found=", ".join(f"{len(block)} rows" for block in given),
+        )
+        return {}, {}, False
+    if out is None:
+        faults.add(
+            "holds no means of the way out alone, so that the directions cannot be told apart",
+            expected="a block 'Forward Directional Avg Error'",
+        )
+        return {}, {}, False
+    if both is None:
+        return out, back or {}, False
+    if back is None:
+        computed = {
+            position: (2.0 * both[position][0] - value, line)
+            for position, (value, line) in out.items()
+        }
+        return out, computed, True
+    for position, (value, line) in both.items():
+        if abs(out[position][0] + back[position][0] - 2.0 * value) > 4.0001 * half_digit:
+            faults.add(
+                "is not the mean of the two directions",
+                place=f"line {line}",
+                expected=as_text((out[position][0] + back[position][0]) / 2.0),
+                found=as_text(value),
+            )
+    return out, back, False
+
+
+def _means_only(*, computed: bool) -> Finding:
+    way_back = (
+        " The means of the way back are not in it: they are twice those of both directions less"
+        " those of the way out."
+        if computed
+        else ""
+    )
+    return Finding(
+        "CW-R057",
+        "warning",
+        "The file holds means of several runs, not readings: it is read as one run per direction,"
+        f" and nothing can be said of repeatability.{way_back}",
+    )
+
+
+def _not_in_order(listed: Sequence[float]) -> list[Finding]:
+    steps = {int(np.sign(b - a)) for a, b in pairwise(listed)}
+    if steps <= {1}:
+        return []
+    return [
+        falling_finding(
+            "The positions are not listed from low to high: check at the machine which direction"
+            " forward is.",
+        )
+    ]
+
+
+def _cut(sections: Mapping[str, object]) -> Finding | None:
+    if _ENVIRONMENT in sections:
+        return None
+    return cut_finding(
+        "The file has no section ENVIRONMENT:: after its means: it may have been cut off.",
+    )

@@ -1,0 +1,116 @@
+"""Files that are of no form which is read, said in words of what they seem to be."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from compwright.foundations.errors import Fault, InputError
+from compwright.instruments.comments import Comments
+from compwright.instruments.csv_table import (
+    DELIMITERS,
+    INCHES,
+    header_names,
+    in_inches,
+    is_number,
+)
+from compwright.instruments.fault_list import shown
+
+#: The forms that `read_positioning` reads, as they stand in messages.
+ACCEPTED_FORMS = (
+    "a plain CSV file (columns target_mm or target_deg, direction, run and a deviation or measured"
+    " value; or target and one column per traverse), target data (TGT_DATA[1]=...), or a file of"
+    " laser software (.rtl, .rta, .pos, .ren)"
+)
+_NEWEST_FORM = 1
+_FORM_KEY = re.compile(r"positioning\s+([0-9]{1,9})")
+
+
+def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, file: str) -> None:
+    """Raise InputError when the file is not a plain CSV positioning file, saying what it seems to
+    be.
+    """
+    form = comments.get("compwright").lower()
+    match = _FORM_KEY.fullmatch(form)
+    if match and int(match[1]) > _NEWEST_FORM:
+        expected = f"positioning {_NEWEST_FORM} or older"
+        place = comments.places["compwright"]
+        raise InputError(
+            Fault(
+                message="was written for a newer compwright",
+                file=file,
+                place=place,
+                expected=expected,
+                found=form,
+            )
+        )
+    if not lines:
+        raise InputError(
+            Fault(
+                message="holds comment lines only", file=file, expected="a header row and readings"
+            )
+        )
+    number, first = lines[0]
+    _, names, count = header_names(first)
+    if form.startswith("circular") or (
+        "angle_deg" in names and {"direction", "radius_mm"} & set(names)
+    ):
+        raise InputError(
+            Fault(
+                message="holds a circular test, not a positioning test",
+                file=file,
+                place=f"line {number}",
+                expected=ACCEPTED_FORMS,
+                found=f"columns {', '.join(names[:8])}",
+            )
+        )
+    if not count and names:
+        raise _unknown_form(number, first, names, file)
+
+
+def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> InputError:
+    start = first.strip()
+    if start.startswith("<"):
+        if "TEST_DOCUMENT" in first or "<?xml" in first:
+            return InputError(
+                Fault(
+                    message=(
+                        "is not a positioning file; XML such as a ballbar's .b5r holds a circular"
+                        " test"
+                    ),
+                    file=file,
+                    place=f"line {number}",
+                    expected=ACCEPTED_FORMS,
+                    found=shown(start),
+                )
+            )
+        what = "XML or HTML"
+    elif names == ["point", "position", "value", "unit"]:
+        what = "a typed-entry sheet of a compensation table"
+    elif in_inches(names):
+        return InputError(
+            Fault(
+                message="is in inches, which are not read",
+                file=file,
+                place=f"line {number}",
+                expected=INCHES,
+                found=shown(in_inches(names)),
+            )
+        )
+    elif start.startswith(("{", "[")):
+        what = "JSON, or sections in brackets"
+    elif all(name in {"", "+", "-"} or is_number(name) for name in names):
+        what = f"a row of numbers where the header row should be: {shown(first)}"
+    else:
+        what = f"{shown(first)} as the first row"
+        if len(names) == 1 and len(start.split()) > 1:
+            what += f", without {', '.join(list(DELIMITERS.values())[:-1])} or tab"
+    return InputError(
+        Fault(
+            message="is not a positioning file",
+            file=file,
+            place=f"line {number}",
+            expected=ACCEPTED_FORMS,
+            found=what,
+        )
+    )

@@ -1,0 +1,72 @@
+"""The two forms of one's own making to what every reader hands on: plain CSV, and target data."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from compwright.instruments.comments import cycle_of, read_comments
+from compwright.instruments.csv_table import read_table, split_lines
+from compwright.instruments.fault_list import FaultList
+from compwright.instruments.other_files import refuse_other_files
+from compwright.instruments.parsed import Parsed
+from compwright.instruments.plain_csv import read_csv
+from compwright.instruments.reading_findings import (
+    doubtful_finding,
+    falling_finding,
+    left_out_finding,
+    measured_findings,
+)
+from compwright.instruments.target_data import is_target_data, read_target_data
+
+
+def is_target_data_file(text: Sequence[str]) -> bool:
+    """Whether the lines of a file are of the form ``TGT_DATA[1]=``."""
+    return is_target_data(split_lines(text)[1])
+
+
+def read_plain_csv(text: Sequence[str], faults: FaultList) -> Parsed:
+    """Return the test in the lines of a plain CSV file; faults of cells are noted.
+
+    Raises InputError for a file that is none, saying what it seems to be.
+    """
+    comment_lines, lines = split_lines(text)
+    comments = read_comments(comment_lines, faults)
+    refuse_other_files(lines, comments, faults.file)
+    read = read_csv(read_table(lines, faults), comments, faults)
+    findings = measured_findings(comments.header, sign_said=read.sign_said) if read.measured else []
+    about = (doubtful_finding(read.doubtful), left_out_finding(read.left_out))
+    findings += [finding for finding in about if finding is not None]
+    return Parsed(
+        kind=read.kind,
+        readings=read.readings,
+        header=comments.header,
+        cycle=cycle_of(comments, faults),
+        assumed=() if read.measured or read.sign_said else ("deviation: measured minus target",),
+        findings=tuple(findings),
+    )
+
+
+def read_target_data_file(text: Sequence[str], faults: FaultList) -> Parsed:
+    """Return the test in the lines of a file of the form ``TGT_DATA[1]=``; faults are noted."""
+    comment_lines, lines = split_lines(text)
+    comments = read_comments(comment_lines, faults, any_key=False)
+    read = read_target_data(lines, faults)
+    findings = measured_findings(comments.header, sign_said=bool(comments.get("deviation")))
+    if read.descending:
+        findings.append(
+            falling_finding(
+                "The targets are listed from high to low, and FWD was taken as the approach in"
+                " direction +: check the labels.",
+            )
+        )
+    assumed = ["FWD: approach in direction +, BWD: in direction -"]
+    if not read.unit_said:
+        assumed.append("unit: mm")
+    return Parsed(
+        kind=read.kind,
+        readings=read.readings,
+        header={**comments.header, **read.header},
+        cycle=cycle_of(comments, faults),
+        assumed=tuple(assumed),
+        findings=tuple(findings),
+    )

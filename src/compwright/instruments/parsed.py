@@ -1,0 +1,29 @@
+"""What a reader of one form hands on: the readings of one test and what the file says about it,
+before the checks that need all readings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from compwright.foundations.findings import Finding
+from compwright.instruments.assembling import Reading
+from compwright.records.axis import AxisKind
+from compwright.records.positioning import Cycle
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Parsed:
+    """``readings``: targets and deviations (measured minus target) in mm or deg by ``kind``.
+
+    ``header`` keeps what the file says as text, under the known keys of `comments.KNOWN_KEYS` where
+    it is one of them. ``assumed``: what the file leaves open and how it was taken, in words.
+    """
+
+    kind: AxisKind
+    readings: tuple[Reading, ...]
+    header: Mapping[str, str] = field(default_factory=dict)
+    cycle: Cycle | None = None
+    assumed: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()

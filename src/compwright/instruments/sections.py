@@ -1,0 +1,141 @@
+"""Text in sections: a line ``NAME::`` opens one, ``EOF::`` ends the file; in a section stand
+``Key: value`` lines and rows of numbers.
+
+The frame of the files of laser software. No real file of a maker was at hand: the layout rests on
+what six independent programs of third parties read and write.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from compwright.foundations.findings import Finding
+from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.reading_findings import cut_finding
+
+#: A line of a file: its number from 1, and its text without blanks around it.
+Line = tuple[int, str]
+
+_SECTION = re.compile(r"\s*([A-Z][A-Z0-9 _-]*?)\s*::\s*")
+_KEY = re.compile(r"\s*(?P<key>[A-Za-z][\w .-]*?)\s*:(?!:)\s*(?P<value>.*?)\s*")
+_END = "EOF"
+#: Keys of these files -> keys that the header of every test has.
+_KNOWN = {"machine": "machine", "serial no": "serial", "date": "date", "by": "operator"}
+_AXIS = re.compile(
+    r"(?:(?:axis|achse|axe|ось|轴)[ :_-]*)?(?P<name>[A-Za-z]{1,2}[0-9]{0,2})[ _-]*"
+    r"(?:-?(?:axis|achse|轴))?",
+    re.IGNORECASE,
+)
+
+
+@dataclass(slots=True)
+class Sections:
+    """``lines`` of each section in the order of the file, blank ones left out; what stands before
+    the first section is under the empty name.
+
+    ``ended``: the line ``EOF::`` is there. ``last``: the last line that is not blank.
+    """
+
+    lines: dict[str, list[Line]] = field(default_factory=dict)
+    ended: bool = False
+    last: Line = (0, "")
+
+    def value(self, section: str, key: str) -> tuple[str, str]:
+        """Return the value of a key (any case) and its place, both empty where it is absent."""
+        for number, text in self.lines.get(section, ()):
+            match = _KEY.fullmatch(text)
+            if match and match["key"].lower() == key.lower():
+                return match["value"], f"line {number}, {key}"
+        return "", ""
+
+
+def has_section(text: Sequence[str], names: Iterable[str]) -> bool:
+    """Whether one of the lines opens a section of one of these names."""
+    wanted = set(names)
+    return any(
+        "::" in line and (match := _SECTION.fullmatch(line)) is not None and match[1] in wanted
+        for line in text
+    )
+
+
+def sections_of(text: Sequence[str], faults: FaultList) -> Sections:
+    """Return the sections of a file; a section that opens twice and text after ``EOF::`` are
+    faults.
+    """
+    found = Sections()
+    current = found.lines.setdefault("", [])
+    for number, raw in enumerate(text, start=1):
+        line = raw.strip()
+        if not line:
+            continue
+        found.last = (number, line)
+        match = _SECTION.fullmatch(line)
+        if found.ended:
+            faults.add(
+                "holds more after EOF::",
+                place=f"line {number}",
+                expected="one test per file",
+                found=shown(line),
+            )
+            break
+        if match is None:
+            current.append((number, line))
+        elif match[1] == _END:
+            found.ended = True
+        else:
+            if match[1] in found.lines:
+                faults.add(
+                    f"section {match[1]}:: is given twice",
+                    place=f"line {number}",
+                    expected="one test per file",
+                )
+            current = found.lines.setdefault(match[1], [])
+    return found
+
+
+def header_of(sections: Sections, names: Iterable[str]) -> dict[str, str]:
+    """Return the ``Key: value`` lines of these sections as text; known keys get their usual name,
+    other lines are kept as comment.
+    """
+    header: dict[str, str] = {}
+    for name in names:
+        for _, text in sections.lines.get(name, ()):
+            match = _KEY.fullmatch(text)
+            key = match["key"] if match else "comment"
+            value = match["value"] if match else text
+            if not value or (match and key.lower() == "axis"):
+                continue
+            key = _KNOWN.get(key.lower(), key)
+            header[key] = f"{header[key]}\n{value}" if key in header else value
+    return header
+
+
+def axis_name(text: str) -> str:
+    """Return the name of an axis in a free text such as ``X``, ``X axis`` or ``Achse X``, empty
+    where it is none for certain.
+    """
+    match = _AXIS.fullmatch(text.strip())
+    return match["name"].upper() if match else ""
+
+
+def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
+    """Return ``header`` with what a file says of its axis: as ``axis`` where it is a name, else as
+    text.
+    """
+    name = axis_name(text)
+    if name:
+        return {**header, "axis": name}
+    return {**header, "axis as written": text} if text else dict(header)
+
+
+def no_end_finding(sections: Sections) -> Finding | None:
+    """Return the finding about a file without ``EOF::``, None where it is there."""
+    if sections.ended:
+        return None
+    number, text = sections.last
+    return cut_finding(
+        f"The file ends without EOF::, its last line is {shown(text)} (line {number}): it may have"
+        " been cut off, and digits or readings may be missing. Compare with the instrument.",
+    )

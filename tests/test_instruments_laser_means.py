@@ -1,0 +1,159 @@
+"""Means (.pos) and compensation texts (.ren) of laser software."""
+
+from __future__ import annotations
+
+import pytest
+
+from compwright.foundations.errors import InputError
+from compwright.instruments.answers import Answers
+from compwright.instruments.reading import read_positioning
+from compwright.records.positioning import PositioningTest
+from laser_files import compensation_file, laser_file, mean_file
+
+FORWARD = [("0.000", "0.0000"), ("100.000", "0.0021"), ("200.000", "0.0034")]
+REVERSE = [("0.000", "-0.0030"), ("100.000", "-0.0011"), ("200.000", "0.0005")]
+BOTH = [("0.000", "-0.0015"), ("100.000", "0.0005"), ("200.000", "0.0020")]
+
+
+def read(text: str, answers: Answers | None = None) -> PositioningTest:
+    return read_positioning(text.encode(), "y.pos", *([answers] if answers else []))
+
+
+def told(test: PositioningTest) -> dict[str, str]:
+    return {finding.code: finding.message for finding in test.findings}
+
+
+def refused(text: str, answers: Answers | None = None) -> str:
+    with pytest.raises(InputError) as caught:
+        read(text, answers)
+    return str(caught.value)
+
+
+def test_means_of_both_ways() -> None:
+    test = read(
+        mean_file(
+            {
+                "Bidirectional": BOTH,
+                "Forward Directional": FORWARD,
+                "Reverse Directional": REVERSE,
+            }
+        )
+    )
+    assert test.axis == "Y"
+    assert test.targets.tolist() == [0.0, 100.0, 200.0]
+    assert test.positive[:, 0].tolist() == [0.0, 0.0021, 0.0034]
+    assert test.negative[:, 0].tolist() == [-0.003, -0.0011, 0.0005]
+    assert "means of several runs, not readings" in told(test)["CW-R057"]
+    assert "unit: mm" in told(test)["CW-R001"]
+
+
+def test_the_way_back_from_both_and_forward() -> None:
+    test = read(mean_file({"Bidirectional": BOTH, "Forward Directional": FORWARD}))
+    assert test.negative[:, 0] == pytest.approx([-0.003, -0.0011, 0.0006], abs=1e-12)
+    assert "twice those of both directions" in told(test)["CW-R057"]
+
+
+def test_positions_from_high_to_low_turn_the_directions() -> None:
+    test = read(
+        mean_file({"Forward Directional": FORWARD[::-1], "Reverse Directional": REVERSE[::-1]})
+    )
+    assert test.negative[:, 0].tolist() == [0.0, 0.0021, 0.0034]
+    assert "CW-R014" in told(test)
+
+
+def test_a_file_of_means_that_was_cut() -> None:
+    whole = {"Forward Directional": FORWARD, "Reverse Directional": REVERSE}
+    assert "CW-R053" in told(read(mean_file(whole, end=False)))
+    assert "CW-R053" not in told(read(mean_file(whole)))
+    short = {**whole, "Reverse Directional": REVERSE[:2]}
+    assert "may have been cut off" in refused(mean_file(short))
+
+
+@pytest.mark.parametrize(
+    ("blocks", "words"),
+    [
+        ({"Bidirectional": BOTH}, "the directions cannot be told apart"),
+        ({"Forward Directional": []}, "holds no means"),
+        (
+            {
+                "Bidirectional": FORWARD,
+                "Forward Directional": FORWARD,
+                "Reverse Directional": REVERSE,
+            },
+            "is not the mean of the two directions; expected -0.0015",
+        ),
+        ({"Forward Directional": [("0.000", "x")]}, "is not a number"),
+        ({"Forward Directional": [("x", "0.1"), *FORWARD]}, "stands below no title of means"),
+        ({"Forward Directional": [("0.000", "0.001 3")]}, "is no row of position and mean"),
+        ({"Forward Directional": [*FORWARD, FORWARD[0]]}, "a position is given twice"),
+    ],
+)
+def test_means_that_are_refused(blocks: dict[str, list[tuple[str, str]]], words: str) -> None:
+    assert words in refused(mean_file(blocks))
+
+
+def test_two_forms_at_once() -> None:
+    runs = laser_file(["0", "1"], {(1, 1): "0.0", (1, 2): "1.0"})
+    both = runs.replace("EQUIPMENT::", "Position\tBidirectional Avg Error\n0\t0.1\nEQUIPMENT::")
+    assert "is of two forms at once" in refused(both)
+
+
+ROWS = [["1", "-250", "0", "-0.0002"], ["2", "-225", "0.0013", "0.0008"]]
+ROWS += [["3", "-200", "0.0021", "0.0017"]]
+
+
+@pytest.mark.parametrize(("sign", "factor"), [("As errors", 1.0), ("As corrections", -1.0)])
+def test_a_compensation_text_by_its_field(sign: str, factor: float) -> None:
+    test = read(compensation_file(ROWS, sign=sign))
+    assert test.targets.tolist() == [-250.0, -225.0, -200.0]
+    assert test.positive[:, 0].tolist() == [factor * value for value in (0.0, 0.0013, 0.0021)]
+    assert test.negative[:, 0].tolist() == [factor * value for value in (-0.0002, 0.0008, 0.0017)]
+    assert "a compensation table" in told(test)["CW-R058"]
+
+
+def test_a_compensation_text_without_the_field() -> None:
+    text = compensation_file(ROWS, sign=None)
+    assert "errors or corrections" in refused(text)
+    test = read(text, Answers(sign="target minus measured"))
+    assert test.positive[:, 0].tolist() == [0.0, -0.0013, -0.0021]
+
+
+def test_one_table_without_backlash() -> None:
+    rows = [["1", "-250", "0.001"], ["2", "-225", "0.002"], ["3", "-200", "0.003"]]
+    columns = "No.   Axis position   Combined"
+    test = read(compensation_file(rows, columns=columns, backlash="0.000 mm"))
+    assert test.positive.tolist() == test.negative.tolist() == [[0.001], [0.002], [0.003]]
+    for backlash in ("0.005 mm", "N/A"):
+        text = compensation_file(rows, columns=columns, backlash=backlash)
+        assert "how its backlash is split" in refused(text)
+
+
+def test_a_list_of_values() -> None:
+    text = compensation_file([["0.001"], ["0.002"], ["0.003"]], columns="", backlash="0")
+    assert read(text).targets.tolist() == [-250.0, -225.0, -200.0]
+    short = compensation_file([["0.001"], ["0.002"]], columns="", backlash="0")
+    assert "not as many rows" in refused(short)
+
+
+@pytest.mark.parametrize(
+    ("words", "changes"),
+    [
+        ("a type that is not read", {"kind": "Incremental"}),
+        ("the sign is of a kind that is not known", {"sign": "As measured"}),
+        ("do not fit together", {"spacing": "24 mm"}),
+        ("is no length in mm", {"start": "-250 in"}),
+        ("is missing", {"start": ""}),
+        ("is at another position", {"start": "-245 mm", "end": "-195 mm"}),
+        ("not as many rows", {"end": "-175 mm"}),
+    ],
+)
+def test_compensation_texts_that_are_refused(words: str, changes: dict[str, str]) -> None:
+    assert words in refused(compensation_file(ROWS, **changes))
+
+
+def test_whole_numbers_may_be_counts() -> None:
+    rows = [["1", "-250", "0", "-2"], ["2", "-225", "13", "8"], ["3", "-200", "21", "17"]]
+    text = compensation_file(rows, resolution="0.0001 mm")
+    assert "counts of the compensation resolution" in refused(text)
+    test = read(text, Answers(unit="um"))
+    assert test.positive[:, 0] == pytest.approx([0.0, 0.013, 0.021], rel=1e-15)
