@@ -9,8 +9,9 @@ words ("error" for "deviation"); that one approach per direction leaves out s, R
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Final, Literal
 
 import numpy as np
@@ -194,7 +195,7 @@ def evaluate(
     uncertainty = None
     if budget is not None:
         uncertainty, remarks = expanded_uncertainties(
-            test, given, columns, chosen.coverage, budget, thermal
+            test, given, chosen.coverage, budget, thermal, _estimator(chosen, spread)
         )
         findings += remarks
     return PositioningResult(
@@ -237,12 +238,15 @@ def _require_sound(test: PositioningTest) -> None:
         raise InputError(*faults)
 
 
-def _columns(test: PositioningTest, standard: Standard, spread: str) -> TargetColumns:
-    def s(deviations: FloatArray) -> FloatArray:
-        if spread == "range" and standard.range_factors is not None:
-            return standard_deviation_from_range(deviations, standard.range_factors)
-        return standard_deviation(deviations)
+def _estimator(standard: Standard, spread: str) -> Callable[[FloatArray], FloatArray]:
+    """Return what gives s (..., m) of deviations (..., m, n)."""
+    if spread == "range" and standard.range_factors is not None:
+        return partial(standard_deviation_from_range, factors=standard.range_factors)
+    return standard_deviation
 
+
+def _columns(test: PositioningTest, standard: Standard, spread: str) -> TargetColumns:
+    s = _estimator(standard, spread)
     mean_positive, mean_negative = mean_deviation(test.positive), mean_deviation(test.negative)
     s_positive, s_negative = s(test.positive), s(test.negative)
     reversal = mean_positive - mean_negative

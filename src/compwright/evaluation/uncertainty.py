@@ -8,22 +8,34 @@ measurement enters: the repeatability of the axis is part of R and A, not of U.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
+from statistics import NormalDist
 from typing import Final
 
 import numpy as np
 
+from compwright.evaluation.environment import without_environment
+from compwright.evaluation.statistics import mean_deviation, parameters, standard_deviation
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.job import Thermal, UncertaintyBudget
 from compwright.records.positioning import PositioningTest
-from compwright.records.result import ExpandedUncertainty, TargetColumns
+from compwright.records.result import ExpandedUncertainty
 
 COVERAGE: Final = 2.0
 #: Expanded uncertainty (k = 2) of a contributor known by its range a: 2 a / sqrt(12).
 FROM_RANGE: Final = 1.0 / math.sqrt(3.0)
+#: Standard uncertainty of a contributor known by its range, in that range.
+_SIGMA: Final = 1.0 / math.sqrt(12.0)
+#: Readings that are drawn for an uncertainty, within these numbers of tests, and at once.
+_READINGS: Final = 500_000
+_DRAWS: Final = (1000, 4000)
+_AT_ONCE: Final = 500_000
+#: Decimals of mm or deg that are told: below, only the rounding of sums is left.
+_DIGITS: Final = 12
 #: Expansion coefficient of the machine where none is given, µm/(m K): steel.
 _STEEL: Final = 11.5
 
@@ -81,19 +93,23 @@ def temperature_between(
 def expanded_uncertainties(
     test: PositioningTest,
     given: Mapping[str, float | None],
-    columns: TargetColumns,
     coverage: float,
     budget: UncertaintyBudget,
     thermal: Thermal | None = None,
+    spread: Callable[[FloatArray], FloatArray] = standard_deviation,
 ) -> tuple[dict[str, ExpandedUncertainty] | None, list[Finding]]:
     """Return U (mm or deg, k = 2) of each parameter that ``given`` has, and what had to be assumed.
 
-    ``coverage`` is the factor k of the standard on s. With v the expanded uncertainty of one
-    reading from the environmental variation (its range E_VE, one draw per reading) and n the
-    smallest number of readings: B: v sqrt(2/n); E: v sqrt(2/n) (difference of two means); M: v
-    sqrt(1/n); B_mean: v sqrt(2/(n m)); R+, R-: k v; R by the term that decides at its target. E and
-    M add the length terms and the set-up, A is E with k v for the band of s at its ends. None for
-    VDI 3441, whose parameters annex A does not treat.
+    ``coverage`` is the factor k of the standard on s, ``spread`` gives s (..., m) of deviations
+    (..., m, n). U is half the width of the interval about the stated value that holds, in 95.45 of
+    100 cases (k = 2 of the normal law), the value that the same test would have without instrument
+    and environment. The distributions are propagated (JCGM 101:2008, 5 to 7): from readings
+    without the environment (`without_environment`) to the test with one draw per test of the length
+    terms, times position, and one draw of the environmental variation (its range E_VE) per reading.
+    So the targets that decide a maximum count as they are, be they one, or many between which it
+    wanders. What has no course over the positions (set-up; the instrument of a rotary axis) is a
+    draw per test in the differences A, E and M. None for VDI 3441, whose parameters annex A does
+    not treat.
     """
     if "P" in given:
         return None, [
@@ -104,49 +120,88 @@ def expanded_uncertainties(
                 " parameters only.",
             )
         ]
-    v = FROM_RANGE * budget.E_VE
-    directions = [d for d in Direction if np.any(np.isfinite(test.deviations(d)))]
-    n = min(float(number[number > 0].min()) for number in map(test.readings, directions))
-    length = math.hypot(length_uncertainty(test, budget, thermal), budget.setup)
-    reversal = v * math.sqrt(2.0 / n)
-    systematic = math.hypot(length, reversal)
-    accuracy = math.hypot(systematic, coverage * v)
-    stated = {
-        "A": accuracy,
-        "A_positive": accuracy,
-        "A_negative": accuracy,
-        "E": systematic,
-        "E_positive": systematic,
-        "E_negative": systematic,
-        "M": math.hypot(length, v * math.sqrt(1.0 / n)),
-        "R": _bidirectional_repeatability(columns, coverage, v, reversal),
-        "R_positive": coverage * v,
-        "R_negative": coverage * v,
-        "B": reversal,
-        "B_mean": v * math.sqrt(2.0 / (n * test.targets.size)),
-    }
-    factor = outside_factor(test.kind.unit)
+    names = [name for name, value in given.items() if value is not None]
+    differences = _propagated(_measured(test), names, coverage, budget, thermal, spread)
     result = {
-        name: ExpandedUncertainty(stated[name] / factor, COVERAGE)
-        for name, value in given.items()
-        if value is not None
+        name: ExpandedUncertainty(_expanded(off), COVERAGE) for name, off in differences.items()
     }
     return result, _assumptions(test, budget, thermal)
 
 
-def _bidirectional_repeatability(
-    columns: TargetColumns, coverage: float, v: float, reversal: float
-) -> float:
-    """Return U(R) by its deciding term: 2k s of one direction, or k s+ + k s- + abs(B_i) (each k s
-    carries k v / 2).
+def _expanded(off: FloatArray) -> float:
+    """Return the half width that holds as many of the draws ``off`` as two standard deviations hold
+    of normal scores.
     """
-    both = columns.repeatability
-    if not np.any(np.isfinite(both)):
-        return math.nan
-    i = int(np.nanargmax(both))
-    if both[i] <= max(columns.repeatability_positive[i], columns.repeatability_negative[i]):
-        return coverage * v
-    return math.hypot(reversal, 0.5 * coverage * v, 0.5 * coverage * v)
+    scores = np.sort(np.abs(_normal_scores(off.size)))
+    held = np.interp(COVERAGE, scores, np.arange(off.size)) / (off.size - 1)
+    return round(float(np.quantile(np.abs(off), held)), _DIGITS)
+
+
+def _measured(test: PositioningTest) -> PositioningTest:
+    """Return the test without the targets that have no reading at all."""
+    there = np.any([test.readings(direction) > 0 for direction in Direction], axis=0)
+    return replace(
+        test,
+        targets=test.targets[there],
+        positive=test.positive[there],
+        negative=test.negative[there],
+    )
+
+
+def _propagated(
+    test: PositioningTest,
+    names: Sequence[str],
+    coverage: float,
+    budget: UncertaintyBudget,
+    thermal: Thermal | None,
+    spread: Callable[[FloatArray], FloatArray],
+) -> dict[str, FloatArray]:
+    """Return draws of each parameter with instrument and environment, less the one without."""
+    factor = outside_factor(test.kind.unit)
+    linear = test.kind is AxisKind.LINEAR
+    length = float(test.targets[-1] - test.targets[0])
+    over_length = length_uncertainty(test, budget, thermal) / COVERAGE / factor
+    along = (test.targets - test.targets[0])[:, np.newaxis] / length if length > 0.0 else 0.0
+    beside = budget.setup if linear and length > 0.0 else math.hypot(budget.setup, budget.device)
+    rng = np.random.default_rng(0)  # the same test has the same uncertainty
+    readings = max(test.positive.size + test.negative.size, 1)
+    count = int(np.clip(_READINGS // readings, *_DRAWS))
+    slopes, offs = (rng.permutation(_normal_scores(count)) for _ in range(2))
+    found: dict[str, list[FloatArray]] = {name: [] for name in names}
+    for part in np.array_split(np.arange(count), max(1, count * readings // _AT_ONCE)):
+        truth = without_environment(test, _SIGMA * budget.E_VE / factor, part.size, rng)
+        sloped = slopes[part][:, np.newaxis, np.newaxis] * over_length * along * linear
+        seen = [
+            block + sloped + (rng.random(block.shape) - 0.5) * budget.E_VE / factor
+            for block in truth
+        ]
+        one, other = (_parameters(blocks, coverage, spread) for blocks in (seen, truth))
+        for name, draws in found.items():
+            more = offs[part] * beside / COVERAGE / factor if name[0] in "AEM" else 0.0
+            draws.append(one[name] - other[name] + more)
+    return {name: np.concatenate(draws) for name, draws in found.items()}
+
+
+def _parameters(
+    blocks: Sequence[FloatArray], coverage: float, spread: Callable[[FloatArray], FloatArray]
+) -> Mapping[str, FloatArray]:
+    positive, negative = blocks
+    return parameters(
+        mean_deviation(positive),
+        spread(positive),
+        mean_deviation(negative),
+        spread(negative),
+        coverage,
+    )
+
+
+@cache
+def _normal_scores(count: int) -> FloatArray:
+    """Return the means of equally likely slices of the normal law, so that one contributor alone
+    comes out as it is (McKay, Beckman and Conover, Technometrics 21 (1979) 239).
+    """
+    law = NormalDist()
+    return np.array([law.inv_cdf((i + 0.5) / count) for i in range(count)])
 
 
 def _assumptions(

@@ -1,0 +1,193 @@
+"""What an axis did beneath the environmental variation: the readings of a test as they would have
+been without it, drawn from what the readings leave possible.
+
+A reading is a position of the axis plus a draw of the environmental variation, whose size is known.
+What is added makes a test wider than its axis: scatter grows, and of many targets the one that got
+most decides a maximum. So it is taken out again, by empirical Bayes (Efron, Large-Scale Inference,
+2010, chapter 1): the scatter about the mean of a target is divided between axis and environment,
+and the means are drawn towards a smooth curve as far as their roughness is no more than the
+environment explains. The repeatability of the axis stays: it belongs to the axis.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from compwright.evaluation.statistics import count_readings, mean_deviation
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.positioning import PositioningTest
+
+#: Variances that are tried, in units of the environmental variation's own.
+_TRIED: Final = np.concatenate([[0.0], 4.0 ** np.arange(-3.0, 9.0)])
+#: How far the variance of the axis' own scatter may differ from target to target: standard
+#: deviation of its natural logarithm.
+_SPREADS: Final = (0.0, 0.7, 1.4)
+#: Prior weight of an axis without any scatter of its own, against all that are tried.
+_STILL: Final = 0.1
+#: Powers of the frequency with which the variance of a smooth curve falls: random walk, integrated
+#: random walk.
+_POWERS: Final = (2.0, 4.0)
+
+
+def without_environment(
+    test: PositioningTest, sigma: float, count: int, rng: np.random.Generator
+) -> tuple[FloatArray, FloatArray]:
+    """Return ``count`` draws of the readings in + (count, m, n) and in -, mm or deg, without an
+    environmental variation of standard deviation ``sigma``, one draw per reading; NaN where none
+    was made.
+    """
+    blocks = (test.positive, test.negative)
+    if sigma <= 0.0:
+        still = [np.broadcast_to(block, (count, *block.shape)) for block in blocks]
+        return still[0], still[1]
+    m = test.targets.size
+    squares, number = (
+        np.concatenate([of(block) for block in blocks]) for of in (_squares, count_readings)
+    )
+    own = _own_variance(squares, number, sigma, count, rng)
+    means = _means(test, float(np.mean(own[:, number > 0])), sigma, count, rng)
+    scatter = (
+        _scatter(block, own[:, first : first + m], sigma, rng)
+        for block, first in zip(blocks, (0, m), strict=True)
+    )
+    positive, negative = (
+        mean[:, :, np.newaxis] + off for mean, off in zip(means, scatter, strict=True)
+    )
+    return positive, negative
+
+
+def _squares(block: FloatArray) -> FloatArray:
+    """Return the sum of squares (m,) about the mean of each target."""
+    return np.asarray(np.nansum((block - mean_deviation(block)[:, np.newaxis]) ** 2, axis=1))
+
+
+def _own_variance(
+    squares: FloatArray, number: FloatArray, sigma: float, count: int, rng: np.random.Generator
+) -> FloatArray:
+    """Return draws (count, k) of the variance of the axis' own scatter in k cells, each with its
+    sum of ``squares`` (k,) over ``number`` (k,) readings.
+
+    The cells share a level and a spread about it, both drawn by their likelihood; within a cell the
+    squares are chi-square times own variance plus sigma².
+    """
+    tried = _TRIED * sigma**2
+    total = tried + sigma**2
+    degrees = np.maximum(number - 1.0, 0.0)[:, np.newaxis]
+    like = -0.5 * (degrees * np.log(total) + squares[:, np.newaxis] / total)
+    like = np.exp(like - like.max(axis=1, keepdims=True))
+    shares = _populations()
+    cells = shares[:, np.newaxis, :] * like
+    evidence = np.log(np.maximum(cells.sum(axis=2), np.finfo(float).tiny)).sum(axis=1)
+    evidence[0] += np.log(_STILL * (shares.shape[0] - 1))
+    steps = np.cumsum(cells, axis=2)
+    steps /= np.maximum(steps[:, :, -1:], np.finfo(float).tiny)
+    below = steps[_drawn(evidence, count, rng)] < rng.random((count, squares.size, 1))
+    return np.asarray(tried[np.minimum(below.sum(axis=2), tried.size - 1)])
+
+
+def _populations() -> FloatArray:
+    """Return the shares (h, t) of the variances tried: every level with every spread about it; the
+    first one is no scatter at all.
+    """
+    level = np.log(4.0) * np.arange(_TRIED.size)
+    off = level[:, np.newaxis] - level
+    shares = [np.eye(_TRIED.size)] + [np.exp(-0.5 * (off / s) ** 2) for s in _SPREADS if s > 0.0]
+    stacked = np.concatenate(shares)
+    return np.asarray(stacked / stacked.sum(axis=1, keepdims=True))
+
+
+def _drawn(evidence: FloatArray, count: int, rng: np.random.Generator) -> NDArray[np.intp]:
+    """Return ``count`` indices, drawn with probabilities in proportion to exp(``evidence``)."""
+    steps = np.cumsum(np.exp(evidence - evidence.max()))
+    return np.searchsorted(steps[:-1] / steps[-1], rng.random(count))
+
+
+def _scatter(
+    block: FloatArray, own: FloatArray, sigma: float, rng: np.random.Generator
+) -> FloatArray:
+    """Return draws (count, m, n) of the axis' own scatter about its means, from that of ``block``
+    (m, n).
+
+    Of a residual the share own / (own + sigma²) is the axis'; what is uncertain of it has the
+    variance of sigma² times that share (both normal).
+    """
+    share = (own / (own + sigma**2))[:, :, np.newaxis]
+    fresh = np.where(np.isfinite(block), rng.standard_normal((own.shape[0], *block.shape)), np.nan)
+    fresh -= mean_deviation(fresh)[:, :, np.newaxis]
+    residual = block - mean_deviation(block)[:, np.newaxis]
+    return np.asarray(share * residual + sigma * np.sqrt(share) * fresh)
+
+
+def _means(
+    test: PositioningTest, own: float, sigma: float, count: int, rng: np.random.Generator
+) -> tuple[FloatArray, FloatArray]:
+    """Return draws (count, m) of the means in + and in - without the environment."""
+    up, down = mean_deviation(test.positive), mean_deviation(test.negative)
+    readings = np.concatenate([test.readings(direction) for direction in Direction])
+    number = float(np.mean(readings[readings > 0]))
+    if not test.bidirectional:
+        positive, negative = (
+            _curve(test.targets, curve, (own / number, sigma**2 / number), count, rng)
+            for curve in (up, down)
+        )
+        return positive, negative
+    middle, half = (
+        _curve(test.targets, 0.5 * curve, (0.5 * own / number, 0.5 * sigma**2 / number), count, rng)
+        for curve in (up + down, up - down)
+    )
+    return middle + half, middle - half
+
+
+def _curve(
+    targets: FloatArray,
+    values: FloatArray,
+    variances: tuple[float, float],
+    count: int,
+    rng: np.random.Generator,
+) -> FloatArray:
+    """Return draws (count, m) of ``values`` (m,) without their noise; ``variances``: of the axis'
+    own scatter in them, which is at least there, and of the noise.
+
+    Less its straight line a curve is smooth plus rough: over the cosines of the order of the
+    targets the variance is a / frequency^p + w, with a, p and w by their evidence.
+    """
+    own, noise = variances
+    drawn = np.repeat(values[np.newaxis], count, axis=0)
+    known = np.isfinite(values)
+    if np.count_nonzero(known) < 4:  # beside a straight line nothing would be left to judge by
+        return drawn
+    along = targets[known] - targets[known].mean()
+    line = values[known].mean() + along * (along @ values[known]) / (along @ along)
+    waves = _cosines(along.size)
+    size = waves @ (values[known] - line)
+    variance, prior = _curves_tried(along.size)
+    variance = own + variance * noise
+    total = variance + noise
+    evidence = prior - 0.5 * (np.log(total) + size**2 / total).sum(axis=1)
+    share = (variance / total)[_drawn(evidence, count, rng)]
+    fresh = np.sqrt(noise * share) * rng.standard_normal(share.shape)
+    drawn[:, known] = line + (share * size + fresh) @ waves
+    return drawn
+
+
+def _curves_tried(m: int) -> tuple[FloatArray, FloatArray]:
+    """Return the variances (h, m - 1) of the cosines in units of the noise, and the logarithm of
+    their weights (h,): no smooth part weighs as much as all, and so does no rough part.
+    """
+    frequency = 2.0 * np.sin(0.5 * np.pi * np.arange(1, m) / m)
+    shapes = [frequency**-power for power in _POWERS]
+    smooth = [size * shape / shape.mean() for shape in shapes for size in _TRIED[1:]]
+    parts = [np.zeros(m - 1), *smooth]
+    weights = [1.0, *([1.0 / len(smooth)] * len(smooth))]
+    rough = [1.0, *([1.0 / (_TRIED.size - 1)] * (_TRIED.size - 1))]
+    variance = [part + more for part in parts for more in _TRIED]
+    return np.array(variance), np.log(np.outer(weights, rough)).ravel()
+
+
+def _cosines(m: int) -> FloatArray:
+    """Return the cosines (m - 1, m) of the orthonormal transform, without the constant."""
+    order, target = np.arange(1, m)[:, np.newaxis], np.arange(m)
+    return np.asarray(np.sqrt(2.0 / m) * np.cos(np.pi * order * (target + 0.5) / m))
