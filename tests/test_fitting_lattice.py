@@ -178,6 +178,8 @@ def random_case(rng: np.random.Generator, kind: str, step: bool) -> Case:
         backlash_range=(-2 * UM, 3 * UM),
         period=float(nodes[-1] - nodes[0]) if endless else None,
     )
+    if "two" not in kind:
+        at_reference += beside_the_mean(positions, curves, capacity, home)
     wanted = wish(
         positions,
         curves[0] - at_reference,
@@ -188,6 +190,19 @@ def random_case(rng: np.random.Generator, kind: str, step: bool) -> Case:
     return Case(
         wanted, capacity, lattice, nodes, anchor, "bidirectional" if "two" in kind else "single"
     )
+
+
+def beside_the_mean(
+    positions: Array, curves: list[Array], capacity: Capacity, home: Direction
+) -> float:
+    """How far the best single curve lies beside that of the return direction at the reference:
+    half of what one value within its range holds of the reversal less what is wanted there.
+    """
+    own, other = curves if home is POSITIVE else curves[::-1]
+    backlash = home.opposite.sign * float(np.trapezoid(other - own, positions) / np.ptp(positions))
+    low, high = capacity.backlash_range if capacity.backlash_quantum else (0.0, 0.0)
+    held = home.opposite.sign * min(max(backlash, low), high)
+    return 0.5 * (float(np.interp(3.0, positions, other - own)) - held)
 
 
 def whole_tables(case: Case) -> Array:

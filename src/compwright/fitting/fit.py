@@ -14,6 +14,7 @@ from typing import Final, Literal
 
 import numpy as np
 
+from compwright.fitting.datum import with_datum
 from compwright.fitting.endless import over_one_period
 from compwright.fitting.grid import Grid, choose_grid
 from compwright.fitting.line import fit_line
@@ -36,7 +37,6 @@ from compwright.fitting.solve import RangeProblem, solve_quadratic, solve_range
 from compwright.fitting.sparse import stacked, sum_of
 from compwright.fitting.whole import goal_finding, whole_table
 from compwright.foundations.errors import CapacityError, Fault
-from compwright.foundations.findings import Finding
 from compwright.records.axis import Direction, FloatArray
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation
@@ -78,7 +78,8 @@ def fit_table(
         wanted = over_one_period(wanted, capacity.period)
     shape, reason = _shape(wanted, capacity, request)
     grid = choose_grid(wanted, capacity, request)
-    aim, datum_findings = _with_datum(grid.wanted, grid.nodes, capacity)
+    layout = _layout(grid.nodes, shape, capacity, wanted.reference_return)
+    aim, datum_findings = with_datum(grid.wanted, layout, capacity)
     if capacity.lattice is not None:
         fitted = whole_table(
             grid,
@@ -90,8 +91,7 @@ def fit_table(
             goal=request.goal,
         )
         return replace(fitted, findings=(*datum_findings, *fitted.findings))
-    layout = _layout(grid.nodes, shape, capacity, wanted.reference_return)
-    fit = _Fit(sampled(aim, grid.nodes, capacity), layout, capacity, wanted.reference)
+    fit = _Fit(sampled(aim, grid.nodes, capacity), layout, capacity, aim)
     best = fit.expected() if request.goal == "expected" else fit.least_range(aim, request.goal)
     table = _rounded(best.x, fit, address, aim)
     limits = _limits(fit, best, table, grid)
@@ -188,39 +188,6 @@ def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction
     return Layout(nodes=nodes, shape=shape, reversal="backlash", home=home)
 
 
-def _with_datum(
-    wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity
-) -> tuple[WantedCorrection, tuple[Finding, ...]]:
-    """Return ``wanted`` shifted to zero where the control's table must be zero, and what to say
-    about it.
-
-    A constant is free: it moves the datum of the axis, not its errors. Where the reference lies
-    outside the table and the control holds its end value there, it is the end node that must be
-    zero.
-    """
-    reference = wanted.reference
-    outside = "below" if reference < nodes[0] else "above" if reference > nodes[-1] else None
-    place = float(np.clip(reference, nodes[0], nodes[-1]))
-    findings: tuple[Finding, ...] = ()
-    if outside is not None:
-        holds = (capacity.below if outside == "below" else capacity.above) == "hold"
-        acts = "its end value, which is therefore zero" if holds else "nothing"
-        unit = wanted.kind.unit
-        message = (
-            f"The reference position ({reference:g} {unit}) lies outside the table ({nodes[0]:g} to"
-            f" {nodes[-1]:g} {unit}): there the control applies {acts}, and the error between them"
-            " is not corrected"
-        )
-        findings = (Finding("CW-F003", "warning", message),)
-        if not holds:
-            place = reference
-    shift = float(np.interp(place, wanted.positions, wanted.total(wanted.reference_return)))
-    return (
-        replace(wanted, positive=wanted.positive - shift, negative=wanted.negative - shift),
-        findings,
-    )
-
-
 @dataclass(frozen=True, slots=True)
 class _Best:
     """Unknowns before rounding, and their certificate."""
@@ -231,15 +198,17 @@ class _Best:
 
 @dataclass(frozen=True, slots=True)
 class _Fit:
-    """One fit: the sampled wish, where the unknowns stand, the limits."""
+    """One fit: the sampled wish, where the unknowns stand, the limits; ``aim``: the wish."""
 
     data: Sampled
     layout: Layout
     capacity: Capacity
-    reference: float
+    aim: WantedCorrection
 
     def problem(self, without: tuple[str, ...] = ()) -> QuadraticProblem:
-        return state_problem(self.data, self.layout, self.capacity, self.reference, without=without)
+        return state_problem(
+            self.data, self.layout, self.capacity, self.aim.reference, without=without
+        )
 
     def expected(self, without: tuple[str, ...] = ()) -> _Best:
         solution = solve_quadratic(self.problem(without))
@@ -282,7 +251,9 @@ class _Fit:
         layout = replace(
             self.layout, shape=shape or self.layout.shape, reversal=reversal or self.layout.reversal
         )
-        other = replace(self, layout=layout)
+        aim, _ = with_datum(self.aim, layout, self.capacity)
+        data = sampled(aim, layout.nodes, self.capacity)
+        other = replace(self, data=data, layout=layout, aim=aim)
         return other.rms(other.expected(_BOUNDS).x)
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from compwright.fitting.certify import lattice_certificate
 from compwright.fitting.chain import Chain, Wish, build_chain, no_push, relax
+from compwright.fitting.datum import zero_in_the_zero_state
 from compwright.fitting.grid import Grid
 from compwright.fitting.lattice import Part, Solution, best_totals, relaxed_bound
 from compwright.fitting.problem import Rows, Shape, quadrature, rows_at
@@ -118,7 +119,8 @@ class WholeFit:
         """Return the mean squares (of mm or deg) without whole numbers and limits, by what the
         table may be.
         """
-        free = _free(self.home_curve()) + _free(self.other_curve(free=True))
+        two = replace(self, aim=zero_in_the_zero_state(self.aim, self.nodes, self.capacity)[0])
+        free = _free(two.home_curve()) + _free(two.other_curve(free=True))
         with_constant = _free(self.single(reversal=True))
         own = free
         if self.shape == "single":

@@ -1,0 +1,87 @@
+"""The datum of a table: a constant over both directions moves the zero of the axis, not its errors,
+so that it is free which value of what is wanted comes to lie at the reference.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from compwright.fitting.problem import Layout
+from compwright.foundations.findings import Finding
+from compwright.records.axis import FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.estimate import WantedCorrection
+
+
+def with_datum(
+    wanted: WantedCorrection, layout: Layout, capacity: Capacity
+) -> tuple[WantedCorrection, tuple[Finding, ...]]:
+    """Return ``wanted`` (totals, mm or deg) shifted so that the table of ``layout`` which comes
+    closest to it is zero in the zero state, and what to say about the reference.
+    """
+    zeroed, place, findings = zero_in_the_zero_state(wanted, layout.nodes, capacity)
+    if layout.shape == "single":
+        zeroed = _shifted(zeroed, _beside_the_mean(zeroed, place, layout, capacity))
+    return zeroed, findings
+
+
+def zero_in_the_zero_state(
+    wanted: WantedCorrection, nodes: FloatArray, capacity: Capacity
+) -> tuple[WantedCorrection, float, tuple[Finding, ...]]:
+    """Return ``wanted`` shifted to zero where a table on ``nodes`` must be zero, that place, and
+    what to say about the reference.
+
+    Where the reference lies outside the table and the control holds its end value there, it is the
+    end node that must be zero.
+    """
+    place = wanted.reference
+    findings: tuple[Finding, ...] = ()
+    if not nodes[0] <= place <= nodes[-1]:
+        rule = capacity.below if place < nodes[0] else capacity.above
+        acts = "its end value, which is therefore zero" if rule == "hold" else "nothing"
+        findings = (_outside(wanted, nodes, acts),)
+        place = float(np.clip(place, nodes[0], nodes[-1])) if rule == "hold" else place
+    home = wanted.total(wanted.reference_return)
+    return _shifted(wanted, float(np.interp(place, wanted.positions, home))), place, findings
+
+
+def _shifted(wanted: WantedCorrection, shift: float) -> WantedCorrection:
+    return replace(wanted, positive=wanted.positive - shift, negative=wanted.negative - shift)
+
+
+def _beside_the_mean(
+    wanted: WantedCorrection, place: float, layout: Layout, capacity: Capacity
+) -> float:
+    """Return by how much one curve with one reversal value lies beside what is wanted of the return
+    direction at ``place``, mm or deg.
+
+    The best curve follows the mean of both directions, half the one reversal value beside it (least
+    squares: Draper and Smith, Applied Regression Analysis, 3rd ed. 1998, chapter 1). Were it pinned
+    to what is wanted there instead, it would have to bend off before and behind the reference by
+    half of what the reversal there differs from that value.
+    """
+    home = wanted.reference_return
+    reversal = wanted.total(home) - wanted.total(home.opposite)
+    held = 0.0
+    if layout.reversal != "none":
+        pieces = np.diff(wanted.positions)
+        mean = float(pieces @ (reversal[1:] + reversal[:-1])) / (2.0 * float(pieces.sum()))
+        held = mean
+        if layout.reversal == "backlash":
+            ends = [home.sign * end for end in capacity.backlash_range]
+            held = float(np.clip(mean, min(ends), max(ends)))
+    here = float(np.interp(place, wanted.positions, reversal))
+    return 0.5 * (held - here)
+
+
+def _outside(wanted: WantedCorrection, nodes: FloatArray, acts: str) -> Finding:
+    unit = wanted.kind.unit
+    return Finding(
+        "CW-F003",
+        "warning",
+        f"The reference position ({wanted.reference:g} {unit}) lies outside the table"
+        f" ({nodes[0]:g} to {nodes[-1]:g} {unit}): there the control applies {acts}, and the error"
+        " between them is not corrected",
+    )
