@@ -183,6 +183,18 @@ def test_hand_worked_terms() -> None:
     assert U["E"] == pytest.approx(hypot(0.4, v * sqrt(2 / 5)), rel=0.05)
 
 
+def test_the_certificate_counts_over_the_distance_of_the_targets_that_decide() -> None:
+    """A wave with its extremes 500 mm apart, measured over 1 m: U + per_m · 0.5 m, one sign."""
+    curve = 0.02 * np.sin(2.0 * np.pi * TARGETS / LENGTH)
+    for sign in (1.0, -1.0):
+        test = axis_test(TARGETS, np.repeat(sign * curve[:, None], 5, 1), np.empty((11, 0)))
+        result = evaluate(test, budget=UncertaintyBudget(device=3.0, device_per_m=1.2))
+        assert result.uncertainty is not None
+        apart = 0.4  # m: targets every 100 mm, extremes at 300 and 700 mm
+        low, high = 3.0 + 1.2 * apart, 3.0 + 1.2 * (apart + 0.2)  # the neighbours are as far up
+        assert low < result.uncertainty["E_positive"].U / UM < high
+
+
 def test_hand_worked_terms_of_the_scatter() -> None:
     """Where the axis scatters much more than the environment, s changes by v/2 · sqrt(1/(n-1)):
     one target decides, R = 2k s, and A = 2 (mean ± k s) of both ends.

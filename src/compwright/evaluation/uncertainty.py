@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import cache
 from statistics import NormalDist
 from typing import Final
@@ -22,7 +22,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.job import Thermal, UncertaintyBudget
-from compwright.records.positioning import PositioningTest
+from compwright.records.positioning import SAME_READING, PositioningTest
 from compwright.records.result import ExpandedUncertainty
 
 COVERAGE: Final = 2.0
@@ -107,9 +107,9 @@ def expanded_uncertainties(
     without the environment (`without_environment`) to the test with one draw per test of the length
     terms, times position, and one draw of the environmental variation (its range E_VE) per reading.
     So the targets that decide a maximum count as they are, be they one, or many between which it
-    wanders. What has no course over the positions (set-up; the instrument of a rotary axis) is a
-    draw per test in the differences A, E and M. None for VDI 3441, whose parameters annex A does
-    not treat.
+    wanders. What has no course over the positions (set-up; of the instrument what does not grow
+    with the distance) is a draw per test in the differences A, E and M. None for VDI 3441, whose
+    parameters annex A does not treat.
     """
     if "P" in given:
         return None, [
@@ -121,7 +121,8 @@ def expanded_uncertainties(
             )
         ]
     names = [name for name, value in given.items() if value is not None]
-    differences = _propagated(_measured(test), names, coverage, budget, thermal, spread)
+    there = _measured(test)
+    differences = _propagated(there, names, coverage, _added(there, budget, thermal), spread)
     result = {
         name: ExpandedUncertainty(_expanded(off), COVERAGE) for name, off in differences.items()
     }
@@ -148,38 +149,72 @@ def _measured(test: PositioningTest) -> PositioningTest:
     )
 
 
+@dataclass(frozen=True, slots=True)
+class _Added:
+    """What instrument and environment add, mm or deg: standard deviation of the ``slope`` over the
+    positions (mm/mm), of what goes ``with_slope`` and of what goes ``beside`` it in the difference
+    of two targets; ``variation``, range of the environmental variation of a reading.
+    """
+
+    slope: float
+    with_slope: float
+    beside: float
+    variation: float
+
+
+def _added(test: PositioningTest, budget: UncertaintyBudget, thermal: Thermal | None) -> _Added:
+    """Return what is added, from the contributors.
+
+    The certificate of an instrument speaks of the distance of any two positions: U + per_m times
+    the distance, with one sign. So the part of its draw that is in the slope is in U too.
+    """
+    factor = outside_factor(test.kind.unit)
+    unit = COVERAGE * factor
+    length = max(float(test.targets[-1] - test.targets[0]), SAME_READING)
+    rest = length_uncertainty(test, replace(budget, device=0.0, device_per_m=0.0), thermal) / length
+    per_mm = budget.device_per_m / 1000.0 if test.kind is AxisKind.LINEAR else 0.0
+    slope = math.hypot(per_mm, rest)
+    with_slope = budget.device * per_mm / slope if slope > 0.0 else 0.0
+    alone = math.sqrt(max(budget.device**2 - with_slope**2, 0.0))
+    return _Added(
+        slope / unit,
+        with_slope / unit,
+        math.hypot(alone, budget.setup) / unit,
+        budget.E_VE / factor,
+    )
+
+
 def _propagated(
     test: PositioningTest,
     names: Sequence[str],
     coverage: float,
-    budget: UncertaintyBudget,
-    thermal: Thermal | None,
+    added: _Added,
     spread: Callable[[FloatArray], FloatArray],
 ) -> dict[str, FloatArray]:
     """Return draws of each parameter with instrument and environment, less the one without."""
-    factor = outside_factor(test.kind.unit)
-    linear = test.kind is AxisKind.LINEAR
-    length = float(test.targets[-1] - test.targets[0])
-    over_length = length_uncertainty(test, budget, thermal) / COVERAGE / factor
-    along = (test.targets - test.targets[0])[:, np.newaxis] / length if length > 0.0 else 0.0
-    beside = budget.setup if linear and length > 0.0 else math.hypot(budget.setup, budget.device)
     rng = np.random.default_rng(0)  # the same test has the same uncertainty
     readings = max(test.positive.size + test.negative.size, 1)
     count = int(np.clip(_READINGS // readings, *_DRAWS))
-    slopes, offs = (rng.permutation(_normal_scores(count)) for _ in range(2))
+    slopes, besides = (rng.permutation(_normal_scores(count)) for _ in range(2))
+    along = added.slope * (test.targets - test.targets[0])[:, np.newaxis]
     found: dict[str, list[FloatArray]] = {name: [] for name in names}
     for part in np.array_split(np.arange(count), max(1, count * readings // _AT_ONCE)):
-        truth = without_environment(test, _SIGMA * budget.E_VE / factor, part.size, rng)
-        sloped = slopes[part][:, np.newaxis, np.newaxis] * over_length * along * linear
+        truth = without_environment(test, _SIGMA * added.variation, part.size, rng)
+        sloped = slopes[part, np.newaxis, np.newaxis] * along
         seen = [
-            block + sloped + (rng.random(block.shape) - 0.5) * budget.E_VE / factor
-            for block in truth
+            block + sloped + (rng.random(block.shape) - 0.5) * added.variation for block in truth
         ]
         one, other = (_parameters(blocks, coverage, spread) for blocks in (seen, truth))
         for name, draws in found.items():
-            more = offs[part] * beside / COVERAGE / factor if name[0] in "AEM" else 0.0
-            draws.append(one[name] - other[name] + more)
-    return {name: np.concatenate(draws) for name, draws in found.items()}
+            draws.append(one[name] - other[name])
+
+    def whole(name: str, off: FloatArray) -> FloatArray:
+        if name[0] not in "AEM":
+            return off
+        sense = 1.0 if off @ slopes >= 0.0 else -1.0  # in which the slope moves the difference
+        return off + sense * added.with_slope * slopes + added.beside * besides
+
+    return {name: whole(name, np.concatenate(draws)) for name, draws in found.items()}
 
 
 def _parameters(
