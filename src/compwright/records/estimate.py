@@ -3,9 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, Direction, FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class AxisPeriod:
+    """A period of the error, mm or deg, the probability that it is there, and who says so: the
+    job, the search, or the control's own files.
+    """
+
+    period: float
+    probability: float
+    source: Literal["job", "found", "files"]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,0 +1,276 @@
+"""The periods that one look at the data suggests, with what speaks for each: prior, likelihood, and
+those that the targets cannot tell apart.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.basis import ALIASED
+from compwright.estimation.period_likelihood import Choice, IntArray, PeriodLikelihood
+from compwright.estimation.usual_periods import USUAL_PERIODS
+from compwright.records.axis import AxisKind, FloatArray
+
+BOTH: Final = (1, 2)
+#: Frequencies this near, in units of 1 / length, are one peak.
+_PEAK: Final = 0.7
+#: Peaks that are looked at closely, and those whose share is worth it (natural logarithm).
+_PEAKS: Final = 8
+_WORTH: Final = 4.0
+#: Points of a close look; it gets closer while fewer of them than that count.
+_POINTS: Final = 17
+_FEW: Final = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Odds:
+    """Probabilities before the data: ``none``, no period at all (or no further one); ``usual``, one
+    of the usual periods; what is left: any other, evenly over the logarithm of the period.
+    """
+
+    none: float
+    usual: float
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A period that may be: ``frequencies`` (k,) with their ``shares`` (k,), sum 1, and the
+    logarithm ``log`` of its probability over that of none.
+
+    ``usual``: the usual period (mm or deg) that it is rather than any other beside it. ``aliases``:
+    frequencies (j,) that look all but the same at the targets, and ``alias_shares`` (j,) of the
+    probability that are theirs.
+    """
+
+    frequencies: FloatArray
+    shares: FloatArray
+    harmonics: tuple[int, ...]
+    log: float
+    usual: float | None
+    aliases: FloatArray
+    alias_shares: FloatArray
+
+    @property
+    def period(self) -> float:
+        """The usual one that it is, or its mean, mm or deg."""
+        return self.usual or float(1.0 / (self.shares @ self.frequencies))
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """Candidates of one look, the most probable first; ``rest``: logarithm of the probability, over
+    that of none, of all that is no candidate; ``log_odds`` (f,) over the frequencies searched.
+    """
+
+    candidates: tuple[Candidate, ...]
+    rest: float
+    log_odds: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class _Prior:
+    """Prior odds against none: ``density`` (f,) logarithm per frequency at ``frequencies`` (f,);
+    ``usual`` (u,) frequencies of the usual periods with the logarithms ``log_usual`` (u,)."""
+
+    frequencies: FloatArray
+    density: FloatArray
+    usual: FloatArray
+    log_usual: FloatArray
+
+    def at(self, frequencies: FloatArray) -> FloatArray:
+        density: FloatArray = np.interp(frequencies, self.frequencies, self.density)
+        return density
+
+
+def _prior(frequencies: FloatArray, kind: AxisKind, before: Odds) -> _Prior:
+    usual = [
+        each
+        for each in USUAL_PERIODS[kind]
+        if frequencies[0] <= 1.0 / each.size <= frequencies[-1] * (1.0 + 1e-9)
+    ]
+    other = 1.0 - before.none - before.usual
+    span = np.log(frequencies[-1] / frequencies[0])
+    weights = np.array([each.weight for each in usual])
+    return _Prior(
+        frequencies,
+        np.log(other / before.none) - np.log(frequencies * span),
+        np.array([1.0 / each.size for each in usual]),
+        np.log(before.usual / before.none * weights / max(float(np.sum(weights)), 1e-300)),
+    )
+
+
+def candidates_of(
+    likelihood: PeriodLikelihood, frequencies: FloatArray, kind: AxisKind, before: Odds
+) -> Look:
+    """Return the candidates among the equally spaced ``frequencies`` (f,) and the usual periods of
+    an axis of this ``kind``.
+    """
+    targets = likelihood.targets
+    resolution = 1.0 / float(np.ptp(targets))
+    prior = _prior(frequencies, kind, before)
+    everywhere = np.concatenate([frequencies, prior.usual])
+    odds = _either(likelihood, everywhere, likelihood.coarse())
+    cell = np.log(frequencies[1] - frequencies[0])
+    logs = odds + np.concatenate([prior.density + cell, prior.log_usual])
+    close = _peaks(everywhere, logs, targets, resolution)
+    taken = np.zeros(logs.size, dtype=bool)
+    for _, members in close:
+        taken[members] = True
+    centres = np.array([frequency for frequency, _ in close])
+    found = []
+    if close:
+        choice = likelihood.telling(centres, BOTH).united(likelihood.telling(centres, (1,)))
+        for near, (_, members) in zip(
+            _close_looks(likelihood, choice, centres, resolution, prior), close, strict=True
+        ):
+            aliases = _aliases(1.0 / near.period, everywhere[members], targets, resolution)
+            found.append(_shared(near, aliases, likelihood, choice, _log_sum(logs[members])))
+        found.sort(key=lambda each: -round(each.log, 6))
+    rest = _log_sum(logs[~taken]) if not np.all(taken) else -np.inf
+    return Look(tuple(found), rest, odds[: frequencies.size])
+
+
+def _either(likelihood: PeriodLikelihood, frequencies: FloatArray, choice: Choice) -> FloatArray:
+    """Return log odds (f,) of a wave with one or with two harmonics, whichever it is."""
+    one, both = (likelihood.log_odds(frequencies, each, choice) for each in ((1,), BOTH))
+    odds: FloatArray = np.logaddexp(one, both) - np.log(2.0)
+    return odds
+
+
+def alikeness(targets: FloatArray, frequencies: FloatArray, other: float) -> FloatArray:
+    """Return how alike waves of the ``frequencies`` (f,) and one of the ``other`` are at the
+    ``targets`` (m,): 1 the same, 0 nothing in common (f,) (spectral window: Deeming, Astrophysics
+    and Space Science 36, 1975).
+    """
+    at = 2.0 * np.pi * (targets - targets[0])
+    sizes = []
+    for sign in (1.0, -1.0):
+        angle = np.outer(frequencies - sign * other, at)
+        sizes.append(np.hypot(np.cos(angle).mean(axis=1), np.sin(angle).mean(axis=1)))
+    return np.asarray(np.maximum(*sizes))
+
+
+def _peaks(
+    where: FloatArray, logs: FloatArray, targets: FloatArray, resolution: float
+) -> list[tuple[float, IntArray]]:
+    """Return the highest peaks, each with the indices of what cannot be told from it."""
+    left, rounded = np.ones(where.size, dtype=bool), np.round(logs, 6)
+    floor = max(0.0, float(np.max(rounded))) - _WORTH
+    found: list[tuple[float, IntArray]] = []
+    while len(found) < _PEAKS:
+        index = int(np.argmax(np.where(left, rounded, -np.inf)))
+        if not left[index] or rounded[index] < floor:
+            break
+        centre = float(where[index])
+        near = np.abs(where - centre) <= _PEAK * resolution
+        members = np.flatnonzero(left & (near | (alikeness(targets, where, centre) >= ALIASED)))
+        left[members] = False
+        found.append((centre, members))
+    return found
+
+
+def _aliases(
+    centre: float, members: FloatArray, targets: FloatArray, resolution: float
+) -> FloatArray:
+    """Return the frequencies among the ``members`` other than the ``centre`` that look like it,
+    each where it does so most."""
+    far = np.sort(members[np.abs(members - centre) > _PEAK * resolution])
+    if not far.size:
+        return far
+    found = []
+    for run in np.split(far, np.flatnonzero(np.diff(far) > _PEAK * resolution) + 1):
+        low, high = run[0] - 0.25 * resolution, run[-1] + 0.25 * resolution
+        for _ in range(3):  # to a hundred-thousandth of the resolution
+            fine = np.linspace(low, high, 101)
+            best = float(fine[int(np.argmax(alikeness(targets, fine, centre)))])
+            low, high = best - (high - low) / 50.0, best + (high - low) / 50.0
+        found.append(best)
+    return np.array(found)
+
+
+def _close_looks(
+    likelihood: PeriodLikelihood,
+    choice: Choice,
+    centres: FloatArray,
+    resolution: float,
+    prior: _Prior,
+) -> list[Candidate]:
+    """Return the peaks resolved: points about each, ever closer until several of them count."""
+    best, half = centres.copy(), np.full(centres.size, _PEAK * resolution)
+    grid = np.linspace(-1.0, 1.0, _POINTS)
+    fine = best[:, np.newaxis] + half[:, np.newaxis] * grid
+    one, both = np.empty(fine.shape), np.empty(fine.shape)
+    open_ = np.arange(centres.size)
+    for _ in range(4):
+        fine[open_] = best[open_, np.newaxis] + half[open_, np.newaxis] * grid
+        for odds, harmonics in ((one, (1,)), (both, BOTH)):
+            odds[open_] = likelihood.log_odds(fine[open_].ravel(), harmonics, choice).reshape(
+                open_.size, -1
+            )
+        logs = np.logaddexp(one, both) - np.log(2.0) + prior.at(fine)
+        peak = np.argmax(np.round(logs, 6), axis=1)
+        top = np.take_along_axis(logs, peak[:, np.newaxis], 1)
+        sharp = np.sum(logs > top - 4.0, axis=1) <= _FEW
+        open_ = np.flatnonzero(sharp & np.isin(np.arange(centres.size), open_))
+        if not open_.size:
+            break
+        best[open_] = fine[open_, peak[open_]]
+        half[open_] /= 4.0
+    logs += np.log(fine[:, 1:2] - fine[:, :1])
+    usual = (
+        _either(likelihood, prior.usual, choice) + prior.log_usual
+        if prior.usual.size
+        else prior.usual
+    )
+    found = []
+    for number, centre in enumerate(centres):
+        named = np.flatnonzero(np.abs(prior.usual - centre) <= _PEAK * resolution)
+        together = np.concatenate([logs[number], usual[named]])
+        log = _log_sum(together)
+        best_named = None
+        if named.size and _log_sum(usual[named]) > _log_sum(logs[number]):
+            best_named = float(1.0 / prior.usual[named[int(np.argmax(usual[named]))]])
+        found.append(
+            Candidate(
+                np.concatenate([fine[number], prior.usual[named]]),
+                np.exp(together - log),
+                (1,) if one[number, peak[number]] > both[number, peak[number]] else BOTH,
+                log,
+                best_named,
+                np.zeros(0),
+                np.zeros(0),
+            )
+        )
+    return found
+
+
+def _shared(
+    candidate: Candidate,
+    aliases: FloatArray,
+    likelihood: PeriodLikelihood,
+    choice: Choice,
+    log: float,
+) -> Candidate:
+    """Return the candidate with those that look like it: what they have together (``log``) is
+    shared out by the data alone, not by what is usual."""
+    if not aliases.size:
+        return candidate
+    odds = _either(likelihood, np.append(aliases, 1.0 / candidate.period), choice)
+    shares = np.exp(odds - _log_sum(odds))
+    return Candidate(
+        candidate.frequencies,
+        candidate.shares,
+        candidate.harmonics,
+        max(log, candidate.log),
+        candidate.usual,
+        aliases,
+        shares[:-1],
+    )
+
+
+def _log_sum(logs: FloatArray) -> float:
+    top = float(np.max(logs))
+    return top + float(np.log(np.sum(np.exp(logs - top))))

@@ -1,0 +1,380 @@
+"""How well a wave of any period explains what the middle of both directions leaves, whatever the
+smooth and the local part of the error are.
+
+Model, in units of the noise of a typical target's middle, whitened by each target's own:
+
+    middle = free columns + smooth part (Matérn 5/2, standard deviation s, length l) + wave
+             + white part of variance t (noise, and local part that repeats at a target)
+
+A local part that is held at what it is without a wave swallows the wave, and so does a smooth part
+that is short enough. Hence t, s and l are not held: the likelihood is summed over a grid of them
+under every hypothesis alike (Rasmussen and Williams, Gaussian Processes for Machine Learning, 2006,
+section 5.2). The free columns (offset, slope, periods that are known) are projected out: restricted
+likelihood (Harville, J. Am. Stat. Assoc. 72, 1977). Amplitudes are normal given their scale and
+integrated out (Bretthorst, Bayesian Spectrum Analysis and Parameter Estimation, 1988, chapter 3).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.basis import Basis, log_density
+from compwright.records.axis import FloatArray
+
+#: Steps of the grid, natural logarithms.
+_SMOOTH_STEP: Final = 0.7
+_LENGTH_STEP: Final = 0.45
+_WHITE_STEP: Final = 0.4
+#: Centre and width of the prior of the length's logarithm, in half ranges: weak.
+LENGTH: Final = (float(np.log(0.4)), 0.8)
+#: Amplitudes of a wave, in widths of their prior.
+AMPLITUDES: Final = np.arange(-2.0, 2.01, 0.5)
+
+#: Nodes count that come so near to the best one (natural logarithm).
+_MATTERS: Final = 4.0
+
+#: Numbers that are worked on at a time: they stay in the processor's cache.
+_CHUNK: Final = 60_000
+
+IntArray = np.ndarray[tuple[int], np.dtype[np.intp]]
+
+
+@dataclass(frozen=True, slots=True)
+class Middles:
+    """The middle of both directions of each target, as one or more tests tell it.
+
+    ``targets`` (m,) mm or deg, ``values`` (m,) with the variances ``variances`` (m,) of their
+    noise, known with ``dof`` degrees of freedom (0: from neighbours only); ``reading``: standard
+    deviation of one reading; ``free`` (m, k): columns that stay free (offset and slope of each
+    test). mm or deg throughout.
+    """
+
+    targets: FloatArray
+    values: FloatArray
+    variances: FloatArray
+    dof: float
+    reading: float
+    free: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class Nodes:
+    """Nodes of the grid that share one ``length`` (in units of the half range) and kind of smooth
+    part (``kinked``: Matérn).
+
+    ``smooth`` (n,): its standard deviation; ``weights`` (n, r), ``white`` (n,): precisions along
+    its directions and beside them; ``log`` (n,): likelihood without a wave times prior; ``turned``
+    (r, r) turns projections into these directions.
+    """
+
+    length: float
+    kinked: bool
+    smooth: FloatArray
+    weights: FloatArray
+    white: FloatArray
+    log: FloatArray
+    turned: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """Some of the nodes: (number of the length, which of its nodes), and which amplitudes."""
+
+    nodes: tuple[tuple[int, IntArray], ...]
+    amplitudes: IntArray
+
+    def united(self, other: Choice) -> Choice:
+        """Return the nodes of both."""
+        mine, theirs = dict(self.nodes), dict(other.nodes)
+        nothing = np.zeros(0, dtype=np.intp)
+        return Choice(
+            tuple(
+                (n, np.union1d(mine.get(n, nothing), theirs.get(n, nothing)))
+                for n in sorted({*mine, *theirs})
+            ),
+            np.union1d(self.amplitudes, other.amplitudes),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class _Waves:
+    """Columns of waves without the free ones: ``along`` the smooth directions, each (r, f); their
+    products ``beside`` these, and those with the values, ``dual``, each (f,)."""
+
+    along: list[FloatArray]
+    beside: dict[tuple[int, int], FloatArray]
+    dual: list[FloatArray]
+
+
+class PeriodLikelihood:
+    """The likelihood of waves; ``basis`` holds the functions of the smooth part."""
+
+    def __init__(self, middles: Middles, basis: Basis) -> None:
+        self.targets = middles.targets
+        self.unit = float(np.sqrt(np.median(middles.variances)))
+        self.root = self.unit / np.sqrt(middles.variances)
+        values = self.root * middles.values / self.unit
+        free = _independent(self.root[:, np.newaxis] * middles.free)
+        rows = self.root[:, np.newaxis] * basis.design(middles.targets)[0][:, 2:]
+        rows = rows[:, : basis.sines]
+        rows = rows - free @ (free.T @ rows)
+        smooth = _independent(rows)
+        smooth = _independent(smooth - free @ (free.T @ smooth))
+        self.free, self.smooth = free, smooth
+        values = values - free @ (free.T @ values)
+        self.projected = smooth.T @ values
+        self.beside = values - smooth @ self.projected
+        self.left = max(middles.targets.size - free.shape[1] - smooth.shape[1], 0)
+        roughness = float(np.sqrt(np.mean(values**2)))
+        spread = middles.reading / self.unit
+        self.roughness = max(roughness, 1e-3)
+        #: Logarithm and width of the prior of an amplitude: as of a known period.
+        self.amplitude = (float(np.log(max(spread, 0.2 * self.roughness))), 1.5)
+        white, white_prior = _white_nodes(middles.dof, spread, roughness)
+        self.white_size = white.size
+        self.nodes = self._nodes(basis, smooth.T @ rows, white, white_prior)
+
+    def _nodes(
+        self, basis: Basis, rows: FloatArray, white: FloatArray, white_prior: FloatArray
+    ) -> list[Nodes]:
+        found = []
+        steps = np.arange(-2.0 / 1.5, 1.51, _SMOOTH_STEP / 1.5)
+        smooth = np.exp(2.0 * (np.log(self.roughness) + 1.5 * steps))
+        smooth_prior = -0.5 * steps**2
+        quiet = float(self.beside @ self.beside) if self.left else 0.0
+        for length, kinked, log_variances in _densities(basis.frequencies):
+            scaled = rows * np.exp(0.5 * log_variances)
+            values, vectors = np.linalg.eigh(scaled @ scaled.T)
+            turned = vectors.T
+            mine = turned @ self.projected
+            variances = (
+                white[np.newaxis, :, np.newaxis]
+                + smooth[:, np.newaxis, np.newaxis] * np.maximum(values, 0.0)
+            ).reshape(-1, values.size)
+            each = np.tile(white, smooth.size)
+            log = -0.5 * (
+                np.sum(np.log(variances), axis=1)
+                + self.left * np.log(each)
+                + (mine**2 / variances).sum(axis=1)
+                + quiet / each
+            )
+            log += (smooth_prior[:, np.newaxis] + white_prior[np.newaxis, :]).ravel() - 0.5 * (
+                (np.log(length) - LENGTH[0]) / LENGTH[1]
+            ) ** 2
+            found.append(
+                Nodes(
+                    length,
+                    kinked,
+                    np.repeat(np.sqrt(smooth), white.size),
+                    1.0 / variances,
+                    1.0 / each,
+                    log,
+                    turned,
+                )
+            )
+        return found
+
+    def log_odds(
+        self, frequencies: FloatArray, harmonics: tuple[int, ...], choice: Choice | None = None
+    ) -> FloatArray:
+        """Return the logarithm (f,) of the likelihood of a wave of each of the ``frequencies`` (1 /
+        mm or 1 / deg) with these ``harmonics``, over that of none; ``choice``: fewer nodes of the
+        grid, of both hypotheses.
+        """
+        choice = choice or self.everything()
+        log = self._log(choice)
+        chunk = max(1, _CHUNK // (log.size * choice.amplitudes.size))
+        parts = [
+            _log_sums(_log_sums(self._gains(part, harmonics, choice)) + log[:, np.newaxis])
+            for part in np.split(frequencies, range(chunk, frequencies.size, chunk))
+        ]
+        return np.concatenate(parts) - _log_sum(log)
+
+    def everything(self) -> Choice:
+        """Return all nodes of the grid and of the amplitudes."""
+        return Choice(
+            tuple((number, np.arange(node.log.size)) for number, node in enumerate(self.nodes)),
+            np.arange(AMPLITUDES.size),
+        )
+
+    def telling(self, frequencies: FloatArray, harmonics: tuple[int, ...]) -> Choice:
+        """Return the nodes that matter for a wave of any of the ``frequencies`` or for none."""
+        choice = self.everything()
+        log = self._log(choice)
+        gains = self._gains(frequencies, harmonics, choice) + log[:, np.newaxis]
+        near = np.any(gains > np.max(gains, axis=(0, 1)) - _MATTERS, axis=2)
+        kept = np.any(near, axis=0) | (log > np.max(log) - _MATTERS)
+        ends = np.cumsum([node.log.size for node in self.nodes])
+        parts = np.split(kept, ends[:-1])
+        return Choice(
+            tuple(
+                (number, np.flatnonzero(part)) for number, part in enumerate(parts) if np.any(part)
+            ),
+            np.flatnonzero(np.any(near, axis=1)),
+        )
+
+    def _log(self, choice: Choice) -> FloatArray:
+        return np.concatenate([self.nodes[number].log[kept] for number, kept in choice.nodes])
+
+    def _gains(
+        self, frequencies: FloatArray, harmonics: tuple[int, ...], choice: Choice
+    ) -> FloatArray:
+        """Return the logarithm (a, n, f) of what a wave of each amplitude gains at each node, prior
+        of the amplitude counted in."""
+        steps = AMPLITUDES[choice.amplitudes]
+        log_prior = -0.5 * steps**2
+        log_prior = log_prior - _log_sum(log_prior)
+        variances = np.exp(2.0 * (self.amplitude[0] + self.amplitude[1] * steps))
+        waves = self._waves(frequencies, harmonics)
+        each = [
+            self._moments(self.nodes[number], kept, waves, harmonics)
+            for number, kept in choice.nodes
+        ]
+        gram = {key: np.concatenate([part[0][key] for part in each]) for key in each[0][0]}
+        moment = [np.concatenate([part[1][i] for part in each]) for i in range(len(waves.along))]
+        gains = _gain(gram, moment, variances[:, np.newaxis, np.newaxis])
+        return gains + log_prior[:, np.newaxis, np.newaxis]
+
+    def _moments(
+        self, node: Nodes, kept: IntArray, waves: _Waves, harmonics: tuple[int, ...]
+    ) -> tuple[dict[tuple[int, int], FloatArray], list[FloatArray]]:
+        """Return W' P W and W' P y of the waves W (n, f) for each pair and each column, the
+        columns of harmonic h divided by h: their prior is that much narrower.
+        """
+        size = 2 * len(harmonics)
+        scale = np.repeat(1.0 / np.array(harmonics, dtype=np.float64), 2)
+        turned = [node.turned @ along * by for along, by in zip(waves.along, scale, strict=True)]
+        mine = (node.turned @ self.projected)[:, np.newaxis]
+        weights, white = node.weights[kept], node.white[kept, np.newaxis]
+        gram, moment = {}, []
+        for i in range(size):
+            moment.append(weights @ (mine * turned[i]))
+            for j in range(i + 1):
+                gram[i, j] = weights @ (turned[i] * turned[j])
+            if self.left:
+                moment[i] += white * (scale[i] * waves.dual[i])
+                for j in range(i + 1):
+                    gram[i, j] += white * (scale[i] * scale[j] * waves.beside[i, j])
+        return gram, moment
+
+    def coarse(self) -> Choice:
+        """Return nodes for a first look at many frequencies: one length, every other level of the
+        rest."""
+        away = [round(abs(np.log(node.length) - LENGTH[0]), 6) for node in self.nodes]
+        middle = np.argsort(away, kind="stable")[:2]
+        size = self.white_size
+        levels = self.nodes[0].log.size // size
+        kept = np.array([i * size + j for i in range(0, levels, 2) for j in range(0, size, 3)])
+        return Choice(
+            tuple((int(n), kept) for n in np.sort(middle)), np.arange(1, AMPLITUDES.size - 1, 3)
+        )
+
+    def _waves(self, frequencies: FloatArray, harmonics: tuple[int, ...]) -> _Waves:
+        along, rest = [], []
+        for harmonic in harmonics:
+            angle = 2.0 * np.pi * harmonic * np.outer(self.targets - self.targets[0], frequencies)
+            for wave in (np.cos(angle), np.sin(angle)):
+                column = self.root[:, np.newaxis] * wave
+                column -= self.free @ (self.free.T @ column)
+                along.append(self.smooth.T @ column)
+                if self.left:
+                    rest.append(column - self.smooth @ along[-1])
+        return _Waves(
+            along,
+            {
+                (i, j): np.sum(first * second, axis=0)
+                for i, first in enumerate(rest)
+                for j, second in enumerate(rest[: i + 1])
+            },
+            [self.beside @ part for part in rest],
+        )
+
+
+def _gain(
+    gram: dict[tuple[int, int], FloatArray], moment: list[FloatArray], variance: FloatArray
+) -> FloatArray:
+    """Return b' (G + D^-1)^-1 b / 2 - ln det(I + D G) / 2 elementwise, by elimination without
+    pivoting of I + ``variance`` ``gram`` (Golub and Van Loan, Matrix Computations, 4th ed. 2013,
+    algorithm 4.1.2)."""
+    size = len(moment)
+    work = {key: variance * value for key, value in gram.items()}
+    for i in range(size):
+        work[i, i] = work[i, i] + 1.0
+    right = [np.sqrt(variance) * part for part in moment]
+    gain = np.zeros_like(right[0])
+    determinant = np.ones_like(right[0])
+    for i in range(size):
+        pivot = work[i, i]
+        determinant = determinant * pivot
+        gain = gain + right[i] ** 2 / pivot
+        for j in range(i + 1, size):
+            factor = work[j, i] / pivot
+            right[j] = right[j] - factor * right[i]
+            for k in range(i + 1, j + 1):
+                work[j, k] = work[j, k] - factor * work[k, i]
+    total: FloatArray = 0.5 * gain - 0.5 * np.log(determinant)
+    return total
+
+
+def _densities(frequencies: FloatArray) -> Iterator[tuple[float, bool, FloatArray]]:
+    """Yield length, kind and log spectral density at the ``frequencies`` of processes with kinks in
+    the second derivative (Matérn 5/2) and of ones without any (squared exponential: Rasmussen and
+    Williams 2006, section 4.2.1), as likely each.
+    """
+    for step in np.arange(-1.6, 1.61, _LENGTH_STEP / LENGTH[1]):
+        length = float(np.exp(LENGTH[0] + LENGTH[1] * step))
+        yield length, True, log_density(frequencies, float(np.log(length)))[0]
+        squared = np.log(np.sqrt(2.0 * np.pi) * length) - 0.5 * (length * frequencies) ** 2
+        yield length, False, squared
+
+
+def _white_nodes(dof: float, spread: float, roughness: float) -> tuple[FloatArray, FloatArray]:
+    """Return variances (n,) of the white part and their log prior mass: noise as known by its
+    degrees of freedom, plus a local part.
+
+    In units of the noise variance of a middle. Noise: a normal logarithm of variance 2 / dof
+    (JCGM 100:2008, eq. G.3; without any, a factor e either way on the standard deviation). Local
+    part: logarithm about that of 0.3 readings' noise with width 1.5.
+    """
+    width = float(np.sqrt(2.0 / dof)) if dof else 2.0
+    steps = np.linspace(-2.5, 2.5, 21)
+    noise = np.exp(width * steps)
+    local = np.exp(2.0 * (np.log(0.3 * spread) + 1.5 * steps))
+    together = np.log(noise[:, np.newaxis] + local).ravel()
+    mass = np.exp(-0.5 * (steps[:, np.newaxis] ** 2 + steps**2)).ravel()
+    low = float(np.log(noise[3]))
+    high = max(np.log(max(roughness**2, 1.0)) + 0.5, 1.0)
+    count = int(np.ceil((high - low) / _WHITE_STEP)) + 1
+    grid = np.linspace(low, low + _WHITE_STEP * (count - 1), count)
+    place = np.clip((together - low) / _WHITE_STEP, 0.0, count - 1.0)
+    left = np.minimum(place.astype(np.int64), count - 2)
+    share = place - left
+    total = np.bincount(left, weights=mass * (1.0 - share), minlength=count)
+    total += np.bincount(left + 1, weights=mass * share, minlength=count)
+    return np.exp(grid), np.log(np.maximum(total / np.sum(total), 1e-12))
+
+
+def _independent(columns: FloatArray) -> FloatArray:
+    """Return an orthonormal basis (m, r) of what the columns (m, k) span, as far as it can be told
+    from rounding."""
+    if not columns.shape[1]:
+        return columns
+    left, sizes, _ = np.linalg.svd(columns, full_matrices=False)
+    kept: FloatArray = left[:, sizes > 1e-9 * max(float(sizes[0]), 1e-300)]
+    return kept
+
+
+def _log_sum(logs: FloatArray) -> float:
+    top = float(np.max(logs))
+    return top + float(np.log(np.sum(np.exp(logs - top))))
+
+
+def _log_sums(logs: FloatArray) -> FloatArray:
+    """Return the logarithm of the sum of exponentials over the first dimension."""
+    top = np.max(logs, axis=0)
+    total: FloatArray = top + np.log(np.sum(np.exp(logs - top), axis=0))
+    return total

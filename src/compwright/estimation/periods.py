@@ -1,0 +1,218 @@
+"""Search for periods of the error that nobody named.
+
+Before the data `FIRST` and `FURTHER` say what is expected: hardly a screw or a worm runs without an
+error that repeats with its turn, at a usual period (`usual_periods`), however small; a second one
+is rare. One or two harmonics have equal odds. The likelihood (`period_likelihood`) is that over all
+amplitudes and phases, whatever the smooth and the local part are. Periods are found one after
+another, each beside those found before (Bretthorst, Bayesian Spectrum Analysis and Parameter
+Estimation, 1988, chapters 3 and 6).
+
+Waves that have all but the same values at the targets (`basis.ALIASED`) cannot be told apart. Among
+them only the data decide, not what is usual: equal ones share their probability evenly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.basis import Basis
+from compwright.estimation.period_candidates import BOTH, Candidate, Look, Odds, candidates_of
+from compwright.estimation.period_likelihood import Middles, PeriodLikelihood
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.estimate import AxisPeriod
+
+#: What is expected before the data: the first period, and one beside those that are known.
+FIRST: Final = Odds(none=0.2, usual=0.74)
+FURTHER: Final = Odds(none=0.75, usual=0.18)
+#: A period repeats at least so often over the targets: fewer waves are smooth error.
+LEAST_REPEATS: Final = 8.0
+#: The shortest period that is searched: below the shortest usual lead and half of it, mm or deg.
+SHORTEST: Final = {AxisKind.LINEAR: 2.0, AxisKind.ROTARY: 0.5}
+#: Frequencies at most, four per 1 / length: what a long axis would ask beyond is not searched.
+_MOST_FREQUENCIES: Final = 16000
+_PER_RESOLUTION: Final = 4
+#: Periods one after another at most.
+_MOST_PERIODS: Final = 4
+#: Probability from which on a period is told.
+TOLD: Final = 0.05
+#: Odds against none (natural logarithm) from which on one more is looked for beside it.
+_FOLLOWED: Final = 0.0
+#: Models of less probability are not kept; those of one period at most.
+_LEAST_MODEL: Final = 0.01
+_NEIGHBOURS: Final = 5
+#: Targets that have to be left beside what is free.
+_LEFT: Final = 4
+#: Periods that differ by less than this part are one.
+_SAME: Final = 2e-3
+
+
+@dataclass(frozen=True, slots=True)
+class PeriodModel:
+    """What may be: the ``periods`` (mm or deg) beside those known, with their ``harmonics``, and
+    how probable it is."""
+
+    periods: tuple[float, ...]
+    harmonics: tuple[tuple[int, ...], ...]
+    probability: float
+
+
+@dataclass(frozen=True, slots=True)
+class PeriodCurve:
+    """Evidence over the period, for a picture: ``periods`` (f,) descending, mm or deg, and natural
+    logarithm (f,) of the likelihood of a wave of that period over that of none."""
+
+    periods: FloatArray
+    log_odds: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class PeriodSearch:
+    """What a search found: ``models``, the most probable first, probabilities sum to 1;
+    ``found``: periods with the probability that they are there; ``alike``: groups of periods that
+    these targets cannot tell apart."""
+
+    models: tuple[PeriodModel, ...]
+    found: tuple[AxisPeriod, ...]
+    alike: tuple[tuple[float, ...], ...]
+    curve: PeriodCurve | None
+
+
+def search_periods(
+    middles: Middles, basis: Basis, kind: AxisKind, *, known: Sequence[float] = ()
+) -> PeriodSearch:
+    """Return the periods beside ``known`` (mm or deg) that the middles tell of, with probabilities.
+
+    ``basis`` holds the smooth functions (its periods are not looked at). Too few targets for a
+    search: the model without a period alone. Prior and sources: module docstring.
+    """
+    frequencies = searched(middles.targets, kind)
+    if not frequencies.size:
+        return PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
+    looks: list[Look] = []
+    beside = [wave for period in known for wave in _columns(middles.targets, 1.0 / period, BOTH)]
+    while len(looks) < _MOST_PERIODS:
+        columns = np.column_stack([middles.free, *beside])
+        if columns.shape[1] > middles.targets.size - _LEFT:
+            break
+        likelihood = PeriodLikelihood(replace(middles, free=columns), basis)
+        before = FURTHER if beside else FIRST
+        looks.append(candidates_of(likelihood, frequencies, kind, before))
+        best = next(iter(looks[-1].candidates), None)
+        if best is None or best.log < _FOLLOWED or best.aliases.size:
+            break
+        beside += _columns(middles.targets, 1.0 / best.period, best.harmonics)
+    if not looks:
+        return PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
+    return _gathered(looks, PeriodCurve(1.0 / frequencies, looks[0].log_odds))
+
+
+def searched(targets: FloatArray, kind: AxisKind) -> FloatArray:
+    """Return the frequencies (f,) that are searched, equally spaced, ascending, 1 / mm or 1 / deg:
+    from `LEAST_REPEATS` over the ``targets`` to the `SHORTEST` period; none for fewer than eight
+    targets, with which no wave can be told from scatter.
+    """
+    length = float(np.ptp(targets))
+    if targets.size < 8:
+        return np.zeros(0)
+    step = 1.0 / (_PER_RESOLUTION * length)
+    first = round(LEAST_REPEATS * _PER_RESOLUTION)
+    last = min(int(1.0 / (SHORTEST[kind] * step)), first + _MOST_FREQUENCIES - 1)
+    found: FloatArray = step * np.arange(first, last + 1, dtype=np.float64)
+    return found
+
+
+def _columns(targets: FloatArray, frequency: float, harmonics: tuple[int, ...]) -> list[FloatArray]:
+    angle = 2.0 * np.pi * frequency * (targets - targets[0])
+    return [
+        part
+        for harmonic in harmonics
+        for part in (np.cos(harmonic * angle), np.sin(harmonic * angle))
+    ]
+
+
+def _gathered(looks: list[Look], curve: PeriodCurve) -> PeriodSearch:
+    """Return the probabilities of what the looks found, each beside the best of those before."""
+    models: list[tuple[tuple[Candidate, ...], float]] = [((), 0.0)]
+    before: tuple[Candidate, ...] = ()
+    log, rest = 0.0, -np.inf
+    for look in looks:
+        models += [((*before, each), log + each.log) for each in look.candidates]
+        rest = np.logaddexp(rest, log + look.rest)
+        if look.candidates:
+            before = (*before, look.candidates[0])
+            log += look.candidates[0].log
+    total = np.logaddexp(rest, _log_sum(np.array([each for _, each in models])))
+    likely = [
+        (members, probability)
+        for members, probability in ((each, float(np.exp(log - total))) for each, log in models)
+        if probability >= _LEAST_MODEL
+    ]
+    kept = [model for each in likely for model in _neighbours(*each)]
+    scale = sum(model.probability for model in kept)
+    return PeriodSearch(
+        tuple(
+            PeriodModel(model.periods, model.harmonics, model.probability / scale)
+            for model in sorted(kept, key=lambda model: -round(model.probability, 9))
+        ),
+        _found(likely),
+        tuple(
+            dict.fromkeys(
+                (member.period, *(1.0 / member.aliases).tolist())
+                for members, _ in likely
+                for member in members
+                if member.aliases.size
+            )
+        ),
+        curve,
+    )
+
+
+def _found(likely: list[tuple[tuple[Candidate, ...], float]]) -> tuple[AxisPeriod, ...]:
+    """Return each period with the probability of all that it is part of."""
+    found: dict[float, float] = {}
+    for members, probability in likely:
+        for member in members:
+            own = 1.0 - float(np.sum(member.alias_shares))
+            parts = [(member.period, own)]
+            parts += list(zip(1.0 / member.aliases, member.alias_shares, strict=True))
+            for period, part in parts:
+                same = next((p for p in found if abs(p - period) < _SAME * p), float(period))
+                found[same] = found.get(same, 0.0) + float(part) * probability
+    return tuple(
+        AxisPeriod(period, probability, "found")
+        for period, probability in sorted(found.items(), key=lambda pair: -round(pair[1], 9))
+        if probability >= TOLD
+    )
+
+
+def _neighbours(members: tuple[Candidate, ...], probability: float) -> list[PeriodModel]:
+    """Return the models of one set of periods: several where the last one is not sharply known."""
+    if not members:
+        return [PeriodModel((), (), probability)]
+    last = members[-1]
+    if last.aliases.size:
+        picked = np.append(last.aliases[:: max(1, last.aliases.size // 7)], 1.0 / last.period)
+        shares = np.full(picked.size, 1.0 / picked.size)
+    else:
+        order = np.argsort(last.frequencies)
+        cumulative = np.cumsum(last.shares[order])
+        ladder = (np.arange(_NEIGHBOURS) + 0.5) / _NEIGHBOURS * cumulative[-1]
+        picked, counts = np.unique(
+            last.frequencies[order][np.searchsorted(cumulative, ladder)], return_counts=True
+        )
+        shares = counts / _NEIGHBOURS
+    rest = tuple(member.period for member in members[:-1])
+    harmonics = tuple(member.harmonics for member in members)
+    return [
+        PeriodModel((*rest, float(1.0 / frequency)), harmonics, probability * float(share))
+        for frequency, share in zip(picked, shares, strict=True)
+    ]
+
+
+def _log_sum(logs: FloatArray) -> float:
+    top = float(np.max(logs))
+    return top + float(np.log(np.sum(np.exp(logs - top))))

@@ -1,0 +1,70 @@
+"""Periods that the drive or the scale of an axis usually puts into its error, with their reason.
+
+Leads of ball screws: ISO 3408-2:1991, nominal leads 1 to 40 mm, those in steps of 2.5, 5, 10, 20
+and 40 mm preferred; beside them what is sold in inch and in steep leads. One turn of the screw
+repeats at its lead; two bumps per turn (a coupling that is not aligned, two starts) at half of it.
+Of an endless or rotary axis: one turn of the worm moves the table by 360 deg over its teeth.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from compwright.records.axis import AxisKind
+
+_INCH: Final = 25.4
+
+
+@dataclass(frozen=True, slots=True)
+class UsualPeriod:
+    """``size`` in mm or deg, its ``reason`` in words, and how often it is met beside others."""
+
+    size: float
+    reason: str
+    weight: float = 1.0
+
+
+def _leads() -> list[UsualPeriod]:
+    preferred, common = (5.0, 10.0, 20.0), (6.0, 8.0, 12.0, 16.0)
+    metric = (2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 16.0, 20.0, 25.0, 30.0, 32.0)
+    steep = (40.0, 50.0)
+    inch = (0.2, 0.25, 0.5, 1.0)
+    found = [
+        UsualPeriod(
+            lead,
+            f"a screw lead of {lead:g} mm",
+            4.0 if lead in preferred else 3.0 if lead in common else 1.0,
+        )
+        for lead in (*metric, *steep)
+    ]
+    return found + [
+        UsualPeriod(part * _INCH, f"a screw lead of {part:g} inch", 0.5) for part in inch
+    ]
+
+
+def _beside_leads() -> list[UsualPeriod]:
+    """Scales and drives other than screws; half leads that are no lead themselves."""
+    return [
+        UsualPeriod(7.5, "half a screw lead of 15 mm", 0.5),
+        UsualPeriod(12.5, "half a screw lead of 25 mm", 0.5),
+        UsualPeriod(24.0, "a pair of magnets of a linear motor", 0.5),
+        UsualPeriod(36.0, "a pair of magnets of a linear motor", 0.5),
+        UsualPeriod(60.0, "a pair of magnets of a linear motor", 0.5),
+        UsualPeriod(6.6667, "a tooth of a helical rack", 0.25),
+        UsualPeriod(13.3333, "a tooth of a helical rack", 0.25),
+    ]
+
+
+#: Teeth of worm wheels and ratios of gears before the table, as divisions of its turn.
+_DIVISIONS: Final = (36, 40, 45, 48, 60, 72, 80, 90, 96, 100, 108, 120, 144, 150, 180, 240, 360)
+
+USUAL_PERIODS: Final = {
+    AxisKind.LINEAR: tuple(
+        sorted((*_leads(), *_beside_leads()), key=lambda usual: (usual.size, usual.reason))
+    ),
+    AxisKind.ROTARY: tuple(
+        UsualPeriod(360.0 / parts, f"a turn of a worm or motor, 1/{parts} of the table's")
+        for parts in _DIVISIONS
+    ),
+}

@@ -1,0 +1,242 @@
+"""The search for periods that nobody named: its likelihood against a dense normal one, and periods
+put into axes and found again, or not where the targets cannot show them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from compwright.estimation.basis import Basis
+from compwright.estimation.period_candidates import alikeness
+from compwright.estimation.period_likelihood import (
+    AMPLITUDES,
+    Choice,
+    Middles,
+    PeriodLikelihood,
+)
+from compwright.estimation.periods import PeriodSearch, search_periods
+from compwright.records.axis import AxisKind, FloatArray
+
+Curve = Callable[[FloatArray], FloatArray]
+
+
+def dithered(rng: np.random.Generator, length: float, count: int) -> FloatArray:
+    """Targets as ISO 230-2:2014, 4.2 has them: equal intervals and a random part."""
+    steps = np.arange(count) + 0.5 + rng.uniform(-0.3, 0.3, count)
+    return np.round(steps * length / count, 3)
+
+
+def middles_of(
+    targets: FloatArray, error: Curve, rng: np.random.Generator, noise: float = 0.0005
+) -> Middles:
+    """Five readings per direction with ``noise`` (mm); their means' middle."""
+    variance = noise**2 / 10.0
+    return Middles(
+        targets=targets,
+        values=error(targets) + rng.standard_normal(targets.size) * np.sqrt(variance),
+        variances=np.full(targets.size, variance),
+        dof=8.0 * targets.size,
+        reading=noise,
+        free=np.column_stack([np.ones(targets.size), targets]),
+    )
+
+
+def smooth_basis(length: float, sines: int = 60, turn: float | None = None) -> Basis:
+    return Basis(
+        centre=length / 2,
+        half=length / 2,
+        sines=sines,
+        reversal_sines=12,
+        periods=(),
+        bidirectional=False,
+        turn=turn,
+    )
+
+
+def bow(x: FloatArray) -> FloatArray:
+    """8 µm of smooth error over some 800 mm, and a slope."""
+    return np.asarray(0.004 * np.sin(x / 210.0) + 1e-5 * x)
+
+
+def searched(error: Curve, count: int, seed: int, length: float = 800.0) -> PeriodSearch:
+    rng = np.random.default_rng(seed)
+    targets = dithered(rng, length, count)
+    return search_periods(middles_of(targets, error, rng), smooth_basis(length), AxisKind.LINEAR)
+
+
+def named(search: PeriodSearch) -> list[float]:
+    return [each.period for each in search.found if each.probability > 0.5]
+
+
+@pytest.mark.parametrize("harmonics", [(1,), (1, 2)])
+@pytest.mark.parametrize("kinked", [True, False])
+def test_likelihood_is_that_of_a_normal_vector(harmonics: tuple[int, ...], kinked: bool) -> None:
+    """Rasmussen and Williams 2006, eq. 2.30 with eq. 4.16 and 4.9, dense, free columns projected
+    out; the sines stand for the covariance to about 1 % of it, which moves the logarithm by less
+    than 0.1."""
+    rng = np.random.default_rng(3)
+    length, frequency = 400.0, 1.0 / 23.0
+    targets = dithered(rng, length, 11)
+    middles = middles_of(targets, lambda x: bow(x) + 0.001 * np.sin(x), rng)
+    middles.variances[3] *= 2.0
+    likelihood = PeriodLikelihood(middles, smooth_basis(length, sines=112))
+    number = next(
+        i for i, each in enumerate(likelihood.nodes) if each.kinked == kinked and each.length > 0.25
+    )
+    node, index, step = likelihood.nodes[number], likelihood.nodes[number].log.size // 2, 5
+    choice = Choice(((number, np.array([index])),), np.array([step]))
+    found = likelihood.log_odds(np.array([frequency]), harmonics, choice)[0]
+
+    unit = float(np.sqrt(np.median(middles.variances)))
+    apart = np.abs(targets[:, None] - targets) / (length / 2) / node.length
+    if kinked:
+        near = np.sqrt(5.0) * apart
+        kernel = (1.0 + near + near**2 / 3.0) * np.exp(-near)
+    else:
+        kernel = np.exp(-(apart**2) / 2.0)
+    covariance = node.smooth[index] ** 2 * kernel
+    covariance += np.diag(middles.variances / unit**2) / node.white[index]
+    centre, width = likelihood.amplitude
+    size = np.exp(centre + width * AMPLITUDES[step])
+    wave = np.zeros_like(covariance)
+    for harmonic in harmonics:
+        angle = 2.0 * np.pi * harmonic * frequency * (targets[:, None] - targets)
+        wave += (size / harmonic) ** 2 * np.cos(angle)
+    free = middles.free / [1.0, length]
+    beside = np.linalg.svd(free.T)[2][2:]
+
+    def log_normal(total: FloatArray) -> float:
+        matrix = beside @ total @ beside.T
+        values = beside @ middles.values / unit
+        return float(
+            -0.5 * values @ np.linalg.solve(matrix, values) - 0.5 * np.linalg.slogdet(matrix)[1]
+        )
+
+    assert found == pytest.approx(log_normal(covariance + wave) - log_normal(covariance), abs=0.1)
+
+
+def test_a_period_of_no_catalogue_is_named() -> None:
+    """2 µm at 11.37 mm over 24 targets: named within 0.3 P²/L; nothing else is."""
+    search = searched(lambda x: bow(x) + 0.002 * np.sin(2 * np.pi * x / 11.37 + 1.0), 24, 1)
+    assert named(search) == [pytest.approx(11.37, abs=0.3 * 11.37**2 / 800)]
+    assert search.models[0].periods != ()
+    assert sum(model.probability for model in search.models) == pytest.approx(1.0)
+
+
+def test_a_usual_lead_is_named_as_it_is() -> None:
+    search = searched(lambda x: bow(x) + 0.0015 * np.sin(2 * np.pi * x / 10.0), 20, 2)
+    assert named(search) == [10.0]
+
+
+def test_two_periods_are_found_one_after_another() -> None:
+    search = searched(
+        lambda x: (
+            bow(x)
+            + 0.0025 * np.sin(2 * np.pi * x / 12.0)
+            + 0.0015 * np.cos(2 * np.pi * x / 20.0 + 0.5)
+        ),
+        36,
+        3,
+    )
+    assert sorted(named(search)) == pytest.approx([12.0, 20.0], abs=0.1)
+
+
+def test_a_known_period_is_not_found_again_and_another_beside_it_is() -> None:
+    rng = np.random.default_rng(4)
+    targets = dithered(rng, 800.0, 30)
+    middles = middles_of(
+        targets,
+        lambda x: (
+            bow(x) + 0.003 * np.sin(2 * np.pi * x / 10.0) + 0.002 * np.sin(2 * np.pi * x / 16.0)
+        ),
+        rng,
+    )
+    search = search_periods(middles, smooth_basis(800.0), AxisKind.LINEAR, known=(10.0,))
+    assert named(search) == [16.0]
+
+
+def test_a_worm_of_a_rotary_axis_is_named() -> None:
+    """Worm wheel of 72 teeth, 5 deg a turn, 2 arcsec; the smooth error repeats with the turn."""
+    rng = np.random.default_rng(5)
+    targets = dithered(rng, 360.0, 24)
+    arcsec = 1.0 / 3600.0
+    middles = middles_of(
+        targets,
+        lambda x: arcsec * (4 * np.sin(np.radians(x)) + 2 * np.sin(2 * np.pi * x / 5.0 + 0.4)),
+        rng,
+        noise=0.5 * arcsec,
+    )
+    middles = Middles(
+        middles.targets,
+        middles.values,
+        middles.variances,
+        middles.dof,
+        middles.reading,
+        np.ones((24, 1)),
+    )
+    search = search_periods(middles, smooth_basis(360.0, turn=360.0), AxisKind.ROTARY)
+    assert named(search) == [5.0]
+
+
+def kink(x: FloatArray) -> FloatArray:
+    return np.asarray(2e-5 * np.abs(x - 300.0))
+
+
+def worn(x: FloatArray) -> FloatArray:
+    return np.asarray(bow(x) - 0.006 * np.exp(-0.5 * ((x - 500.0) / 40.0) ** 2))
+
+
+def scattered(x: FloatArray) -> FloatArray:
+    return np.asarray(bow(x) + 0.0015 * np.random.default_rng(int(x.size)).standard_normal(x.size))
+
+
+@pytest.mark.parametrize("error", [bow, kink, worn, scattered])
+@pytest.mark.parametrize("count", [12, 21])
+def test_no_period_is_named_where_there_is_none(error: Curve, count: int) -> None:
+    assert named(searched(error, count, 6)) == []
+
+
+def test_at_equal_spacing_periods_that_look_alike_are_not_told_apart() -> None:
+    """Targets 30 mm apart: 11.3 mm looks as 18.1, 8.2, ... mm do (frequencies k / 30 -+ 1 / 11.3);
+    all of them are named together, none above one half."""
+    rng = np.random.default_rng(7)
+    targets = 30.0 * np.arange(27) + 5.0
+    search = search_periods(
+        middles_of(targets, lambda x: bow(x) + 0.003 * np.sin(2 * np.pi * x / 11.3), rng),
+        smooth_basis(800.0),
+        AxisKind.LINEAR,
+    )
+    assert named(search) == []
+    (group, *_) = search.alike
+    for k in (0, 1, 2, 3):
+        alias = 1.0 / abs(k / 30.0 + 1.0 / 11.3)
+        assert min(abs(each - alias) for each in group) < 0.02 * alias
+    spread = {round(model.periods[0], 2) for model in search.models if model.periods}
+    assert len(spread) >= 5, "the models must differ, so that other targets are told widely"
+
+
+def test_a_period_that_the_spacing_hides_is_not_claimed() -> None:
+    rng = np.random.default_rng(8)
+    targets = 30.0 * np.arange(27)
+    search = search_periods(
+        middles_of(targets, lambda x: bow(x) + 0.003 * np.sin(2 * np.pi * x / 10.0 + 1), rng),
+        smooth_basis(800.0),
+        AxisKind.LINEAR,
+    )
+    assert named(search) == []
+
+
+def test_few_targets_are_not_searched() -> None:
+    search = searched(lambda x: bow(x) + 0.003 * np.sin(2 * np.pi * x / 10.0), 6, 9)
+    assert search.found == ()
+    assert [model.periods for model in search.models] == [()]
+
+
+def test_alikeness_is_one_for_the_same_values_and_small_for_others() -> None:
+    targets = 30.0 * np.arange(20.0)
+    alike = alikeness(targets, np.array([1 / 30 + 0.02, 1 / 30 - 0.02, 0.03]), 0.02)
+    assert alike[:2] == pytest.approx([1.0, 1.0])
+    assert alike[2] < 0.5
