@@ -203,7 +203,7 @@ def test_at_equal_spacing_periods_that_look_alike_are_not_told_apart() -> None:
     """Targets 30 mm apart: 11.3 mm looks as 18.1, 8.2, ... mm do (frequencies k / 30 -+ 1 / 11.3);
     all of them are named together, none above one half."""
     rng = np.random.default_rng(7)
-    targets = 30.0 * np.arange(27) + 5.0
+    targets: FloatArray = 30.0 * np.arange(27, dtype=np.float64) + 5.0
     search = search_periods(
         middles_of(targets, lambda x: bow(x) + 0.003 * np.sin(2 * np.pi * x / 11.3), rng),
         smooth_basis(800.0),
@@ -220,7 +220,7 @@ def test_at_equal_spacing_periods_that_look_alike_are_not_told_apart() -> None:
 
 def test_a_period_that_the_spacing_hides_is_not_claimed() -> None:
     rng = np.random.default_rng(8)
-    targets = 30.0 * np.arange(27)
+    targets: FloatArray = 30.0 * np.arange(27, dtype=np.float64)
     search = search_periods(
         middles_of(targets, lambda x: bow(x) + 0.003 * np.sin(2 * np.pi * x / 10.0 + 1), rng),
         smooth_basis(800.0),

@@ -1,9 +1,9 @@
 """Periods that the drive or the scale of an axis usually puts into its error, with their reason.
 
-Leads of ball screws: ISO 3408-2:1991, nominal leads 1 to 40 mm, those in steps of 2.5, 5, 10, 20
-and 40 mm preferred; beside them what is sold in inch and in steep leads. One turn of the screw
-repeats at its lead; two bumps per turn (a coupling that is not aligned, two starts) at half of it.
-Of an endless or rotary axis: one turn of the worm moves the table by 360 deg over its teeth.
+Leads of ball screws in mm: ISO 3408-2 (1991), Ball screws, part 2, nominal leads of the metric
+series, and steeper ones; 5, 10 and 20 are met most, then 6, 8, 12 and 16. One turn of the screw
+repeats at its lead; two bumps a turn (a coupling out of line, a thread of two starts) at half of
+it. Of a rotary axis: one turn of the worm moves the table by 360 deg over the teeth of its wheel.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ class UsualPeriod:
 
 
 def _leads() -> list[UsualPeriod]:
-    preferred, common = (5.0, 10.0, 20.0), (6.0, 8.0, 12.0, 16.0)
+    most, often = (5.0, 10.0, 20.0), (6.0, 8.0, 12.0, 16.0)
     metric = (2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 16.0, 20.0, 25.0, 30.0, 32.0)
     steep = (40.0, 50.0)
     inch = (0.2, 0.25, 0.5, 1.0)
@@ -34,7 +34,7 @@ def _leads() -> list[UsualPeriod]:
         UsualPeriod(
             lead,
             f"a screw lead of {lead:g} mm",
-            4.0 if lead in preferred else 3.0 if lead in common else 1.0,
+            4.0 if lead in most else 3.0 if lead in often else 1.0,
         )
         for lead in (*metric, *steep)
     ]
