@@ -1,16 +1,17 @@
-"""The error of an axis as a positioning test tells it, with its uncertainty.
+"""The error of an axis as its positioning tests tell it, with its uncertainty.
 
 Model (units mm or deg, deviation = measured minus target, d = +1 or -1 the approach direction):
 
-    y(x, d) = f(x) + d r(x) / 2 + l(x) + noise
+    y(x, d) = f(x) + d r(x) / 2 + l(x) + datum and slope of the test + noise
     f = offset + slope x + smooth part (Matérn 5/2) + harmonics 1 and 2 of each known period
     r = constant + slope and smooth part of one common scale (the reversal, mean(+) - mean(-))
     l = local part: repeats at the same target, independent from target to target (what neither of
     the others describes)
 
-Offset, slope and constant reversal are left to the data. All variances, lengths and the noise have
-weak priors and are drawn from their posterior. "Reversal constant" and "reversal varying" are two
-models; draws come from both by their evidence.
+Offset, slope and constant reversal are left to the data. All variances and lengths have weak priors
+and are drawn from their posterior, each together with a draw of the noise that the repeated
+readings tell (`noise_of`); where there are none, with that of a normal noise. Models (periods,
+reversal constant or varying) count by their evidence.
 
 Rasmussen and Williams, Gaussian Processes for Machine Learning (2006): regression in weights,
 section 2.1.2; free offset and slope, section 2.7; sums of covariances, section 4.2.4; choice
@@ -24,8 +25,8 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
-from compwright.estimation.basis import Basis
 from compwright.estimation.cells import (
     Cells,
     cells_of,
@@ -33,37 +34,37 @@ from compwright.estimation.cells import (
     visible_harmonics,
     visible_periods,
 )
-from compwright.estimation.evidence import REVERSAL, REVERSAL_LENGTH, Evidence, Prior, Weights
-from compwright.estimation.hyperparameters import draw_hyperparameters
+from compwright.estimation.evidence import Weights
+from compwright.estimation.model import Fitted, Part, Periods, Travel, fitted
+from compwright.estimation.observed import ObservedTest
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.estimate import ErrorEstimate
-from compwright.records.positioning import PositioningTest
+from compwright.records.noise import NoiseDraws, normal_noise
 
-_DRAWS: Final = 32  # distinct hyperparameters kept for summaries and predictions
-_REVERSAL_PART: Final = [REVERSAL, REVERSAL_LENGTH]
-_SEED: Final = 230  # the same test gives the same posterior
+_DRAWS: Final = 64  # distinct hyperparameters kept for summaries and predictions
 
 
 @dataclass(frozen=True, slots=True)
 class Draws:
-    """Joint draws of the deviation: ``positive``, ``negative`` (count, k) and the noise of one
-    reading (count,), mm or deg.
+    """Joint draws of the deviation: ``positive``, ``negative`` (count, k), mm or deg, and the noise
+    of a test, drawn with them.
     """
 
     positive: FloatArray
     negative: FloatArray
-    noise: FloatArray
+    noise: NoiseDraws
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisPosterior:
-    """What is known of an axis after one test, mm or deg, machine coordinates.
+    """What is known of an axis after its tests, mm or deg, machine coordinates.
 
-    ``noise``: standard deviation of one reading with ``noise_dof`` degrees of freedom.
-    ``reversal_log_odds``: natural logarithm of the evidence for a reversal that varies with
-    position over a constant one (0: one direction measured).
+    ``parts``: the models that count, all draws equally likely. ``noise``: standard deviation of one
+    reading of the first test with ``noise_dof`` degrees of freedom. ``reversal_log_odds``: natural
+    logarithm of the evidence for a reversal that varies with position over a constant one (0: one
+    direction measured).
     """
 
     kind: AxisKind
@@ -72,32 +73,24 @@ class AxisPosterior:
     noise_dof: float
     reversal_log_odds: float
     findings: tuple[Finding, ...]
-    basis: Basis
     cells: Cells
-    weights: tuple[Weights, ...]
+    parts: tuple[Part, ...]
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
         """Return mean and standard deviation of the deviation at ``positions`` (g,) strictly
         ascending, mm or deg.
 
-        Mean and variance of the mixture over the drawn hyperparameters: mean of the variances plus
-        variance of the means (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 1.8).
-        The mean leaves out the local part (no table can hold it); the standard deviation contains
-        it.
+        Mean and variance of the mixture over all draws: mean of the variances plus variance of the
+        means (Gelman et al., Bayesian Data Analysis, 3rd ed. 2013, section 1.8). The mean leaves
+        out the local part (no table can hold it); the standard deviation contains it.
         """
         where = np.asarray(positions, dtype=np.float64)
         scale = self.cells.data.scale
+        means, variances = self._moments(where)
         mean, std = [], []
-        for rows, line in zip(self.basis.design(where), self.cells.line_at(where), strict=True):
-            means = np.array([rows @ weights.mean for weights in self.weights])
-            variances = np.array(
-                [
-                    np.sum((rows @ weights.root) ** 2, axis=1) + weights.local
-                    for weights in self.weights
-                ]
-            )
-            mean.append(line + scale * means.mean(axis=0))
-            std.append(scale * np.sqrt(variances.mean(axis=0) + means.var(axis=0)))
+        for line, mine, variance in zip(self.cells.line_at(where), means, variances, strict=True):
+            mean.append(line + scale * mine.mean(axis=0))
+            std.append(scale * np.sqrt(variance + mine.var(axis=0)))
         return ErrorEstimate(
             kind=self.kind,
             positions=where,
@@ -111,124 +104,157 @@ class AxisPosterior:
             findings=self.findings,
         )
 
-    def draw(self, positions: FloatArray, count: int, rng: np.random.Generator) -> Draws:
+    def _moments(self, where: FloatArray) -> tuple[list[FloatArray], list[FloatArray]]:
+        """Return by direction the means (draws, g) and the mean of the variances (g,), in units of
+        the scale.
+        """
+        count = sum(len(part.weights) for part in self.parts)
+        means: list[list[FloatArray]] = [[], []]
+        variances = [np.zeros(where.size), np.zeros(where.size)]
+        for part in self.parts:
+            size = part.basis.size
+            weights = np.array([each.mean[:size] for each in part.weights])
+            covariance = sum(each.root[:size] @ each.root[:size].T for each in part.weights)
+            local = sum(each.local for each in part.weights)
+            for side, rows in enumerate(part.basis.design(where)):
+                means[side].append(weights @ rows.T)
+                variances[side] += (np.sum((rows @ covariance) * rows, axis=1) + local) / count
+        return [np.vstack(each) for each in means], variances
+
+    def draw(
+        self, positions: FloatArray, count: int, rng: np.random.Generator, test: int = 0
+    ) -> Draws:
         """Return ``count`` draws at ``positions`` (k,), joint over positions and directions, mm or
         deg: mean + root z of the weights with z standard normal (Rasmussen and Williams 2006,
-        appendix A.2).
+        appendix A.2), with the noise of the ``test`` (its place among those of the estimate).
 
-        At the targets of the test the local part is what the readings say; anywhere else it is
+        At the targets of the tests the local part is what the readings say; anywhere else it is
         drawn afresh.
         """
-        where = np.asarray(positions, dtype=np.float64)
-        unique, back = np.unique(where, return_inverse=True)
+        unique, back = np.unique(np.asarray(positions, dtype=np.float64), return_inverse=True)
         positive, negative = np.empty((count, unique.size)), np.empty((count, unique.size))
-        noise = np.empty(count)
-        design, line = self.basis.design(unique), self.cells.line_at(unique)
-        at_targets = self.basis.design(self.cells.targets)
-        seats = self.cells.seats(unique)
-        owner = rng.permutation(np.arange(count) % len(self.weights))
+        line, seats = self.cells.line_at(unique), self.cells.seats(unique)
+        drawn = [weights for part in self.parts for weights in part.weights]
+        owner = rng.permutation(np.arange(count) % len(drawn))
+        first = 0
+        for part in self.parts:
+            design = part.basis.design(unique)
+            for weights in part.weights:
+                mine = np.flatnonzero(owner == first)
+                first += 1
+                values = rng.standard_normal((mine.size, weights.mean.size)) @ weights.root.T
+                values += weights.mean
+                local = rng.standard_normal((mine.size, unique.size)) * np.sqrt(weights.local)
+                at_targets = self._local(part, weights, values, rng)
+                local[:, seats >= 0] = at_targets[:, seats[seats >= 0]]
+                curve = values[:, : part.basis.size]
+                for into, rows in zip((positive, negative), design, strict=True):
+                    into[mine] = curve @ rows.T + local
         scale = self.cells.data.scale
-        for index, weights in enumerate(self.weights):
-            mine = np.flatnonzero(owner == index)
-            values = (
-                weights.mean + rng.standard_normal((mine.size, weights.mean.size)) @ weights.root.T
-            )
-            local = rng.standard_normal((mine.size, unique.size)) * np.sqrt(weights.local)
-            known = seats >= 0
-            local[:, known] = self._local(weights, values, at_targets, rng)[:, seats[known]]
-            positive[mine] = line[0] + scale * (values @ design[0].T + local)
-            negative[mine] = line[1] + scale * (values @ design[1].T + local)
-            noise[mine] = scale * np.sqrt(weights.noise)
-        return Draws(positive=positive[:, back], negative=negative[:, back], noise=noise)
+        return Draws(
+            positive=(line[0] + scale * positive)[:, back],
+            negative=(line[1] + scale * negative)[:, back],
+            noise=self._noise(drawn, owner, test),
+        )
 
     def _local(
-        self,
-        weights: Weights,
-        values: FloatArray,
-        design: tuple[FloatArray, FloatArray],
-        rng: np.random.Generator,
+        self, part: Part, weights: Weights, values: FloatArray, rng: np.random.Generator
     ) -> FloatArray:
         """Return draws (count, m) of the local part at the targets, given the weights ``values``
         (count, j): a normal mean with normal prior and known variance (Gelman et al. 2013, section
         2.5).
         """
         data = self.cells.data
-        total = np.zeros((values.shape[0], self.cells.targets.size))
-        for rows, means, counts in (
-            (design[0], data.positive, data.count_positive),
-            (design[1], data.negative, data.count_negative),
-        ):
-            total += counts / weights.noise * (means - values @ rows.T)
-        precision = (
-            1.0 / max(weights.local, 1e-300)
-            + (data.count_positive + data.count_negative) / weights.noise
-        )
-        drawn: FloatArray = total / precision + rng.standard_normal(total.shape) / np.sqrt(
-            precision
-        )
+        known = data.precision[weights.draw]
+        precision = np.where(data.counts > 0, data.counts / weights.noise, known)
+        curve = part.rows(self.cells, weights.draw) @ values.T
+        left = precision[:, np.newaxis] * (data.values[weights.draw][:, np.newaxis] - curve)
+        total = np.add.reduceat(left, data.starts, axis=0).T
+        by_target = np.add.reduceat(precision, data.starts)
+        by_target = by_target + 1.0 / max(weights.local, 1e-300)
+        drawn: FloatArray = total / by_target + rng.standard_normal(total.shape) / np.sqrt(by_target)
         return drawn
+
+    def _noise(self, drawn: list[Weights], owner: NDArray[np.intp], test: int) -> NoiseDraws:
+        """Return the noise of a fresh ``test`` (count,): what its own readings tell, else what was
+        inferred with the error, moved between traverses as in the test that tells it.
+        """
+        seats = np.array([weights.draw for weights in drawn])[owner]
+        own = self.cells.noises[test]
+        if own is not None:
+            return own.taken(seats)
+        sigma = self.cells.data.scale * np.sqrt(np.array([each.noise for each in drawn])[owner])
+        low, high = self.measured
+        if self.cells.donor is None:
+            return normal_noise(sigma, 0.5 * (low + high), 0.5 * (high - low))
+        return replace(self.cells.donor.taken(seats), sigma=np.column_stack([sigma, sigma]))
 
 
 def estimate_axis(
-    test: PositioningTest,
+    tests: Sequence[ObservedTest],
     *,
     travel: tuple[float, float],
     periods: Sequence[float] = (),
     turn: float | None = None,
 ) -> AxisPosterior:
-    """Return the posterior of the error of an axis from one test in machine coordinates.
+    """Return the posterior of the error of an axis from its tests in machine coordinates, each with
+    a datum of its own.
 
     ``turn`` (deg): an endless axis, whose error repeats with it whatever the travel says; it has no
     slope.
 
     ``travel`` (low, high) and the known ``periods`` of the error (screw pitch, scale period), mm or
-    deg. The same test gives the same posterior. Model and sources: module docstring. Raises
-    InputError for a test with readings at fewer than two targets; UsageError for a test in the
-    instrument's frame, an empty travel, or a period that is not positive.
+    deg. The same tests give the same posterior. Model and sources: module docstring. Raises
+    InputError for tests with readings at fewer than two targets; UsageError for none, for a test in
+    the instrument's frame, an empty travel, or a period that is not positive.
     """
-    _refuse_misuse(test, travel, periods)
-    cells = cells_of(test, endless=turn is not None)
+    _refuse_misuse(tests, travel, periods)
+    cells = cells_of(tests, endless=turn is not None)
     shown = visible_periods(cells.targets, periods)
-    basis = _basis_for(cells, travel, shown) if turn is None else _endless_basis(cells, turn, shown)
-    prior = _prior_for(cells, basis)
-    rng = np.random.default_rng(_SEED)
-    proposals = 96 if cells.targets.size <= 100 else 48
-    varying = Evidence(basis, cells.targets, cells.data, prior)
-    drawn = draw_hyperparameters(varying, prior.centre, proposals=proposals, draws=_DRAWS, rng=rng)
-    chosen, odds = drawn.values, 0.0
-    if basis.bidirectional:
-        steady = Evidence(basis, cells.targets, cells.data, _without_varying_reversal(prior))
-        start = np.median(drawn.values, axis=0)
-        start[_REVERSAL_PART] = steady.prior.centre[_REVERSAL_PART]
-        constant = draw_hyperparameters(steady, start, proposals=proposals, draws=_DRAWS, rng=rng)
-        odds = drawn.log_evidence - constant.log_evidence
-        chosen = _mixed(drawn.values, constant.values, odds)
-    log_noise = 0.5 * np.log([varying.variances(values)[0] for values in chosen])
+    known = Periods(shown, tuple(visible_harmonics(cells.targets, period) for period in shown))
+    fits = _fits(cells, Travel(*travel, turn), known)
+    odds = fits[0].drawn.log_evidence - fits[1].drawn.log_evidence if len(fits) > 1 else 0.0
+    parts = _mixed(fits, odds)
+    log_noise = 0.5 * np.log([each.noise for part in parts for each in part.weights])
+    first = tests[0].noise
+    kind = tests[0].test.kind
     return AxisPosterior(
-        kind=test.kind,
+        kind=kind,
         measured=(float(cells.targets[0]), float(cells.targets[-1])),
-        noise=float(cells.data.scale * np.exp(np.mean(log_noise))),
-        noise_dof=cells.data.dof or _dof_of(log_noise, cells.readings),
+        noise=first.sigma if first else float(cells.data.scale * np.exp(np.mean(log_noise))),
+        noise_dof=first.dof if first else cells.data.dof or _dof_of(log_noise, cells.readings),
         reversal_log_odds=float(odds),
-        findings=findings_of(cells, travel if turn is None else None, periods, shown, test.kind),
-        basis=basis,
+        findings=(
+            *findings_of(cells, travel if turn is None else None, periods, shown, kind),
+            *(finding for each in tests if each.noise for finding in each.noise.findings),
+        ),
         cells=cells,
-        weights=tuple(varying.weights(values) for values in chosen),
+        parts=parts,
     )
 
 
+def _fits(cells: Cells, travel: Travel, periods: Periods) -> list[Fitted]:
+    """Return the models fitted: reversal varying, then constant; or the only one."""
+    return [
+        fitted(cells, travel, periods, varying=varying, draws=_DRAWS)
+        for varying in ((True, False) if cells.bidirectional else (False,))
+    ]
+
+
 def _refuse_misuse(
-    test: PositioningTest, travel: tuple[float, float], periods: Sequence[float]
+    tests: Sequence[ObservedTest], travel: tuple[float, float], periods: Sequence[float]
 ) -> None:
-    faults = []
-    if test.frame != "machine":
-        faults.append(
-            Fault(
-                message="the test is still in the instrument's frame",
-                file=test.name,
-                expected="machine coordinates",
-            )
+    faults = [
+        Fault(
+            message="the test is still in the instrument's frame",
+            file=each.test.name,
+            expected="machine coordinates",
         )
+        for each in tests
+        if each.test.frame != "machine"
+    ]
+    if not tests:
+        faults.append(Fault(message="an axis without a test", expected="one test or more"))
     if not (np.all(np.isfinite(travel)) and travel[0] < travel[1]):
         faults.append(
             Fault(
@@ -253,74 +279,13 @@ def _dof_of(log_noise: FloatArray, readings: int) -> float:
     return float(np.clip(0.5 / max(float(np.var(log_noise)), 1e-12), 1.0, max(1.0, readings - 1.0)))
 
 
-def _basis_for(cells: Cells, travel: tuple[float, float], periods: tuple[float, ...]) -> Basis:
-    low, high = min(travel[0], float(cells.targets[0])), max(travel[1], float(cells.targets[-1]))
-    m = cells.targets.size
-    return Basis(
-        centre=0.5 * (low + high),
-        half=0.5 * (high - low),
-        # Twice the targets resolves what they can show; 112 sines resolve a length of 3 % of the
-        # half travel.
-        sines=int(np.clip(2 * m, 24, 112)),
-        reversal_sines=int(np.clip(m, 12, 32)),
-        periods=periods,
-        bidirectional=cells.bidirectional,
-        kept=tuple(visible_harmonics(cells.targets, period) for period in periods),
+def _mixed(fits: Sequence[Fitted], odds: float) -> tuple[Part, ...]:
+    """Return equally likely draws from two models of equal prior probability: the share of the
+    first is odds / (1 + odds) (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995).
+    """
+    if len(fits) == 1:
+        return (fits[0].part(_DRAWS),)
+    share = round(_DRAWS / (1.0 + float(np.exp(-np.clip(odds, -50.0, 50.0)))))
+    return tuple(
+        fit.part(count) for fit, count in zip(fits, (share, _DRAWS - share), strict=True) if count
     )
-
-
-def _endless_basis(cells: Cells, turn: float, periods: tuple[float, ...]) -> Basis:
-    """Return functions that repeat with the turn: both sets as large as on an axis with ends, and
-    even (cosine and sine).
-    """
-    m = cells.targets.size
-    return Basis(
-        centre=float(cells.targets[0]),
-        half=0.5 * turn,
-        sines=int(np.clip(2 * m, 24, 112)),
-        reversal_sines=2 * int(np.clip(m, 12, 32) // 2),
-        periods=periods,
-        bidirectional=cells.bidirectional,
-        turn=turn,
-        kept=tuple(visible_harmonics(cells.targets, period) for period in periods),
-    )
-
-
-def _prior_for(cells: Cells, basis: Basis) -> Prior:
-    """Weak priors around what the spread of the readings suggests; a width of 1.5 is a factor 4.5
-    either way.
-    """
-    spread, roughness = cells.spread, cells.roughness
-    centre = [
-        np.log(spread),
-        np.log(0.3 * spread),
-        np.log(roughness),
-        np.log(0.4),
-        np.log(spread),
-        np.log(0.7),
-    ]
-    width = [3.0 if cells.data.dof else 1.0, 1.5, 1.5, 0.8, 1.5, 0.7]
-    centre += [np.log(max(spread, 0.2 * roughness))] * len(basis.periods)
-    width += [1.5] * len(basis.periods)
-    free = [True] * len(centre)
-    for index in _REVERSAL_PART:
-        free[index] = basis.bidirectional
-    return Prior(centre=np.array(centre), width=np.array(width), free=tuple(free))
-
-
-def _without_varying_reversal(prior: Prior) -> Prior:
-    centre = prior.centre.copy()
-    centre[_REVERSAL_PART[0]] = np.log(1e-6)  # a millionth of the scale: constant for every purpose
-    free = tuple(flag and index not in _REVERSAL_PART for index, flag in enumerate(prior.free))
-    return replace(prior, centre=centre, free=free)
-
-
-def _mixed(varying: FloatArray, constant: FloatArray, odds: float) -> FloatArray:
-    """Return equally likely hyperparameters from two models of equal prior probability: the share
-    of the first is odds / (1 + odds) (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995).
-    """
-    count = varying.shape[0]
-    share = round(count / (1.0 + float(np.exp(-np.clip(odds, -50.0, 50.0)))))
-    pick = np.linspace(0, count - 1, max(share, 1)).round().astype(int)[:share]
-    rest = np.linspace(0, count - 1, max(count - share, 1)).round().astype(int)[: count - share]
-    return np.vstack([varying[pick], constant[rest]])

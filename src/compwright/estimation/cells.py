@@ -1,5 +1,5 @@
-"""What a test says before any model: means and counts per target and direction (ISO 230-2:1997,
-2.10), pooled spread (JCGM 100:2008, 4.2.4), straight line by least squares.
+"""What the tests of an axis say before any model: means and counts per target and direction (ISO
+230-2:1997, 2.10), pooled spread (JCGM 100:2008, 4.2.4), straight line by least squares.
 """
 
 from __future__ import annotations
@@ -9,13 +9,15 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.estimation.basis import HARMONICS, folded, hidden_share
-from compwright.estimation.evidence import CellData
+from compwright.estimation.evidence import VAGUE, CellData
+from compwright.estimation.observed import CellMeans, ObservedTest, cell_means
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.positioning import PositioningTest
+from compwright.records.noise import NoiseDraws
 
 #: No noise below this is claimed: 10 nm, 0.0036 arcsec (the resolution of the instruments is
 #: coarser or equal).
@@ -23,15 +25,18 @@ LEAST_NOISE: Final = {AxisKind.LINEAR: 1e-5, AxisKind.ROTARY: 1e-6}
 #: From this share on a period counts as hidden: less than 30 % of its amplitude shows in the worse
 #: phase.
 HIDDEN: Final = 0.7
+_SEED: Final = 202  # by it the noise of one test is paired with that of another
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cells:
-    """Targets with readings (m,), their ``data`` less ``offset + slope x + d reversal/2``, and the
-    guesses of the spread.
+    """Targets with readings in any test (m,), their ``data`` less ``offset + slope x + d
+    reversal/2``, and the guesses of the spread.
 
     ``spread`` and ``roughness`` are in units of ``data.scale``: noise of one reading as guessed,
-    scatter about the straight line.
+    scatter about the straight line. ``noises``: by test, the draws of its noise in the order of
+    ``data``; ``donor``: the first of them that is known, None for none. ``repeated``: there are
+    readings of one cell in one test.
     """
 
     targets: FloatArray
@@ -43,15 +48,18 @@ class Cells:
     roughness: float
     readings: int
     bidirectional: bool
+    repeated: bool
+    noises: tuple[NoiseDraws | None, ...]
+    donor: NoiseDraws | None
 
     def line_at(self, positions: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return what was taken out (k,) at ``positions`` for the two directions, mm or deg: line
-        +- half the mean reversal mean(+) - mean(-) (ISO 230-2:1997, 2.14).
+        of the first test +- half the mean reversal mean(+) - mean(-) (ISO 230-2:1997, 2.14).
         """
         line = self.offset + self.slope * (positions - self.targets[0])
         return line + 0.5 * self.reversal, line - 0.5 * self.reversal
 
-    def seats(self, positions: FloatArray) -> np.ndarray[tuple[int], np.dtype[np.intp]]:
+    def seats(self, positions: FloatArray) -> NDArray[np.intp]:
         """Return for each position (k,) the index of the target that it is, -1 for none."""
         right = np.clip(np.searchsorted(self.targets, positions), 0, self.targets.size - 1)
         left = np.maximum(right - 1, 0)
@@ -60,112 +68,217 @@ class Cells:
             left,
             right,
         )
-        same = np.abs(self.targets[nearest] - positions) <= 1e-9 * max(
-            1.0, float(np.max(np.abs(self.targets)))
-        )
+        same = np.abs(self.targets[nearest] - positions) <= _same(self.targets)
         return np.where(same, nearest, -1)
 
 
-def cells_of(test: PositioningTest, *, endless: bool = False) -> Cells:
-    """Return means, counts and spread of a test; an ``endless`` axis has no slope.
+def _same(positions: FloatArray) -> float:
+    """Return up to which distance two positions are one target, mm or deg."""
+    return 1e-9 * max(1.0, float(np.max(np.abs(positions), initial=0.0)))
+
+
+def cells_of(tests: Sequence[ObservedTest], *, endless: bool = False) -> Cells:
+    """Return means, counts and spread of the tests of an axis; an ``endless`` axis has no slope.
 
     Means as in ISO 230-2:1997, 2.10; the spread pools the squares about the means of all targets
     and directions over their n - 1 (JCGM 100:2008, 4.2.4). Raises InputError for fewer than two
     targets with readings.
     """
-    means, counts, squares = [], [], 0.0
-    for readings in (test.positive, test.negative):
-        there = np.isfinite(readings)
-        count = there.sum(axis=1).astype(np.float64)
-        held = np.where(there, readings, 0.0)
-        mean = held.sum(axis=1) / np.maximum(count, 1.0)
-        squares += float(np.sum(np.where(there, readings - mean[:, np.newaxis], 0.0) ** 2))
-        means.append(mean)
-        counts.append(count)
-    kept = counts[0] + counts[1] > 0
-    if np.count_nonzero(kept) < 2:
+    rng = np.random.default_rng(_SEED)
+    draws = max((each.noise.draws.count for each in tests if each.noise is not None), default=1)
+    orders = []
+    for index, each in enumerate(tests):
+        own = np.arange(draws) % (draws if each.noise is None else each.noise.draws.count)
+        orders.append(rng.permutation(own) if index else own)
+    noises = tuple(
+        None if each.noise is None else each.noise.draws.taken(order)
+        for each, order in zip(tests, orders, strict=True)
+    )
+    donor = next((each for each in noises if each is not None), None)
+    parts = [cell_means(each, order, donor) for each, order in zip(tests, orders, strict=True)]
+    positions = np.concatenate([part.positions for part in parts])
+    targets = _distinct(positions)
+    if targets.size < 2:
         raise InputError(
             Fault(
                 message="the error of an axis cannot be estimated",
-                file=test.name,
+                file=tests[0].test.name,
                 expected="readings at two targets or more",
-                found=f"readings at {np.count_nonzero(kept)}",
+                found=f"readings at {targets.size}",
             )
         )
-    targets = test.targets[kept]
-    return _without_line(
-        targets,
-        [mean[kept] for mean in means],
-        [count[kept] for count in counts],
-        squares,
-        test.kind,
-        endless=endless,
+    line = _line(parts, targets, endless=endless)
+    return _stacked(tests, parts, targets, line, noises, donor)
+
+
+def _distinct(positions: FloatArray) -> FloatArray:
+    """Return the different positions (m,), ascending."""
+    ordered = np.sort(positions)
+    kept = np.diff(ordered, prepend=-np.inf) > _same(ordered)
+    distinct: FloatArray = ordered[kept]
+    return distinct
+
+
+@dataclass(frozen=True, slots=True)
+class _Line:
+    """Straight line of all tests: a datum each, one slope, one mean reversal; mm or deg."""
+
+    offsets: FloatArray
+    slope: float
+    reversal: float
+
+    def at(self, part: CellMeans, test: int, first: float) -> FloatArray:
+        taken: FloatArray = (
+            self.offsets[test]
+            + self.slope * (part.positions - first)
+            + 0.5 * self.reversal * part.signs
+        )
+        return taken
+
+
+def _line(parts: Sequence[CellMeans], targets: FloatArray, *, endless: bool) -> _Line:
+    """Return the line by least squares over all readings (JCGM 100:2008, H.3): the mean reversal of
+    the targets approached in both directions first.
+    """
+    differences = np.concatenate([_reversals(part) for part in parts])
+    reversal = float(np.mean(differences)) if differences.size else 0.0
+    along = float(np.ptp(targets))
+    rows, values, roots = [], [], []
+    for index, part in enumerate(parts):
+        own = np.zeros((part.positions.size, len(parts) + 1))
+        own[:, index] = 1.0
+        own[:, -1] = 0.0 if endless else (part.positions - targets[0]) / along
+        rows.append(own)
+        values.append(part.means - 0.5 * reversal * part.signs)
+        roots.append(np.sqrt(part.counts))
+    root = np.concatenate(roots)
+    solved = np.linalg.lstsq(
+        np.vstack(rows) * root[:, np.newaxis], np.concatenate(values) * root, rcond=None
+    )[0]
+    return _Line(offsets=solved[:-1], slope=float(solved[-1]) / along, reversal=reversal)
+
+
+def _reversals(part: CellMeans) -> FloatArray:
+    """Return mean(+) - mean(-) at the targets of a test that were approached in both directions."""
+    up, down = part.signs > 0, part.signs < 0
+    _, mine, theirs = np.intersect1d(
+        part.positions[up], part.positions[down], assume_unique=True, return_indices=True
     )
+    difference: FloatArray = part.means[up][mine] - part.means[down][theirs]
+    return difference
 
 
-def _without_line(
+def _stacked(
+    tests: Sequence[ObservedTest],
+    parts: Sequence[CellMeans],
     targets: FloatArray,
-    means: list[FloatArray],
-    counts: list[FloatArray],
-    squares: float,
-    kind: AxisKind,
-    *,
-    endless: bool,
+    line: _Line,
+    noises: tuple[NoiseDraws | None, ...],
+    donor: NoiseDraws | None,
 ) -> Cells:
-    both = (counts[0] > 0) & (counts[1] > 0)
-    bidirectional = bool(np.any(counts[0] > 0) and np.any(counts[1] > 0))
-    reversal = float(np.mean((means[0] - means[1])[both])) if np.any(both) else 0.0
-    weight = counts[0] + counts[1]
-    middle = (
-        counts[0] * (means[0] - 0.5 * reversal) + counts[1] * (means[1] + 0.5 * reversal)
-    ) / weight
-    along = targets - targets[0]
-    slope = (
-        0.0 if endless else float(np.polyfit(along / along[-1], middle, 1)[0]) / float(along[-1])
-    )
-    offset = float(np.mean(middle - slope * along))
-    left = middle - offset - slope * along
-    rows = [
-        np.where(count > 0, mean - offset - slope * along - sign * 0.5 * reversal, 0.0)
-        for mean, count, sign in zip(means, counts, (1.0, -1.0), strict=True)
-    ]
-    readings = int(np.sum(weight))
-    dof = float(np.sum(np.maximum(counts[0] - 1.0, 0.0)) + np.sum(np.maximum(counts[1] - 1.0, 0.0)))
-    largest = max(float(np.max(np.abs(mean))) for mean in means)
-    floor = max(LEAST_NOISE[kind], 1e-9 * largest)
-    roughness = max(float(np.sqrt(np.mean(left**2))), floor)
-    spread = float(np.sqrt(squares / dof)) if dof else _neighbour_spread(rows, counts)
+    """Return the cells of all tests in the order of their targets, in units of one scale."""
+    lines = [line.at(part, index, float(targets[0])) for index, part in enumerate(parts)]
+    left = [part.means - taken for part, taken in zip(parts, lines, strict=True)]
+    largest = max(float(np.max(np.abs(part.means))) for part in parts)
+    floor = max(LEAST_NOISE[tests[0].test.kind], 1e-9 * largest)
+    roughness = max(float(np.sqrt(np.mean(np.concatenate(left) ** 2))), floor)
+    dof = sum(part.dof for part in parts)
+    squares = sum(part.squares for part in parts)
+    spread = float(np.sqrt(squares / dof)) if dof else _neighbour_spread(parts, left)
     scale = max(roughness, spread, floor)
     floor = max(floor / scale, 1e-4)
+    positions = np.concatenate([part.positions for part in parts])
+    seats = np.clip(np.searchsorted(targets, positions + _same(targets)) - 1, 0, None)
+    signs = np.concatenate([part.signs for part in parts])
+    order = np.lexsort((-signs, seats))
+    counts = np.concatenate([part.counts for part in parts])
+    known = np.concatenate([np.full(part.counts.size, not part.inferred) for part in parts])
+    precision = np.hstack([part.precision for part in parts]) * scale**2
+    extra, extra_std = _extra(tests, parts, targets, scale)
     data = CellData(
-        positive=rows[0] / scale,
-        negative=rows[1] / scale,
-        count_positive=counts[0],
-        count_negative=counts[1],
-        squares=squares / scale**2,
-        dof=dof,
+        seats=seats[order],
+        starts=np.searchsorted(seats[order], np.arange(targets.size)),
+        signs=signs[order],
+        values=np.hstack(
+            [part.by_draw - taken for part, taken in zip(parts, lines, strict=True)]
+        )[:, order]
+        / scale,
+        precision=np.minimum(precision, counts / floor**2)[:, order],
+        columns=_blocks([part.columns for part in parts])[:, order] / scale,
+        counts=np.where(known, 0.0, counts)[order],
+        squares=sum(part.squares for part in parts if part.inferred) / scale**2,
+        dof=sum(part.dof for part in parts if part.inferred),
+        extra=extra[order],
+        extra_std=extra_std,
         floor=floor,
         scale=scale,
     )
     return Cells(
         targets=targets,
         data=data,
-        offset=offset,
-        slope=slope,
-        reversal=reversal,
+        offset=float(line.offsets[0]),
+        slope=line.slope,
+        reversal=line.reversal,
         spread=max(spread / scale, floor),
         roughness=roughness / scale,
-        readings=readings,
-        bidirectional=bidirectional,
+        readings=int(np.sum(counts)),
+        bidirectional=bool(np.any(signs > 0) and np.any(signs < 0)),
+        repeated=dof > 0.0,
+        noises=noises,
+        donor=donor,
     )
 
 
-def _neighbour_spread(rows: list[FloatArray], counts: list[FloatArray]) -> float:
+def _blocks(columns: Sequence[FloatArray]) -> FloatArray:
+    """Return columns (n, c, q) of single tests side by side: what moves one leaves the others."""
+    draws = columns[0].shape[0]
+    together = np.zeros(
+        (draws, sum(each.shape[1] for each in columns), sum(each.shape[2] for each in columns))
+    )
+    row = column = 0
+    for each in columns:
+        together[:, row : row + each.shape[1], column : column + each.shape[2]] = each
+        row, column = row + each.shape[1], column + each.shape[2]
+    return together
+
+
+def _extra(
+    tests: Sequence[ObservedTest],
+    parts: Sequence[CellMeans],
+    targets: FloatArray,
+    scale: float,
+) -> tuple[FloatArray, FloatArray]:
+    """Return the columns (c, e) that single tests have of their own, with their standard
+    deviations (e,): a datum for each but the first, whose datum is that of the error; and the slope
+    of each whose slope is uncertain, about the middle of the targets.
+    """
+    middle, half = 0.5 * (targets[0] + targets[-1]), 0.5 * float(np.ptp(targets))
+    columns, stds = [], []
+    for index, each in enumerate(tests):
+        mine = [np.full(part.counts.size, float(k == index)) for k, part in enumerate(parts)]
+        own = np.concatenate(mine)
+        if index:
+            columns.append(own)
+            stds.append(VAGUE)
+        if each.slope_std > 0.0:
+            places = np.concatenate([part.positions for part in parts])
+            columns.append(own * (places - middle) / half)
+            stds.append(each.slope_std * half / scale)
+    size = sum(part.counts.size for part in parts)
+    together = np.column_stack(columns) if columns else np.zeros((size, 0))
+    return together, np.array(stds)
+
+
+def _neighbour_spread(parts: Sequence[CellMeans], left: Sequence[FloatArray]) -> float:
     """Return the scatter that second differences of neighbouring targets show: all that single
     readings can tell (Gasser, Sroka and Jennen-Steinmetz, Biometrika 73, 1986).
     """
-    parts = [np.diff(row[count > 0], 2) for row, count in zip(rows, counts, strict=True)]
-    together = np.concatenate(parts)
+    rows = [
+        np.diff(row[part.signs == sign], 2)
+        for part, row in zip(parts, left, strict=True)
+        for sign in (1.0, -1.0)
+    ]
+    together = np.concatenate(rows)
     if not together.size:
         return 0.0
     # Variance of a second difference of independent readings: 1 + 4 + 1.
@@ -208,7 +321,7 @@ def findings_of(
             " known."
         )
         found.append(Finding("CW-E001", "warning", message))
-    if cells.data.dof == 0:
+    if not cells.repeated:
         message = (
             "One approach per target and direction: the noise is inferred from the scatter between"
             " neighbouring targets."

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.estimation.evidence import Evidence
 from compwright.records.axis import FloatArray
@@ -22,13 +23,17 @@ _ITERATIONS: Final = 60
 _STEP_LIMIT: Final = 1.5  # largest change of a logarithm in one step
 _TAIL_DOF: Final = 5.0  # of the Student distribution that proposes draws
 _DIFFERENCE: Final = 1e-3  # of a logarithm, for the curvature from gradients
+_SEED: Final = 231  # by it draws of the noise are paired with hyperparameters
 
 
 @dataclass(frozen=True, slots=True)
 class HyperparameterDraws:
-    """``values`` (d, h) equally likely draws, and the natural logarithm of the model's evidence."""
+    """``values`` (d, h) equally likely draws, the draw of the ``noise`` (d,) that goes with each,
+    and the natural logarithm of the model's evidence.
+    """
 
     values: FloatArray
+    noise: NDArray[np.intp]
     log_evidence: float
 
 
@@ -89,7 +94,10 @@ def _spread(evidence: Evidence, peak: FloatArray) -> FloatArray:
         hessian[row] = (down - up)[free] / (2.0 * _DIFFERENCE)
     width = evidence.prior.width[free]
     values, vectors = np.linalg.eigh(0.5 * (hessian + hessian.T) * np.outer(width, width))
-    root: FloatArray = (width[:, np.newaxis] * vectors) / np.sqrt(np.maximum(values, 1.0))
+    covariance = (vectors / np.maximum(values, 1.0)) @ vectors.T
+    # The root of Cholesky is the only one with a positive diagonal: eigenvectors come in the order
+    # and with the sign that the machine's own linear algebra chose.
+    root: FloatArray = width[:, np.newaxis] * np.linalg.cholesky(covariance)
     return root
 
 
@@ -101,7 +109,9 @@ def draw_hyperparameters(
 
     Equally likely: taken where the cumulative weights cross evenly spaced steps (Kitagawa, J.
     Comput. Graph. Stat. 5, 1996). Proposals come in mirrored pairs (antithetic variates: Hammersley
-    and Handscomb, Monte Carlo Methods, 1964, section 5.6).
+    and Handscomb, Monte Carlo Methods, 1964, section 5.6). Each pair goes with one draw of the
+    noise, all of which are as likely before the means of the readings have spoken: a proposal is
+    one of both together.
     """
     peak, _ = maximise(evidence, start)
     root = _spread(evidence, peak)
@@ -115,15 +125,31 @@ def draw_hyperparameters(
     scaled = normal * stretch[:, np.newaxis]
     points[:, free] += scaled @ root.T
     log_proposal = _log_student(scaled) - np.linalg.slogdet(root)[1]
-    log_weights = np.array([evidence.log_posterior(point) for point in points]) - log_proposal
+    noise = _paired(proposals, evidence.data.draws)
+    log_posterior = [
+        evidence.log_posterior(point, int(draw)) for point, draw in zip(points, noise, strict=True)
+    ]
+    log_weights = np.array(log_posterior) - log_proposal
     top = float(np.max(log_weights))
     weights = np.exp(log_weights - top)
     ladder = (np.arange(draws) + 0.5) / draws
     chosen = np.searchsorted(np.cumsum(weights) / np.sum(weights), ladder)
+    chosen = np.minimum(chosen, proposals - 1)
     return HyperparameterDraws(
-        values=points[np.minimum(chosen, proposals - 1)],
+        values=points[chosen],
+        noise=noise[chosen],
         log_evidence=top + float(np.log(np.mean(weights))),
     )
+
+
+def _paired(proposals: int, draws: int) -> NDArray[np.intp]:
+    """Return for each proposal a draw of the noise, the same for every model of a test; a proposal
+    and its mirror have the same, every draw as many as any other as far as the numbers allow.
+    """
+    half = max(proposals // 2, 1)
+    places = np.arange(half) * draws // half if half < draws else np.arange(half) % draws
+    shuffled = np.random.default_rng(_SEED).permutation(places)
+    return shuffled[np.arange(proposals) % half]
 
 
 def _log_student(scaled: FloatArray) -> FloatArray:

@@ -1,0 +1,162 @@
+"""One model of the error of an axis: its functions, its priors, and draws of its weights.
+
+Models differ in the periods that they hold and in whether the reversal varies with position; what
+is known of the axis is a mixture of them, each as far as its probability goes (Bayesian model
+averaging: Hoeting et al., Statistical Science 14, 1999).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.basis import Basis
+from compwright.estimation.cells import Cells
+from compwright.estimation.evidence import (
+    NOISE,
+    REVERSAL,
+    REVERSAL_LENGTH,
+    Evidence,
+    Prior,
+    Weights,
+    design_rows,
+)
+from compwright.estimation.hyperparameters import HyperparameterDraws, draw_hyperparameters
+from compwright.records.axis import FloatArray
+from compwright.records.noise import NoiseDraws
+
+_REVERSAL_PART: Final = [REVERSAL, REVERSAL_LENGTH]
+_SEED: Final = 230  # the same tests give the same posterior
+
+
+@dataclass(frozen=True, slots=True)
+class Travel:
+    """The range (low, high) that an axis moves over, mm or deg; ``turn`` (deg): an endless axis,
+    whose error repeats with it.
+    """
+
+    low: float
+    high: float
+    turn: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Periods:
+    """Known or supposed ``periods`` of the error, mm or deg, with the ``harmonics`` of each that
+    count.
+    """
+
+    periods: tuple[float, ...] = ()
+    harmonics: tuple[tuple[int, ...], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One model of the mixture: equally likely draws of the weights of its ``basis``."""
+
+    basis: Basis
+    weights: tuple[Weights, ...]
+
+    def rows(self, cells: Cells, draw: int) -> FloatArray:
+        """Return the columns (c, j) of all weights at the cells under a draw of the noise."""
+        return design_rows(self.basis, cells.targets, cells.data, draw)
+
+
+@dataclass(frozen=True, slots=True)
+class Fitted:
+    """One model fitted to the cells of an axis, with its draws and its evidence."""
+
+    evidence: Evidence
+    drawn: HyperparameterDraws
+
+    def part(self, share: int) -> Part:
+        """Return ``share`` of its draws, evenly spread over them."""
+        count = self.drawn.values.shape[0]
+        pick = np.linspace(0, count - 1, max(share, 1)).round().astype(int)[:share]
+        return Part(
+            self.evidence.basis,
+            tuple(
+                self.evidence.weights(self.drawn.values[index], int(self.drawn.noise[index]))
+                for index in pick
+            ),
+        )
+
+
+def fitted(
+    cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int
+) -> Fitted:
+    """Return the model with these periods, and a reversal that varies with position or does not,
+    fitted to the cells; ``draws`` equally likely hyperparameters.
+    """
+    evidence = evidence_of(cells, travel, periods, varying=varying)
+    proposals = 2 * draws if cells.targets.size <= 100 else draws
+    return Fitted(
+        evidence,
+        draw_hyperparameters(
+            evidence,
+            evidence.prior.centre,
+            proposals=proposals,
+            draws=draws,
+            rng=np.random.default_rng(_SEED),
+        ),
+    )
+
+
+def evidence_of(cells: Cells, travel: Travel, periods: Periods, *, varying: bool) -> Evidence:
+    """Return the marginal likelihood of the cells under one model (Rasmussen and Williams, Gaussian
+    Processes for Machine Learning, 2006, section 5.2). Arguments as those of `fitted`.
+    """
+    m = cells.targets.size
+    # Twice the targets resolves what they can show; 112 sines resolve a length of 3 % of the half
+    # travel.
+    sines, reversal_sines = int(np.clip(2 * m, 24, 112)), int(np.clip(m, 12, 32))
+    low, high = min(travel.low, float(cells.targets[0])), max(travel.high, float(cells.targets[-1]))
+    centre, half = 0.5 * (low + high), 0.5 * (high - low)
+    if travel.turn is not None:
+        # Functions that repeat with the turn, cosine and sine: an even number of them.
+        centre, half, reversal_sines = float(cells.targets[0]), 0.5 * travel.turn, reversal_sines & -2
+    basis = Basis(
+        centre=centre,
+        half=half,
+        sines=sines,
+        reversal_sines=reversal_sines if varying else 0,
+        periods=periods.periods,
+        bidirectional=cells.bidirectional,
+        turn=travel.turn,
+        kept=periods.harmonics,
+    )
+    return Evidence(basis, cells.targets, cells.data, _prior_for(cells, basis, varying=varying))
+
+
+def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:
+    """Weak priors around what the spread of the readings suggests; a width of 1.5 is a factor 4.5
+    either way. The noise of a test without repetition is, where another test of the axis has some,
+    about as large as there.
+    """
+    spread, roughness = cells.spread, cells.roughness
+    centre = [
+        np.log(spread),
+        np.log(0.3 * spread),
+        np.log(roughness),
+        np.log(0.4),
+        np.log(spread) if varying else np.log(1e-6),  # constant: a millionth of the scale
+        np.log(0.7),
+    ]
+    width = [3.0 if cells.data.dof else 1.0, 1.5, 1.5, 0.8, 1.5, 0.7]
+    if cells.donor is not None:
+        centre[NOISE] = _donated(cells.donor, cells.data.scale)
+        width[NOISE] = 0.5
+    centre += [np.log(max(spread, 0.2 * roughness))] * len(basis.periods)
+    width += [1.5] * len(basis.periods)
+    free = [True] * len(centre)
+    free[NOISE] = bool(np.any(cells.data.counts > 0))
+    for index in _REVERSAL_PART:
+        free[index] = basis.bidirectional and varying
+    return Prior(centre=np.array(centre), width=np.array(width), free=tuple(free))
+
+
+def _donated(noise: NoiseDraws, scale: float) -> float:
+    """Return the logarithm of the noise of a reading of another test, in units of ``scale``."""
+    return float(np.mean(np.log(np.maximum(noise.sigma, 1e-12) / scale)))

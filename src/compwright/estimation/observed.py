@@ -1,0 +1,115 @@
+"""A test as the estimation takes it: cells (target and direction) with their means (ISO
+230-2:1997, 2.10) and what is known of their noise, draw by draw.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from compwright.estimation.noise_posterior import NoisePosterior
+from compwright.records.axis import FloatArray
+from compwright.records.noise import INDEPENDENT, RUNS, NoiseDraws
+from compwright.records.positioning import PositioningTest
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ObservedTest:
+    """A test in machine coordinates, without what acted in the control meanwhile.
+
+    ``slope_std``: standard deviation of a slope, mm/mm, that this test has beside the error of the
+    axis (its temperature). ``noise``: what its repeated readings tell of their noise; None where
+    there are too few of them, and the noise is inferred with the error.
+    """
+
+    test: PositioningTest
+    noise: NoisePosterior | None = None
+    slope_std: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CellMeans:
+    """The c cells of one test that have readings, mm or deg.
+
+    ``positions``, ``signs`` (+1, -1), ``counts`` of readings and plain ``means`` (c,);
+    ``squares`` about them with ``dof`` degrees of freedom. ``by_draw`` (n, c), ``precision`` (n, c)
+    and ``columns`` (n, c, q) by draw of the noise (`NoisePosterior`); ``inferred``: there are
+    none, the means are the plain ones and the precision is 0.
+    """
+
+    positions: FloatArray
+    signs: FloatArray
+    counts: FloatArray
+    means: FloatArray
+    squares: float
+    dof: float
+    by_draw: FloatArray
+    precision: FloatArray
+    columns: FloatArray
+    inferred: bool
+
+
+def cell_means(
+    observed: ObservedTest, order: NDArray[np.intp], donor: NoiseDraws | None
+) -> CellMeans:
+    """Return the cells of a test with the draws of its noise taken in ``order`` (n,).
+
+    ``donor``: n draws of the noise of another test of the axis: where the own readings do not tell
+    how the traverses moved, it does.
+    """
+    test = observed.test
+    deviations = (test.positive, test.negative)
+    there = [np.isfinite(block) for block in deviations]
+    counts = np.concatenate([known.sum(axis=1) for known in there]).astype(np.float64)
+    held = [np.where(known, block, 0.0) for known, block in zip(there, deviations, strict=True)]
+    means = np.concatenate([block.sum(axis=1) for block in held]) / np.maximum(counts, 1.0)
+    m = test.targets.size
+    squares = sum(
+        float(np.sum(np.where(known, block - mean[:, np.newaxis], 0.0) ** 2))
+        for known, block, mean in zip(there, deviations, (means[:m], means[m:]), strict=True)
+    )
+    kept = counts > 0
+    positions, signs = np.tile(test.targets, 2)[kept], np.repeat([1.0, -1.0], m)[kept]
+    own = observed.noise
+    if own is None:
+        size = int(np.count_nonzero(kept))
+        by_draw = np.broadcast_to(means[kept], (order.size, size))
+        precision = np.zeros((order.size, size))
+        columns = (
+            np.zeros((order.size, size, 0)) if donor is None else _moved(donor, positions, signs)
+        )
+    else:
+        by_draw = own.mean[order][:, kept]
+        precision = own.precision[order][:, kept]
+        columns = own.columns[order][:, kept]
+    return CellMeans(
+        positions=positions,
+        signs=signs,
+        counts=counts[kept],
+        means=means[kept],
+        squares=squares,
+        dof=float(np.sum(np.maximum(counts - 1.0, 0.0))),
+        by_draw=by_draw,
+        precision=precision,
+        columns=columns,
+        inferred=own is None,
+    )
+
+
+def _moved(donor: NoiseDraws, positions: FloatArray, signs: FloatArray) -> FloatArray:
+    """Return columns (n, c, 4) of unit variance: how one traverse in each direction is offset and
+    tilted. What moves both alike is the datum of the test and its slope.
+    """
+    u = (positions - donor.centre) / donor.half
+    up, down = signs > 0, signs < 0
+    together = donor.pattern != INDEPENDENT
+    first = np.where(together[:, np.newaxis], 1.0, up)
+    second = np.where((donor.pattern == RUNS)[:, np.newaxis], 0.0, down)
+    columns = [
+        size[:, np.newaxis] * side * along
+        for size, along in ((donor.offset, np.ones_like(u)), (donor.tilt, u))
+        for side in (first, second)
+    ]
+    return np.stack(columns, axis=2)
