@@ -172,7 +172,9 @@ class AxisPosterior:
         total = np.add.reduceat(left, data.starts, axis=0).T
         by_target = np.add.reduceat(precision, data.starts)
         by_target = by_target + 1.0 / max(weights.local, 1e-300)
-        drawn: FloatArray = total / by_target + rng.standard_normal(total.shape) / np.sqrt(by_target)
+        drawn: FloatArray = total / by_target + rng.standard_normal(total.shape) / np.sqrt(
+            by_target
+        )
         return drawn
 
     def _noise(self, drawn: list[Weights], owner: NDArray[np.intp], test: int) -> NoiseDraws:

@@ -199,9 +199,9 @@ def _stacked(
         seats=seats[order],
         starts=np.searchsorted(seats[order], np.arange(targets.size)),
         signs=signs[order],
-        values=np.hstack(
-            [part.by_draw - taken for part, taken in zip(parts, lines, strict=True)]
-        )[:, order]
+        values=np.hstack([part.by_draw - taken for part, taken in zip(parts, lines, strict=True)])[
+            :, order
+        ]
         / scale,
         precision=np.minimum(precision, counts / floor**2)[:, order],
         columns=_blocks([part.columns for part in parts])[:, order] / scale,

@@ -84,9 +84,7 @@ class Fitted:
         )
 
 
-def fitted(
-    cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int
-) -> Fitted:
+def fitted(cells: Cells, travel: Travel, periods: Periods, *, varying: bool, draws: int) -> Fitted:
     """Return the model with these periods, and a reversal that varies with position or does not,
     fitted to the cells; ``draws`` equally likely hyperparameters.
     """
@@ -116,7 +114,11 @@ def evidence_of(cells: Cells, travel: Travel, periods: Periods, *, varying: bool
     centre, half = 0.5 * (low + high), 0.5 * (high - low)
     if travel.turn is not None:
         # Functions that repeat with the turn, cosine and sine: an even number of them.
-        centre, half, reversal_sines = float(cells.targets[0]), 0.5 * travel.turn, reversal_sines & -2
+        centre, half, reversal_sines = (
+            float(cells.targets[0]),
+            0.5 * travel.turn,
+            reversal_sines & -2,
+        )
     basis = Basis(
         centre=centre,
         half=half,

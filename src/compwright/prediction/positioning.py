@@ -12,10 +12,19 @@ import numpy as np
 from compwright.evaluation.decision import Decision
 from compwright.evaluation.statistics import parameters, vdi_parameters
 from compwright.foundations.errors import Fault, UsageError
+from compwright.prediction.scatter import Scatter
 from compwright.records.axis import FloatArray
 from compwright.records.prediction import Quantiles
 
-__all__ = ["Quantiles", "decide_prediction", "dithered_targets", "predict_test"]
+__all__ = [
+    "Quantiles",
+    "decide_prediction",
+    "dithered_targets",
+    "fresh_parameters",
+    "fresh_slopes",
+    "one_reversal",
+    "predict_test",
+]
 
 _DITHER: Final = 0.3  # of the mean spacing, either way (outside contract, JSON of `run`)
 _LARGEST_MARGIN: Final = 0.25  # of the travel: a shorter axis cannot keep more from both ends
@@ -24,62 +33,74 @@ _LARGEST_MARGIN: Final = 0.25  # of the travel: a shorter axis cannot keep more 
 def predict_test(
     draws_positive: FloatArray,
     draws_negative: FloatArray,
-    noise: FloatArray,
+    scatter: Scatter,
     *,
-    runs_positive: int | FloatArray,
-    runs_negative: int | FloatArray,
     change_positive: FloatArray,
     change_negative: FloatArray,
     coverage: float,
-    rng: np.random.Generator,
     vdi: bool = False,
 ) -> Mapping[str, Quantiles]:
     """Return the quantiles of the parameters of a fresh test at m targets after a change of the
     correction.
 
     ``draws_positive``, ``draws_negative`` (s, m): s joint draws of the deviation in the state that
-    was measured, + and -; ``noise`` (s,): standard deviation of a single reading, drawn with them;
-    ``change_*`` (m,): new minus old correction at the targets. All in one unit (mm or deg), which
-    is the result's. ``runs_*``: readings per target, one number or (m,); 0: the direction is not
-    measured. ``coverage`` is the k of the standard (2 or 3).
+    was measured, + and -; ``scatter``: what the readings of a fresh test add to each, drawn with
+    them (`fresh_scatter`); ``change_*`` (m,): new minus old correction at the targets. All in one
+    unit (mm or deg), which is the result's. ``coverage`` is the k of the standard (2 or 3).
 
-    Each draw is one test of its own: the means of n readings scatter by noise / sqrt(n), their s by
-    the chi-square law with n - 1 degrees of freedom. A new datum of the instrument moves all
-    readings alike and no parameter depends on it. Only the parameters that such a test has are in
-    the result, by their contract names (``A``, ``E_positive``, ...; with ``vdi`` those of VDI
-    3441): none that needs a direction which is not measured, none that needs s when n = 1.
+    Each draw is one test of its own. A new datum of the instrument moves all readings alike and no
+    parameter depends on it. Only the parameters that such a test has are in the result, by their
+    contract names (``A``, ``E_positive``, ...; with ``vdi`` those of VDI 3441): none that needs a
+    direction which is not measured, none that needs s when n = 1.
     """
-    mean_positive, s_positive = _fresh_readings(
-        draws_positive + change_positive, noise, runs_positive, rng
+    values = fresh_parameters(
+        draws_positive + change_positive,
+        draws_negative + change_negative,
+        scatter,
+        coverage=coverage,
+        vdi=vdi,
     )
-    mean_negative, s_negative = _fresh_readings(
-        draws_negative + change_negative, noise, runs_negative, rng
-    )
+    return {name: _quantiles(draws) for name, draws in values.items()}
+
+
+def fresh_parameters(
+    positive: FloatArray,
+    negative: FloatArray,
+    scatter: Scatter,
+    *,
+    coverage: float,
+    vdi: bool = False,
+) -> dict[str, FloatArray]:
+    """Return the parameters (s,) of fresh tests of axes whose deviations are ``positive``,
+    ``negative`` (s, m), by their contract names; those that such a test does not have are left out.
+    """
+    means = (positive + scatter.mean_positive, negative + scatter.mean_negative)
     if vdi:
-        values = vdi_parameters(mean_positive, s_positive, mean_negative, s_negative)
+        values = vdi_parameters(means[0], scatter.s_positive, means[1], scatter.s_negative)
     else:
-        values = parameters(mean_positive, s_positive, mean_negative, s_negative, coverage)
-    return {name: _quantiles(draws) for name, draws in values.items() if np.all(np.isfinite(draws))}
+        values = parameters(means[0], scatter.s_positive, means[1], scatter.s_negative, coverage)
+    return {name: draws for name, draws in values.items() if np.all(np.isfinite(draws))}
 
 
-def _fresh_readings(
-    deviation: FloatArray, noise: FloatArray, runs: int | FloatArray, rng: np.random.Generator
-) -> tuple[FloatArray, FloatArray]:
-    """Return mean and s (s, m) of ``runs`` readings about ``deviation`` (s, m), drawn from their
-    exact laws.
-
-    NaN where there is no mean (n = 0) or no s (n < 2). Mean and s of normal readings are
-    independent, so the readings themselves need not be drawn.
+def fresh_slopes(
+    positions: FloatArray, count: int, slope_std: float, rng: np.random.Generator
+) -> FloatArray:
+    """Return deviations (count, m) at ``positions`` (m,), mm, of fresh tests whose axis and
+    instrument have another temperature than they should: a slope each, of standard deviation
+    ``slope_std`` (mm/mm), the same in both directions. No parameter depends on where it is zero.
     """
-    n = np.broadcast_to(np.asarray(runs, dtype=np.float64), deviation.shape)
-    sigma = noise[:, np.newaxis]
-    measured, repeated = n > 0.0, n > 1.0
-    mean = deviation + sigma * rng.standard_normal(deviation.shape) / np.sqrt(
-        np.where(measured, n, 1.0)
-    )
-    degrees = np.where(repeated, n - 1.0, 1.0)
-    s = sigma * np.sqrt(rng.chisquare(degrees) / degrees)
-    return np.where(measured, mean, np.nan), np.where(repeated, s, np.nan)
+    slopes = slope_std * rng.standard_normal((count, 1))
+    deviations: FloatArray = slopes * (positions - np.mean(positions))
+    return deviations
+
+
+def one_reversal(positive: FloatArray, negative: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return draws (s, m) of the deviation of an axis whose reversal is everywhere the mean one, so
+    that one value of backlash could compensate it.
+    """
+    middle = 0.5 * (positive + negative)
+    half = 0.5 * np.mean(positive - negative, axis=1, keepdims=True)
+    return middle + half, middle - half
 
 
 def _quantiles(draws: FloatArray) -> Quantiles:

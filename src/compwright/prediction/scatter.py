@@ -1,0 +1,66 @@
+"""What fresh readings add to the error of an axis, by target and direction: the scatter of their
+means, and their standard deviations.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from compwright.evaluation.statistics import mean_deviation, standard_deviation
+from compwright.prediction.fresh_noise import fresh_noise
+from compwright.records.axis import FloatArray
+from compwright.records.noise import NoiseDraws
+
+#: Readings that are drawn at once: 8 MB.
+_AT_ONCE: Final = 1_000_000
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Scatter:
+    """Fresh tests, one for each draw of the noise: ``mean_*`` (s, m), by which the mean of the
+    readings differs from the error of the axis, and ``s_*`` (s, m), their standard deviation; mm or
+    deg. NaN where there is no mean (n = 0) or no s (n < 2).
+    """
+
+    mean_positive: FloatArray
+    s_positive: FloatArray
+    mean_negative: FloatArray
+    s_negative: FloatArray
+
+
+def fresh_scatter(
+    noise: NoiseDraws,
+    targets: FloatArray,
+    runs_positive: int | FloatArray,
+    runs_negative: int | FloatArray,
+    rng: np.random.Generator,
+) -> Scatter:
+    """Return what fresh tests at ``targets`` (m,) with ``runs_*`` readings in + and - add, one test
+    for each of the s draws of the ``noise``: simulated reading by reading, evaluated as in ISO
+    230-2:1997, 2.10 and 2.15. ``runs_*``: one number or (m,); 0: the direction is not measured.
+    """
+    runs = [
+        np.broadcast_to(np.asarray(each, dtype=np.float64), targets.shape)
+        for each in (runs_positive, runs_negative)
+    ]
+    most = [int(np.max(each, initial=0.0)) for each in runs]
+    step = max(1, _AT_ONCE // max(1, targets.size * max(most)))
+    made: list[list[FloatArray]] = [[], [], [], []]
+    for first in range(0, noise.count, step):
+        part = noise.taken(np.arange(first, min(first + step, noise.count)))
+        blocks = fresh_noise(part, targets, *most, rng)
+        for side, (block, wanted) in enumerate(zip(blocks, runs, strict=True)):
+            taken = np.arange(block.shape[2]) < wanted[:, np.newaxis]
+            readings = block if np.all(taken) else np.where(taken, block, np.nan)
+            made[2 * side].append(mean_deviation(readings))
+            made[2 * side + 1].append(standard_deviation(readings))
+    means_positive, s_positive, means_negative, s_negative = map(np.concatenate, made)
+    return Scatter(
+        mean_positive=means_positive,
+        s_positive=s_positive,
+        mean_negative=means_negative,
+        s_negative=s_negative,
+    )
