@@ -26,6 +26,7 @@ from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import ErrorEstimate
 from compwright.records.fitted import TableRequest
 from compwright.records.job import Acceptance, AxisJob, Job, TestRequest
+from compwright.records.noise import normal_noise
 from compwright.records.plan import PlannedAxis, PlannedCircle, PlannedTest
 from compwright.records.positioning import PositioningTest
 
@@ -77,10 +78,14 @@ class KnownAxis:
     def summary(self, positions: Floats) -> ErrorEstimate:
         return estimate_of(positions, self.plus, self.minus, std=self.std, noise=self.noise)
 
-    def draw(self, positions: Floats, count: int, _rng: np.random.Generator) -> Draws:
+    def draw(
+        self, positions: Floats, count: int, _rng: np.random.Generator, _test: int = 0
+    ) -> Draws:
         rows = np.zeros((count, 1))
         return Draws(
-            self.plus(positions) + rows, self.minus(positions) + rows, np.full(count, self.noise)
+            self.plus(positions) + rows,
+            self.minus(positions) + rows,
+            normal_noise(np.full(count, self.noise)),
         )
 
 

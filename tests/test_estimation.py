@@ -4,6 +4,8 @@ tell.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from numpy.typing import NDArray
@@ -12,6 +14,7 @@ from compwright.estimation.axis import AxisPosterior, estimate_axis
 from compwright.estimation.basis import Basis, folded
 from compwright.estimation.cells import cells_of, visible_harmonics, visible_periods
 from compwright.estimation.evidence import Evidence, Prior
+from compwright.estimation.observed import ObservedTest
 from compwright.foundations.errors import InputError, UsageError
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
@@ -51,6 +54,11 @@ def smooth(x: Array) -> Array:
     return 8 * UM * np.sin(x / 150.0) + 2e-5 * x
 
 
+def estimated(test: PositioningTest, **words: Any) -> AxisPosterior:
+    """The error by one test whose noise is inferred with it."""
+    return estimate_axis([ObservedTest(test=test)], **words)
+
+
 def codes(posterior: AxisPosterior) -> set[str]:
     return {finding.code for finding in posterior.findings}
 
@@ -58,7 +66,7 @@ def codes(posterior: AxisPosterior) -> set[str]:
 def test_a_known_smooth_error_is_recovered() -> None:
     rng = np.random.default_rng(1)
     targets = spread_targets(rng, 25)
-    posterior = estimate_axis(
+    posterior = estimated(
         measured(rng, targets, smooth(targets), 0 * targets - 3 * UM, 1 * UM), travel=TRAVEL
     )
     inside = np.linspace(targets[0], targets[-1], 300)
@@ -78,7 +86,7 @@ def test_the_noise_is_recovered() -> None:
     for _ in range(20):
         targets = spread_targets(rng, 21)
         test = measured(rng, targets, smooth(targets), 0 * targets, 1.5 * UM)
-        posterior = estimate_axis(test, travel=TRAVEL)
+        posterior = estimated(test, travel=TRAVEL)
         ratios.append(posterior.noise / (1.5 * UM))
         assert posterior.noise_dof == 21 * 2 * 4
     # One estimate with 168 dof scatters by 1/sqrt(336) = 5.5 %; the mean of 20 by 1.2 %.
@@ -89,7 +97,7 @@ def test_the_noise_is_recovered() -> None:
 def test_noise_without_repetition_comes_from_neighbours() -> None:
     rng = np.random.default_rng(3)
     targets = spread_targets(rng, 60)
-    posterior = estimate_axis(
+    posterior = estimated(
         measured(rng, targets, smooth(targets), 0 * targets, 1 * UM, runs=1), travel=TRAVEL
     )
     assert "CW-E002" in codes(posterior)
@@ -104,7 +112,7 @@ def test_a_known_period_is_separated() -> None:
     targets = spread_targets(rng, 41)
     wave = 2 * UM * np.cos(2 * np.pi * targets / 10.0 + 0.7)
     test = measured(rng, targets, smooth(targets) + wave, 0 * targets, 0.5 * UM)
-    posterior = estimate_axis(test, travel=TRAVEL, periods=(10.0,))
+    posterior = estimated(test, travel=TRAVEL, periods=(10.0,))
     fine = np.linspace(400.0, 440.0, 161)
     left = posterior.summary(fine).mean_positive - smooth(fine)
     again = np.column_stack(
@@ -122,10 +130,10 @@ def test_targets_at_a_multiple_of_the_period_cannot_show_it() -> None:
     rng = np.random.default_rng(5)
     targets = np.arange(0.0, 1001.0, 50.0)
     test = measured(rng, targets, smooth(targets), 0 * targets, 1 * UM)
-    assert "CW-E003" in codes(estimate_axis(test, travel=TRAVEL, periods=(10.0,)))
+    assert "CW-E003" in codes(estimated(test, travel=TRAVEL, periods=(10.0,)))
     odd = measured(rng, targets + 2.3 * np.arange(21) % 10, smooth(targets), 0 * targets, 1 * UM)
-    assert "CW-E003" not in codes(estimate_axis(odd, travel=TRAVEL, periods=(10.0,)))
-    assert "CW-E005" in codes(estimate_axis(odd, travel=TRAVEL))
+    assert "CW-E003" not in codes(estimated(odd, travel=TRAVEL, periods=(10.0,)))
+    assert "CW-E005" in codes(estimated(odd, travel=TRAVEL))
 
 
 def test_evidence_tells_a_varying_reversal_from_a_constant_one() -> None:
@@ -137,7 +145,7 @@ def test_evidence_tells_a_varying_reversal_from_a_constant_one() -> None:
         for odds, change in ((constant, 0.0), (varying, 4 * UM)):
             reversal = -3 * UM + change * (targets / 1000.0 - 0.5)
             test = measured(rng, targets, smooth(targets), reversal, 1 * UM)
-            odds.append(estimate_axis(test, travel=TRAVEL).reversal_log_odds)
+            odds.append(estimated(test, travel=TRAVEL).reversal_log_odds)
     # The end to end change of 4 µm is 6 standard errors of a reversal (0.63 µm); "strong" is 3.
     assert np.mean(np.array(constant) < 0) >= 0.8
     assert max(constant) < 3.0
@@ -148,9 +156,7 @@ def test_a_varying_reversal_is_drawn_with_its_sign() -> None:
     rng = np.random.default_rng(7)
     targets = spread_targets(rng, 15)
     reversal = -5 * UM + 8 * UM * (targets / 1000.0 - 0.5)
-    posterior = estimate_axis(
-        measured(rng, targets, smooth(targets), reversal, 1 * UM), travel=TRAVEL
-    )
+    posterior = estimated(measured(rng, targets, smooth(targets), reversal, 1 * UM), travel=TRAVEL)
     draws = posterior.draw(np.array([100.0, 900.0]), 400, rng)
     shown = (draws.positive - draws.negative).mean(axis=0)
     assert shown == pytest.approx(
@@ -190,11 +196,11 @@ def one_axis(seed: int, *, period: bool) -> list[float]:
 
     targets, other = spread_targets(rng, m), spread_targets(rng, m)
     test = measured(rng, targets, error(targets), 0 * targets + backlash, noise)
-    posterior = estimate_axis(test, travel=TRAVEL, periods=(10.0,) if period else ())
+    posterior = estimated(test, travel=TRAVEL, periods=(10.0,) if period else ())
     shares = []
     for where in (targets, other):
         draws = posterior.draw(where, count, rng)
-        fresh = draws.noise[:, np.newaxis, np.newaxis] * rng.standard_normal((2, count, m, n))
+        fresh = draws.noise.sigma[:, :1, np.newaxis] * rng.standard_normal((2, count, m, n))
         predicted = parameters(
             draws.positive[:, :, np.newaxis] + fresh[0], draws.negative[:, :, np.newaxis] + fresh[1]
         )
@@ -218,7 +224,7 @@ def test_one_direction_holds_for_both() -> None:
     targets = spread_targets(rng, 11)
     full = measured(rng, targets, smooth(targets), 0 * targets, 1 * UM)
     for missing in (np.empty((11, 0)), np.full((11, 5), np.nan)):
-        posterior = estimate_axis(a_test(full.positive, missing, targets), travel=TRAVEL)
+        posterior = estimated(a_test(full.positive, missing, targets), travel=TRAVEL)
         summary = posterior.summary(np.linspace(0.0, 1000.0, 50))
         assert np.array_equal(summary.mean_positive, summary.mean_negative)
         assert "CW-E001" in codes(posterior)
@@ -232,7 +238,7 @@ def test_readings_count_by_how_many_there_are() -> None:
     positive = test.positive.copy()
     positive[10, 1:] = np.nan
     positive[10, 0] = smooth(targets)[10] + 3 * UM  # one lonely reading, three sigma off
-    posterior = estimate_axis(a_test(positive, test.negative, targets), travel=TRAVEL)
+    posterior = estimated(a_test(positive, test.negative, targets), travel=TRAVEL)
     assert np.all(np.isfinite(posterior.summary(targets).mean_positive))
     pulled = posterior.summary(targets[10:11]).mean_positive[0] - smooth(targets)[10]
     assert abs(pulled) < 0.8 * UM  # eight such readings would move it by more
@@ -242,7 +248,7 @@ def test_draws_at_the_targets_know_what_repeats_there() -> None:
     rng = np.random.default_rng(10)
     targets = spread_targets(rng, 31)
     local = 3 * UM * rng.standard_normal(31)  # repeats at each target, smooth in nothing
-    posterior = estimate_axis(
+    posterior = estimated(
         measured(rng, targets, smooth(targets) + local, 0 * targets, 0.3 * UM), travel=TRAVEL
     )
     draws = posterior.draw(targets, 400, rng)
@@ -256,7 +262,7 @@ def test_draws_at_the_targets_know_what_repeats_there() -> None:
 def test_beyond_the_targets_the_uncertainty_grows() -> None:
     rng = np.random.default_rng(11)
     targets = np.linspace(300.0, 700.0, 21)
-    posterior = estimate_axis(
+    posterior = estimated(
         measured(rng, targets, smooth(targets), 0 * targets, 1 * UM), travel=TRAVEL
     )
     summary = posterior.summary(np.array([0.0, 500.0, 1000.0]))
@@ -268,7 +274,7 @@ def test_repeated_positions_and_reproducible() -> None:
     rng = np.random.default_rng(12)
     targets = spread_targets(rng, 11)
     test = measured(rng, targets, smooth(targets), 0 * targets, 1 * UM)
-    first, second = estimate_axis(test, travel=TRAVEL), estimate_axis(test, travel=TRAVEL)
+    first, second = estimated(test, travel=TRAVEL), estimated(test, travel=TRAVEL)
     where = np.array([500.0, 20.0, 500.0])
     one, two = (
         first.draw(where, 50, np.random.default_rng(1)),
@@ -276,8 +282,8 @@ def test_repeated_positions_and_reproducible() -> None:
     )
     assert np.array_equal(one.positive, two.positive)
     assert np.array_equal(one.positive[:, 0], one.positive[:, 2])
-    assert one.noise.shape == (50,)
-    assert len(set(one.noise)) > 8  # the noise is drawn too
+    assert one.noise.sigma.shape == (50, 2)
+    assert len(set(one.noise.sigma[:, 0])) > 8  # the noise is drawn too
 
 
 def test_draws_agree_with_the_summary() -> None:
@@ -286,7 +292,7 @@ def test_draws_agree_with_the_summary() -> None:
     wave = (
         2 * UM * np.cos(2 * np.pi * targets / 10.0)
     )  # a period that nobody named: local to each target
-    posterior = estimate_axis(
+    posterior = estimated(
         measured(rng, targets, smooth(targets) + wave, 0 * targets - 3 * UM, 0.5 * UM),
         travel=TRAVEL,
     )
@@ -306,7 +312,7 @@ def test_draws_agree_with_the_summary() -> None:
 def test_spread_of_the_readings_by_hand() -> None:
     positive = np.array([[0.0, 2.0], [10.0, 10.0], [20.0, np.nan]])
     negative = np.array([[1.0, 3.0], [11.0, 15.0], [20.0, 20.0]])
-    cells = cells_of(a_test(positive, negative, np.array([0.0, 1.0, 2.0])))
+    cells = cells_of([ObservedTest(test=a_test(positive, negative, np.array([0.0, 1.0, 2.0])))])
     # Sums of squares 2 + 0 + 2 + 8 + 0 = 12 with five degrees of freedom; the single reading has
     # none.
     assert cells.spread * cells.data.scale == pytest.approx(np.sqrt(12.0 / 5.0), rel=1e-12)
@@ -314,7 +320,9 @@ def test_spread_of_the_readings_by_hand() -> None:
     assert cells.reversal == pytest.approx((-1.0 - 3.0 + 0.0) / 3.0, rel=1e-12)
     rng = np.random.default_rng(14)
     many = np.linspace(0.0, 1000.0, 400)
-    single = cells_of(a_test(rng.standard_normal((400, 1)), np.empty((400, 0)), many))
+    single = cells_of(
+        [ObservedTest(test=a_test(rng.standard_normal((400, 1)), np.empty((400, 0)), many))]
+    )
     assert single.spread * single.data.scale == pytest.approx(
         1.0, rel=0.12
     )  # 400 overlapping differences: 4 %
@@ -330,7 +338,7 @@ def test_the_evidence_equals_the_density_of_all_readings(seed: int) -> None:
     positive, negative = rng.standard_normal((9, 3)), rng.standard_normal((9, 4))
     positive[2] = np.nan
     negative[5, 1:] = np.nan
-    cells = cells_of(a_test(positive, negative, targets))
+    cells = cells_of([ObservedTest(test=a_test(positive, negative, targets))])
     basis = Basis(
         centre=500.0, half=500.0, sines=20, reversal_sines=8, periods=(130.0,), bidirectional=True
     )
@@ -390,7 +398,7 @@ def test_the_smooth_part_has_the_covariance_of_matern() -> None:
     )
     where = np.array([0.0, 0.1, 0.3])
     targets = np.array([-1.0, 0.0, 1.0])
-    cells = cells_of(a_test(np.eye(3), np.empty((3, 0)), targets))
+    cells = cells_of([ObservedTest(test=a_test(np.eye(3), np.empty((3, 0)), targets))])
     prior = Prior(centre=np.zeros(6), width=np.ones(6), free=(True,) * 6)
     h = np.array([0.0, 0.0, np.log(2.0), np.log(0.2), 0.0, 0.0])
     variances = np.exp(Evidence(basis, targets, cells.data, prior).log_variances(h)[0])
@@ -429,7 +437,7 @@ TEN = np.linspace(0.0, 1000.0, 11)
 def test_degenerate_tests_give_finite_numbers(
     test: PositioningTest, periods: tuple[float, ...]
 ) -> None:
-    posterior = estimate_axis(test, travel=TRAVEL, periods=periods)
+    posterior = estimated(test, travel=TRAVEL, periods=periods)
     where = np.linspace(0.0, 1000.0, 41)
     summary = posterior.summary(where)
     draws = posterior.draw(where, 40, np.random.default_rng(0))
@@ -438,7 +446,7 @@ def test_degenerate_tests_give_finite_numbers(
         summary.mean_negative,
         summary.std_positive,
         draws.positive,
-        draws.noise,
+        draws.noise.sigma,
     ):
         assert np.all(np.isfinite(values))
     assert posterior.noise > 0.0
@@ -447,11 +455,11 @@ def test_degenerate_tests_give_finite_numbers(
 
 def test_what_cannot_be_estimated_is_refused() -> None:
     with pytest.raises(InputError, match="two targets"):
-        estimate_axis(a_test(ZERO[:1], ZERO[:1], TEN[:1]), travel=TRAVEL)
+        estimated(a_test(ZERO[:1], ZERO[:1], TEN[:1]), travel=TRAVEL)
     with pytest.raises(InputError, match="found readings at 0"):
-        estimate_axis(a_test(np.full((11, 5), np.nan), np.empty((11, 0)), TEN), travel=TRAVEL)
+        estimated(a_test(np.full((11, 5), np.nan), np.empty((11, 0)), TEN), travel=TRAVEL)
     with pytest.raises(UsageError) as caught:
-        estimate_axis(
+        estimated(
             a_test(ZERO, ZERO, TEN, frame="instrument"),
             travel=(5.0, 5.0),
             periods=(0.0, float("nan")),

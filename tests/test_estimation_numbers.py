@@ -242,8 +242,9 @@ class Normal:
         self.root = np.array([[0.5, 0.0], [0.3, 0.2]])
         self.precision = np.linalg.inv(self.root @ self.root.T)
         self.prior = SimpleNamespace(free=(True, False, True), width=np.full(3, 5.0))
+        self.data = SimpleNamespace(draws=1)
 
-    def log_posterior(self, h: Array) -> float:
+    def log_posterior(self, h: Array, _draw: int = 0) -> float:
         off = (h - self.centre)[[0, 2]]
         log = -0.5 * off @ self.precision @ off - np.log(2.0 * np.pi)
         return float(np.log(self.mass) + log + 0.5 * np.linalg.slogdet(self.precision)[1])

@@ -62,9 +62,9 @@ def test_new_targets_stay_away_from_the_ends_and_see_what_lies_between(
     seen: list[np.ndarray] = []
 
     class Watching(KnownAxis):
-        def draw(self, positions, count, rng):  # type: ignore[no-untyped-def]
+        def draw(self, positions, count, rng, test=0):  # type: ignore[no-untyped-def,override]
             seen.append(positions)
-            return super().draw(positions, count, rng)
+            return super().draw(positions, count, rng, test)
 
     work = work_of(Watching(np.zeros_like, np.zeros_like))
     monkeypatch.setattr(outlook, "DRAWS", 5)

@@ -4,6 +4,9 @@ contract's rules.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -17,7 +20,9 @@ from compwright.prediction.positioning import (
     dithered_targets,
     predict_test,
 )
+from compwright.prediction.scatter import fresh_scatter
 from compwright.records.axis import FloatArray
+from compwright.records.noise import normal_noise
 
 NOISE = 0.5
 M = 12
@@ -29,6 +34,22 @@ def rng(seed: int) -> np.random.Generator:
 
 def still(m: int = M) -> FloatArray:
     return np.zeros(m)
+
+
+def predicted_test(
+    positive: FloatArray,
+    negative: FloatArray,
+    noise: FloatArray,
+    *,
+    runs_positive: int | FloatArray,
+    runs_negative: int | FloatArray,
+    rng: np.random.Generator,
+    **words: Any,
+) -> Mapping[str, Quantiles]:
+    """Fresh tests whose readings scatter by a normal law of standard deviation ``noise`` (s,)."""
+    targets = np.arange(positive.shape[1], dtype=float)
+    scatter = fresh_scatter(normal_noise(noise), targets, runs_positive, runs_negative, rng)
+    return predict_test(positive, negative, scatter, **words)
 
 
 # ---------------------------------------------------------------- the law of a fresh test
@@ -50,7 +71,7 @@ def test_agrees_with_readings_drawn_one_by_one(runs: int) -> None:
         standard_deviation(readings[1]),
         2.0,
     )
-    predicted = predict_test(
+    predicted = predicted_test(
         np.tile(truth_positive, (count, 1)),
         np.tile(truth_negative, (count, 1)),
         np.full(count, NOISE),
@@ -89,7 +110,7 @@ def test_ninety_percent_interval_holds_ninety_percent_of_fresh_tests() -> None:
             (draws, 2, M)
         )
         change = generator.standard_normal((2, M))
-        predicted = predict_test(
+        predicted = predicted_test(
             posterior[:, 0],
             posterior[:, 1],
             np.full(draws, NOISE),
@@ -112,7 +133,7 @@ def test_ninety_percent_interval_holds_ninety_percent_of_fresh_tests() -> None:
 def test_by_hand_without_noise() -> None:
     # one draw: + 0 1 2, - 1 1 4; the change takes 1 off the last + and adds 1 to the first -: + 0 1
     # 1, - 2 1 4
-    predicted = predict_test(
+    predicted = predicted_test(
         np.array([[0.0, 1.0, 2.0]]),
         np.array([[1.0, 1.0, 4.0]]),
         np.zeros(1),
@@ -141,7 +162,7 @@ def test_by_hand_without_noise() -> None:
 
 def test_perfect_correction_leaves_the_noise() -> None:
     draws = np.tile(np.linspace(0.0, 30.0, M), (4000, 1))
-    predicted = predict_test(
+    predicted = predicted_test(
         draws,
         draws,
         np.full(4000, NOISE),
@@ -168,8 +189,8 @@ def test_a_new_datum_changes_nothing() -> None:
         "change_negative": still(),
         "coverage": 2.0,
     }
-    first = predict_test(draws, draws, np.full(500, NOISE), rng=rng(4), **common)  # type: ignore[arg-type]
-    moved = predict_test(draws + 7.0, draws + 7.0, np.full(500, NOISE), rng=rng(4), **common)  # type: ignore[arg-type]
+    first = predicted_test(draws, draws, np.full(500, NOISE), rng=rng(4), **common)  # type: ignore[arg-type]
+    moved = predicted_test(draws + 7.0, draws + 7.0, np.full(500, NOISE), rng=rng(4), **common)  # type: ignore[arg-type]
     for name, value in first.items():
         assert moved[name].median == pytest.approx(value.median, abs=1e-9)
 
@@ -181,7 +202,7 @@ def names_of(
     runs_positive: int | FloatArray, runs_negative: int | FloatArray, *, vdi: bool = False
 ) -> set[str]:
     draws = rng(2).standard_normal((50, M))
-    predicted = predict_test(
+    predicted = predicted_test(
         draws,
         draws,
         np.full(50, NOISE),
@@ -218,14 +239,14 @@ def test_number_of_readings_by_target() -> None:
         "B",
         "B_mean",
     }
-    # The mean of a target read once scatters by the full noise: E of two targets, one read 100
+    # The mean of a target read once scatters by the full noise: E of two targets, one read 400
     # times, is noise away from zero.
     count = 20_000
-    predicted = predict_test(
+    predicted = predicted_test(
         np.zeros((count, 2)),
         np.zeros((count, 2)),
         np.full(count, NOISE),
-        runs_positive=np.array([1.0, 10_000.0]),
+        runs_positive=np.array([1.0, 400.0]),
         runs_negative=0,
         change_positive=np.zeros(2),
         change_negative=np.zeros(2),
@@ -241,7 +262,7 @@ def test_same_generator_same_prediction() -> None:
     draws = rng(3).standard_normal((100, M))
 
     def once() -> Quantiles:
-        return predict_test(
+        return predicted_test(
             draws,
             draws,
             np.full(100, NOISE),

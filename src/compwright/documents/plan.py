@@ -28,6 +28,7 @@ from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, Limit, TableRequest
 from compwright.records.job import Acceptance
 from compwright.records.plan import (
+    Acted,
     Plan,
     PlannedAxis,
     PlannedCircle,
@@ -266,6 +267,7 @@ def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
                 "measured_in": entry.measured_in,
                 "motion": entry.motion,
                 "backlash_more": entry.backlash_more,
+                "acted": _optional(entry.acted, _acted_out),
                 **_test_out(entry.test),
             }
             for entry in axis.tests
@@ -302,6 +304,7 @@ def _axis_in(data: Mapping[str, Any]) -> PlannedAxis:
                 measured_in=str(entry["measured_in"]),
                 motion=entry.get("motion", "feed"),
                 backlash_more=float(entry.get("backlash_more", 0.0)),
+                acted=_optional(entry.get("acted"), _acted_in),
             )
             for entry in data["tests"]
         ),
@@ -312,6 +315,14 @@ def _axis_in(data: Mapping[str, Any]) -> PlannedAxis:
         fitted=_optional(data["fitted"], _fitted_in),
         accept=_optional(data["accept"], lambda entry: Acceptance(**entry)),
     )
+
+
+def _acted_out(acted: Acted) -> dict[str, list[float]]:
+    return {"positive": acted[0].tolist(), "negative": acted[1].tolist()}
+
+
+def _acted_in(data: Mapping[str, Any]) -> Acted:
+    return _array(data, "positive"), _array(data, "negative")
 
 
 def _test_out(test: PositioningTest) -> dict[str, Any]:

@@ -21,7 +21,7 @@ from compwright.records.circular import CircularRun, CircularTest
 from compwright.records.correction import AxisCompensation, ControlFile, CrossCompensation
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.fitted import TableRequest
-from compwright.records.plan import PlannedAxis
+from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest
 
 #: No position, correction or feed of a machine tool is larger, mm, deg, mm/min.
@@ -229,6 +229,15 @@ def _readings(test: PositioningTest) -> Iterator[str]:
     yield from _rules((bool(made), "readings"))
 
 
+def _acted(planned: PlannedTest) -> Iterator[str]:
+    """What acted is told for every target, or not at all."""
+    fits = planned.acted is None or all(
+        side.shape == planned.test.targets.shape and bool(np.isfinite(side).all())
+        for side in planned.acted
+    )
+    yield from _rules((fits, "what acted at each target in both directions"))
+
+
 def _one_kind(axis: PlannedAxis) -> Iterator[str]:
     """Everything of an axis is in the one unit of its kind."""
     compensations = [axis.active, None if axis.fitted is None else axis.fitted.compensation]
@@ -243,6 +252,7 @@ _RULES_OF: Mapping[type, Callable[[Any], Iterator[str]]] = {
     AxisCompensation: _table,
     CrossCompensation: _table,
     WantedCorrection: _wanted,
+    PlannedTest: _acted,
     ErrorEstimate: _estimate,
     PositioningTest: _readings,
     TableRequest: lambda request: _rules(

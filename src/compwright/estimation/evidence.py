@@ -61,7 +61,7 @@ class CellData:
     @property
     def draws(self) -> int:
         """Number of draws of the noise."""
-        return self.values.shape[0]
+        return len(self.values)
 
     def typical(self) -> int:
         """Return the draw of the noise whose mean log variance of a cell is the median of all."""

@@ -1,5 +1,5 @@
-"""Do the other tests of an axis show the error that the first one shows? A table is made from the
-first alone.
+"""Do the other tests of an axis show the error that the first one shows? Only those that do count
+with it.
 """
 
 from __future__ import annotations
@@ -81,7 +81,8 @@ def disagreeing_test(
         "warning",
         f"The tests {first} and {test.name} contradict each other: they differ by"
         f" {apart * factor:.2f} {unit}, {what} is {size * factor:.2f} {unit}. Were sign,"
-        f" directions, unit, axis and state the same? The table is made from {first}.",
+        f" directions, unit, axis and state the same? Only {first} counts,"
+        f" {test.name} does not.",
     )
 
 

@@ -9,15 +9,15 @@ from typing import Literal, Protocol
 import numpy as np
 
 from compwright.estimation.reach import longer_tests
-from compwright.evaluation.agreement import disagreeing_test
 from compwright.evaluation.standards import evaluate
 from compwright.foundations.errors import CapacityError, CompwrightError, collect, raise_all
 from compwright.foundations.findings import Finding
 from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
-from compwright.planning.motions import backlash_more, with_backlash, with_motion
-from compwright.planning.outlook import predict, predict_new_targets, why_not_better
+from compwright.planning.motions import with_backlash, with_motion
+from compwright.planning.outlook import Like, predict, predict_new_targets, why_not_better
 from compwright.planning.sharing import shared_fairly
 from compwright.planning.tables import fit_within, freely_chosen, offer
+from compwright.planning.together import counted_out, disagreeing, only_first, with_what_acted
 from compwright.planning.wanted import (
     MeasuredError,
     check_coverage,
@@ -73,9 +73,8 @@ class AxisWork:
     def findings(self) -> tuple[Finding, ...]:
         """What was noticed on this axis beside the findings of its tests."""
         fitted = self.planned.fitted
-        first, *others = (result.test for result in self.results)
         own = (
-            *longer_tests(first, others),
+            *self._longer_tests(),
             *self.disagreeing,
             *self.planned.estimate.findings,
             *self.posterior.findings,
@@ -91,6 +90,13 @@ class AxisWork:
                 ),
             )
         return tuple(dict.fromkeys(own))
+
+    def _longer_tests(self) -> list[Finding]:
+        """Return the doubts of tests that reach further than those that count."""
+        tests = self.planned.tests
+        fitted = [planned.test for planned in tests if planned.acted is not None]
+        others = [planned.test for planned in tests if planned.acted is None]
+        return longer_tests(fitted, others)
 
 
 def evaluated(job: Job, axis: Axis, test: PositioningTest) -> PositioningResult:
@@ -112,20 +118,26 @@ def start_axis(
     states: Mapping[str, ControlState],
     as_found: Correction,
 ) -> AxisWork:
-    """Evaluate the tests of an axis and estimate its error from the first.
+    """Evaluate the tests of an axis and estimate its error from those that count together.
 
     ``states``: by name, those of which somebody said what they are; ``as_found``: what acts now.
-    Raises UsageError for tolerances that fit no test, InputError where the tests cover less than
-    half of the travel.
+    Raises UsageError for tolerances that fit no test, InputError where the tests that count cover
+    less than half of the travel.
     """
     axis = entry.axis
-    check_coverage(job.file, axis, tests[0].test)
     results = tuple(evaluated(job, axis, planned.test) for planned in tests)
     check_limits(job, entry, results)
-    held = {name: held_by(state, axis) for name, state in states.items()}
-    active = held.get(tests[0].measured_in)
-    tests = with_backlash(tests, axis, states)
-    posterior = measured_error(tests[0].test, axis, active)
+    active = None
+    if tests[0].measured_in in states:
+        active = held_by(states[tests[0].measured_in], axis)
+    tests = with_what_acted(with_backlash(tests, axis, states), axis, states)
+    doubts: dict[int, Finding] = {}
+    posterior = measured_error(only_first(tests), axis, active)
+    if sum(test.acted is not None for test in tests) > 1:
+        doubts = dict(disagreeing(tests, posterior))
+        tests = counted_out(tests, doubts)
+        posterior = measured_error(tests, axis, active)
+    check_coverage(job.file, axis, [each.test for each in tests if each.acted is not None])
     planned = PlannedAxis(
         axis=axis,
         tests=tests,
@@ -142,36 +154,8 @@ def start_axis(
         posterior=posterior,
         planned=planned,
         as_found=as_found,
-        disagreeing=tuple(_disagreeing(tests, axis, states, posterior)),
+        disagreeing=tuple(doubts.values()),
     )
-
-
-def _disagreeing(
-    tests: Sequence[PlannedTest],
-    axis: Axis,
-    states: Mapping[str, ControlState],
-    posterior: MeasuredError,
-) -> Iterator[Finding]:
-    """Yield the doubts of tests that contradict the first, each in the state that it was measured
-    in (``states``, by name) and at its motion.
-    """
-    first, *others = tests
-    for other in others:
-        now, before = (states.get(each.measured_in) for each in (other, first))
-        if other.measured_in != first.measured_in and (now is None or before is None):
-            continue
-        targets = other.test.targets
-        estimate = posterior.summary(targets)
-        expected = {direction: estimate.mean(direction) for direction in Direction}
-        if now is not None and before is not None:
-            more = backlash_more(axis, other.motion, now)
-            acted = with_motion(held_by(now, axis).at, axis, more)
-            change = difference(acted, held_by(before, axis).at)
-            expected = {side: mean + change(targets, side) for side, mean in expected.items()}
-        std = {Direction.POSITIVE: estimate.std_positive, Direction.NEGATIVE: estimate.std_negative}
-        finding = disagreeing_test(other.test, expected, std, estimate.noise, first.test.name)
-        if finding is not None:
-            yield finding
 
 
 def fit_all(
@@ -236,8 +220,10 @@ def predict_axis(
     change = difference(new, work.active)
     axis = work.planned.axis
     tests = tuple(
-        predict(result, work.posterior, with_motion(change, axis, test.backlash_more), axis)
-        for result, test in zip(work.results, work.planned.tests, strict=True)
+        predict(
+            result, work.posterior, with_motion(change, axis, test.backlash_more), axis, Like(place)
+        )
+        for place, (result, test) in enumerate(zip(work.results, work.planned.tests, strict=True))
     )
     folded = any(finding.code == "CW-E010" for finding in work.posterior.findings)
     accept = accept_decisions(work.entry, tests, rule, folded=folded)

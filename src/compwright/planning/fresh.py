@@ -14,7 +14,9 @@ from compwright.planning.outlook import DRAWS, END_MARGIN, generator
 from compwright.planning.wanted import MeasuredError
 from compwright.prediction.acting import Correction
 from compwright.prediction.positioning import dithered_targets, predict_test
+from compwright.prediction.scatter import fresh_scatter
 from compwright.records.axis import Axis, Direction, FloatArray
+from compwright.records.noise import ALL_PARTS, without
 from compwright.records.prediction import Quantiles
 from compwright.records.result import PositioningResult
 
@@ -56,21 +58,19 @@ class FreshTests:
             mean = drawn.mean(axis=0)
             there = mean + change(self.targets, direction) if known else np.zeros_like(mean)
             deviations[direction] = there + (drawn - mean if unknown else np.zeros_like(drawn))
-        runs = {
-            direction: int(np.max(self.result.test.readings(direction), initial=0.0))
+        runs = [
+            int(np.max(self.result.test.readings(direction), initial=0.0))
             for direction in Direction
-        }
+        ]
+        shown = self.draws.noise if noise else without(self.draws.noise, *ALL_PARTS)
         still = np.zeros_like(self.targets)
         found = predict_test(
             deviations[Direction.POSITIVE],
             deviations[Direction.NEGATIVE],
-            self.draws.noise * float(noise),
-            runs_positive=runs[Direction.POSITIVE],
-            runs_negative=runs[Direction.NEGATIVE],
+            fresh_scatter(shown, self.targets, runs[0], runs[1], rng),
             change_positive=still,
             change_negative=still,
             coverage=self.result.coverage,
-            rng=rng,
             vdi=self.result.standard == "vdi3441",
         )
         return {

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.wanted import MeasuredError
 from compwright.prediction.acting import Correction
-from compwright.prediction.positioning import dithered_targets, predict_test
+from compwright.prediction.positioning import dithered_targets, fresh_slopes, predict_test
+from compwright.prediction.scatter import fresh_scatter
 from compwright.records.axis import Axis, AxisKind, Direction, FloatArray
 from compwright.records.prediction import Quantiles, TestPrediction
 from compwright.records.result import PositioningResult
@@ -20,8 +22,23 @@ DRAWS = 2000
 END_MARGIN = {AxisKind.LINEAR: 4.0, AxisKind.ROTARY: 0.0}
 
 
+@dataclass(frozen=True, slots=True)
+class Like:
+    """How a fresh test is taken: with the noise of which test of the axis (its ``place`` among
+    them), and with which standard deviation of its slope, mm/mm, from a temperature that is not
+    known better.
+    """
+
+    place: int = 0
+    slope_std: float = 0.0
+
+
 def predict(
-    result: PositioningResult, posterior: MeasuredError, change: Correction, axis: Axis
+    result: PositioningResult,
+    posterior: MeasuredError,
+    change: Correction,
+    axis: Axis,
+    like: Like = Like(),
 ) -> TestPrediction:
     """Return what a fresh test like ``result`` will show with the changed correction, at its
     targets and at new ones.
@@ -29,13 +46,17 @@ def predict(
     return TestPrediction(
         name=result.test.name,
         before=result,
-        predicted=_predict_at(result, posterior, change, result.test.targets, axis),
-        predicted_new_targets=predict_new_targets(result, posterior, change, axis),
+        predicted=_predict_at(result, posterior, change, result.test.targets, axis, like),
+        predicted_new_targets=predict_new_targets(result, posterior, change, axis, like),
     )
 
 
 def predict_new_targets(
-    result: PositioningResult, posterior: MeasuredError, change: Correction, axis: Axis
+    result: PositioningResult,
+    posterior: MeasuredError,
+    change: Correction,
+    axis: Axis,
+    like: Like = Like(),
 ) -> Mapping[str, Quantiles]:
     """Return what a fresh test like ``result`` will show with the changed correction at newly
     dithered targets.
@@ -47,7 +68,7 @@ def predict_new_targets(
         generator(axis.name, test.name, "targets"),
         END_MARGIN[axis.kind],
     )
-    return _predict_at(result, posterior, change, new_targets, axis)
+    return _predict_at(result, posterior, change, new_targets, axis, like)
 
 
 def why_not_better(
@@ -87,28 +108,24 @@ def _predict_at(
     change: Correction,
     targets: FloatArray,
     axis: Axis,
+    like: Like,
 ) -> Mapping[str, Quantiles]:
     rng = generator(axis.name, result.test.name, "draws")
-    draws = posterior.draw(targets, DRAWS, rng)
+    draws = posterior.draw(targets, DRAWS, rng, like.place)
     same = targets is result.test.targets
-    runs: dict[Direction, int | FloatArray] = {
-        direction: (
-            result.test.readings(direction)
-            if same
-            else int(np.max(result.test.readings(direction), initial=0.0))
-        )
-        for direction in Direction
-    }
+    runs: list[int | FloatArray] = [
+        readings if same else int(np.max(readings, initial=0.0))
+        for readings in map(result.test.readings, Direction)
+    ]
+    scatter = fresh_scatter(draws.noise, targets, runs[0], runs[1], rng)
+    slopes = fresh_slopes(targets, DRAWS, like.slope_std, rng)
     predicted = predict_test(
-        draws.positive,
-        draws.negative,
-        draws.noise,
-        runs_positive=runs[Direction.POSITIVE],
-        runs_negative=runs[Direction.NEGATIVE],
+        draws.positive + slopes,
+        draws.negative + slopes,
+        scatter,
         change_positive=change(targets, Direction.POSITIVE),
         change_negative=change(targets, Direction.NEGATIVE),
         coverage=result.coverage,
-        rng=rng,
         vdi=result.standard == "vdi3441",
     )
     return {

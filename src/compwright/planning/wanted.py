@@ -1,4 +1,4 @@
-"""From a test and the state of the control to the table that the control shall hold."""
+"""From tests and the state of the control to the table that the control shall hold."""
 
 from __future__ import annotations
 
@@ -8,11 +8,14 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.estimation.axis import AxisPosterior, Draws, estimate_axis
+from compwright.estimation.noise_posterior import NoisePosterior
+from compwright.estimation.observed import ObservedTest
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.correction import AxisCompensation, ControlState, no_compensation
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
+from compwright.records.plan import Acted, PlannedTest
 from compwright.records.positioning import PositioningTest
 
 #: Points over the travel at which estimate and wanted correction are kept: at least, at most, and
@@ -26,19 +29,22 @@ LEAST_COVERED = 0.5
 
 @dataclass(frozen=True, slots=True)
 class MeasuredError:
-    """The error of an axis as one test shows it: that of the axis itself, estimated, and what the
-    control added, which is known.
+    """The error of an axis as its tests show it: that of the axis itself, estimated, and what the
+    control added in the first of them, which is known.
 
     A table may be as rough as it likes: it is taken out before the smooth error is estimated, and
-    put back exactly.
+    put back exactly. ``counted``: by test of the axis, its place in the estimate, None where it
+    does not count there; ``noises``: by test, what its repeated readings tell of their noise.
     """
 
     own: AxisPosterior
     active: AxisCompensation | None
+    counted: tuple[int | None, ...] = (0,)
+    noises: tuple[NoisePosterior | None, ...] = (None,)
 
     @property
     def noise(self) -> float:
-        """Standard deviation of one reading, mm or deg."""
+        """Standard deviation of one reading of the first test, mm or deg."""
         return self.own.noise
 
     @property
@@ -60,7 +66,7 @@ class MeasuredError:
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
         """Return mean and standard deviation of the deviation at ``positions`` (g,), with what
-        acted during the test.
+        acted during the first test.
         """
         estimate = self.own.summary(positions)
         if self.active is None:
@@ -71,11 +77,16 @@ class MeasuredError:
             mean_negative=estimate.mean_negative + self.active.at(positions, Direction.NEGATIVE),
         )
 
-    def draw(self, positions: FloatArray, count: int, rng: np.random.Generator) -> Draws:
+    def draw(
+        self, positions: FloatArray, count: int, rng: np.random.Generator, test: int = 0
+    ) -> Draws:
         """Return ``count`` joint draws of the deviation at ``positions`` (k,), with what acted
-        during the test.
+        during the first test, and of the noise of ``test`` (its place among the tests of the axis).
         """
-        draws = self.own.draw(positions, count, rng)
+        place, own = self.counted[test], self.noises[test]
+        draws = self.own.draw(positions, count, rng, place or 0)
+        if place is None and own is not None:
+            draws = replace(draws, noise=own.draws.taken(np.arange(count) % own.draws.count))
         if self.active is None:
             return draws
         return replace(
@@ -86,45 +97,69 @@ class MeasuredError:
 
 
 def measured_error(
-    test: PositioningTest, axis: Axis, active: AxisCompensation | None
+    tests: Sequence[PlannedTest], axis: Axis, active: AxisCompensation | None
 ) -> MeasuredError:
-    """Return the error of ``axis`` as one test tells it; ``active``: what the control did
-    meanwhile, None where nobody said.
+    """Return the error of ``axis`` as its tests tell it, as far as they count (``acted``; the first
+    always); ``active``: what the control did during the first, None where nobody said.
 
-    The same test gives the same answer.
+    The same tests give the same answer.
     """
-    bare = test
+    noises: tuple[NoisePosterior | None, ...] = tuple(None for _ in tests)
+    acted = [planned.acted for planned in tests]
     if active is not None:
-        bare = with_change(test, *(-active.at(test.targets, direction) for direction in Direction))
+        acted[0] = _at(active, tests[0].test)
+    observed: list[ObservedTest] = []
+    counted: list[int | None] = []
+    for place, (planned, noise) in enumerate(zip(tests, noises, strict=True)):
+        mine = acted[place]
+        if place and mine is None:
+            counted.append(None)
+            continue
+        counted.append(len(observed))
+        bare = planned.test if mine is None else with_change(planned.test, -mine[0], -mine[1])
+        observed.append(ObservedTest(test=bare, noise=noise))
     return MeasuredError(
-        estimate_axis(bare, travel=axis.travel, periods=axis.screw_pitch, turn=axis.modulo), active
+        estimate_axis(observed, travel=axis.travel, periods=axis.screw_pitch, turn=axis.modulo),
+        active,
+        tuple(counted),
+        noises,
     )
 
 
-def check_coverage(file: str, axis: Axis, test: PositioningTest) -> None:
-    """Raise InputError where the targets of the test from which the table is made cover less than
-    half of the axis' travel.
+def _at(active: AxisCompensation, test: PositioningTest) -> Acted:
+    return (
+        active.at(test.targets, Direction.POSITIVE),
+        active.at(test.targets, Direction.NEGATIVE),
+    )
 
-    What this test did not measure is continued by guess, whatever other tests show: over half the
-    travel that is no table. Of an endless axis the turn less the largest gap between neighbouring
-    targets counts, against the travel as far as that is within one turn.
+
+def check_coverage(file: str, axis: Axis, tests: Sequence[PositioningTest]) -> None:
+    """Raise InputError where the targets of the tests from which the table is made together cover
+    less than half of the axis' travel.
+
+    What they did not measure is continued by guess: over half the travel that is no table. What
+    lies between two tests that do not meet is not covered. Of an endless axis the turn less the
+    largest gap between neighbouring targets counts, against the travel as far as that is within one
+    turn.
     """
     low, high = axis.travel
-    targets = test.targets
+    targets = np.unique(np.concatenate([test.targets for test in tests]))
     if axis.modulo is not None:
         travel = min(high - low, axis.modulo)
         around = np.unique(np.mod(targets, axis.modulo))
         covered = axis.modulo - float(np.max(np.diff(np.append(around, around[0] + axis.modulo))))
     else:
         travel = high - low
-        covered = min(float(targets[-1]), high) - max(float(targets[0]), low)
+        covered = _covered(tests, low, high)
     if covered >= LEAST_COVERED * travel - 1e-9 * travel:
         return
     unit = axis.kind.unit
+    names = " and ".join(test.name for test in tests)
+    which = f"test {names}" if len(tests) == 1 else f"tests {names}"
     raise InputError(
         Fault(
             message=(
-                f"the targets of test {test.name}, from which the table of axis {axis.name} is"
+                f"the targets of {which}, from which the table of axis {axis.name} is"
                 " made, cover less than half of its travel; the rest would be guessed"
             ),
             file=file,
@@ -138,6 +173,18 @@ def check_coverage(file: str, axis: Axis, test: PositioningTest) -> None:
             ),
         )
     )
+
+
+def _covered(tests: Sequence[PositioningTest], low: float, high: float) -> float:
+    """Return how much of the travel lies between the first and the last target of any test."""
+    ranges = sorted(
+        (max(float(test.targets[0]), low), min(float(test.targets[-1]), high)) for test in tests
+    )
+    covered, reached = 0.0, -np.inf
+    for start, end in ranges:
+        covered += max(0.0, end - max(start, reached))
+        reached = max(reached, end)
+    return covered
 
 
 def held_by(state: ControlState, axis: Axis) -> AxisCompensation:

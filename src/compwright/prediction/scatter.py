@@ -51,7 +51,7 @@ def fresh_scatter(
     made: list[list[FloatArray]] = [[], [], [], []]
     for first in range(0, noise.count, step):
         part = noise.taken(np.arange(first, min(first + step, noise.count)))
-        blocks = fresh_noise(part, targets, *most, rng)
+        blocks = fresh_noise(part, targets, most[0], most[1], rng)
         for side, (block, wanted) in enumerate(zip(blocks, runs, strict=True)):
             taken = np.arange(block.shape[2]) < wanted[:, np.newaxis]
             readings = block if np.all(taken) else np.where(taken, block, np.nan)

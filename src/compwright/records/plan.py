@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from compwright.foundations.provenance import Source
-from compwright.records.axis import Axis, Motion
+from compwright.records.axis import Axis, FloatArray, Motion
 from compwright.records.circular import CircularTest
 from compwright.records.correction import (
     Assumption,
@@ -22,6 +22,8 @@ from compwright.records.fitted import FittedTable, TableRequest
 from compwright.records.job import Acceptance
 from compwright.records.positioning import PositioningTest
 
+#: What the control did at the targets of a test in + and in -, (m,) each, mm or deg.
+Acted = tuple[FloatArray, FloatArray]
 #: File name and bytes of a definition of one's own, then of what it extends.
 Texts = tuple[tuple[str, bytes], ...]
 
@@ -39,6 +41,7 @@ class PlannedTest:
     measured_in: str
     motion: Motion = "feed"
     backlash_more: float = 0.0
+    acted: Acted | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -15,7 +15,7 @@ from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import evaluated
 from compwright.planning.limits import lacking_guard, measured_decisions
 from compwright.planning.motions import with_motion
-from compwright.planning.outlook import DRAWS, predict
+from compwright.planning.outlook import DRAWS, Like, predict
 from compwright.planning.wanted import MeasuredError, measured_error
 from compwright.prediction.acting import Correction, difference, nothing
 from compwright.records.axis import Direction
@@ -46,12 +46,12 @@ def verified_axis(
     if anything; ``twice``: that the test is a copy of another one.
     """
     axis, guarded = planned.axis, job.decision_rule == "guarded"
-    repeated = next(
-        (entry for entry in planned.tests if entry.test.name == after.repeats), planned.tests[0]
-    )
+    names = [entry.test.name for entry in planned.tests]
+    place = names.index(after.repeats) if after.repeats in names else 0
+    repeated = planned.tests[place]
     before_test = repeated.test
     before, result = (evaluated(job, axis, test) for test in (before_test, after.test))
-    posterior = measured_error(planned.tests[0].test, axis, planned.active)
+    posterior = measured_error(planned.tests, axis, planned.active)
     active = nothing if planned.active is None else planned.active.at
     table = None if planned.fitted is None else planned.fitted.compensation.at
     # The test after loading was taken at the motion of the one that it repeats.
@@ -85,7 +85,7 @@ def verified_axis(
     doubts = () if fault else doubted(result, before, guarded=guarded)
     return VerifiedAxis(
         before=before,
-        predicted=predict(result, posterior, change, axis).predicted,
+        predicted=predict(result, posterior, change, axis, Like(place)).predicted,
         expected=_expected(result, posterior, change),
         after=result,
         loading=_told(loading),
