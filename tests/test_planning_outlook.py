@@ -62,7 +62,7 @@ def test_new_targets_stay_away_from_the_ends_and_see_what_lies_between(
     seen: list[np.ndarray] = []
 
     class Watching(KnownAxis):
-        def draw(self, positions, count, rng, test=0):  # type: ignore[no-untyped-def,override]
+        def draw(self, positions, count, rng, test=0):  # type: ignore[no-untyped-def]
             seen.append(positions)
             return super().draw(positions, count, rng, test)
 

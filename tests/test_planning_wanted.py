@@ -12,6 +12,7 @@ from compwright.planning.wanted import (
     dense_positions,
     held_by,
     measured_error,
+    observed_tests,
     wanted_correction,
     with_change,
 )
@@ -85,10 +86,10 @@ def test_a_reference_outside_the_travel_is_stood_for_by_the_nearest_end() -> Non
 )
 def test_half_of_the_travel_has_to_be_measured(targets: list[float], *, enough: bool) -> None:
     if enough:
-        check_coverage("job.yaml", axis_of(), [bare(targets)])  # type: ignore[arg-type]
+        check_coverage("job.yaml", axis_of(), [bare(targets)])  # type: ignore[list-item]
         return
     with pytest.raises(InputError, match="cover less than half of its travel"):
-        check_coverage("job.yaml", axis_of(), [bare(targets)])  # type: ignore[arg-type]
+        check_coverage("job.yaml", axis_of(), [bare(targets)])  # type: ignore[list-item]
 
 
 @pytest.mark.parametrize(
@@ -106,10 +107,10 @@ def test_of_an_endless_axis_the_largest_gap_counts(
 ) -> None:
     axis = axis_of("C", kind=AxisKind.ROTARY, travel=travel, modulo=360.0)
     if enough:
-        check_coverage("job.yaml", axis, [bare(targets)])  # type: ignore[arg-type]
+        check_coverage("job.yaml", axis, [bare(targets)])  # type: ignore[list-item]
         return
     with pytest.raises(InputError):
-        check_coverage("job.yaml", axis, [bare(targets)])  # type: ignore[arg-type]
+        check_coverage("job.yaml", axis, [bare(targets)])  # type: ignore[list-item]
 
 
 def test_a_known_period_is_seen_ten_times() -> None:
@@ -158,7 +159,8 @@ def test_a_rough_table_that_acted_is_taken_out_before_the_error_is_estimated() -
     shown = with_change(
         readings_of(readings, readings), saw.at(TARGETS, PLUS), saw.at(TARGETS, MINUS)
     )
-    error = measured_error([PlannedTest(test=shown, measured_in="as_found")], axis_of(), saw)
+    tests = [PlannedTest(test=shown, measured_in="as_found")]
+    error = measured_error(tests, observed_tests(tests, saw), axis_of(), saw)
     own = error.own.summary(TARGETS).mean_positive
     assert np.ptp(np.diff(own)) < 0.5 * UM  # a straight line; 16 µm where the saw stayed in
     np.testing.assert_allclose(

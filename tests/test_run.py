@@ -124,7 +124,7 @@ def test_a_plan_is_read_back_as_it_was_written(folder: Path) -> None:
     assert to_json(plan_document(read_plan(content, "plan.json"))).encode() == content
 
 
-def test_the_first_test_is_fitted_and_the_others_are_predicted(folder: Path) -> None:
+def test_tests_in_one_state_are_fitted_together_and_each_is_predicted(folder: Path) -> None:
     write_test(folder / "later.csv", seed=7, count=9)
     text = (
         "before: [x.csv, {files: [later.csv], name: afternoon}], accept: {test: afternoon, A: 0.1}"
@@ -133,11 +133,14 @@ def test_the_first_test_is_fitted_and_the_others_are_predicted(folder: Path) -> 
         compwright(["run", str(job(folder, text)), "--out", str(folder / "both")]) == 1
     )  # 0.1 µm: rejected
     assert compwright(["run", str(job(folder)), "--out", str(folder / "first")]) == 0
-    both, first = (
-        document(folder / name / "prediction.json")["axes"]["X"] for name in ("both", "first")
-    )
+    both = document(folder / "both" / "prediction.json")["axes"]["X"]
     assert [test["name"] for test in both["tests"]] == ["x", "afternoon"]
-    assert both["table"] == first["table"]
+    std = [
+        np.mean(document(folder / name / "plan.json")["axes"]["X"]["estimate"]["std_positive"])
+        for name in ("both", "first")
+    ]
+    # 26 targets instead of 17, five readings each: sqrt(17/26) = 0.81 of the noise.
+    assert std[0] == pytest.approx(np.sqrt(17 / 26) * std[1], rel=0.1)
     assert both["accept"]["A"] == {"limit": 0.1, "decision": "reject", "test": "afternoon"}
     assert both["tests"][1]["predicted"]["A"]["p95"] < 0.5 * both["tests"][1]["before"]["A"]
 
@@ -778,18 +781,22 @@ def test_a_guarded_decision_without_an_uncertainty_is_refused(
 def test_a_longer_test_that_is_not_fitted_stands_first(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """A 3.5 m axis: five runs over 2 m are fitted, the single run over the whole length is not."""
+    """A 3.5 m axis: five runs over 2 m are fitted. The single run over the whole length is not,
+    because its sign is turned.
+    """
     machine = replace(MACHINE, high=3500.0)
     short = np.linspace(30.0, 2000.0, 21)
     (folder / "x.csv").write_text(csv_of(short, machine.measure(short, 1)))
     whole = np.linspace(20.0, 3480.0, 15)
-    (folder / "long.csv").write_text(csv_of(whole, machine.measure(whole, 2, runs=1)))
+    turned = replace(machine, slope=-machine.slope, bow=-machine.bow)
+    (folder / "long.csv").write_text(csv_of(whole, turned.measure(whole, 2, runs=1)))
     path = job(folder, "before: [x.csv, long.csv]")
     path.write_text(path.read_text().replace("[0, 800]", "[0, 3500]"))
     compwright(["run", str(path)])
     doubts = document(folder / "job" / "prediction.json")["doubts"]
-    assert [doubt["code"] for doubt in doubts] == ["CW-E011"]
-    assert "covers 30 to 2000 mm; the test long measured 20 to 3480 mm" in doubts[0]["message"]
+    assert {doubt["code"] for doubt in doubts} == {"CW-E011", "CW-T036"}
+    message = next(doubt["message"] for doubt in doubts if doubt["code"] == "CW-E011")
+    assert "covers 30 to 2000 mm; the test long measured 20 to 3480 mm" in message
     said = capsys.readouterr().out
     assert said.index("CW-E011") < said.index("axis X")
 
@@ -813,12 +820,16 @@ def test_contributors_in_um_say_nothing_of_a_rotary_axis(
     assert accept["decision"] == ("undecided" if U is None else "accept")
 
 
-def test_a_longer_test_beside_it_does_not_cover_for_the_test_of_the_table(
+def test_a_longer_test_beside_it_covers_only_where_it_does_not_contradict(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """The table is made from the first test: 150 of 800 mm are a guess for the rest, whatever a
-    second test measured.
+    """The first test covers 150 of 800 mm; the second counts with it where both show the same
+    error, else the rest is a guess. The bow of the other machine is as high over 150 mm.
     """
+    near = np.linspace(5.0, 150.0, 11)
+    (folder / "near.csv").write_text(csv_of(near, MACHINE.measure(near, 3)))
+    words = ["run", str(job(folder, "before: [near.csv, x.csv]")), "--out", str(folder / "near")]
+    assert compwright(words) == 0
     write_test(folder / "short.csv", Machine(high=150.0))
     assert compwright(["run", str(job(folder, "before: [short.csv, x.csv]"))]) == 3
     assert "less than half" in capsys.readouterr().err

@@ -31,10 +31,10 @@ def disagreeing_test(
     expected: Mapping[Direction, FloatArray],
     std: Mapping[Direction, FloatArray],
     noise: float,
-    first: str,
+    names: tuple[str, str],
 ) -> Finding | None:
-    """Return a doubt where ``test`` does not show what the ``first`` test makes expect (CW-T036),
-    else None.
+    """Return a doubt where ``test`` does not show what another one makes expect (CW-T036), else
+    None. ``names``: of the test that counts, then of the one that does not.
 
     ``expected`` and ``std`` (m,) by direction at the targets of ``test``, ``noise`` of a reading:
     mm or deg. The instrument's zero is free. A test with its sign or directions turned, of another
@@ -79,10 +79,10 @@ def disagreeing_test(
     return Finding(
         "CW-T036",
         "warning",
-        f"The tests {first} and {test.name} contradict each other: they differ by"
+        f"The tests {names[0]} and {names[1]} contradict each other: they differ by"
         f" {apart * factor:.2f} {unit}, {what} is {size * factor:.2f} {unit}. Were sign,"
-        f" directions, unit, axis and state the same? Only {first} counts,"
-        f" {test.name} does not.",
+        f" directions, unit, axis and state the same? Only {names[0]}"
+        f" counts, {names[1]} does not.",
     )
 
 

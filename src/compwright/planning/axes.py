@@ -17,13 +17,12 @@ from compwright.planning.motions import with_backlash, with_motion
 from compwright.planning.outlook import Like, predict, predict_new_targets, why_not_better
 from compwright.planning.sharing import shared_fairly
 from compwright.planning.tables import fit_within, freely_chosen, offer
-from compwright.planning.together import counted_out, disagreeing, only_first, with_what_acted
+from compwright.planning.together import counted_together, with_what_acted
 from compwright.planning.wanted import (
     MeasuredError,
     check_coverage,
     dense_positions,
     held_by,
-    measured_error,
     wanted_correction,
     with_change,
 )
@@ -131,12 +130,7 @@ def start_axis(
     if tests[0].measured_in in states:
         active = held_by(states[tests[0].measured_in], axis)
     tests = with_what_acted(with_backlash(tests, axis, states), axis, states)
-    doubts: dict[int, Finding] = {}
-    posterior = measured_error(only_first(tests), axis, active)
-    if sum(test.acted is not None for test in tests) > 1:
-        doubts = dict(disagreeing(tests, posterior))
-        tests = counted_out(tests, doubts)
-        posterior = measured_error(tests, axis, active)
+    tests, posterior, doubts = counted_together(tests, axis, active)
     check_coverage(job.file, axis, [each.test for each in tests if each.acted is not None])
     planned = PlannedAxis(
         axis=axis,
@@ -154,7 +148,7 @@ def start_axis(
         posterior=posterior,
         planned=planned,
         as_found=as_found,
-        disagreeing=tuple(doubts.values()),
+        disagreeing=doubts,
     )
 
 

@@ -4,28 +4,43 @@ what acted in it, as far as they show the same error as the first.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
+
+import numpy as np
 
 from compwright.evaluation.agreement import disagreeing_test
 from compwright.foundations.findings import Finding
 from compwright.planning.motions import backlash_more, with_motion
-from compwright.planning.wanted import MeasuredError, held_by
+from compwright.planning.wanted import MeasuredError, held_by, measured_error, observed_tests
 from compwright.prediction.acting import Correction, nothing
 from compwright.records.axis import Axis, Direction
-from compwright.records.correction import ControlState
+from compwright.records.correction import AxisCompensation, ControlState
 from compwright.records.plan import Acted, PlannedTest
+from compwright.records.positioning import PositioningTest
 
 
 def with_what_acted(
     tests: Sequence[PlannedTest], axis: Axis, states: Mapping[str, ControlState]
 ) -> tuple[PlannedTest, ...]:
     """Return the tests with what the control did in each, by its state (``states``, by name) and
-    its motion; None where nobody says by how much that differs from the first.
+    its motion; None where nobody says by how much that differs from the first, or where a test
+    after the first has readings at a single target, which tells nothing of the error.
 
     Tests in one unknown state and at one motion show the same error, with whatever acted.
     """
-    return tuple(replace(test, acted=_acted(test, tests[0], axis, states)) for test in tests)
+    return tuple(
+        replace(test, acted=_acted(test, tests[0], axis, states))
+        if place == 0 or _tells_something(test.test)
+        else test
+        for place, test in enumerate(tests)
+    )
+
+
+def _tells_something(test: PositioningTest) -> bool:
+    read = sum(test.readings(direction) for direction in Direction)
+    return int(np.count_nonzero(read)) > 1
 
 
 def _acted(
@@ -44,37 +59,64 @@ def _acted(
     return correction(targets, Direction.POSITIVE), correction(targets, Direction.NEGATIVE)
 
 
-def disagreeing(
-    tests: Sequence[PlannedTest], posterior: MeasuredError
-) -> Iterator[tuple[int, Finding]]:
-    """Yield the place and the doubt of each test that contradicts the first, from which alone the
-    ``posterior`` is.
+def counted_together(
+    tests: tuple[PlannedTest, ...], axis: Axis, active: AxisCompensation | None
+) -> tuple[tuple[PlannedTest, ...], MeasuredError, tuple[Finding, ...]]:
+    """Return the tests, those that contradict the first left out of the count; the error that the
+    others tell together; and the doubts of those left out. ``active``: what acted in the first.
     """
-    first, *others = tests
-    for place, other in enumerate(others, start=1):
+    observed = observed_tests(tests, active)
+
+    @cache
+    def alone(place: int) -> MeasuredError:
+        return measured_error(_only(tests, place), observed, axis, active)
+
+    doubts = dict(_disagreeing(tests, alone))
+    counted = _counted_out(tests, doubts)
+    if sum(test.acted is not None for test in counted) > 1:
+        error = measured_error(counted, observed, axis, active)
+    else:
+        error = alone(0)
+    return counted, error, tuple(doubts.values())
+
+
+def _disagreeing(
+    tests: Sequence[PlannedTest], alone: Callable[[int], MeasuredError]
+) -> Iterator[tuple[int, Finding]]:
+    """Yield the place and the doubt of each test that contradicts the first; ``alone``: the error
+    as one test, by its place, tells it.
+
+    Either is asked what it expects of the other: a short test says little of a long one, the long
+    one much of it.
+    """
+    for place, other in enumerate(tests[1:], start=1):
         if other.acted is None:
             continue
-        targets = other.test.targets
-        estimate = posterior.own.summary(targets)
-        expected = {
-            side: estimate.mean(side) + acted
-            for side, acted in zip(Direction, other.acted, strict=True)
-        }
-        std = {Direction.POSITIVE: estimate.std_positive, Direction.NEGATIVE: estimate.std_negative}
-        finding = disagreeing_test(other.test, expected, std, estimate.noise, first.test.name)
+        names = tests[0].test.name, other.test.name
+        finding = _doubt(other, alone(0), names) or _doubt(tests[0], alone(place), names)
         if finding is not None:
             yield place, finding
 
 
-def counted_out(
-    tests: Sequence[PlannedTest], doubts: Mapping[int, Finding]
-) -> tuple[PlannedTest, ...]:
-    """Return the tests with those that raise ``doubts``, by their place, left out of the count."""
+def _doubt(test: PlannedTest, error: MeasuredError, names: tuple[str, str]) -> Finding | None:
+    """Return the doubt of a test that does not show the error that another one tells."""
+    targets = test.test.targets
+    estimate = error.own.summary(targets)
+    acted = test.acted or (np.zeros_like(targets), np.zeros_like(targets))
+    expected = {
+        side: estimate.mean(side) + more for side, more in zip(Direction, acted, strict=True)
+    }
+    std = {Direction.POSITIVE: estimate.std_positive, Direction.NEGATIVE: estimate.std_negative}
+    return disagreeing_test(test.test, expected, std, estimate.noise, names)
+
+
+def _counted_out(tests: Sequence[PlannedTest], places: Container[int]) -> tuple[PlannedTest, ...]:
+    """Return the tests with those at ``places`` left out of the count."""
     return tuple(
-        replace(test, acted=None) if place in doubts else test for place, test in enumerate(tests)
+        replace(test, acted=None) if place in places else test for place, test in enumerate(tests)
     )
 
 
-def only_first(tests: Sequence[PlannedTest]) -> tuple[PlannedTest, ...]:
-    """Return the tests with only the first left in the count."""
-    return (tests[0], *(replace(test, acted=None) for test in tests[1:]))
+def _only(tests: Sequence[PlannedTest], place: int) -> tuple[PlannedTest, ...]:
+    """Return the tests with a single one left in the count."""
+    return _counted_out(tests, set(range(len(tests))) - {place})

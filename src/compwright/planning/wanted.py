@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from compwright.estimation.axis import AxisPosterior, Draws, estimate_axis
+from compwright.estimation.noise import noise_of
 from compwright.estimation.noise_posterior import NoisePosterior
 from compwright.estimation.observed import ObservedTest
 from compwright.foundations.errors import Fault, InputError
@@ -96,33 +97,48 @@ class MeasuredError:
         )
 
 
+def observed_tests(
+    tests: Sequence[PlannedTest], active: AxisCompensation | None
+) -> tuple[ObservedTest, ...]:
+    """Return the tests as the estimation takes them: each without what acted in it (``acted``),
+    the first without ``active``, and with what its repeated readings tell of their noise.
+    """
+    observed = []
+    for place, planned in enumerate(tests):
+        test, acted = planned.test, planned.acted
+        if place == 0 and active is not None:
+            acted = _at(active, test)
+        bare = test if acted is None else with_change(test, -acted[0], -acted[1])
+        observed.append(ObservedTest(test=bare, noise=noise_of(bare)))
+    return tuple(observed)
+
+
 def measured_error(
-    tests: Sequence[PlannedTest], axis: Axis, active: AxisCompensation | None
+    tests: Sequence[PlannedTest],
+    observed: Sequence[ObservedTest],
+    axis: Axis,
+    active: AxisCompensation | None,
 ) -> MeasuredError:
     """Return the error of ``axis`` as its tests tell it, as far as they count (``acted``; the first
-    always); ``active``: what the control did during the first, None where nobody said.
+    where none says so); ``observed``: the same tests; ``active``: what the control did during the
+    first, None where nobody said.
 
     The same tests give the same answer.
     """
-    noises: tuple[NoisePosterior | None, ...] = tuple(None for _ in tests)
-    acted = [planned.acted for planned in tests]
-    if active is not None:
-        acted[0] = _at(active, tests[0].test)
-    observed: list[ObservedTest] = []
-    counted: list[int | None] = []
-    for place, (planned, noise) in enumerate(zip(tests, noises, strict=True)):
-        mine = acted[place]
-        if place and mine is None:
-            counted.append(None)
-            continue
-        counted.append(len(observed))
-        bare = planned.test if mine is None else with_change(planned.test, -mine[0], -mine[1])
-        observed.append(ObservedTest(test=bare, noise=noise))
+    counting = [test.acted is not None for test in tests]
+    counting[0] = counting[0] or not any(counting)
+    places = np.cumsum(counting) - 1
+    own = estimate_axis(
+        [each for each, counts in zip(observed, counting, strict=True) if counts],
+        travel=axis.travel,
+        periods=axis.screw_pitch,
+        turn=axis.modulo,
+    )
     return MeasuredError(
-        estimate_axis(observed, travel=axis.travel, periods=axis.screw_pitch, turn=axis.modulo),
+        own,
         active,
-        tuple(counted),
-        noises,
+        tuple(int(p) if counts else None for p, counts in zip(places, counting, strict=True)),
+        tuple(each.noise for each in observed),
     )
 
 

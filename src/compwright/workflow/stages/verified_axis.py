@@ -16,7 +16,7 @@ from compwright.planning.axes import evaluated
 from compwright.planning.limits import lacking_guard, measured_decisions
 from compwright.planning.motions import with_motion
 from compwright.planning.outlook import DRAWS, Like, predict
-from compwright.planning.wanted import MeasuredError, measured_error
+from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
 from compwright.prediction.acting import Correction, difference, nothing
 from compwright.records.axis import Direction
 from compwright.records.job import Job
@@ -51,7 +51,9 @@ def verified_axis(
     repeated = planned.tests[place]
     before_test = repeated.test
     before, result = (evaluated(job, axis, test) for test in (before_test, after.test))
-    posterior = measured_error(planned.tests, axis, planned.active)
+    posterior = measured_error(
+        planned.tests, observed_tests(planned.tests, planned.active), axis, planned.active
+    )
     active = nothing if planned.active is None else planned.active.at
     table = None if planned.fitted is None else planned.fitted.compensation.at
     # The test after loading was taken at the motion of the one that it repeats.
