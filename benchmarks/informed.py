@@ -89,12 +89,18 @@ def _columns(machine: Machine, x: Floats, u: Floats) -> tuple[Floats, Floats]:
             sizes.append(size)
 
     order = np.arange(2)[:, None, None] + 2 * np.arange(n)
+    shift = np.hypot(noise.shift, noise.off_size * np.sqrt(noise.off_share))
     add(20.0, np.ones(shape))
     for traverse in range(2 * n):
         this = (order == traverse).astype(float)
-        add(noise.shift, this)
+        add(shift, this)
         add(noise.tilt, this * (u[:, None] - 0.5))
         add(noise.walk, (order >= traverse).astype(float))
+    for run in range(n):
+        add(noise.run_shift, (order // 2 == run).astype(float))
+    angle = 2 * np.pi * noise.waves * machine.times(x.size)
+    add(noise.wave, np.sin(angle))
+    add(noise.wave, np.cos(angle))
     add(noise.temperature, u[:, None])
     if noise.redrawn:
         add(noise.drift, machine.times(x.size))

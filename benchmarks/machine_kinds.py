@@ -216,6 +216,24 @@ def _walk(rng: Generator) -> Machine:
     return loud(axis, walk=axis.noise.sigma * rng.uniform(0.4, 1.5))
 
 
+@kind("shifts between runs")
+def _run_shifts(rng: Generator) -> Machine:
+    axis = plain(rng)
+    return loud(axis, run_shift=axis.noise.sigma * rng.uniform(0.7, 3))
+
+
+@kind("a traverse off now and then")
+def _off(rng: Generator) -> Machine:
+    axis = plain(rng)
+    return loud(axis, off_share=0.1, off_size=axis.noise.sigma * rng.uniform(2, 6))
+
+
+@kind("wave of the hall's temperature")
+def _wave(rng: Generator) -> Machine:
+    axis = plain(rng)
+    return loud(axis, wave=axis.noise.sigma * rng.uniform(0.5, 2), waves=float(rng.uniform(0.5, 3)))
+
+
 @kind("noise growing along the travel")
 def _growing(rng: Generator) -> Machine:
     return loud(plain(rng), growth=float(rng.uniform(1, 4)))

@@ -30,7 +30,9 @@ class Noise:
     ``sigma``: standard deviation of a reading at the low end in + (scale of Student's t where
     ``student`` gives its degrees of freedom); ``negative``: its factor in -; ``growth``: it is
     1 + growth times as large at the high end. ``outlier_size`` in sigma, either sign. ``shift``
-    and ``tilt`` (over the travel): drawn per traverse; ``walk``: step from a traverse to the next.
+    and ``tilt`` (over the travel): drawn per traverse; ``walk``: step from a traverse to the next;
+    ``run_shift``: drawn per run; ``off_share`` of the traverses lie ``off_size`` off, either side.
+    ``wave``: in time, ``waves`` of them in a test, amplitude and phase drawn per test.
     ``drift``, ``expansion`` (at the far end, none at the low one): grown from the first reading to
     the last, linear in time, the same in each test unless ``redrawn`` (then a standard deviation).
     ``warmup`` grows as 1 - exp(-t / ``warmup_time``), t = 1 at the end of the test; of it
@@ -47,6 +49,11 @@ class Noise:
     shift: float = 0.0
     tilt: float = 0.0
     walk: float = 0.0
+    run_shift: float = 0.0
+    off_share: float = 0.0
+    off_size: float = 0.0
+    wave: float = 0.0
+    waves: float = 1.0
     drift: float = 0.0
     expansion: float = 0.0
     redrawn: bool = False
@@ -139,11 +146,21 @@ class Machine:
         walk = noise.walk * np.cumsum(steps.ravel()).reshape(n, 2).T
         shift = noise.shift * rng.standard_normal((2, n)) + walk
         tilt = noise.tilt * rng.standard_normal((2, n))
+        if noise.run_shift:
+            shift = shift + noise.run_shift * rng.standard_normal(n)
+        if noise.off_share:
+            off = rng.uniform(size=(2, n)) < noise.off_share
+            shift = shift + off * noise.off_size * rng.choice([-1.0, 1.0], (2, n))
         return np.asarray(shift[:, None, :] + tilt[:, None, :] * (u - 0.5))
 
     def _in_time(self, u: Floats, rng: Generator) -> Floats:
         factors = rng.standard_normal(2) if self.noise.redrawn else np.ones(2)
-        return self.in_time(u, self.noise.drift * factors[0], self.noise.expansion * factors[1])
+        drift = self.in_time(u, self.noise.drift * factors[0], self.noise.expansion * factors[1])
+        if self.noise.wave:
+            a, b = self.noise.wave * rng.standard_normal(2)
+            angle = 2 * np.pi * self.noise.waves * self.times(u.size)
+            drift = drift + a * np.sin(angle) + b * np.cos(angle)
+        return drift
 
     def in_time(self, u: Floats, drift: float, expansion: float) -> Floats:
         """What drift, expansion and warming up add to readings (2, m, n) at ``u`` (m,)."""
