@@ -19,6 +19,7 @@ from compwright.cli.words import (
     pairs,
     state_option,
 )
+from compwright.foundations.side_by_side import Crew
 
 
 @compwright.command("run")
@@ -48,11 +49,12 @@ from compwright.cli.words import (
 @json_option
 @force_option
 @exiting
+@click.pass_obj
 def run_command(
-    inputs: tuple[Path, ...], out: Path | None, json_path: Path | None, **words: Any
+    crew: Crew, /, inputs: tuple[Path, ...], out: Path | None, json_path: Path | None, **words: Any
 ) -> int:
     """Evaluate, fit, export, predict and report: the whole job."""
-    from compwright.workflow.commands.run import run_job
+    from compwright.workflow.commands.run import ready_for_axes, run_job
     from compwright.workflow.showing.answers import run_summary
     from compwright.workflow.stages.jobs import job_of
 
@@ -64,14 +66,16 @@ def run_command(
         states=words["states"],
         options=words["options"],
     )
-    outcome = run_job(
-        job,
-        folder,
-        out or default_out,
-        force=words["force"],
-        accept_worse=words["accept_worse"],
-        json_path=json_file(json_path),
-    )
+    with crew(len(job.axes), ready_for_axes) as each:
+        outcome = run_job(
+            job,
+            folder,
+            out or default_out,
+            force=words["force"],
+            accept_worse=words["accept_worse"],
+            json_path=json_file(json_path),
+            each=each,
+        )
     answer(outcome.prediction, json_path, lambda: run_summary(outcome))
     errors(filter(None, [outcome.no_tables]))
     errors(f"axis {name}: no table is written: {why}" for name, why in outcome.refused.items())

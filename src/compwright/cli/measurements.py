@@ -8,6 +8,7 @@ import click
 
 from compwright.cli.saying import answer, errors, json_file, print_lines, print_safely, tell
 from compwright.cli.words import PATH, compwright, exiting, force_option, json_option
+from compwright.foundations.side_by_side import Crew
 
 _STANDARDS = (
     "iso230-2:1988, iso230-2:1997, iso230-2:2006, iso230-2:2014 (default), gost27843:2006, vdi3441;"
@@ -105,12 +106,13 @@ def simulate(
 )
 @force_option
 @exiting
-def demo(out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command line
+@click.pass_obj
+def demo(crew: Crew, /, out: Path, force: bool) -> int:  # noqa: FBT001 - a flag of the command line
     """Play the whole loop on a virtual machine."""
     from compwright.workflow.commands.demo import run_demo
     from compwright.workflow.showing.answers import demo_summary, show
 
-    outcome = run_demo(out, force=force)
+    outcome = run_demo(out, force=force, crew=crew)
     print_safely(lambda: show(demo_summary(outcome)))
     for note in (*outcome.run.notes, *outcome.verification.notes):
         tell(f"note: {note}")

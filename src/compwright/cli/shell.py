@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import errno
 import sys
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from io import StringIO, TextIOWrapper
 from pathlib import Path
 from typing import NoReturn
@@ -16,6 +18,7 @@ from compwright.cli.words import compwright
 from compwright.foundations.command_inputs import start_command
 from compwright.foundations.errors import CompwrightError, StorageError, UsageError
 from compwright.foundations.processors import use_one_thread
+from compwright.foundations.side_by_side import Crew, Each, alone
 
 
 def main() -> NoReturn:
@@ -26,16 +29,25 @@ def main() -> NoReturn:
             stream, TextIOWrapper
         ):  # a terminal that knows no µ gets a question mark, not a crash
             stream.reconfigure(errors="replace")
-    sys.exit(run(sys.argv[1:]))
+    sys.exit(run(sys.argv[1:], crew=_side_by_side))
 
 
-def run(arguments: list[str]) -> int:
+def _side_by_side(items: int, ready: Callable[[], None]) -> AbstractContextManager[Each]:
+    """Provide who works on the axes of a job; what few commands need is loaded here."""
+    from compwright.foundations.processes import side_by_side
+
+    return side_by_side(items, ready)
+
+
+def run(arguments: list[str], crew: Crew = alone) -> int:
     """Run a command and return its exit code. Every error becomes lines on standard error, never a
-    traceback.
+    traceback. ``crew``: who works on the axes of a job.
     """
     start_command()
     try:
-        code = compwright.main(args=arguments, prog_name="compwright", standalone_mode=False)
+        code = compwright.main(
+            args=arguments, prog_name="compwright", standalone_mode=False, obj=crew
+        )
     except click.exceptions.Exit as leaving:
         return leaving.exit_code
     except click.Abort:

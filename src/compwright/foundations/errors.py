@@ -68,6 +68,10 @@ class CompwrightError(Exception):
         )
         super().__init__("\n".join(str(fault) for fault in self.faults))
 
+    def __reduce__(self) -> tuple[type[CompwrightError], tuple[Fault, ...]]:
+        """Return how a copy is made: of the faults, not of the words."""
+        return type(self), self.faults
+
 
 class UsageError(CompwrightError):
     """A wrong option, or a wrong or incomplete job (exit 2)."""

@@ -1,4 +1,4 @@
-"""How many processors the linear algebra may use: one."""
+"""How many processors there are, and how many the linear algebra may use: one."""
 
 from __future__ import annotations
 
@@ -14,3 +14,10 @@ def use_one_thread() -> None:
     """
     for name in ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS"):
         os.environ.setdefault(name, "1")
+
+
+def processors() -> int:
+    """Return how many processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1

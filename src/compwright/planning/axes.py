@@ -12,6 +12,7 @@ from compwright.estimation.reach import longer_tests
 from compwright.evaluation.standards import evaluate
 from compwright.foundations.errors import CapacityError, CompwrightError, collect, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
 from compwright.planning.motions import with_backlash, with_motion
 from compwright.planning.outlook import Like, predict, predict_new_targets, why_not_better
@@ -30,6 +31,7 @@ from compwright.prediction.acting import Correction, difference, nothing
 from compwright.records.axis import Axis, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import AxisCompensation, ControlState
+from compwright.records.estimate import WantedCorrection
 from compwright.records.fitted import FittedTable
 from compwright.records.job import AxisJob, Job
 from compwright.records.plan import PlannedAxis, PlannedTest
@@ -152,14 +154,23 @@ def start_axis(
     )
 
 
+@dataclass(frozen=True, slots=True)
+class _Fitted:
+    wanted: WantedCorrection
+    table: FittedTable
+    chosen: FittedTable | None
+
+
 def fit_all(
-    works: Mapping[str, AxisWork], capacity_of: CapacityOf, job_file: str
+    works: Mapping[str, AxisWork],
+    capacity_of: CapacityOf,
+    job_file: str,
+    each: Each = in_turn,
 ) -> dict[str, AxisWork]:
     """Fit every axis under the limits of the control. Raises CapacityError with the faults of all
     axes.
     """
     errors: list[CompwrightError] = []
-    fitted: dict[str, AxisWork] = {}
     capacities: dict[str, Capacity] = {}
     for name, work in works.items():
         try:
@@ -171,31 +182,40 @@ def fit_all(
         capacities,
         {name: work.planned for name, work in works.items() if work.planned.active is not None},
     )
-    for name, work in works.items():
-        planned = work.planned
-        if planned.active is None or name not in capacities:
-            fitted[name] = work
-            continue
-        wanted = wanted_correction(
-            planned.estimate,
-            planned.active,
-            planned.axis,
-            reversal_log_odds=work.posterior.reversal_log_odds,
-        )
-        capacity, request, axis = capacities[name], planned.request, planned.axis
-        try:
-            table = fit_within(wanted, capacity, request, axis)
-        except CapacityError as error:
-            errors.append(_of_axis(error, name, job_file))
+    tasks = {
+        name: (work.planned, work.posterior.reversal_log_odds, capacities[name])
+        for name, work in works.items()
+        if work.planned.active is not None and name in capacities
+    }
+    fitted = dict(works)
+    for name, found in zip(tasks, each(_fit, list(tasks.values())), strict=True):
+        if isinstance(found, CapacityError):
+            errors.append(_of_axis(found, name, job_file))
             continue
         fitted[name] = replace(
-            work,
-            capacity=capacity,
-            planned=replace(planned, wanted=wanted, fitted=table),
-            chosen=freely_chosen(wanted, capacity, request, table, axis),
+            works[name],
+            capacity=capacities[name],
+            planned=replace(works[name].planned, wanted=found.wanted, fitted=found.table),
+            chosen=found.chosen,
         )
     raise_all(CapacityError, collect(errors))
     return fitted
+
+
+def _fit(task: tuple[PlannedAxis, float, Capacity]) -> _Fitted | CapacityError:
+    """Return what is wanted of an axis and its tables, or why the control cannot hold one."""
+    planned, reversal_log_odds, capacity = task
+    if planned.active is None:
+        raise TypeError("nobody said what is in the control")
+    axis, request = planned.axis, planned.request
+    wanted = wanted_correction(
+        planned.estimate, planned.active, axis, reversal_log_odds=reversal_log_odds
+    )
+    try:
+        table = fit_within(wanted, capacity, request, axis)
+    except CapacityError as error:
+        return error
+    return _Fitted(wanted, table, freely_chosen(wanted, capacity, request, table, axis))
 
 
 def _of_axis(error: CapacityError, name: str, file: str) -> CapacityError:

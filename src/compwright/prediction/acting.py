@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -24,12 +25,21 @@ def nothing(positions: FloatArray, _direction: Direction) -> FloatArray:
 
 def difference(new: Correction, old: Correction) -> Correction:
     """Return what changes when ``new`` acts in place of ``old``."""
-    return lambda positions, direction: new(positions, direction) - old(positions, direction)
+    return partial(_together, new, old, -1.0)
 
 
 def added(one: Correction, other: Correction) -> Correction:
     """Return what two corrections of one axis do together."""
-    return lambda positions, direction: one(positions, direction) + other(positions, direction)
+    return partial(_together, one, other, 1.0)
+
+
+def _together(
+    one: Correction, other: Correction, sign: float, positions: FloatArray, direction: Direction
+) -> FloatArray:
+    """Return ``one`` and ``sign`` times ``other``; a function of the module, so that a correction
+    can be handed to another process.
+    """
+    return one(positions, direction) + sign * other(positions, direction)
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,9 +15,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any, Final
 
+from compwright.foundations.side_by_side import Each, in_turn
 from compwright.reporting import sections
 from compwright.reporting.card import changes_content
 from compwright.reporting.circles import circle_blocks
+from compwright.reporting.extra import need
 from compwright.reporting.limiting import limits_block
 from compwright.reporting.numbers import (
     SIMPLE,
@@ -41,19 +43,20 @@ from compwright.reporting.sections import Document, TextTable
 _CHUNK: Final = 24  # rows of the table in numbers before a second column is begun
 
 
-def run_report(view: Document) -> bytes:
+def run_report(view: Document, each: Each = in_turn) -> bytes:
     """Return the report of ``run``: the verdict first, then each axis, assumptions, findings, raw
-    data, files.
+    data, files. ``each`` works on the axes.
 
     Raises UsageError when the report extra is missing.
     """
     prediction = view.get("prediction") or {}
     axes = {str(name): axis for name, axis in (view.get("axes") or {}).items()}
     predicted = {str(name): axis for name, axis in (prediction.get("axes") or {}).items()}
-    blocks = [
-        _run_axis(index, name, axis, predicted.get(name) or {}, view)
+    tasks = [
+        (index, name, axis, predicted.get(name) or {}, _of_axis(name, view))
         for index, (name, axis) in enumerate(axes.items(), 1)
     ]
+    blocks = each(_run_block, tasks)
     return render_page(
         "run.html",
         {
@@ -78,6 +81,11 @@ def run_report(view: Document) -> bytes:
             ),
         },
     )
+
+
+def load_plotting() -> None:
+    """Load what draws figures. Raises UsageError when the report extra is missing."""
+    need("matplotlib.figure")
 
 
 def verify_report(view: Document) -> bytes:
@@ -273,6 +281,16 @@ def _decided_test(name: str, predicted: Document, view: Document) -> tuple[Docum
     )
     result = sections.result_of(view.get("evaluation"), name, about) or {}
     return test.get("before") or result.get("parameters") or {}, test.get("predicted") or {}
+
+
+def _of_axis(name: str, view: Document) -> Document:
+    """Return what the part of one axis needs of the view: the results of its own tests."""
+    results = (view.get("evaluation") or {}).get("results", [])
+    return {"evaluation": {"results": [one for one in results if str(one.get("axis")) == name]}}
+
+
+def _run_block(task: tuple[int, str, Document, Document, Document]) -> dict[str, Any]:
+    return _run_axis(*task)
 
 
 def _run_axis(

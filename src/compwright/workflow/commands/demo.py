@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from compwright.foundations import storage
+from compwright.foundations.side_by_side import Crew, alone
 from compwright.jobs.reading import read_job
-from compwright.workflow.commands.run import RunOutcome, run_job
+from compwright.workflow.commands.run import RunOutcome, ready_for_axes, run_job
 from compwright.workflow.commands.simulate import load_machine, simulate_files
 from compwright.workflow.commands.verify import VerifyOutcome, verify_job
 
@@ -23,11 +24,12 @@ class DemoOutcome:
     folder: Path
 
 
-def run_demo(out: Path, *, force: bool = False) -> DemoOutcome:
+def run_demo(out: Path, *, force: bool = False, crew: Crew = alone) -> DemoOutcome:
     """Play the whole loop below ``out``: machine, measurement, job, tables, measurement with the
     tables loaded, verification.
 
-    Raises StorageError when a file exists (unless ``force``) or cannot be written.
+    ``crew``: who works on the axes. Raises StorageError when a file exists (unless ``force``) or
+    cannot be written.
     """
     shipped = storage.demo_files()
     files = {name: shipped[name] for name in ("machine.yaml", "job.yaml")}
@@ -38,7 +40,8 @@ def run_demo(out: Path, *, force: bool = False) -> DemoOutcome:
     simulate_files(machine, out / "before", seed=1, force=force)
     job = read_job(storage.read_bytes(job_file), str(job_file))
     result = out / "job"
-    run = run_job(job, out, result, force=force)
+    with crew(len(job.axes), ready_for_axes) as each:
+        run = run_job(job, out, result, force=force, each=each)
     tables = result / "tables" / job.format
     after = simulate_files(machine, out / "after", seed=2, tables=tables, force=force)
     verification = verify_job(

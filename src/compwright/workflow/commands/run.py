@@ -12,6 +12,7 @@ from compwright.documents.plan import listed_files
 from compwright.foundations import storage
 from compwright.foundations.errors import UsageError
 from compwright.foundations.provenance import fingerprint
+from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.utf8 import encoded
 from compwright.records.job import Job
 from compwright.workflow.showing.results import NO_STATE, result_files
@@ -45,6 +46,13 @@ class RunOutcome:
     notes: tuple[str, ...] = ()
 
 
+def ready_for_axes() -> None:
+    """Load what the work on an axis needs, beside this module, before there is work."""
+    from compwright.reporting.report import load_plotting
+
+    load_plotting()
+
+
 def run_job(
     job: Job,
     folder: Path,
@@ -53,16 +61,18 @@ def run_job(
     force: bool = False,
     accept_worse: bool = False,
     json_path: Path | None = None,
+    each: Each = in_turn,
 ) -> RunOutcome:
     """Do a whole job and write its files below ``out`` (and the prediction to ``json_path`` too),
     all of them or none.
 
-    ``folder``: what the job's paths are relative to. Raises UsageError (2), InputError (3),
-    CapacityError (4) and StorageError (5); nothing is written then. Without a state of the control,
-    evaluation, prediction and report are written but no table (exit 2).
+    ``folder``: what the job's paths are relative to; ``each`` works on the axes, in turn or side by
+    side: the bytes are the same. Raises UsageError (2), InputError (3), CapacityError (4) and
+    StorageError (5); nothing is written then. Without a state of the control, evaluation,
+    prediction and report are written but no table (exit 2).
     """
-    finished = _work_through(job, folder, out, accept_worse=accept_worse)
-    results = result_files(finished)
+    finished = _work_through(job, folder, out, accept_worse=accept_worse, each=each)
+    results = result_files(finished, each)
     files = results.files
     elsewhere = {} if json_path is None else {json_path: files["prediction.json"]}
     sets = [f"{name}/{finished.measured.control.id}" for name in ("tables", "rollback")]
@@ -90,12 +100,12 @@ def run_job(
     )
 
 
-def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool) -> Finished:
+def _work_through(job: Job, folder: Path, out: Path, *, accept_worse: bool, each: Each) -> Finished:
     start = measured(job, folder, out)
-    wish = wanted(start)
-    table = fitted(start, wish)
-    files = written(start, wish, table, accept_worse=accept_worse)
-    return Finished(start, wish, table, files, predicted(start, wish, table, files))
+    wish = wanted(start, each)
+    table = fitted(start, wish, each)
+    files = written(start, wish, table, accept_worse=accept_worse, each=each)
+    return Finished(start, wish, table, files, predicted(start, wish, table, files, each))
 
 
 def _known_results(out: Path) -> storage.Known:

@@ -12,6 +12,7 @@ from compwright.documents.plan import plan_document
 from compwright.documents.prediction import prediction_document
 from compwright.foundations.errors import UsageError
 from compwright.foundations.provenance import fingerprint
+from compwright.foundations.side_by_side import Each, in_turn
 from compwright.foundations.utf8 import encoded
 from compwright.records.correction import ControlFile
 from compwright.workflow.showing.card import card_document, changes_csv
@@ -38,7 +39,7 @@ class Results:
     notes: tuple[str, ...] = ()
 
 
-def result_files(finished: Finished) -> Results:
+def result_files(finished: Finished, each: Each = in_turn) -> Results:
     """Return every file of a run, in the order in which they are listed."""
     tests = [result for work in finished.works.values() for result in work.results]
     evaluation = evaluations(tests, [work.result for work in finished.wanted.circles])
@@ -64,7 +65,7 @@ def result_files(finished: Finished) -> Results:
 
             files["card/card.html"] = card_html(dict(card))
         names = [*files, "report.html"]
-        files["report.html"] = _report(finished, card, names, evaluation, prediction)
+        files["report.html"] = _report(finished, card, names, evaluation, prediction, each)
     except UsageError as error:
         notes = (f"report.html is not written: {error}",)
     if finished.stated:
@@ -148,6 +149,7 @@ def _report(
     names: list[str],
     evaluation: Mapping[str, Any],
     prediction: Mapping[str, Any],
+    each: Each,
 ) -> bytes:
     """Return the report; ``names``: every file of the run. Raises UsageError without the report
     extra.
@@ -170,4 +172,4 @@ def _report(
         stated=finished.stated,
         state_files=[] if as_found is None else [file.name for file in as_found.files],
     )
-    return run_report(view)
+    return run_report(view, each)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.axes import AxisWork, fit_all
 from compwright.planning.scale import Scaled, scaled_axes
 from compwright.records.plan import PlannedAxis
@@ -29,7 +30,7 @@ class Fitted:
         return {entry.name: entry.planned for entry in self.scaled if entry.planned is not None}
 
 
-def fitted(measured: Measured, wanted: Wanted) -> Fitted:
+def fitted(measured: Measured, wanted: Wanted, each: Each = in_turn) -> Fitted:
     """Return the tables that the control can hold; none where nobody said what is in it.
 
     Raises UsageError where an option contradicts the control's files, CapacityError with the faults
@@ -42,6 +43,6 @@ def fitted(measured: Measured, wanted: Wanted) -> Fitted:
     capacity_of = control.format.capacity
     return Fitted(
         control=control,
-        works=fit_all(wanted.works, capacity_of, job.file),
+        works=fit_all(wanted.works, capacity_of, job.file, each),
         scaled=scaled_axes(job, wanted.circles, wanted.checks, capacity_of, as_found.state),
     )

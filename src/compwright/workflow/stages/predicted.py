@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Literal
 
+from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.axes import AxisWork, predict_axis
 from compwright.planning.circles import CircleWork, predicted_circle
 from compwright.planning.limiting import what_limits
 from compwright.planning.verdict import verdict
 from compwright.prediction.acting import IDLE, Acting, Correction
+from compwright.records.correction import AxisCompensation
 from compwright.records.job import AS_FOUND
 from compwright.records.prediction import AxisPrediction, CirclePrediction
 from compwright.workflow.stages.acting import acting, correction_of
@@ -28,30 +31,35 @@ class Predicted:
     circles: Mapping[str, CirclePrediction]
 
 
-def predicted(measured: Measured, wanted: Wanted, fitted: Fitted, written: Written) -> Predicted:
+def predicted(
+    measured: Measured, wanted: Wanted, fitted: Fitted, written: Written, each: Each = in_turn
+) -> Predicted:
     """Return what fresh tests will show with the tables as read back, or with what is in the
     control now where there are none.
     """
     loaded, rule = written.loaded, measured.job.decision_rule
-    axes = {}
-    for name, work in written.works.items():
+    tasks = []
+    for work in written.works.values():
         planned = work.planned
         has = planned.fitted is not None and loaded is not None
         table = loaded.state.axes[planned.axis.address] if has and loaded is not None else None
-        axes[name] = _limited(
-            predict_axis(work, after_loading(work, loaded), table, rule), work, loaded
-        )
+        tasks.append((work, after_loading(work, loaded), table, rule))
+    axes = dict(zip(written.works, each(_predicted, tasks), strict=True))
     then = _acting_then(measured, fitted, written) if wanted.circles else IDLE
     return Predicted(
         axes=axes, circles={work.name: _circle(work, measured, then) for work in wanted.circles}
     )
 
 
-def _limited(
-    prediction: AxisPrediction, work: AxisWork, loaded: DecodedState | None
+def _predicted(
+    task: tuple[AxisWork, Correction, AxisCompensation | None, Literal["simple", "guarded"]],
 ) -> AxisPrediction:
-    """Return the prediction with what keeps the axis where it is, and whether a table helps."""
-    limits = what_limits(work, after_loading(work, loaded))
+    """Return what fresh tests of an axis will show, what keeps it where it is, and whether a table
+    helps.
+    """
+    work, new, _, _ = task
+    prediction = predict_axis(*task)
+    limits = what_limits(work, new)
     if limits is None:
         return prediction
     said = verdict(

@@ -5,12 +5,17 @@ other.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from compwright.foundations.findings import Finding
+from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.axes import AxisWork, start_axis
 from compwright.planning.checks import Checks
 from compwright.planning.circles import CircleWork, checked_axes, start_circles
+from compwright.prediction.acting import nothing
+from compwright.records.correction import ControlState
+from compwright.records.job import AxisJob, Job
+from compwright.records.plan import PlannedTest
 from compwright.workflow.stages.acting import correction_of
 from compwright.workflow.stages.measured import Measured
 
@@ -27,23 +32,21 @@ class Wanted:
     findings: tuple[Finding, ...]
 
 
-def wanted(measured: Measured) -> Wanted:
+def wanted(measured: Measured, each: Each = in_turn) -> Wanted:
     """Return what the tests of a job ask of its control.
 
     Raises UsageError for limits that fit no test, InputError for tests that cannot be evaluated or
     leave most of the travel open.
     """
     job, axes = measured.job, measured.axes
+    entries = {name: entry for name, entry in job.axes.items() if entry.before}
+    tests = measured.inputs.tests
+    started = each(
+        _started, [(job, entry, tests[name], measured.states) for name, entry in entries.items()]
+    )
     works = {
-        name: start_axis(
-            job,
-            entry,
-            measured.inputs.tests[name],
-            measured.states,
-            correction_of(measured.as_found, entry.axis),
-        )
-        for name, entry in job.axes.items()
-        if entry.before
+        name: replace(work, as_found=correction_of(measured.as_found, work.planned.axis))
+        for name, work in zip(entries, started, strict=True)
     }
     circles = start_circles(job, measured.circles, axes)
     checks = Checks(job, works, measured.acting)
@@ -57,3 +60,10 @@ def wanted(measured: Measured) -> Wanted:
         checks=checks,
         findings=(*measured.findings, *places, *checks.findings(circles), *taken),
     )
+
+
+def _started(
+    task: tuple[Job, AxisJob, tuple[PlannedTest, ...], Mapping[str, ControlState]],
+) -> AxisWork:
+    """Return an axis evaluated and estimated; what acts on it now is not needed for that."""
+    return start_axis(*task, nothing)

@@ -10,9 +10,11 @@ import numpy as np
 from compwright.formats.families.delivery import Delivery
 from compwright.foundations.errors import CompwrightError, Fault, UsageError, raise_all
 from compwright.foundations.findings import Finding
+from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.axes import AxisWork, no_gain
 from compwright.planning.cross import plan_cross
 from compwright.planning.scale import scale_steps
+from compwright.prediction.acting import Correction
 from compwright.records.axis import Axis, Direction
 from compwright.records.correction import ControlFile
 from compwright.records.fitted import FittedTable
@@ -50,7 +52,14 @@ class Written:
     findings: tuple[Finding, ...] = ()
 
 
-def written(measured: Measured, wanted: Wanted, fitted: Fitted, *, accept_worse: bool) -> Written:
+def written(
+    measured: Measured,
+    wanted: Wanted,
+    fitted: Fitted,
+    *,
+    accept_worse: bool,
+    each: Each = in_turn,
+) -> Written:
     """Write the tables of a job and read them back; leave out those that would not improve their
     axis, unless ``accept_worse``.
 
@@ -63,7 +72,7 @@ def written(measured: Measured, wanted: Wanted, fitted: Fitted, *, accept_worse:
     works = fitted.works
     tables, loaded = write_fitted(control, tables_of(works, fitted.scales), as_found)
     if loaded is not None and not accept_worse:
-        works = _improving(works, loaded)
+        works = _improving(works, loaded, each)
     if works is not fitted.works:
         tables, loaded = write_fitted(control, tables_of(works, fitted.scales), as_found)
     kept = tables_of(works, fitted.scales)
@@ -97,16 +106,19 @@ def tables_of(
     return [(entry.axis, entry.fitted) for entry in planned if entry.fitted is not None]
 
 
-def _improving(works: Mapping[str, AxisWork], loaded: DecodedState) -> Mapping[str, AxisWork]:
+def _improving(
+    works: Mapping[str, AxisWork], loaded: DecodedState, each: Each
+) -> Mapping[str, AxisWork]:
     """Return the axes without the tables that would not improve them, with the reason; ``works``
     itself where all would.
     """
-    refused = {
-        name: why
+    tasks = {
+        name: (work, correction_of(loaded, work.planned.axis))
         for name, work in works.items()
         if work.planned.fitted is not None
-        and (why := no_gain(work, correction_of(loaded, work.planned.axis)))
     }
+    reasons = zip(tasks, each(_no_gain, list(tasks.values())), strict=True)
+    refused = {name: why for name, why in reasons if why}
     if not refused:
         return works
     return {
@@ -117,6 +129,10 @@ def _improving(works: Mapping[str, AxisWork], loaded: DecodedState) -> Mapping[s
         )
         for name, work in works.items()
     }
+
+
+def _no_gain(task: tuple[AxisWork, Correction]) -> str:
+    return no_gain(*task)
 
 
 def write_fitted(

@@ -1,0 +1,152 @@
+"""The same work on many items: in this process and in others beside it, with the results, the
+errors and the bytes of working in turn.
+"""
+
+from __future__ import annotations
+
+import json
+import pickle
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from compwright.foundations.errors import CapacityError, Fault
+
+SOURCE = Path(__file__).resolve().parents[1] / "src"
+
+#: A program as an engineer starts it: its functions are found again in the processes beside it.
+PROGRAM = """
+import json, os, sys, time
+from multiprocessing import parent_process
+sys.path.insert(0, {source!r})
+from compwright.foundations import processes
+from compwright.foundations.errors import CapacityError
+
+def ready():
+    pass
+
+def square(number):
+    time.sleep(0.02)
+    return number * number, os.getpid()
+
+def refused(number):
+    if number in (5, 11):
+        raise CapacityError(f"no room for {{number}}")
+    return number
+
+def dies_elsewhere(number):
+    if parent_process() is not None and number == 1:
+        os._exit(9)
+    return number + 0.5
+
+def broken_elsewhere(number):
+    if parent_process() is not None:
+        raise RuntimeError("only there")
+    return -number
+
+if __name__ == "__main__":
+    processes.processors = lambda: int(sys.argv[1])
+    said = {{}}
+    with processes.side_by_side(40, ready) as each:
+        time.sleep(1.0 if sys.argv[1] != "1" else 0.0)  # the others are ready
+        results = each(square, range(40))
+        said["squares"] = [one for one, _ in results]
+        said["processes"] = len({{pid for _, pid in results}})
+        try:
+            each(refused, range(14))
+        except CapacityError as error:
+            said["refused"] = [fault.message for fault in error.faults]
+        said["nothing"] = each(square, [])
+        said["broken"] = each(broken_elsewhere, range(9))
+        said["dies"] = each(dies_elsewhere, range(9))
+        said["afterwards"] = each(refused, range(4))
+    print(json.dumps(said))
+"""
+
+
+def said_by(tmp_path: Path, processors: int) -> dict[str, Any]:
+    program = tmp_path / "program.py"
+    program.write_text(PROGRAM.format(source=str(SOURCE)), encoding="utf-8")
+    done = subprocess.run(
+        [sys.executable, str(program), str(processors)], capture_output=True, text=True, check=True
+    )
+    assert done.stderr == ""
+    said: dict[str, Any] = json.loads(done.stdout)
+    return said
+
+
+@pytest.mark.parametrize("processors", [1, 3])
+def test_results_and_errors_are_those_of_working_in_turn(tmp_path: Path, processors: int) -> None:
+    said = said_by(tmp_path, processors)
+    assert said["squares"] == [number * number for number in range(40)]
+    assert said["processes"] == processors
+    assert said["refused"] == ["no room for 5"]  # the first in the order of the items
+    assert said["nothing"] == []
+    assert said["broken"] == [-number for number in range(9)]
+    assert said["dies"] == [number + 0.5 for number in range(9)]
+    assert said["afterwards"] == [0, 1, 2, 3]
+
+
+def test_an_error_is_copied_with_its_faults() -> None:
+    error = CapacityError(
+        Fault(message="too many points", place="table", expected="at most 5", found="6"),
+        Fault(message="another", file="job.yaml"),
+    )
+    copy = pickle.loads(pickle.dumps(error))  # noqa: S301 - our own
+    assert type(copy) is CapacityError
+    assert copy.faults == error.faults
+    assert str(copy) == str(error)
+
+
+LONG = """
+import sys, time
+sys.path.insert(0, {source!r})
+from compwright.foundations import processes
+
+def ready():
+    print("ready", flush=True)
+
+def slow(number):
+    time.sleep(20.0)
+
+if __name__ == "__main__":
+    processes.processors = lambda: 2
+    with processes.side_by_side(4, ready) as each:
+        each(slow, range(4))
+"""
+
+
+@pytest.mark.skipif(
+    sys.platform == "win32", reason="a console's Ctrl-C cannot be sent to one group"
+)
+def test_ctrl_c_ends_all_of_them_at_once(tmp_path: Path) -> None:
+    program = tmp_path / "long.py"
+    program.write_text(LONG.format(source=str(SOURCE)), encoding="utf-8")
+    running = subprocess.Popen(
+        [sys.executable, str(program)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+    assert running.stdout is not None
+    assert running.stdout.readline() == "ready\n"
+    time.sleep(0.3)
+    started = time.perf_counter()
+    os_group(running.pid)
+    _, errors = running.communicate(timeout=10)
+    assert time.perf_counter() - started < 5.0  # seconds; the work itself would take 40
+    assert errors.count("Traceback") == 1  # that of this program, which catches nothing
+    assert errors.rstrip().endswith("KeyboardInterrupt")
+
+
+def os_group(pid: int) -> None:
+    """What a terminal does at Ctrl-C: the signal goes to the whole group."""
+    import os
+
+    os.killpg(pid, signal.SIGINT)
