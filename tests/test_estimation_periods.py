@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from compwright.estimation.basis import Basis
-from compwright.estimation.period_candidates import alikeness
+from compwright.estimation.period_candidates import Alikeness
 from compwright.estimation.period_likelihood import (
     AMPLITUDES,
     Choice,
@@ -88,7 +88,7 @@ def test_likelihood_is_that_of_a_normal_vector(harmonics: tuple[int, ...], kinke
     )
     node, index, step = likelihood.nodes[number], likelihood.nodes[number].log.size // 2, 5
     choice = Choice(((number, np.array([index])),), np.array([step]))
-    found = likelihood.log_odds(np.array([frequency]), harmonics, choice)[0]
+    found = likelihood.log_odds(np.array([frequency]), choice)[len(harmonics) - 1][0]
 
     unit = float(np.sqrt(np.median(middles.variances)))
     apart = np.abs(targets[:, None] - targets) / (length / 2) / node.length
@@ -237,6 +237,6 @@ def test_few_targets_are_not_searched() -> None:
 
 def test_alikeness_is_one_for_the_same_values_and_small_for_others() -> None:
     targets = 30.0 * np.arange(20.0)
-    alike = alikeness(targets, np.array([1 / 30 + 0.02, 1 / 30 - 0.02, 0.03]), 0.02)
+    alike = Alikeness(targets, np.array([1 / 30 + 0.02, 1 / 30 - 0.02, 0.03])).to(0.02)
     assert alike[:2] == pytest.approx([1.0, 1.0])
     assert alike[2] < 0.5

@@ -122,7 +122,7 @@ def candidates_of(
     centres = np.array([frequency for frequency, _ in close])
     found = []
     if close:
-        choice = likelihood.telling(centres, BOTH).united(likelihood.telling(centres, (1,)))
+        choice = likelihood.telling(centres)
         for near, (_, members) in zip(
             _close_looks(likelihood, choice, centres, resolution, prior), close, strict=True
         ):
@@ -135,22 +135,29 @@ def candidates_of(
 
 def _either(likelihood: PeriodLikelihood, frequencies: FloatArray, choice: Choice) -> FloatArray:
     """Return log odds (f,) of a wave with one or with two harmonics, whichever it is."""
-    one, both = (likelihood.log_odds(frequencies, each, choice) for each in ((1,), BOTH))
-    odds: FloatArray = np.logaddexp(one, both) - np.log(2.0)
+    odds: FloatArray = np.logaddexp(*likelihood.log_odds(frequencies, choice)) - np.log(2.0)
     return odds
 
 
-def alikeness(targets: FloatArray, frequencies: FloatArray, other: float) -> FloatArray:
-    """Return how alike waves of the ``frequencies`` (f,) and one of the ``other`` are at the
-    ``targets`` (m,): 1 the same, 0 nothing in common (f,) (spectral window: Deeming, Astrophysics
-    and Space Science 36, 1975).
+class Alikeness:
+    """How alike waves of ``frequencies`` (f,) and another one are at the ``targets`` (m,): 1 the
+    same, 0 nothing in common (spectral window: Deeming, Astrophysics and Space Science 36, 1975).
     """
-    at = 2.0 * np.pi * (targets - targets[0])
-    sizes = []
-    for sign in (1.0, -1.0):
-        angle = np.outer(frequencies - sign * other, at)
-        sizes.append(np.hypot(np.cos(angle).mean(axis=1), np.sin(angle).mean(axis=1)))
-    return np.asarray(np.maximum(*sizes))
+
+    def __init__(self, targets: FloatArray, frequencies: FloatArray) -> None:
+        self.at = 2.0 * np.pi * (targets - targets[0])
+        angle = np.outer(frequencies, self.at)
+        self.cosine, self.sine = np.cos(angle), np.sin(angle)
+
+    def to(self, other: float) -> FloatArray:
+        """Return the likeness (f,) to a wave of the frequency ``other``."""
+        cosine, sine = np.cos(other * self.at), np.sin(other * self.at)
+        real, odd = self.cosine @ cosine, self.sine @ sine
+        imaginary, even = self.sine @ cosine, self.cosine @ sine
+        sizes = np.maximum(
+            np.hypot(real + odd, imaginary - even), np.hypot(real - odd, imaginary + even)
+        )
+        return np.asarray(sizes / self.at.size)
 
 
 def _peaks(
@@ -159,6 +166,9 @@ def _peaks(
     """Return the highest peaks, each with the indices of what cannot be told from it."""
     left, rounded = np.ones(where.size, dtype=bool), np.round(logs, 6)
     floor = max(0.0, float(np.max(rounded))) - _WORTH
+    if float(np.max(rounded)) < floor:
+        return []
+    alikeness = Alikeness(targets, where)
     found: list[tuple[float, IntArray]] = []
     while len(found) < _PEAKS:
         index = int(np.argmax(np.where(left, rounded, -np.inf)))
@@ -166,7 +176,7 @@ def _peaks(
             break
         centre = float(where[index])
         near = np.abs(where - centre) <= _PEAK * resolution
-        members = np.flatnonzero(left & (near | (alikeness(targets, where, centre) >= ALIASED)))
+        members = np.flatnonzero(left & (near | (alikeness.to(centre) >= ALIASED)))
         left[members] = False
         found.append((centre, members))
     return found
@@ -185,7 +195,7 @@ def _aliases(
         low, high = run[0] - 0.25 * resolution, run[-1] + 0.25 * resolution
         for _ in range(3):  # to a hundred-thousandth of the resolution
             fine = np.linspace(low, high, 101)
-            best = float(fine[int(np.argmax(alikeness(targets, fine, centre)))])
+            best = float(fine[int(np.argmax(Alikeness(targets, fine).to(centre)))])
             low, high = best - (high - low) / 50.0, best + (high - low) / 50.0
         found.append(best)
     return np.array(found)
@@ -206,10 +216,8 @@ def _close_looks(
     open_ = np.arange(centres.size)
     for _ in range(4):
         fine[open_] = best[open_, np.newaxis] + half[open_, np.newaxis] * grid
-        for odds, harmonics in ((one, (1,)), (both, BOTH)):
-            odds[open_] = likelihood.log_odds(fine[open_].ravel(), harmonics, choice).reshape(
-                open_.size, -1
-            )
+        found_odds = likelihood.log_odds(fine[open_].ravel(), choice)
+        one[open_], both[open_] = (each.reshape(open_.size, -1) for each in found_odds)
         logs = np.logaddexp(one, both) - np.log(2.0) + prior.at(fine)
         peak = np.argmax(np.round(logs, 6), axis=1)
         top = np.take_along_axis(logs, peak[:, np.newaxis], 1)

@@ -87,23 +87,12 @@ class Choice:
     nodes: tuple[tuple[int, IntArray], ...]
     amplitudes: IntArray
 
-    def united(self, other: Choice) -> Choice:
-        """Return the nodes of both."""
-        mine, theirs = dict(self.nodes), dict(other.nodes)
-        nothing = np.zeros(0, dtype=np.intp)
-        return Choice(
-            tuple(
-                (n, np.union1d(mine.get(n, nothing), theirs.get(n, nothing)))
-                for n in sorted({*mine, *theirs})
-            ),
-            np.union1d(self.amplitudes, other.amplitudes),
-        )
-
 
 @dataclass(frozen=True, slots=True)
 class _Waves:
-    """Columns of waves without the free ones: ``along`` the smooth directions, each (r, f); their
-    products ``beside`` these, and those with the values, ``dual``, each (f,)."""
+    """Columns of waves: ``along`` the smooth directions, each (r, f); their products ``beside``
+    these and the free ones, and those with the values there, ``dual``, each (f,).
+    """
 
     along: list[FloatArray]
     beside: dict[tuple[int, int], FloatArray]
@@ -179,20 +168,25 @@ class PeriodLikelihood:
         return found
 
     def log_odds(
-        self, frequencies: FloatArray, harmonics: tuple[int, ...], choice: Choice | None = None
-    ) -> FloatArray:
-        """Return the logarithm (f,) of the likelihood of a wave of each of the ``frequencies`` (1 /
-        mm or 1 / deg) with these ``harmonics``, over that of none; ``choice``: fewer nodes of the
-        grid, of both hypotheses.
+        self, frequencies: FloatArray, choice: Choice | None = None
+    ) -> tuple[FloatArray, FloatArray]:
+        """Return the logarithms (f,) of the likelihood of a wave of each of the ``frequencies`` (1
+        / mm or 1 / deg) over that of none: with the first harmonic, and with the first two.
+
+        ``choice``: fewer nodes of the grid, of both hypotheses.
         """
         choice = choice or self.everything()
         log = self._log(choice)
         chunk = max(1, _CHUNK // (log.size * choice.amplitudes.size))
         parts = [
-            _log_sums(_log_sums(self._gains(part, harmonics, choice)) + log[:, np.newaxis])
+            [
+                _log_sums(_log_sums(gains) + log[:, np.newaxis])
+                for gains in self._gains(part, choice)
+            ]
             for part in np.split(frequencies, range(chunk, frequencies.size, chunk))
         ]
-        return np.concatenate(parts) - _log_sum(log)
+        one, both = (np.concatenate(each) - _log_sum(log) for each in zip(*parts, strict=True))
+        return one, both
 
     def everything(self) -> Choice:
         """Return all nodes of the grid and of the amplitudes."""
@@ -201,64 +195,62 @@ class PeriodLikelihood:
             np.arange(AMPLITUDES.size),
         )
 
-    def telling(self, frequencies: FloatArray, harmonics: tuple[int, ...]) -> Choice:
+    def telling(self, frequencies: FloatArray) -> Choice:
         """Return the nodes that matter for a wave of any of the ``frequencies`` or for none."""
         choice = self.everything()
         log = self._log(choice)
-        gains = self._gains(frequencies, harmonics, choice) + log[:, np.newaxis]
-        near = np.any(gains > np.max(gains, axis=(0, 1)) - _MATTERS, axis=2)
-        kept = np.any(near, axis=0) | (log > np.max(log) - _MATTERS)
+        kept, amplitudes = log > np.max(log) - _MATTERS, np.zeros(AMPLITUDES.size, dtype=bool)
+        for gains in self._gains(frequencies, choice):
+            total = gains + log[:, np.newaxis]
+            near = np.any(total > np.max(total, axis=(0, 1)) - _MATTERS, axis=2)
+            kept |= np.any(near, axis=0)
+            amplitudes |= np.any(near, axis=1)
         ends = np.cumsum([node.log.size for node in self.nodes])
         parts = np.split(kept, ends[:-1])
         return Choice(
-            tuple(
-                (number, np.flatnonzero(part)) for number, part in enumerate(parts) if np.any(part)
-            ),
-            np.flatnonzero(np.any(near, axis=1)),
+            tuple((i, np.flatnonzero(part)) for i, part in enumerate(parts) if np.any(part)),
+            np.flatnonzero(amplitudes),
         )
 
     def _log(self, choice: Choice) -> FloatArray:
         return np.concatenate([self.nodes[number].log[kept] for number, kept in choice.nodes])
 
-    def _gains(
-        self, frequencies: FloatArray, harmonics: tuple[int, ...], choice: Choice
-    ) -> FloatArray:
-        """Return the logarithm (a, n, f) of what a wave of each amplitude gains at each node, prior
-        of the amplitude counted in."""
+    def _gains(self, frequencies: FloatArray, choice: Choice) -> list[FloatArray]:
+        """Return the logarithms (a, n, f) of what a wave of each amplitude gains at each node,
+        prior of the amplitude counted in: with one harmonic, and with two.
+        """
         steps = AMPLITUDES[choice.amplitudes]
         log_prior = -0.5 * steps**2
         log_prior = log_prior - _log_sum(log_prior)
         variances = np.exp(2.0 * (self.amplitude[0] + self.amplitude[1] * steps))
-        waves = self._waves(frequencies, harmonics)
-        each = [
-            self._moments(self.nodes[number], kept, waves, harmonics)
-            for number, kept in choice.nodes
-        ]
+        waves = self._waves(frequencies)
+        each = [self._moments(self.nodes[number], kept, waves) for number, kept in choice.nodes]
         gram = {key: np.concatenate([part[0][key] for part in each]) for key in each[0][0]}
-        moment = [np.concatenate([part[1][i] for part in each]) for i in range(len(waves.along))]
-        gains = _gain(gram, moment, variances[:, np.newaxis, np.newaxis])
-        return gains + log_prior[:, np.newaxis, np.newaxis]
+        moment = [np.concatenate(part) for part in zip(*(part[1] for part in each), strict=True)]
+        return [
+            _gain(gram, moment[:size], variances[:, np.newaxis, np.newaxis])
+            + log_prior[:, np.newaxis, np.newaxis]
+            for size in (2, 4)
+        ]
 
     def _moments(
-        self, node: Nodes, kept: IntArray, waves: _Waves, harmonics: tuple[int, ...]
+        self, node: Nodes, kept: IntArray, waves: _Waves
     ) -> tuple[dict[tuple[int, int], FloatArray], list[FloatArray]]:
-        """Return W' P W and W' P y of the waves W (n, f) for each pair and each column, the
-        columns of harmonic h divided by h: their prior is that much narrower.
+        """Return W' P W and W' P y of the waves W (n, f), for each pair of columns and each
+        column.
         """
-        size = 2 * len(harmonics)
-        scale = np.repeat(1.0 / np.array(harmonics, dtype=np.float64), 2)
-        turned = [node.turned @ along * by for along, by in zip(waves.along, scale, strict=True)]
+        turned = [node.turned @ along for along in waves.along]
         mine = (node.turned @ self.projected)[:, np.newaxis]
         weights, white = node.weights[kept], node.white[kept, np.newaxis]
         gram, moment = {}, []
-        for i in range(size):
-            moment.append(weights @ (mine * turned[i]))
-            for j in range(i + 1):
-                gram[i, j] = weights @ (turned[i] * turned[j])
+        for i, first in enumerate(turned):
+            moment.append(weights @ (mine * first))
+            for j, second in enumerate(turned[: i + 1]):
+                gram[i, j] = weights @ (first * second)
             if self.left:
-                moment[i] += white * (scale[i] * waves.dual[i])
+                moment[i] += white * waves.dual[i]
                 for j in range(i + 1):
-                    gram[i, j] += white * (scale[i] * scale[j] * waves.beside[i, j])
+                    gram[i, j] += white * waves.beside[i, j]
         return gram, moment
 
     def coarse(self) -> Choice:
@@ -273,25 +265,27 @@ class PeriodLikelihood:
             tuple((int(n), kept) for n in np.sort(middle)), np.arange(1, AMPLITUDES.size - 1, 3)
         )
 
-    def _waves(self, frequencies: FloatArray, harmonics: tuple[int, ...]) -> _Waves:
-        along, rest = [], []
-        for harmonic in harmonics:
-            angle = 2.0 * np.pi * harmonic * np.outer(self.targets - self.targets[0], frequencies)
-            for wave in (np.cos(angle), np.sin(angle)):
-                column = self.root[:, np.newaxis] * wave
-                column -= self.free @ (self.free.T @ column)
-                along.append(self.smooth.T @ column)
-                if self.left:
-                    rest.append(column - self.smooth @ along[-1])
-        return _Waves(
-            along,
-            {
-                (i, j): np.sum(first * second, axis=0)
-                for i, first in enumerate(rest)
-                for j, second in enumerate(rest[: i + 1])
-            },
-            [self.beside @ part for part in rest],
-        )
+    def _waves(self, frequencies: FloatArray) -> _Waves:
+        """Return cosine and sine of both harmonics, those of the second halved: their prior is that
+        much narrower.
+        """
+        angle = 2.0 * np.pi * np.outer(self.targets - self.targets[0], frequencies)
+        cosine, sine = np.cos(angle), np.sin(angle)
+        root = self.root[:, np.newaxis]
+        columns = [root * wave for wave in (cosine, sine, cosine**2 - 0.5, cosine * sine)]
+        along = [self.smooth.T @ column for column in columns]
+        if not self.left:
+            return _Waves(along, {}, [])
+        free = [self.free.T @ column for column in columns]
+        beside = {
+            (i, j): sum(
+                sign * np.einsum("kf,kf->f", part[i], part[j])
+                for sign, part in ((1.0, columns), (-1.0, along), (-1.0, free))
+            )
+            for i in range(4)
+            for j in range(i + 1)
+        }
+        return _Waves(along, beside, [self.beside @ column for column in columns])
 
 
 def _gain(
@@ -301,7 +295,7 @@ def _gain(
     pivoting of I + ``variance`` ``gram`` (Golub and Van Loan, Matrix Computations, 4th ed. 2013,
     algorithm 4.1.2)."""
     size = len(moment)
-    work = {key: variance * value for key, value in gram.items()}
+    work = {key: variance * value for key, value in gram.items() if max(key) < size}
     for i in range(size):
         work[i, i] = work[i, i] + 1.0
     right = [np.sqrt(variance) * part for part in moment]

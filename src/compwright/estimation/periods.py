@@ -137,15 +137,14 @@ def _columns(targets: FloatArray, frequency: float, harmonics: tuple[int, ...]) 
 def _gathered(looks: list[Look], curve: PeriodCurve) -> PeriodSearch:
     """Return the probabilities of what the looks found, each beside the best of those before."""
     models: list[tuple[tuple[Candidate, ...], float]] = [((), 0.0)]
-    before: tuple[Candidate, ...] = ()
-    log, rest = 0.0, -np.inf
+    place = 0
     for look in looks:
-        models += [((*before, each), log + each.log) for each in look.candidates]
-        rest = np.logaddexp(rest, log + look.rest)
-        if look.candidates:
-            before = (*before, look.candidates[0])
-            log += look.candidates[0].log
-    total = np.logaddexp(rest, _log_sum(np.array([each for _, each in models])))
+        members, log = models[place]
+        # What is no candidate counts with the model beside which it was looked for.
+        models[place] = (members, log + float(np.logaddexp(0.0, look.rest)))
+        place = len(models)
+        models += [((*members, each), log + each.log) for each in look.candidates]
+    total = _log_sum(np.array([each for _, each in models]))
     likely = [
         (members, probability)
         for members, probability in ((each, float(np.exp(log - total))) for each, log in models)
@@ -181,7 +180,7 @@ def _found(likely: list[tuple[tuple[Candidate, ...], float]]) -> tuple[AxisPerio
             parts += list(zip(1.0 / member.aliases, member.alias_shares, strict=True))
             for period, part in parts:
                 same = next((p for p in found if abs(p - period) < _SAME * p), float(period))
-                found[same] = found.get(same, 0.0) + float(part) * probability
+                found[same] = min(found.get(same, 0.0) + float(part) * probability, 1.0)
     return tuple(
         AxisPeriod(period, probability, "found")
         for period, probability in sorted(found.items(), key=lambda pair: -round(pair[1], 9))
