@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 from compwright.estimation.basis import Basis
+from compwright.estimation.cells import cells_of
+from compwright.estimation.observed import ObservedTest
 from compwright.estimation.period_candidates import Alikeness
 from compwright.estimation.period_likelihood import (
     AMPLITUDES,
@@ -17,8 +19,10 @@ from compwright.estimation.period_likelihood import (
     Middles,
     PeriodLikelihood,
 )
+from compwright.estimation.period_middles import FITTED, fitted_periods, middles_of
 from compwright.estimation.periods import PeriodSearch, search_periods
 from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.positioning import PositioningTest
 
 Curve = Callable[[FloatArray], FloatArray]
 
@@ -29,7 +33,7 @@ def dithered(rng: np.random.Generator, length: float, count: int) -> FloatArray:
     return np.round(steps * length / count, 3)
 
 
-def middles_of(
+def made(
     targets: FloatArray, error: Curve, rng: np.random.Generator, noise: float = 0.0005
 ) -> Middles:
     """Five readings per direction with ``noise`` (mm); their means' middle."""
@@ -64,7 +68,7 @@ def bow(x: FloatArray) -> FloatArray:
 def searched(error: Curve, count: int, seed: int, length: float = 800.0) -> PeriodSearch:
     rng = np.random.default_rng(seed)
     targets = dithered(rng, length, count)
-    return search_periods(middles_of(targets, error, rng), smooth_basis(length), AxisKind.LINEAR)
+    return search_periods(made(targets, error, rng), smooth_basis(length), AxisKind.LINEAR)
 
 
 def named(search: PeriodSearch) -> list[float]:
@@ -80,7 +84,7 @@ def test_likelihood_is_that_of_a_normal_vector(harmonics: tuple[int, ...], kinke
     rng = np.random.default_rng(3)
     length, frequency = 400.0, 1.0 / 23.0
     targets = dithered(rng, length, 11)
-    middles = middles_of(targets, lambda x: bow(x) + 0.001 * np.sin(x), rng)
+    middles = made(targets, lambda x: bow(x) + 0.001 * np.sin(x), rng)
     middles.variances[3] *= 2.0
     likelihood = PeriodLikelihood(middles, smooth_basis(length, sines=112))
     number = next(
@@ -147,7 +151,7 @@ def test_two_periods_are_found_one_after_another() -> None:
 def test_a_known_period_is_not_found_again_and_another_beside_it_is() -> None:
     rng = np.random.default_rng(4)
     targets = dithered(rng, 800.0, 30)
-    middles = middles_of(
+    middles = made(
         targets,
         lambda x: (
             bow(x) + 0.003 * np.sin(2 * np.pi * x / 10.0) + 0.002 * np.sin(2 * np.pi * x / 16.0)
@@ -163,7 +167,7 @@ def test_a_worm_of_a_rotary_axis_is_named() -> None:
     rng = np.random.default_rng(5)
     targets = dithered(rng, 360.0, 24)
     arcsec = 1.0 / 3600.0
-    middles = middles_of(
+    middles = made(
         targets,
         lambda x: arcsec * (4 * np.sin(np.radians(x)) + 2 * np.sin(2 * np.pi * x / 5.0 + 0.4)),
         rng,
@@ -205,7 +209,7 @@ def test_at_equal_spacing_periods_that_look_alike_are_not_told_apart() -> None:
     rng = np.random.default_rng(7)
     targets: FloatArray = 30.0 * np.arange(27, dtype=np.float64) + 5.0
     search = search_periods(
-        middles_of(targets, lambda x: bow(x) + 0.003 * np.sin(2 * np.pi * x / 11.3), rng),
+        made(targets, lambda x: bow(x) + 0.003 * np.sin(2 * np.pi * x / 11.3), rng),
         smooth_basis(800.0),
         AxisKind.LINEAR,
     )
@@ -222,7 +226,7 @@ def test_a_period_that_the_spacing_hides_is_not_claimed() -> None:
     rng = np.random.default_rng(8)
     targets: FloatArray = 30.0 * np.arange(27, dtype=np.float64)
     search = search_periods(
-        middles_of(targets, lambda x: bow(x) + 0.003 * np.sin(2 * np.pi * x / 10.0 + 1), rng),
+        made(targets, lambda x: bow(x) + 0.003 * np.sin(2 * np.pi * x / 10.0 + 1), rng),
         smooth_basis(800.0),
         AxisKind.LINEAR,
     )
@@ -240,3 +244,58 @@ def test_alikeness_is_one_for_the_same_values_and_small_for_others() -> None:
     alike = Alikeness(targets, np.array([1 / 30 + 0.02, 1 / 30 - 0.02, 0.03])).to(0.02)
     assert alike[:2] == pytest.approx([1.0, 1.0])
     assert alike[2] < 0.5
+
+
+def measured(
+    targets: FloatArray, error: Curve, rng: np.random.Generator, runs: int = 5
+) -> PositioningTest:
+    """A test of both directions, 0.5 µm of noise, 3 µm of lost motion."""
+    shape = (targets.size, runs)
+    blocks = [
+        (error(targets) + half)[:, np.newaxis] + 0.0005 * rng.standard_normal(shape)
+        for half in (-0.0015, 0.0015)
+    ]
+    return PositioningTest(
+        name="t",
+        axis="X",
+        kind=AxisKind.LINEAR,
+        targets=targets,
+        positive=blocks[0],
+        negative=blocks[1],
+        frame="machine",
+    )
+
+
+def test_middles_are_means_of_both_directions_and_keep_single_ones_apart() -> None:
+    rng = np.random.default_rng(10)
+    test = measured(dithered(rng, 500.0, 12), bow, rng)
+    test.negative[4] = np.nan
+    cells = cells_of([ObservedTest(test=test)])
+    middles = middles_of(cells, endless=False)
+    both = np.arange(12) != 4
+    mean = 0.5 * (np.mean(test.positive[both], axis=1) + np.mean(test.negative[both], axis=1))
+    assert np.diff(middles.values[both], 2) == pytest.approx(
+        np.diff(mean - cells.slope * test.targets[both], 2), abs=1e-12
+    )
+    # One direction of five readings against two of five: twice the variance.
+    assert middles.variances[4] == pytest.approx(2.0 * middles.variances[0])
+    assert middles.free.shape == (12, 3), "offset, slope, and the reversal where one is missing"
+
+
+def test_of_a_hundred_known_periods_those_that_are_there_are_fitted() -> None:
+    rng = np.random.default_rng(11)
+    test = measured(
+        dithered(rng, 800.0, 41),
+        lambda x: (
+            bow(x)
+            + 0.002 * np.sin(2 * np.pi * x / 10.0)
+            + 0.003 * np.sin(2 * np.pi * x / 17.0 + 1.0)
+        ),
+        rng,
+    )
+    middles = middles_of(cells_of([ObservedTest(test=test)]), endless=False)
+    many = tuple(3.0 + 0.5 * k for k in range(100))
+    chosen = fitted_periods(middles, smooth_basis(800.0), many)
+    assert {10.0, 17.0} <= set(chosen)
+    assert len(chosen) <= FITTED
+    assert fitted_periods(middles, smooth_basis(800.0), many[:3]) == many[:3]

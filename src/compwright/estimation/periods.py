@@ -45,7 +45,7 @@ _FOLLOWED: Final = 0.0
 _LEAST_MODEL: Final = 0.01
 _NEIGHBOURS: Final = 5
 #: Targets that have to be left beside what is free.
-_LEFT: Final = 4
+LEFT: Final = 4
 #: Periods that differ by less than this part are one.
 _SAME: Final = 2e-3
 
@@ -93,10 +93,12 @@ def search_periods(
     if not frequencies.size:
         return PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
     looks: list[Look] = []
-    beside = [wave for period in known for wave in _columns(middles.targets, 1.0 / period, BOTH)]
+    beside = [
+        wave for period in known for wave in wave_columns(middles.targets, 1.0 / period, BOTH)
+    ]
     while len(looks) < _MOST_PERIODS:
         columns = np.column_stack([middles.free, *beside])
-        if columns.shape[1] > middles.targets.size - _LEFT:
+        if columns.shape[1] > middles.targets.size - LEFT:
             break
         likelihood = PeriodLikelihood(replace(middles, free=columns), basis)
         before = FURTHER if beside else FIRST
@@ -104,7 +106,7 @@ def search_periods(
         best = next(iter(looks[-1].candidates), None)
         if best is None or best.log < _FOLLOWED or best.aliases.size:
             break
-        beside += _columns(middles.targets, 1.0 / best.period, best.harmonics)
+        beside += wave_columns(middles.targets, 1.0 / best.period, best.harmonics)
     if not looks:
         return PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
     return _gathered(looks, PeriodCurve(1.0 / frequencies, looks[0].log_odds))
@@ -125,7 +127,12 @@ def searched(targets: FloatArray, kind: AxisKind) -> FloatArray:
     return found
 
 
-def _columns(targets: FloatArray, frequency: float, harmonics: tuple[int, ...]) -> list[FloatArray]:
+def wave_columns(
+    targets: FloatArray, frequency: float, harmonics: tuple[int, ...]
+) -> list[FloatArray]:
+    """Return cosine and sine (m,) of each of the ``harmonics`` of a ``frequency`` (1 / mm or 1 /
+    deg) at the ``targets`` (m,).
+    """
     angle = 2.0 * np.pi * frequency * (targets - targets[0])
     return [
         part

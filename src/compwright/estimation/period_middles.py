@@ -1,0 +1,99 @@
+"""What the search for periods takes from the cells of an axis, and which of many known periods are
+worth fitting.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+
+from compwright.estimation.basis import Basis
+from compwright.estimation.cells import Cells
+from compwright.estimation.period_likelihood import Middles, PeriodLikelihood
+from compwright.estimation.periods import LEFT, wave_columns
+from compwright.records.axis import FloatArray
+
+#: So many known periods are fitted; of more, those of which the data tell most.
+FITTED: Final = 6
+#: A known period is there in nine cases of ten before the data: the job says so.
+_KNOWN: Final = float(np.log(9.0))
+
+
+def middles_of(cells: Cells, *, endless: bool) -> Middles:
+    """Return the middle of both directions at each target, under the typical noise, mm or deg.
+
+    Means of one direction count by their precision (JCGM 100:2008, G.2.1 for sums, weighted), the
+    directions alike. Free are offset and slope (none on an ``endless`` axis), datum and slope of
+    each test, and half the reversal where a direction is missing. What traverses leave common to
+    means is a line too and needs no column. Degrees of freedom: by the scatter of the log variance
+    over the draws of the noise, variance 2 / dof (JCGM 100:2008, eq. G.3).
+    """
+    data = cells.data
+    draw = data.typical()
+    inferred = data.counts > 0
+    precision = np.where(inferred, data.counts / cells.spread**2, data.precision[draw])
+    share, variances = _averages(data.seats, data.signs, precision, cells.targets.size)
+    free = [np.ones(cells.targets.size)]
+    if not endless:
+        free.append((cells.targets - cells.targets[0]) / float(np.ptp(cells.targets)))
+    single = share @ data.signs
+    if np.ptp(single) > 0.5:
+        free.append(single)
+    return Middles(
+        targets=cells.targets,
+        values=cells.data.scale * (share @ data.values[draw]),
+        variances=cells.data.scale**2 * variances,
+        dof=data.dof if np.any(inferred) else _dof(data.precision),
+        reading=cells.data.scale * cells.spread,
+        free=np.column_stack([*free, share @ data.extra]),
+    )
+
+
+def _averages(
+    seats: np.ndarray[tuple[int], np.dtype[np.intp]],
+    signs: FloatArray,
+    precision: FloatArray,
+    targets: int,
+) -> tuple[FloatArray, FloatArray]:
+    """Return the shares (m, c) of the cells in the middle of each target, and its variance (m,)."""
+    share, variance = np.zeros((targets, seats.size)), np.zeros(targets)
+    directions = np.zeros(targets)
+    for sign in (1.0, -1.0):
+        mine = np.flatnonzero(signs == sign)
+        total = np.bincount(seats[mine], weights=precision[mine], minlength=targets)
+        share[seats[mine], mine] = precision[mine] / total[seats[mine]]
+        variance += np.divide(1.0, total, out=np.zeros(targets), where=total > 0)
+        directions += total > 0
+    return share / directions[:, np.newaxis], variance / directions**2
+
+
+def _dof(precision: FloatArray) -> float:
+    level = -np.mean(np.log(precision), axis=1)
+    return float(2.0 / max(float(np.var(level)), 1e-4))
+
+
+def fitted_periods(middles: Middles, basis: Basis, shown: Sequence[float]) -> tuple[float, ...]:
+    """Return those of the known periods (mm or deg) that are fitted: all, or where they are many
+    the `FITTED` that the middles tell most of, each beside those before (forward selection: Miller,
+    Subset Selection in Regression, 2nd ed. 2002, section 3.2), as long as they speak for one.
+    """
+    if len(shown) <= FITTED:
+        return tuple(shown)
+    chosen: list[int] = []
+    columns = middles.free
+    frequencies = 1.0 / np.array(shown, dtype=np.float64)
+    while len(chosen) < FITTED and columns.shape[1] + 4 <= middles.targets.size - LEFT:
+        likelihood = PeriodLikelihood(replace(middles, free=columns), basis)
+        odds = np.logaddexp(*likelihood.log_odds(frequencies, likelihood.coarse())) - np.log(2.0)
+        odds[chosen] = -np.inf
+        best = int(np.argmax(np.round(odds, 6)))
+        if odds[best] + _KNOWN < 0.0:
+            break
+        chosen.append(best)
+        columns = np.column_stack(
+            [columns, *wave_columns(middles.targets, float(frequencies[best]), (1, 2))]
+        )
+    return tuple(float(shown[index]) for index in sorted(chosen))
