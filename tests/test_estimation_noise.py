@@ -169,8 +169,17 @@ def test_scatter_that_differs_by_direction_or_grows_is_found(seed: int) -> None:
     draws = posterior(by_direction).draws
     assert inside(1.0 * UM, draws.sigma[:, 0])
     assert inside(2.5 * UM, draws.sigma[:, 1])
-    growing = white(seed) * np.exp(0.8 * U)
-    assert inside(0.8, posterior(growing).draws.growth)
+    growing = posterior(white(seed) * np.exp(0.8 * U)).draws.scale_at(TARGETS[[0, -1]])
+    assert inside(1.6, np.log(growing[:, 0, 1] / growing[:, 0, 0]))
+
+
+def test_scatter_of_a_worn_place_is_found_there() -> None:
+    """Three times as much within 150 mm of 600 mm."""
+    worn = 1.0 + 2.0 * np.exp(-(((TARGETS - 600.0) / 150.0) ** 2))
+    draws = posterior(white(14) * worn[:, np.newaxis]).draws
+    scale = np.median(draws.scale_at(np.array([100.0, 600.0])), axis=0)
+    assert scale[0] / UM == pytest.approx([1.0, 3.0], rel=0.3)
+    assert np.mean((draws.dof < 8.0) | (draws.outlier_share > 0.0)) < 0.3
 
 
 def test_readings_of_a_coarse_instrument_show_their_scatter() -> None:

@@ -32,16 +32,13 @@ def test_progress_is_even_or_flattens_out() -> None:
     assert list(progress(1, np.array(2.0))) == [0.0]
 
 
-def test_the_scale_grows_along_the_travel() -> None:
-    """exp(0.5 u) at u = -1, 1; a bulge of 0.3 leaves the mean of its logarithm over u at zero."""
+def test_the_scale_changes_along_the_travel() -> None:
+    """exp(0.5 cos(pi (u + 1) / 2)) at u = -1, 0, 1 and beyond the end, where it stays."""
     noise = normal_noise(np.array([2.0]), centre=100.0, half=100.0)
-    noise = replace(noise, growth=np.array([0.5]), sigma=np.array([[2.0, 4.0]]))
-    ends = noise.scale_at(np.array([0.0, 200.0]))
-    assert ends[0] == pytest.approx(np.array([[1.2131, 3.2974], [2.4261, 6.5949]]), abs=1e-4)
-    worn = replace(noise, growth=np.zeros(1), bulge=np.array([0.3]))
-    along = np.log(worn.scale_at(np.linspace(0.0, 200.0, 2001))[0, 0] / 2.0)
-    assert np.mean(along) == pytest.approx(0.0, abs=1e-3)
-    assert along[1000] == pytest.approx(-0.1)
+    noise = replace(noise, growth=np.array([[0.5]]), sigma=np.array([[2.0, 4.0]]))
+    along = noise.scale_at(np.array([0.0, 100.0, 200.0, 300.0]))
+    expected = np.array([3.2974, 2.0, 1.2131, 1.2131])
+    assert along[0] == pytest.approx(np.stack([expected, 2.0 * expected]), abs=1e-4)
 
 
 def test_a_part_is_taken_away_and_the_rest_stays() -> None:

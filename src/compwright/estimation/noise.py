@@ -85,7 +85,7 @@ class _Chain:
         self.shapes = shapes_of(readings)
         self.floor = LEAST_NOISE[test.kind]
         self.dof = np.maximum(np.sum(readings.there, axis=1) - 1.0, 0.0)
-        self.sizes, self.spread, self.tail = Sizes(), np.zeros(3), 0
+        self.sizes, self.spread, self.tail = Sizes(), np.zeros(len(self.shapes)), 0
         self.values = readings.values
         never = np.zeros(readings.there.shape)
         self.latent = Latent(readings.there.astype(np.float64), never, readings.there & False)
@@ -232,8 +232,7 @@ def _posterior(readings: Readings, draws: list[_Draw]) -> NoisePosterior:
         centre=readings.centre,
         half=readings.half,
         sigma=sigma[:, np.newaxis] * np.exp(np.outer(spread[:, 0], [0.5, -0.5])),
-        growth=spread[:, 1],
-        bulge=spread[:, 2],
+        growth=spread[:, 1:],
         dof=np.array([tail.dof for tail in tails]),
         outlier_share=np.array([tail.share for tail in tails]),
         outlier_size=np.array([tail.size for tail in tails]),

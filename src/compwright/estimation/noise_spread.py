@@ -1,4 +1,4 @@
-"""Where readings scatter more: in one direction, towards one end of the travel, in its middle."""
+"""Where readings scatter more: in one direction, or in places along the travel."""
 
 from __future__ import annotations
 
@@ -8,22 +8,23 @@ import numpy as np
 
 from compwright.estimation.noise_readings import Readings
 from compwright.records.axis import FloatArray
+from compwright.records.noise import waves
 
-WAY, GROWTH, BULGE = range(3)
-#: Prior probability that the scatter does not depend on it; else its logarithm changes by as much
-#: as an exponential prior of this mean says, either way.
-_NOTHING: Final = 0.85
+#: Half waves along the travel: the shortest place that can stand out is a sixth of it.
+_WAVES: Final = 6
+#: Prior probability that the scatter does not depend on the direction, on each of the waves; else
+#: its logarithm changes by as much as an exponential prior of this mean says, either way.
+_NOTHING: Final = np.array([0.85, 0.88, 0.9, 0.93, 0.93, 0.95, 0.95])
 _USUAL: Final = 0.5
 _GRID: Final = 0.08 * np.arange(-24, 25)
 
 
 def shapes_of(readings: Readings) -> FloatArray:
-    """Return by how much the logarithm of the scale in each cell (3, c) follows direction (half of
-    +1 or -1), growth (u) and bulge (u² - 1/3).
+    """Return by how much the logarithm of the scale in each cell (parts, c) follows the direction
+    (half of +1 or -1) and each of the waves along the travel.
     """
     m = readings.u.size // 2
-    way = np.repeat([0.5, -0.5], m)
-    return np.stack([way, readings.u, readings.u**2 - 1.0 / 3.0])
+    return np.vstack([np.repeat([0.5, -0.5], m), waves(readings.u, _WAVES)])
 
 
 def draw_spread(
@@ -33,24 +34,24 @@ def draw_spread(
     dof: FloatArray,
     rng: np.random.Generator,
 ) -> FloatArray:
-    """Draw ``spread`` (3,) anew, each part given the others, from ``squares`` (c,) of the readings
-    about their cells' means with ``dof`` (c,); returns how probable each is nothing.
+    """Draw ``spread`` (parts,) anew, each part given the others, from ``squares`` (c,) of the
+    readings about their cells' means with ``dof`` (c,); returns how probable each is nothing.
 
     The common scale is integrated out under its prior 1/sigma (Gelman et al., Bayesian Data
     Analysis, 3rd ed. 2013, section 3.2). Exact conditional draws from a grid: Ritter and Tanner, J.
     Am. Stat. Assoc. 87, 1992.
     """
-    absent = np.ones(3)
+    absent = np.ones(spread.size)
     total = float(np.sum(dof))
-    for part in range(3):
+    for part in range(spread.size):
         moved = float(shapes[part] @ dof)
         if np.ptp(shapes[part][dof > 0.0]) == 0.0:
             continue
         step = rng.uniform(-0.5, 0.5) * (_GRID[1] - _GRID[0])
         values = np.where(_GRID == 0.0, 0.0, _GRID + step)
         prior = np.exp(-np.abs(values) / _USUAL) * (_GRID != 0.0)
-        prior *= (1.0 - _NOTHING) / np.sum(prior)
-        prior[_GRID == 0.0] = _NOTHING
+        prior *= (1.0 - _NOTHING[part]) / np.sum(prior)
+        prior[_GRID == 0.0] = _NOTHING[part]
         others = spread @ shapes - spread[part] * shapes[part]
         scaled = np.exp(-2.0 * np.outer(values, shapes[part])) @ (squares * np.exp(-2.0 * others))
         logs = -0.5 * total * np.log(scaled) - moved * values

@@ -18,13 +18,14 @@ from numpy.typing import NDArray
 from compwright.records.axis import FloatArray
 
 #: Prior probabilities of the kinds.
-_NORMAL, _STUDENT, _SPREAD, _FIXED = 0.75, 0.15, 0.05, 0.05
+_NORMAL, _STUDENT, _SPREAD, _FIXED = 0.8, 0.1, 0.05, 0.05
 _DOFS: Final = (2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 11.0, 15.0, 25.0)
 _SHARES: Final = (0.006, 0.0125, 0.025, 0.05, 0.1, 0.2)
-#: Sizes of outliers in scales of a reading, by a fifth from one to the next; what lies between two
-#: is covered by the spread of fixed ones.
-_SIZES: Final = tuple(3.0 * 1.2**k for k in range(20))
-_FIXED_SPREAD: Final = 0.1
+#: Sizes of outliers in scales of a reading; what lies between two is covered by the spread of
+#: fixed ones.
+_SIZES: Final = tuple(3.0 * 1.25**k for k in range(16))
+_FIXED_SIZES: Final = tuple(3.0 * 1.1**k for k in range(36))
+_FIXED_SPREAD: Final = 0.04
 #: Sizes of residuals that are counted together: 0.03 apart at nothing, 3 % apart far out.
 _EDGES: Final = np.sinh(np.linspace(0.0, np.arcsinh(150.0), 191))
 _MIDDLES: Final = 0.5 * (_EDGES[1:] + _EDGES[:-1])
@@ -77,11 +78,12 @@ class Tail:
 
 def _tails() -> tuple[Tail, ...]:
     pairs = [(share, size) for share in _SHARES for size in _SIZES]
+    fixed = [(share, size) for share in _SHARES for size in _FIXED_SIZES]
     return (
         Tail(_NORMAL),
         *(Tail(_STUDENT / len(_DOFS), dof=dof) for dof in _DOFS),
         *(Tail(_SPREAD / len(pairs), share=share, size=size) for share, size in pairs),
-        *(Tail(_FIXED / len(pairs), share=share, size=size, fixed=True) for share, size in pairs),
+        *(Tail(_FIXED / len(fixed), share=share, size=size, fixed=True) for share, size in fixed),
     )
 
 

@@ -23,13 +23,13 @@ from compwright.records.positioning import Cycle
 
 OFFSET, TILT, DRIFT, DRIFT_TILT = range(4)
 #: Prior probability that there is none of it.
-_NOTHING: Final = (0.7, 0.8, 0.7, 0.85)
+_NOTHING: Final = (0.8, 0.85, 0.75, 0.9)
 #: Scale of the half-Cauchy prior, in standard deviations of a reading.
 _USUAL: Final = (0.7, 0.7, 2.0, 2.0)
 #: Sizes from 0.03 to 360 standard deviations of a reading, by the root of 2.
 _GRID: Final = 0.03 * 2.0 ** (0.5 * np.arange(28))
 #: Prior of the patterns `INDEPENDENT`, `RUNS`, `WALK`.
-_PATTERNS: Final = np.array([0.5, 0.2, 0.3])
+_PATTERNS: Final = np.array([0.55, 0.2, 0.25])
 #: Time constants of warming up, in parts of the test: none (even drift), a half, a fifth.
 RATES: Final = np.array([0.0, 2.0, 5.0])
 _PACES: Final = np.array([0.6, 0.2, 0.2])
@@ -83,8 +83,10 @@ def patterns_of(readings: Readings, cycle: Cycle, runs: tuple[int, int]) -> Patt
     order = np.full((2, n), 2 * n)  # a traverse that was not made stands last
     for row, place in zip(order, traverse_order(*runs), strict=True):
         row[: place.size] = place
-    time = order.ravel() + 1.0
-    walk = np.minimum.outer(time, time)
+    # A random walk that is nothing in the middle of the test, as the record has it.
+    time = order.ravel() - float(sum(runs) // 2)
+    size = np.abs(time)
+    walk = 0.5 * (size[:, np.newaxis] + size - np.abs(np.subtract.outer(time, time)))
     same = np.tile(np.eye(n), (2, 2))
     blocks = np.stack([np.eye(2 * n), same, walk])
     offset, tilt = np.zeros((2, len(blocks), 2, 2, n, 2, 2, n))

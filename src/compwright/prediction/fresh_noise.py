@@ -64,6 +64,7 @@ def _traverse_effects(
     order = traverse_order(positive, negative)
     unit = rng.standard_normal((draws.count, positive + negative))
     walked, steps = np.cumsum(unit, axis=1), draws.pattern[:, np.newaxis]
+    walked = walked - walked[:, [unit.shape[1] // 2]]  # set to nothing in the middle of the test
     blocks = []
     for place, runs in zip(order, (positive, negative), strict=True):
         chosen = np.where(steps == WALK, walked[:, place], unit[:, place])

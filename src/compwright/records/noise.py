@@ -32,7 +32,8 @@ class NoiseDraws:
 
         offset_jd + tilt_jd u + (drift + drift_tilt u) (p_j - mean p) q_d(u) + s(u) e
 
-    ``sigma`` (count, 2), for approaches in + and -: s(u) = sigma exp(growth u + bulge (u² - 1/3)).
+    ``sigma`` (count, 2), for approaches in + and -: log s(u) = log sigma + `waves` times ``growth``
+    (count, w).
     e is standard normal, or follows Student's law with ``dof`` degrees of freedom (inf: normal); of
     a share ``outlier_share`` of all readings it has the scale ``outlier_size`` instead, or, where
     ``outlier_fixed``, lies on either side by ``outlier_size`` in addition.
@@ -47,7 +48,6 @@ class NoiseDraws:
     half: float
     sigma: FloatArray
     growth: FloatArray
-    bulge: FloatArray
     dof: FloatArray
     outlier_share: FloatArray
     outlier_size: FloatArray
@@ -73,7 +73,7 @@ class NoiseDraws:
         or deg.
         """
         u = (positions - self.centre) / self.half
-        logs = np.outer(self.growth, u) + np.outer(self.bulge, u**2 - 1.0 / 3.0)
+        logs = self.growth @ waves(u, self.growth.shape[1])
         scale: FloatArray = self.sigma[:, :, np.newaxis] * np.exp(logs)[:, np.newaxis]
         return scale
 
@@ -92,8 +92,7 @@ def normal_noise(sigma: FloatArray, centre: float = 0.0, half: float = 1.0) -> N
         centre=centre,
         half=half,
         sigma=np.column_stack([sigma, sigma]),
-        growth=nothing,
-        bulge=nothing,
+        growth=np.zeros((*sigma.shape, 0)),
         dof=np.full(sigma.shape, np.inf),
         outlier_share=nothing,
         outlier_size=np.ones(sigma.shape),
@@ -118,12 +117,21 @@ def without(draws: NoiseDraws, *parts: NoisePart) -> NoiseDraws:
     changes: dict[NoisePart, dict[str, Any]] = {
         "scatter": {"sigma": np.zeros_like(draws.sigma)},
         "tails": {"dof": np.full(draws.count, np.inf), "outlier_share": nothing},
-        "growth": {"growth": nothing, "bulge": nothing},
+        "growth": {"growth": np.zeros_like(draws.growth)},
         "traverses": {"offset": nothing, "tilt": nothing},
         "drift": {"drift": nothing, "drift_tilt": nothing},
     }
     together = {name: value for part in parts for name, value in changes[part].items()}
     return replace(draws, **together)
+
+
+def waves(u: FloatArray, count: int) -> FloatArray:
+    """Return shapes (count, k) along the travel at ``u`` (k,): half waves, cos(w pi (u + 1) / 2),
+    from end to end, w = 1 to ``count``; constant beyond the ends.
+    """
+    way = 0.5 * np.pi * (np.clip(u, -1.0, 1.0) + 1.0)
+    shapes: FloatArray = np.cos(np.outer(np.arange(1, count + 1), way))
+    return shapes
 
 
 def traverse_order(positive: int, negative: int) -> tuple[IndexArray, IndexArray]:
