@@ -8,8 +8,17 @@ from typing import Any
 import numpy as np
 import pytest
 
+from compwright.estimation.axis import Draws
 from compwright.planning.axes import AxisWork, fit_all
-from compwright.planning.limiting import NO_TABLE, NOISE, UNKNOWN, what_limits
+from compwright.planning.limiting import (
+    DRIFT,
+    NO_TABLE,
+    NOISE,
+    OUTLIERS,
+    TRAVERSES,
+    UNKNOWN,
+    what_limits,
+)
 from compwright.planning.shortfalls import PERIOD, QUANTUM, REVERSAL, shortfalls
 from compwright.planning.verdict import verdict
 from compwright.prediction.acting import nothing
@@ -18,7 +27,17 @@ from compwright.records.capacity import Capacity
 from compwright.records.correction import no_compensation
 from compwright.records.fitted import TableRequest
 from compwright.records.limits import Limiting
-from planning_samples import MINUS, PLUS, UM, Curve, KnownAxis, axis_of, capacity_of, work_of
+from planning_samples import (
+    MINUS,
+    PLUS,
+    UM,
+    Curve,
+    Floats,
+    KnownAxis,
+    axis_of,
+    capacity_of,
+    work_of,
+)
 
 BENT = 4.0 * UM
 ONE_CURVE: dict[str, Any] = {"curves": 1, "backlash_quantum": 1e-7, "backlash_range": (-1.0, 1.0)}
@@ -180,6 +199,40 @@ def test_where_a_table_helps_some_the_rest_is_told() -> None:
     found = limits_of(fitted(known))
     assert f"{1 - found.then / found.now:.0%}" in message
     assert f"{found.least / found.now:.0%} is scatter" in message
+
+
+class Restless(KnownAxis):
+    """A known axis whose noise has more parts: numbers of `NoiseDraws` by name, mm."""
+
+    def __init__(self, parts: dict[str, float]) -> None:
+        super().__init__(lambda x: 1e-6 * x, lambda x: 1e-6 * x, noise=0.3 * UM)
+        self.parts = parts
+
+    def draw(self, positions: Floats, count: int, rng: np.random.Generator, test: int = 0) -> Draws:
+        draws = super().draw(positions, count, rng, test)
+        more: dict[str, Any] = {name: np.full(count, one) for name, one in self.parts.items()}
+        return replace(draws, noise=replace(draws.noise, **more))
+
+
+@pytest.mark.parametrize(
+    ("parts", "cause", "advice"),
+    [
+        ({"drift": 10.0 * UM}, DRIFT, "warm it up"),
+        ({"offset": 3.0 * UM}, TRAVERSES, "hold still"),
+        ({"outlier_share": 0.1, "outlier_size": 30.0}, OUTLIERS, "disturbs"),
+    ],
+)
+def test_what_no_table_takes_out_is_named(parts: dict[str, float], cause: str, advice: str) -> None:
+    """Under a small error and small noise one part of the noise makes nearly all of A."""
+    known = Restless(parts)
+    found = limits_of(fitted(known))
+    first = found.causes[0]
+    assert first.cause == cause
+    assert 0.6 * found.then < first.value < found.then
+    ((code, message),) = said(known)
+    assert code == "CW-P150"
+    assert cause in message
+    assert advice in message
 
 
 def test_a_reversal_that_moves_along_the_travel_is_named() -> None:

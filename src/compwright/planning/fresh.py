@@ -4,7 +4,8 @@ two answers is what was asked to change, not the luck of the draw.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
 from typing import Any, Final
 
 import numpy as np
@@ -14,9 +15,9 @@ from compwright.planning.outlook import DRAWS, END_MARGIN, generator
 from compwright.planning.wanted import MeasuredError
 from compwright.prediction.acting import Correction
 from compwright.prediction.positioning import dithered_targets, predict_test
-from compwright.prediction.scatter import fresh_scatter
+from compwright.prediction.scatter import Scatter, fresh_scatter
 from compwright.records.axis import Axis, Direction, FloatArray
-from compwright.records.noise import ALL_PARTS, without
+from compwright.records.noise import NoiseDraws, NoisePart, without
 from compwright.records.prediction import Quantiles
 from compwright.records.result import PositioningResult
 
@@ -26,13 +27,14 @@ BAND: Final = 3.29
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FreshTests:
-    """Draws of the deviation at new ``targets`` (m,), mm or deg, and the state of the generator
-    from which the readings of the tests like ``result`` follow.
+    """Draws of the deviation at new ``targets`` (m,), mm or deg, what the readings of tests like
+    ``result`` add to them (``scatter``), and the ``state`` of the generator that drew it.
     """
 
     result: PositioningResult
     targets: FloatArray
     draws: Draws
+    scatter: Scatter
     state: Any
 
     def quantiles(
@@ -41,33 +43,26 @@ class FreshTests:
         *,
         known: bool = True,
         unknown: bool = True,
-        noise: bool = True,
-    ) -> dict[str, Quantiles]:
+        cured: Sequence[NoisePart] = (),
+    ) -> Mapping[str, Quantiles]:
         """Return the parameters of the tests after a ``change`` of the correction, by name.
 
         ``known``: whether the estimated error and the change are there, ``unknown`` whether what
-        the estimate leaves open is, ``noise`` whether readings scatter.
+        the estimate leaves open is; ``cured``: parts of the noise that are not.
         """
-        rng = np.random.default_rng()
-        rng.bit_generator.state = self.state
-        deviations = {}
+        deviations = []
         for direction, drawn in (
             (Direction.POSITIVE, self.draws.positive),
             (Direction.NEGATIVE, self.draws.negative),
         ):
             mean = drawn.mean(axis=0)
             there = mean + change(self.targets, direction) if known else np.zeros_like(mean)
-            deviations[direction] = there + (drawn - mean if unknown else np.zeros_like(drawn))
-        runs = [
-            int(np.max(self.result.test.readings(direction), initial=0.0))
-            for direction in Direction
-        ]
-        shown = self.draws.noise if noise else without(self.draws.noise, *ALL_PARTS)
+            deviations.append(there + (drawn - mean if unknown else np.zeros_like(drawn)))
         still = np.zeros_like(self.targets)
         found = predict_test(
-            deviations[Direction.POSITIVE],
-            deviations[Direction.NEGATIVE],
-            fresh_scatter(shown, self.targets, runs[0], runs[1], rng),
+            deviations[0],
+            deviations[1],
+            self._scatter_without(cured) if cured else self.scatter,
             change_positive=still,
             change_negative=still,
             coverage=self.result.coverage,
@@ -78,6 +73,20 @@ class FreshTests:
             for name, value in found.items()
             if self.result.parameters.get(name) is not None
         }
+
+    def has(self, parts: Sequence[NoisePart]) -> bool:
+        """Whether any draw of the noise has any of its ``parts``."""
+        noise = self.draws.noise
+        bare = without(noise, *parts)
+        return any(
+            not np.array_equal(getattr(noise, field.name), getattr(bare, field.name))
+            for field in fields(noise)
+        )
+
+    def _scatter_without(self, parts: Sequence[NoisePart]) -> Scatter:
+        rng = np.random.default_rng()
+        rng.bit_generator.state = self.state
+        return _scatter(self.result, without(self.draws.noise, *parts), self.targets, rng)
 
 
 def fresh_tests(result: PositioningResult, posterior: MeasuredError, axis: Axis) -> FreshTests:
@@ -93,4 +102,15 @@ def fresh_tests(result: PositioningResult, posterior: MeasuredError, axis: Axis)
     )
     rng = generator(axis.name, name, "draws")
     draws = posterior.draw(targets, DRAWS, rng)
-    return FreshTests(result=result, targets=targets, draws=draws, state=rng.bit_generator.state)
+    state = rng.bit_generator.state
+    scatter = _scatter(result, draws.noise, targets, rng)
+    return FreshTests(result=result, targets=targets, draws=draws, scatter=scatter, state=state)
+
+
+def _scatter(
+    result: PositioningResult, noise: NoiseDraws, targets: FloatArray, rng: np.random.Generator
+) -> Scatter:
+    plus, minus = (
+        int(np.max(result.test.readings(direction), initial=0.0)) for direction in Direction
+    )
+    return fresh_scatter(noise, targets, plus, minus, rng)

@@ -13,14 +13,25 @@ from compwright.planning.outlook import yardstick
 from compwright.planning.shortfalls import shortfalls
 from compwright.prediction.acting import Correction, difference
 from compwright.records.limits import Cause, Limiting
+from compwright.records.noise import NoisePart
 from compwright.records.prediction import Quantiles
 
-#: What scatters from reading to reading, and what readings did not tell of the error.
+#: What scatters from reading to reading, or from traverse to traverse; what changes over the test;
+#: and what readings did not tell of the error.
 NOISE: Final = "noise"
+OUTLIERS: Final = "single readings far off"
+TRAVERSES: Final = "shifts between traverses"
+DRIFT: Final = "drift"
+_SCATTERING: Final[Mapping[str, tuple[NoisePart, ...]]] = {
+    NOISE: ("scatter",),
+    OUTLIERS: ("tails",),
+    TRAVERSES: ("traverses",),
+    DRIFT: ("drift",),
+}
 UNKNOWN: Final = "error that the test leaves open"
 NO_TABLE: Final = "no table is written"
 #: A cause below this share of the parameter is not worth a word, unless the fit has named it.
-_WORTH_SAYING: Final = 0.002
+_WORTH_SAYING: Final = 0.005
 
 
 def what_limits(work: AxisWork, new: Correction) -> Limiting | None:
@@ -63,7 +74,9 @@ def _without(
     work: AxisWork, fresh: FreshTests, change: Correction
 ) -> Iterator[tuple[str, Mapping[str, Quantiles], float | None]]:
     """Yield every cause with the parameters of tests without it, and what the fit says of it."""
-    yield NOISE, fresh.quantiles(change, noise=False), None
+    for cause, parts in _SCATTERING.items():
+        if fresh.has(parts):
+            yield cause, fresh.quantiles(change, cured=parts), None
     yield UNKNOWN, fresh.quantiles(change, unknown=False), None
     wanted, fitted, capacity = work.planned.wanted, work.planned.fitted, work.capacity
     if wanted is None or fitted is None or capacity is None:

@@ -7,7 +7,7 @@ from typing import Final
 
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
-from compwright.planning.limiting import NOISE, UNKNOWN
+from compwright.planning.limiting import DRIFT, NOISE, OUTLIERS, TRAVERSES, UNKNOWN
 from compwright.planning.shortfalls import REVERSAL
 from compwright.records.axis import Axis
 from compwright.records.limits import Cause, Limiting
@@ -20,6 +20,18 @@ _ADVICE: Final = {
         "the same position does not come back the same, which no table takes out: look at how the"
         " instrument stands (vibration, air, fixing), then call a mechanic (play, guides,"
         " bearings, coupling, scale)"
+    ),
+    OUTLIERS: (
+        "a few readings lie far off the others, which no table takes out: look for what disturbs"
+        " the measurement (a beam that is cut, settling time, dirt), and measure again"
+    ),
+    TRAVERSES: (
+        "whole traverses lie beside each other, which no table takes out: look whether instrument,"
+        " spindle and clamping hold still, and for play that settles anew in every run"
+    ),
+    DRIFT: (
+        "the axis changes during the test, which no table takes out: warm it up as in work, until"
+        " it stands, and measure again"
     ),
     REVERSAL: (
         "the reversal changes along the travel, and one table with one reversal value cannot hold"

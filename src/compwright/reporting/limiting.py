@@ -14,6 +14,9 @@ Document = Mapping[str, Any]
 #: The causes in plain words; one that is not here is shown by its own name.
 _WORDS: Final = {
     "noise": "readings scatter: the same position does not come back the same (repeatability)",
+    "single readings far off": "single readings that lie far off the others",
+    "shifts between traverses": "whole traverses that lie beside each other",
+    "drift": "drift: the axis changes while it is measured",
     "error that the test leaves open": "error that the test did not tell: between targets, and"
     " hidden in the scatter",
     "no table is written": "error that was measured, and that no table takes away",
