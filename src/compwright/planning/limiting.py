@@ -23,7 +23,6 @@ OUTLIERS: Final = "single readings far off"
 TRAVERSES: Final = "shifts between traverses"
 DRIFT: Final = "drift"
 _SCATTERING: Final[Mapping[str, tuple[NoisePart, ...]]] = {
-    NOISE: ("scatter",),
     OUTLIERS: ("tails",),
     TRAVERSES: ("traverses",),
     DRIFT: ("drift",),
@@ -52,8 +51,11 @@ def what_limits(work: AxisWork, new: Correction) -> Limiting | None:
     now = fresh.quantiles(difference(work.as_found, work.active))[name]
     least = fresh.quantiles(change, known=False, unknown=False)[name]
     causes = [
-        Cause(cause=cause, value=then.median - without[name].median, rms=rms)
-        for cause, without, rms in _without(work, fresh, change)
+        Cause(cause=NOISE, value=_noise(fresh, change, name)),
+        *(
+            Cause(cause=cause, value=then.median - without[name].median, rms=rms)
+            for cause, without, rms in _without(work, fresh, change)
+        ),
     ]
     worth = [
         cause
@@ -68,6 +70,14 @@ def what_limits(work: AxisWork, new: Correction) -> Limiting | None:
         spread=(then.p95 - then.p05) / BAND,
         causes=tuple(sorted(worth, key=lambda cause: -cause.value)),
     )
+
+
+def _noise(fresh: FreshTests, change: Correction, name: str) -> float:
+    """Return what scattering readings make of a parameter but for the few that lie far off, which
+    are told in parts of the same scatter: those are taken away first.
+    """
+    alike = fresh.quantiles(change, cured=("tails",))[name]
+    return alike.median - fresh.quantiles(change, cured=("scatter",))[name].median
 
 
 def _without(
