@@ -26,7 +26,7 @@ from compwright.records.correction import (
 )
 from compwright.records.estimate import ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, Limit, TableRequest
-from compwright.records.job import Acceptance
+from compwright.records.job import Acceptance, Thermal
 from compwright.records.plan import (
     Acted,
     Plan,
@@ -267,6 +267,7 @@ def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
                 "measured_in": entry.measured_in,
                 "motion": entry.motion,
                 "backlash_more": entry.backlash_more,
+                "slope_std": entry.slope_std,
                 "acted": _optional(entry.acted, _acted_out),
                 **_test_out(entry.test),
             }
@@ -304,6 +305,7 @@ def _axis_in(data: Mapping[str, Any]) -> PlannedAxis:
                 measured_in=str(entry["measured_in"]),
                 motion=entry.get("motion", "feed"),
                 backlash_more=float(entry.get("backlash_more", 0.0)),
+                slope_std=float(entry.get("slope_std", 0.0)),
                 acted=_optional(entry.get("acted"), _acted_in),
             )
             for entry in data["tests"]
@@ -339,6 +341,7 @@ def _test_out(test: PositioningTest) -> dict[str, Any]:
         "sources": [asdict(source) for source in test.sources],
         "header": dict(test.header),
         "findings": [asdict(finding) for finding in test.findings],
+        **({} if test.thermal is None else {"thermal": asdict(test.thermal)}),
     }
 
 
@@ -358,6 +361,7 @@ def _test_in(data: Mapping[str, Any]) -> PositioningTest:
         sources=tuple(Source(**entry) for entry in data["sources"]),
         header=dict(data["header"]),
         findings=tuple(Finding(**entry) for entry in data["findings"]),
+        thermal=_optional(data.get("thermal"), lambda entry: Thermal(**entry)),
     )
 
 

@@ -37,7 +37,8 @@ def instrument_compensated_expansion(compensated_for: str) -> bool:
 
 def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> PositioningTest:
     """Return ``test`` with e20 = e - (x - x_fix)[alpha_m (T_m - 20) - alpha_d (T_d - 20)] and a
-    finding that says so.
+    finding that says so (CW-T024); another one (CW-T025) where the temperature rose during the
+    test: the mean of start and end is what counts, because no reading has a time.
 
     x in mm, alpha in µm/(m K), T in °C, deviations in mm. ``thermal.x_fix`` is the fixed point of
     the measurement and ``thermal.refer_to`` says whose expansion alpha_m and T_m are: the machine's
@@ -66,7 +67,7 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
                 found=stated,
             )
         )
-    if any(finding.code == _CODE for finding in test.findings):
+    if test.thermal is not None:
         raise InputError(
             Fault(
                 message="the thermal expansion was already removed from this test", file=test.name
@@ -88,5 +89,30 @@ def remove_differential_expansion(test: PositioningTest, thermal: Thermal) -> Po
         test,
         positive=test.positive - expansion,
         negative=test.negative - expansion,
-        findings=(*test.findings, finding),
+        findings=(*test.findings, finding, *_risen(test, thermal)),
+        thermal=thermal,
+    )
+
+
+def _risen(test: PositioningTest, thermal: Thermal) -> tuple[Finding, ...]:
+    """Return what the temperature did between start and end of the test (CW-T025)."""
+    if thermal.rise_m == 0.0 and thermal.rise_d == 0.0:
+        return ()
+    length = float(test.targets[-1] - test.targets[0]) / 1000.0
+    drift = length * (thermal.alpha_m * thermal.rise_m - thermal.alpha_d * thermal.rise_d)
+    rose = [
+        f"that of the {whose} by {rise:+.2g} K"
+        for whose, rise in ((thermal.refer_to, thermal.rise_m), ("instrument", thermal.rise_d))
+        if rise != 0.0
+    ]
+    return (
+        Finding(
+            "CW-T025",
+            "info",
+            f"The temperature changed from start to end of the test: {' and '.join(rose)}. Over the"
+            f" {1000.0 * length:.5g} mm of the targets that is {drift:+.2f} µm from the first run"
+            " to the last. The expansion was removed with the mean of start and end, because the"
+            " file does not say when each reading was taken: what differs from it stays in the"
+            " readings as drift.",
+        ),
     )

@@ -66,28 +66,31 @@ def length_uncertainty(
     return math.hypot(*terms)
 
 
-def temperature_between(
-    test: PositioningTest, budget: UncertaintyBudget | None, thermal: Thermal | None
-) -> FloatArray:
-    """Return the covariance (2m, 2m, + then -, mm²) that the declared uncertainty of temperature
-    puts between two tests.
+def slope_between_tests(
+    test: PositioningTest, budget: UncertaintyBudget | None, first: Thermal | None
+) -> float:
+    """Return the standard deviation (mm/mm) of the slope that one test has of its own beside other
+    tests of its axis.
 
-    Each test has an unknown temperature of its own: its slope over the positions is uncertain,
-    twice (U_theta and U_alpha, k = 2). Zero without a budget, and for angles, which do not expand.
+    Drawn per test: the temperature U_theta (sensors are placed and read anew, and a hall is never
+    the same), the misalignment of the beam and the set-up. Common to all tests and so without
+    effect between them: the instrument, which is taken to be the same one, and the coefficient,
+    which is a property of the scale: an error U_alpha of it counts over the difference of the
+    temperatures of this test and of the ``first`` only. The environmental variation is in the
+    scatter of the readings. Zero without a budget, and for angles, which do not expand.
     """
-    along = np.tile(test.targets, 2)
     length = float(test.targets[-1] - test.targets[0])
     if budget is None or test.kind is AxisKind.ROTARY or length <= 0.0:
-        return np.zeros((along.size, along.size))
-    of_temperature = replace(budget, device=0.0, device_per_m=0.0, misalignment_mm=0.0)
-    slope = (
-        math.sqrt(2.0)
-        * length_uncertainty(test, of_temperature, thermal)
-        / COVERAGE
-        / 1000.0
-        / length
-    )
-    return np.asarray(slope**2 * np.outer(along, along))
+        return 0.0
+    own = replace(budget, device=0.0, device_per_m=0.0, U_alpha=0.0)
+    terms = [length_uncertainty(test, own, test.thermal), budget.setup]
+    if test.thermal is not None and first is not None:
+        for change, expands in (
+            (test.thermal.T_m - first.T_m, True),
+            (test.thermal.T_d - first.T_d, test.thermal.alpha_d != 0.0),
+        ):
+            terms.append(abs(change) * length / 1000.0 * budget.U_alpha * expands)
+    return math.hypot(*terms) / COVERAGE / outside_factor(test.kind.unit) / length
 
 
 def expanded_uncertainties(

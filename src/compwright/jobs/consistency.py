@@ -60,6 +60,7 @@ def contradictions(data: Mapping[str, Any]) -> list[Contradiction]:
             *_geometry(section, path),
             *_tests(section, path, names),
             *_acceptance(section, path, standard),
+            *_thermal(section, path, data.get("thermal")),
         ]
     found += [
         *_untested(data),
@@ -233,6 +234,29 @@ def _tests(
         seen.add(name or "")
         yield from _known_state(test, (*path, *below), states)
         yield from _repeated_files(_sequence(test.get("files")), (*path, *below, "files"))
+
+
+def _thermal(section: Mapping[str, Any], path: KeyPath, of_job: Any) -> Iterator[Contradiction]:
+    """Keys of an axis and of its tests go over those of the job: together they have to say
+    coefficient and temperature. Angles do not expand.
+    """
+    of_axis = section.get("thermal")
+    stated: list[tuple[KeyPath, Any, bool]] = [((), of_axis, "thermal" in section)]
+    stated += [
+        (below, test.get("thermal"), "thermal" in test)
+        for below, _, test in _test_sections(section)
+    ]
+    for below, own, there in stated:
+        here = (*path, *below, "thermal")
+        if there and section.get("kind") == "rotary":
+            yield Contradiction(here, "belongs to a linear axis", "no thermal on a rotary axis")
+            continue
+        known = {*_mapping(of_job), *_mapping(of_axis), *_mapping(own)}
+        for key in ("alpha_m", "T_m"):
+            if there and isinstance(own, dict) and key not in known:
+                yield Contradiction(
+                    (*here, key), "is missing", "here, or under thermal of the axis or of the job"
+                )
 
 
 def _known_state(

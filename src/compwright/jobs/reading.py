@@ -26,6 +26,7 @@ from compwright.jobs.schema import (
     CircleSection,
     CrossSection,
     JobSection,
+    OwnThermalSection,
     PositionMapSection,
     TestSection,
 )
@@ -152,11 +153,10 @@ def job_of(section: JobSection, file: str) -> Job:
         *_absent_axes(section),
         *_state_findings(section),
     )
-    thermal = Thermal(**section.thermal.model_dump()) if section.thermal else None
     return Job(
         file=file,
         format=section.controller.format,
-        axes={name: _axis_job(name, axis) for name, axis in section.axes.items()},
+        axes={name: _axis_job(name, axis, section.thermal) for name, axis in section.axes.items()},
         options=section.controller.options,
         states={name: _state(state.files) for name, state in section.states.items()},
         active={
@@ -166,7 +166,7 @@ def job_of(section: JobSection, file: str) -> Job:
         fixed_positions=section.fixed_positions,
         uncertainty=_budget(section),
         uncertainty_rotary=_rotary_budget(section),
-        thermal=thermal,
+        thermal=_thermal(section.thermal),
         decision_rule=section.decision_rule,
         proven=tuple(proof.model_dump() for proof in section.proven),
         standard=section.standard,
@@ -190,8 +190,9 @@ def _state(files: list[str]) -> tuple[str, ...]:
     return NONE_STATE if files == [NONE_WORD] else tuple(files)
 
 
-def _axis_job(name: str, section: AxisSection) -> AxisJob:
+def _axis_job(name: str, section: AxisSection, of_job: OwnThermalSection | None) -> AxisJob:
     low, high = section.travel
+    thermal = (of_job, section.thermal) if section.kind == "linear" else ()
     axis = Axis(
         name=name,
         kind=AxisKind(section.kind),
@@ -214,13 +215,18 @@ def _axis_job(name: str, section: AxisSection) -> AxisJob:
     )
     return AxisJob(
         axis=axis,
-        before=tuple(_test(test, section.position_map) for test in section.before),
+        before=tuple(_test(test, section.position_map, thermal) for test in section.before),
         table=TableRequest(**section.table.model_dump()),
         accept=_acceptance(section.accept),
+        thermal=_thermal(*thermal),
     )
 
 
-def _test(section: TestSection, of_axis: PositionMapSection) -> TestRequest:
+def _test(
+    section: TestSection,
+    of_axis: PositionMapSection,
+    thermal: tuple[OwnThermalSection | None, ...],
+) -> TestRequest:
     position_map = section.position_map or of_axis
     return TestRequest(
         files=tuple(section.files),
@@ -230,7 +236,23 @@ def _test(section: TestSection, of_axis: PositionMapSection) -> TestRequest:
             sense=1 if position_map.sense == 1 else -1, offset=position_map.offset
         ),
         motion=section.motion,
+        thermal=_thermal(*thermal, section.thermal),
+        own_temperature=bool(section.thermal and section.thermal.T_m is not None),
     )
+
+
+def _thermal(*sections: OwnThermalSection | None) -> Thermal | None:
+    """Return the differential expansion of the keys of ``sections``, each over those before it;
+    None without any.
+    """
+    keys: dict[str, Any] = {}
+    for section in sections:
+        keys |= section.model_dump(exclude_none=True) if section else {}
+    for name, rise in (("T_m", "rise_m"), ("T_d", "rise_d")):
+        if name in keys:
+            start, end = keys[name][0], keys[name][-1]
+            keys |= {name: 0.5 * (start + end), rise: end - start}
+    return Thermal(**keys) if keys else None
 
 
 def _circle(section: CircleSection) -> CircleRequest:

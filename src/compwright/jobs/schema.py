@@ -76,6 +76,8 @@ Spacing = Annotated[
     Annotated[Positive, Tag("number")] | Annotated[Literal["auto"], Tag("auto")],
     Discriminator(_auto_or_number),
 ]
+#: °C: one temperature, or that at the start and at the end of the test.
+Temperature = Annotated[list[float], BeforeValidator(_listed), Field(min_length=1, max_length=2)]
 Sense = Annotated[Literal[1, -1], BeforeValidator(_no_truth_value)]
 Sign = Literal["+", "-"]
 
@@ -117,8 +119,30 @@ class EncoderSection(Section):
     system: Annotated[Literal[1, 2] | None, BeforeValidator(_no_truth_value)] = None
 
 
+class OwnThermalSection(Section):
+    """Keys of the differential expansion that an axis, or a test, has otherwise than what stands
+    above it.
+    """
+
+    alpha_m: float | None = None
+    T_m: Temperature | None = None
+    alpha_d: float | None = None
+    T_d: Temperature | None = None
+    x_fix: float | None = None
+    refer_to: Literal["scale", "workpiece"] | None = None
+
+
+class ThermalSection(OwnThermalSection):
+    """Nominal differential expansion: µm/(m K), °C, µm/(m K), °C, mm."""
+
+    alpha_m: float
+    T_m: Temperature
+
+
 class TestSection(Section):
-    """One test: its files, name, state, position map (None: that of the axis) and motion."""
+    """One test: its files, name, state, position map (None: that of the axis), motion and
+    temperatures.
+    """
 
     __test__ = False  # not a test class, whatever the name suggests to a collector
 
@@ -127,6 +151,7 @@ class TestSection(Section):
     measured_in: Text = "as_found"
     position_map: PositionMapSection | None = None
     motion: Literal["feed", "rapid"] = "feed"
+    thermal: OwnThermalSection | None = None
 
 
 class TableSection(Section):
@@ -164,6 +189,7 @@ class AxisSection(Section):
     table: TableSection = TableSection()
     options: dict[str, Any] = {}
     accept: dict[str, Any] | None = None
+    thermal: OwnThermalSection | None = None
 
 
 class CircleSection(Section):
@@ -227,17 +253,6 @@ class UncertaintySection(Section):
     setup: NotNegative = 0.0
     E_VE: NotNegative = 0.0
     rotary: RotaryUncertaintySection | None = None
-
-
-class ThermalSection(Section):
-    """Nominal differential expansion: µm/(m K), °C, µm/(m K), °C, mm."""
-
-    alpha_m: float
-    T_m: float
-    alpha_d: float = 0.0
-    T_d: float = 20.0
-    x_fix: float = 0.0
-    refer_to: Literal["scale", "workpiece"] = "scale"
 
 
 class ProvenSection(Section):

@@ -13,6 +13,7 @@ from compwright.evaluation.standards import evaluate
 from compwright.foundations.errors import CapacityError, CompwrightError, collect, raise_all
 from compwright.foundations.findings import Finding
 from compwright.foundations.side_by_side import Each, in_turn
+from compwright.planning.declared import fresh_slope, with_slopes
 from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
 from compwright.planning.motions import with_backlash, with_motion
 from compwright.planning.outlook import Like, predict, predict_new_targets, why_not_better
@@ -108,7 +109,7 @@ def evaluated(job: Job, axis: Axis, test: PositioningTest) -> PositioningResult:
         travel=axis.travel,
         periods=axis.screw_pitch,
         budget=job.budget(axis.kind),
-        thermal=job.thermal,
+        thermal=test.thermal,
     )
 
 
@@ -131,7 +132,7 @@ def start_axis(
     active = None
     if tests[0].measured_in in states:
         active = held_by(states[tests[0].measured_in], axis)
-    tests = with_what_acted(with_backlash(tests, axis, states), axis, states)
+    tests = with_what_acted(with_backlash(with_slopes(job, tests), axis, states), axis, states)
     tests, posterior, doubts = counted_together(tests, axis, active)
     check_coverage(job.file, axis, [each.test for each in tests if each.acted is not None])
     planned = PlannedAxis(
@@ -233,11 +234,10 @@ def predict_axis(
     """
     change = difference(new, work.active)
     axis = work.planned.axis
+    likes = [Like(place, fresh_slope(rule, test)) for place, test in enumerate(work.planned.tests)]
     tests = tuple(
-        predict(
-            result, work.posterior, with_motion(change, axis, test.backlash_more), axis, Like(place)
-        )
-        for place, (result, test) in enumerate(zip(work.results, work.planned.tests, strict=True))
+        predict(result, work.posterior, with_motion(change, axis, test.backlash_more), axis, like)
+        for result, test, like in zip(work.results, work.planned.tests, likes, strict=True)
     )
     folded = any(finding.code == "CW-E010" for finding in work.posterior.findings)
     accept = accept_decisions(work.entry, tests, rule, folded=folded)
@@ -250,17 +250,17 @@ def predict_axis(
         table=table,
         quantum=work.capacity.quantum if work.capacity is not None else None,
         accept=accept,
-        findings=(*work.findings, *guard, *_offered(work, tests)),
+        findings=(*work.findings, *guard, *_offered(work, tests, likes[0])),
     )
 
 
-def _offered(work: AxisWork, tests: Sequence[TestPrediction]) -> Iterator[Finding]:
+def _offered(work: AxisWork, tests: Sequence[TestPrediction], like: Like) -> Iterator[Finding]:
     """Yield what a grid of our own choice would gain over the one that is there and stays."""
     capacity, chosen = work.capacity, work.chosen
     if chosen is None or capacity is None:
         return
     change = difference(chosen.compensation.at, work.active)
-    offered = predict(work.results[0], work.posterior, change, work.planned.axis)
+    offered = predict(work.results[0], work.posterior, change, work.planned.axis, like)
     finding = offer(
         work.planned.axis,
         np.array(capacity.there),

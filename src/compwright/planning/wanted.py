@@ -109,7 +109,7 @@ def observed_tests(
         if place == 0 and active is not None:
             acted = _at(active, test)
         bare = test if acted is None else with_change(test, -acted[0], -acted[1])
-        observed.append(ObservedTest(test=bare, noise=noise_of(bare)))
+        observed.append(ObservedTest(test=bare, noise=noise_of(bare), slope_std=planned.slope_std))
     return tuple(observed)
 
 

@@ -19,9 +19,31 @@ AS_FOUND = "as_found"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Thermal:
+    """Nominal differential expansion: coefficients in µm/(m K), temperatures in °C, ``x_fix`` in mm
+    (machine coordinates).
+
+    Temperatures are the mean of start and end of the test; ``rise_m`` and ``rise_d`` are end less
+    start, K.
+    """
+
+    alpha_m: float
+    T_m: float
+    alpha_d: float = 0.0
+    T_d: float = 20.0
+    rise_m: float = 0.0
+    rise_d: float = 0.0
+    x_fix: float = 0.0
+    refer_to: Literal["scale", "workpiece"] = "scale"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class TestRequest:
     """One test of an axis: its files, its name, the state it was measured in, how its positions map
     to the machine's, and how the axis was driven.
+
+    ``thermal``: its differential expansion, by its own keys over those of the axis over those of
+    the job; ``own_temperature``: its own keys state a temperature, so that its files' do not count.
     """
 
     files: tuple[str, ...]
@@ -29,6 +51,8 @@ class TestRequest:
     measured_in: str = "as_found"
     position_map: PositionMap = PositionMap()
     motion: Motion = "feed"
+    thermal: Thermal | None = None
+    own_temperature: bool = False
 
     __test__ = False  # not a test class, whatever the name suggests to a collector
 
@@ -106,29 +130,16 @@ class UncertaintyBudget:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Thermal:
-    """Nominal differential expansion: coefficients in µm/(m K), temperatures in °C, ``x_fix`` in mm
-    (machine coordinates).
-    """
-
-    alpha_m: float
-    T_m: float
-    alpha_d: float = 0.0
-    T_d: float = 20.0
-    x_fix: float = 0.0
-    refer_to: Literal["scale", "workpiece"] = "scale"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class AxisJob:
     """What is asked for one axis. ``before`` may be empty where circles or cross measurements are
-    all there is.
+    all there is. ``thermal``: the axis' own keys over those of the job.
     """
 
     axis: Axis
     before: tuple[TestRequest, ...]
     table: TableRequest = TableRequest()
     accept: Acceptance | None = None
+    thermal: Thermal | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -34,13 +34,16 @@ class PlannedTest:
     and how the axis was driven.
 
     ``backlash_more``: by how much the backlash that acted in it is more than at the motion of the
-    axis (``Axis.motion``), mm or deg; a new table leaves that difference.
+    axis (``Axis.motion``), mm or deg; a new table leaves that difference. ``slope_std``: standard
+    deviation, mm/mm, of the slope that this test has of its own beside others of its axis, by the
+    uncertainty that the job declares.
     """
 
     test: PositioningTest
     measured_in: str
     motion: Motion = "feed"
     backlash_more: float = 0.0
+    slope_std: float = 0.0
     acted: Acted | None = None
 
 

@@ -12,6 +12,7 @@ from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source
 from compwright.records.axis import AxisKind, Direction, FloatArray, PositionMap
+from compwright.records.job import Thermal
 
 Cycle = Literal["standard", "step"]
 
@@ -28,7 +29,8 @@ class PositioningTest:
     column per traverse in the order of the run numbers; a reading that was not made is NaN (a
     traverse or a direction may be missing altogether: a width of 0). ``frame`` says whether
     positions and signs are the instrument's or already the machine's. ``header`` keeps what the
-    file said about the test, as text.
+    file said about the test, as text. ``thermal``: the differential expansion that was taken out of
+    the deviations, None where they are as measured.
     """
 
     name: str
@@ -44,6 +46,7 @@ class PositioningTest:
     sources: tuple[Source, ...] = ()
     header: Mapping[str, str] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
+    thermal: Thermal | None = None
 
     def deviations(self, direction: Direction) -> FloatArray:
         """Return the deviations (m, n) of one approach direction."""

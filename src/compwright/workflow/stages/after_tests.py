@@ -6,8 +6,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from compwright.evaluation.temperatures import temperatures_of
 from compwright.foundations import storage
-from compwright.foundations.errors import CompwrightError, Fault, UsageError, collect, raise_all
+from compwright.foundations.errors import (
+    CompwrightError,
+    Fault,
+    InputError,
+    UsageError,
+    collect,
+    raise_all,
+)
 from compwright.records.job import AxisJob, Job, TestRequest
 from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
@@ -18,7 +26,7 @@ from compwright.workflow.stages.inputs import read_measurement, read_test
 def read_again(job: Job, entry: AxisJob, request: TestRequest) -> PositioningTest | None:
     """Return a test of the job as its files say it now; None where they are not there any more."""
     try:
-        return read_test(job, entry, request, Path(job.file).parent)
+        return read_test(entry, request, Path(job.file).parent)
     except CompwrightError:
         return None
 
@@ -40,10 +48,11 @@ def after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
         entry = job.axes[axis]
         request = next(item for item in entry.before if item.name == name)
         try:
-            test = read_test(job, entry, replace(request, files=tuple(paths)), Path())
+            test = read_test(entry, _taken_later(entry, request, paths), Path())
         except CompwrightError as error:
             errors.append(error)
             continue
+        errors.extend(_without_temperature(request, plan, test, axis))
         found.append(AfterTest(axis=axis, test=replace(test, name=name), repeats=name))
     if errors:
         raise max((type(error) for error in errors), key=lambda kind: kind.exit_code)(
@@ -51,6 +60,48 @@ def after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
         )
     raise_all(UsageError, list(_unfit(plan, [item.axis for item in found])))
     return found
+
+
+def _taken_later(entry: AxisJob, request: TestRequest, paths: Sequence[str]) -> TestRequest:
+    """Return ``request`` for the test after loading: with its own files, and without the
+    temperatures that were stated of the test before.
+    """
+    thermal, of_axis = request.thermal, entry.thermal
+    if thermal is not None and of_axis is not None:
+        thermal = replace(
+            thermal,
+            T_m=of_axis.T_m,
+            T_d=of_axis.T_d,
+            rise_m=of_axis.rise_m,
+            rise_d=of_axis.rise_d,
+        )
+    return replace(request, files=tuple(paths), thermal=thermal, own_temperature=False)
+
+
+def _without_temperature(
+    request: TestRequest, plan: Plan, test: PositioningTest, axis: str
+) -> Iterator[InputError]:
+    """Yield that the test before was referred to 20 °C from a temperature of its own, and the files
+    of the one after loading state none.
+    """
+    planned = plan.axes[axis].tests if axis in plan.axes else ()
+    before = next((each.test for each in planned if each.test.name == request.name), None)
+    if before is None or before.thermal is None or test.thermal is None:
+        return
+    own, now = (temperatures_of([each]) for each in (before, test))
+    if (request.own_temperature or "T_m" in own) and "T_m" not in now:
+        yield InputError(
+            Fault(
+                message=(
+                    "states no temperature, and the test that it repeats was referred to 20 °C from"
+                    f" a temperature of its own ({before.thermal.T_m:g} °C)"
+                ),
+                file=test.sources[0].file if test.sources else test.name,
+                place="key T_m",
+                expected="a line such as '# T_m: 22.4' above the readings (°C), or T_m_start and"
+                " T_m_end",
+            )
+        )
 
 
 def _unfit(plan: Plan, axes: Sequence[str]) -> Iterator[Fault]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from compwright.evaluation.expansion import remove_differential_expansion
+from compwright.evaluation.temperatures import at_temperatures, temperatures_of
 from compwright.formats.families.family import Family
 from compwright.foundations import storage
 from compwright.foundations.errors import (
@@ -54,7 +55,7 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
             try:
                 found.append(
                     PlannedTest(
-                        test=read_test(job, entry, request, folder),
+                        test=read_test(entry, request, folder),
                         measured_in=request.measured_in,
                         motion=request.motion,
                     )
@@ -94,9 +95,9 @@ def read_measurement(path: Path) -> PositioningTest:
     return read_positioning(storage.read_bytes(path), shown_path(path))
 
 
-def read_test(job: Job, entry: AxisJob, request: TestRequest, folder: Path) -> PositioningTest:
+def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> PositioningTest:
     """Read the files of one test into one record in machine coordinates, expansion removed where
-    the job says so.
+    the job says so: at the temperature of the test's own keys, else of its files, else of the axis.
     """
     errors: list[CompwrightError] = []
     parts = []
@@ -117,8 +118,9 @@ def read_test(job: Job, entry: AxisJob, request: TestRequest, folder: Path) -> P
     for part in parts:
         _check_axis(entry.axis, part)
     test = to_machine(merge(parts, request.name), request.position_map)
-    if job.thermal is not None and test.kind is AxisKind.LINEAR:
-        test = remove_differential_expansion(test, job.thermal)
+    if request.thermal is not None:
+        stated = {} if request.own_temperature else temperatures_of(parts)
+        test = remove_differential_expansion(test, at_temperatures(request.thermal, stated))
     finding = skipped_finding([shown_path(path) for path in skipped])
     return replace(
         test,

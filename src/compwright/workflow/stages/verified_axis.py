@@ -9,10 +9,10 @@ import numpy as np
 
 from compwright.documents.verification import ExpectedMeans, VerifiedAxis
 from compwright.estimation.cells import folded_findings
-from compwright.evaluation.uncertainty import temperature_between
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import evaluated
+from compwright.planning.declared import fresh_slope, slope_after
 from compwright.planning.limits import lacking_guard, measured_decisions
 from compwright.planning.motions import with_motion
 from compwright.planning.outlook import DRAWS, Like, predict
@@ -63,8 +63,9 @@ def verified_axis(
     )
     change = difference(new, active)
     fault = twice or measurement_fault(after.test, before_test, axis.travel)
+    slope_std = slope_after(job, planned.tests, after.test)
     loading = (
-        _judge(job, after.test, posterior, change, difference(unchanged, active))
+        _judge(after.test, posterior, change, difference(unchanged, active), slope_std)
         if fault is None
         else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
     )
@@ -87,7 +88,9 @@ def verified_axis(
     doubts = () if fault else doubted(result, before, guarded=guarded)
     return VerifiedAxis(
         before=before,
-        predicted=predict(result, posterior, change, axis, Like(place)).predicted,
+        predicted=predict(
+            result, posterior, change, axis, Like(place, fresh_slope(job.decision_rule, repeated))
+        ).predicted,
         expected=_expected(result, posterior, change),
         after=result,
         loading=_told(loading),
@@ -134,12 +137,13 @@ def _expected(
 
 
 def _judge(
-    job: Job,
     test: PositioningTest,
     posterior: MeasuredError,
     loaded: Correction,
     inactive: Correction,
+    slope_std: float,
 ) -> LoadingVerdict:
+    slope = slope_std * np.tile(test.targets - test.targets.mean(), 2)
     draws = posterior.draw(test.targets, DRAWS, np.random.default_rng(0))
     estimate = posterior.summary(test.targets)
     expected = {
@@ -156,8 +160,7 @@ def _judge(
         expected[Direction.NEGATIVE][0],
         expected[Direction.POSITIVE][1],
         expected[Direction.NEGATIVE][1],
-        np.cov(np.hstack([draws.positive, draws.negative]), rowvar=False)
-        + temperature_between(test, job.budget(test.kind), job.thermal),
+        np.cov(np.hstack([draws.positive, draws.negative]), rowvar=False) + np.outer(slope, slope),
         posterior.noise,
         noise_dof=posterior.noise_dof,
         positions=test.targets,

@@ -1,0 +1,99 @@
+"""The temperatures that a measurement file states of its test (ISO 230-2:2006, 7.1: of the sensors,
+at the start and at the end of the test).
+
+Keys of the header, °C: ``T_m`` of the machine's scale or workpiece, ``T_d`` of the measuring
+device; or ``T_m_start`` and ``T_m_end``, ``T_d_start`` and ``T_d_end``.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Final
+
+from compwright.foundations.errors import Fault, InputError, raise_all
+from compwright.records.job import Thermal
+from compwright.records.positioning import PositioningTest
+
+_NUMBER: Final = re.compile(r"([+-]?\d+(?:[.,]\d+)?)\s*(?:°\s?C|C|deg ?C)?")
+#: °C in which a machine is measured; 68 is a hall in °F, 293 one in K.
+_BELIEVED: Final = (-20.0, 60.0)
+
+Temperatures = Mapping[str, tuple[float, float]]
+
+
+def stated_temperatures(header: Mapping[str, str], file: str) -> Temperatures:
+    """Return start and end (°C) of ``T_m`` and of ``T_d`` as far as the header of ``file`` states
+    them; upper and lower case, blanks and hyphens in the keys are one.
+
+    Raises InputError with a fault for each value that is no temperature, a start without an end,
+    and a key given twice.
+    """
+    keys = {re.sub(r"[ -]+", "_", key).lower(): (key, value) for key, value in header.items()}
+    faults: list[Fault] = []
+    found: dict[str, tuple[float, float]] = {}
+    for name in ("T_m", "T_d"):
+        given = {
+            end: _number(*keys[f"{name}{end}".lower()], file, faults)
+            for end in ("", "_start", "_end")
+            if f"{name}{end}".lower() in keys
+        }
+        if not given:
+            continue
+        if set(given) not in ({""}, {"_start", "_end"}):
+            faults.append(
+                Fault(
+                    message="the temperature is not stated in one way",
+                    file=file,
+                    place=f"key {name}",
+                    expected=f"{name}, or both {name}_start and {name}_end",
+                    found=", ".join(f"{name}{end}" for end in given),
+                )
+            )
+            continue
+        ends = list(given.values())
+        found[name] = (ends[0], ends[-1])
+    raise_all(InputError, faults)
+    return found
+
+
+def temperatures_of(parts: Sequence[PositioningTest]) -> Temperatures:
+    """Return what the files of one test state together: from the start of the first to the end of
+    the last that says it. Raises InputError.
+    """
+    found: dict[str, tuple[float, float]] = {}
+    for part in parts:
+        file = part.sources[0].file if part.sources else part.name
+        for name, (start, end) in stated_temperatures(part.header, file).items():
+            found[name] = (found.get(name, (start, end))[0], end)
+    return found
+
+
+def _number(key: str, text: str, file: str, faults: list[Fault]) -> float:
+    match = _NUMBER.fullmatch(text.strip())
+    value = float(match[1].replace(",", ".")) if match else None
+    if value is None or not _BELIEVED[0] <= value <= _BELIEVED[1]:
+        faults.append(
+            Fault(
+                message="is no temperature of a test in °C",
+                file=file,
+                place=f"key {key}",
+                expected=f"one number from {_BELIEVED[0]:g} to {_BELIEVED[1]:g}",
+                found=text,
+            )
+        )
+        return 0.0
+    return value
+
+
+def at_temperatures(thermal: Thermal, stated: Temperatures) -> Thermal:
+    """Return ``thermal`` at the temperatures that a test states, mean of start and end."""
+    for name, (start, end) in stated.items():
+        mean, rise = 0.5 * (start + end), end - start
+        thermal = (
+            replace(thermal, T_m=mean, rise_m=rise)
+            if name == "T_m"
+            else replace(thermal, T_d=mean, rise_d=rise)
+        )
+    return thermal
