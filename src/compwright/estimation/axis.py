@@ -27,6 +27,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from compwright.estimation.averaged import averaged
 from compwright.estimation.cells import (
     Cells,
     cells_of,
@@ -35,15 +36,17 @@ from compwright.estimation.cells import (
     visible_periods,
 )
 from compwright.estimation.evidence import Weights
-from compwright.estimation.model import Fitted, Part, Periods, Travel, fitted
+from compwright.estimation.middles import middles_of
+from compwright.estimation.model import Part, Periods, Travel, basis_of
 from compwright.estimation.observed import ObservedTest
+from compwright.estimation.periods import PeriodCurve, search_periods
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.estimate import ErrorEstimate
+from compwright.records.estimate import AxisPeriod, ErrorEstimate
 from compwright.records.noise import NoiseDraws, normal_noise
 
-_DRAWS: Final = 64  # distinct hyperparameters kept for summaries and predictions
+_DRAWS: Final = 48  # distinct hyperparameters kept for summaries and predictions
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +67,8 @@ class AxisPosterior:
     ``parts``: the models that count, all draws equally likely. ``noise``: standard deviation of one
     reading of the first test with ``noise_dof`` degrees of freedom. ``reversal_log_odds``: natural
     logarithm of the evidence for a reversal that varies with position over a constant one (0: one
-    direction measured).
+    direction measured). ``periods``: those that are known and those that were found, ``alike``
+    those of them that the targets cannot tell apart, ``period_curve`` the evidence over the period.
     """
 
     kind: AxisKind
@@ -75,6 +79,9 @@ class AxisPosterior:
     findings: tuple[Finding, ...]
     cells: Cells
     parts: tuple[Part, ...]
+    periods: tuple[AxisPeriod, ...] = ()
+    alike: tuple[tuple[float, ...], ...] = ()
+    period_curve: PeriodCurve | None = None
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
         """Return mean and standard deviation of the deviation at ``positions`` (g,) strictly
@@ -214,12 +221,22 @@ def estimate_axis(
     cells = cells_of(tests, endless=turn is not None)
     shown = visible_periods(cells.targets, periods)
     known = Periods(shown, tuple(visible_harmonics(cells.targets, period) for period in shown))
-    fits = _fits(cells, Travel(*travel, turn), known)
-    odds = fits[0].drawn.log_evidence - fits[1].drawn.log_evidence if len(fits) > 1 else 0.0
-    parts = _mixed(fits, odds)
+    kind, first = tests[0].test.kind, tests[0].noise
+    guess = first.sigma if first else cells.spread * cells.data.scale
+    search = search_periods(
+        middles_of(
+            cells,
+            endless=turn is not None,
+            reading=guess,
+            dof=first.dof if first else cells.data.dof,
+        ),
+        basis_of(cells, Travel(*travel, turn), known, varying=False),
+        kind,
+        known=shown,
+    )
+    mixture = averaged(cells, Travel(*travel, turn), known, search.models, _DRAWS)
+    parts, odds = mixture.parts, mixture.reversal_log_odds
     log_noise = 0.5 * np.log([each.noise for part in parts for each in part.weights])
-    first = tests[0].noise
-    kind = tests[0].test.kind
     return AxisPosterior(
         kind=kind,
         measured=(float(cells.targets[0]), float(cells.targets[-1])),
@@ -232,15 +249,10 @@ def estimate_axis(
         ),
         cells=cells,
         parts=parts,
+        periods=(*(AxisPeriod(period, 1.0, "job") for period in periods), *search.found),
+        alike=search.alike,
+        period_curve=search.curve,
     )
-
-
-def _fits(cells: Cells, travel: Travel, periods: Periods) -> list[Fitted]:
-    """Return the models fitted: reversal varying, then constant; or the only one."""
-    return [
-        fitted(cells, travel, periods, varying=varying, draws=_DRAWS)
-        for varying in ((True, False) if cells.bidirectional else (False,))
-    ]
 
 
 def _refuse_misuse(
@@ -279,15 +291,3 @@ def _dof_of(log_noise: FloatArray, readings: int) -> float:
     (JCGM 100:2008, eq. G.3).
     """
     return float(np.clip(0.5 / max(float(np.var(log_noise)), 1e-12), 1.0, max(1.0, readings - 1.0)))
-
-
-def _mixed(fits: Sequence[Fitted], odds: float) -> tuple[Part, ...]:
-    """Return equally likely draws from two models of equal prior probability: the share of the
-    first is odds / (1 + odds) (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995).
-    """
-    if len(fits) == 1:
-        return (fits[0].part(_DRAWS),)
-    share = round(_DRAWS / (1.0 + float(np.exp(-np.clip(odds, -50.0, 50.0)))))
-    return tuple(
-        fit.part(count) for fit, count in zip(fits, (share, _DRAWS - share), strict=True) if count
-    )

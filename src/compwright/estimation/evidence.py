@@ -14,7 +14,7 @@ al., Bayesian Data Analysis, 3rd ed. 2013, section 3.2).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -25,8 +25,11 @@ from compwright.records.axis import FloatArray
 
 NOISE, LOCAL, SMOOTH, LENGTH, REVERSAL, REVERSAL_LENGTH, PERIODIC = range(7)
 #: Standard deviation of offset, slope and constant reversal, which the data alone shall decide, in
-#: units of the scale.
-VAGUE: Final = 1e2
+#: units of the scale: their least squares values are taken out before.
+VAGUE: Final = 10.0
+#: Largest variance of a cell over its smallest noise up to which the covariance of the cells keeps
+#: six digits of the density.
+_CONDITION: Final = 1e10
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -173,13 +176,14 @@ class Evidence:
         """Return the posterior of the weights given the hyperparameters ``h`` and a draw of the
         noise (Rasmussen and Williams 2006, eq. 2.8).
         """
-        solved = self._solve(h, draw)
-        root = solved.deviations[:, np.newaxis] * solved.inverse_factor.T
+        scaled = self._scaled(h, draw)
+        matrix, moment = _normal(scaled, scaled.removed(scaled.rows))
+        inverse = _inverse_factor(matrix)
         return Weights(
-            mean=solved.deviations * solved.mean,
-            root=root,
-            noise=solved.noise,
-            local=solved.local,
+            mean=scaled.deviations * (inverse.T @ (inverse @ moment)),
+            root=scaled.deviations[:, np.newaxis] * inverse.T,
+            noise=scaled.noise,
+            local=scaled.local,
             draw=self.typical if draw is None else draw,
         )
 
@@ -187,37 +191,44 @@ class Evidence:
         """Return log marginal likelihood plus log prior of the hyperparameters (Rasmussen and
         Williams 2006, eq. 5.8), up to a constant that neither they nor the noise move.
         """
-        return self._log_posterior(h, self._solve(h, draw))
+        return self._marginal(h, draw, derivatives=False)[1].log + self.prior.log(h)
 
     def with_gradient(self, h: FloatArray) -> tuple[float, FloatArray]:
         """Return the log posterior and its gradient (h,) under the typical noise; that of a fixed
         hyperparameter is 0.
 
-        By Fisher's identity: the gradient of the marginal likelihood is the expected gradient of
-        the complete one (Louis, J. R. Stat. Soc. B 44, 1982).
+        For V' the derivative of the covariance V of the means, half of y' P V' P y - tr(P V') with
+        P the inverse of V (Rasmussen and Williams 2006, eq. 5.9).
         """
-        solved = self._solve(h, None)
-        size = self.basis.size
-        second_moment = solved.mean[:size] ** 2 + np.sum(solved.inverse_factor[:, :size] ** 2, 0)
-        gradient = 0.5 * solved.slopes @ (second_moment - 1.0)
-        by_noise, by_local = self._by_variances(solved)
-        gradient[NOISE] += by_noise * 2.0 * np.exp(2.0 * h[NOISE])
-        gradient[LOCAL] += by_local * 2.0 * solved.local
+        scaled, marginal = self._marginal(h, None, derivatives=True)
+        data = self.data
+        gradient = 0.5 * scaled.slopes @ marginal.by_weight[: self.basis.size]
+        seen = np.add.reduceat(marginal.residual, data.starts)
+        by_local = 0.5 * float(seen @ seen - np.sum(marginal.by_target))
+        gradient[LOCAL] += by_local * 2.0 * scaled.local
+        inferred = data.counts > 0
+        if np.any(inferred):
+            square = marginal.residual[inferred] ** 2 - marginal.by_cell[inferred]
+            by_noise = 0.5 * float(np.sum(square / data.counts[inferred]))
+            by_noise += -0.5 * data.dof / scaled.noise + 0.5 * data.squares / scaled.noise**2
+            gradient[NOISE] += by_noise * 2.0 * np.exp(2.0 * h[NOISE])
         gradient -= (h - self.prior.centre) / self.prior.width**2
-        return self._log_posterior(h, solved), np.where(self.prior.free, gradient, 0.0)
+        value = marginal.log + self.prior.log(h)
+        return value, np.where(self.prior.free, gradient, 0.0)
 
     def precision_times(self, h: FloatArray, columns: FloatArray) -> FloatArray:
         """Return the inverse covariance of the means at the hyperparameters ``h``, under the
         typical noise, times ``columns`` (c, k): local part, noise and every function of the basis
         (Rasmussen and Williams 2006, eq. A.9).
         """
-        solved = self._solve(h, None)
-        bare = self._without_local(solved, columns)
-        inside = solved.inverse_factor @ (solved.weighted.T @ columns)
-        product: FloatArray = bare - solved.weighted @ (solved.inverse_factor.T @ inside)
+        scaled = self._scaled(h, None)
+        weighted = scaled.removed(scaled.rows)
+        inverse = _inverse_factor(_normal(scaled, weighted)[0])
+        inside = inverse.T @ (inverse @ (weighted.T @ columns))
+        product: FloatArray = scaled.removed(columns) - weighted @ inside
         return product
 
-    def _solve(self, h: FloatArray, draw: int | None) -> _Solved:
+    def _scaled(self, h: FloatArray, draw: int | None) -> _Scaled:
         data = self.data
         index = self.typical if draw is None else draw
         noise, local = self.variances(h)
@@ -225,80 +236,35 @@ class Evidence:
         deviations = np.concatenate(
             [np.exp(0.5 * logs), data.extra_std, np.ones(data.columns.shape[2])]
         )
-        precision = np.where(data.counts > 0, data.counts / noise, data.precision[index])
-        total = np.add.reduceat(precision, data.starts)
-        gain = local / (1.0 + local * total)
-        rows = np.hstack([self.rows, data.columns[index]]) * deviations
-        weighted = _local_removed(precision, gain, data, rows)
-        matrix = rows.T @ weighted
-        matrix.flat[:: matrix.shape[0] + 1] += 1.0
-        factor = np.asarray(np.linalg.cholesky(matrix), dtype=np.float64)
-        inverse = np.asarray(np.linalg.inv(factor), dtype=np.float64)
-        values = data.values[index]
-        moment = inverse @ (weighted.T @ values)
-        return _Solved(
+        return _Scaled(
             noise=noise,
             local=local,
             deviations=deviations,
             slopes=slopes,
-            precision=precision,
-            total=total,
-            gain=gain,
-            values=values,
-            rows=rows,
-            weighted=weighted,
-            factor=factor,
-            inverse_factor=inverse,
-            moment=moment,
-            mean=inverse.T @ moment,
+            precision=np.where(data.counts > 0, data.counts / noise, data.precision[index]),
+            values=data.values[index],
+            rows=np.hstack([self.rows, data.columns[index]]) * deviations,
+            data=data,
         )
 
-    def _without_local(self, solved: _Solved, columns: FloatArray) -> FloatArray:
-        return _local_removed(solved.precision, solved.gain, self.data, columns)
-
-    def _log_posterior(self, h: FloatArray, solved: _Solved) -> float:
-        data, y = self.data, solved.values
-        log_determinant = float(
-            -np.sum(np.log(solved.precision))
-            + np.sum(np.log1p(solved.local * solved.total))
-            + 2.0 * np.sum(np.log(np.diag(solved.factor)))
-        )
-        fit = float(y @ self._without_local(solved, y) - solved.moment @ solved.moment)
-        spread = data.dof * np.log(solved.noise) + data.squares / solved.noise
-        return float(-0.5 * (log_determinant + fit + spread)) + self.prior.log(h)
-
-    def _by_variances(self, solved: _Solved) -> tuple[float, float]:
-        """Return the derivatives of the log likelihood by the variance of a reading, where it is
-        inferred, and by that of the local part: for V' the derivative of the covariance V of the
-        means about the curve, half of E[r' P V' P r] - tr(P V') with P the inverse of V and r the
-        residuals (Rasmussen and Williams 2006, eq. 5.9).
+    def _marginal(
+        self, h: FloatArray, draw: int | None, *, derivatives: bool
+    ) -> tuple[_Scaled, _Marginal]:
+        """Return the likelihood of the means, worked out among the cells or among the weights,
+        whichever are fewer; among the weights where the noise is very small.
         """
-        data, free = self.data, self.prior.free
-        by_noise = by_local = 0.0
-        if not (free[NOISE] or free[LOCAL]):
-            return by_noise, by_local
-        residual = self._without_local(solved, solved.values - solved.rows @ solved.mean)
-        spread = solved.inverse_factor @ solved.weighted.T
-        if free[LOCAL]:
-            seen = np.add.reduceat(spread, data.starts, axis=1)
-            square = np.add.reduceat(residual, data.starts) ** 2 + np.sum(seen**2, axis=0)
-            kept = solved.total / (1.0 + solved.local * solved.total)
-            by_local = 0.5 * float(np.sum(square) - np.sum(kept))
-        if free[NOISE]:
-            per_reading = np.divide(
-                1.0, data.counts, out=np.zeros_like(data.counts), where=data.counts > 0
-            )
-            own = solved.precision - solved.gain[data.seats] * solved.precision**2
-            square = residual**2 + np.sum(spread**2, axis=0)
-            by_noise = 0.5 * float(np.sum(per_reading * (square - own)))
-            by_noise += -0.5 * data.dof / solved.noise + 0.5 * data.squares / solved.noise**2
-        return by_noise, by_local
+        scaled = self._scaled(h, draw)
+        cells, weights = scaled.rows.shape
+        few = cells < weights and VAGUE**2 * cells * np.max(scaled.precision) < _CONDITION
+        marginal = (_by_cells if few else _by_weights)(scaled, derivatives=derivatives)
+        spread = self.data.dof * np.log(scaled.noise) + self.data.squares / scaled.noise
+        return scaled, replace(marginal, log=marginal.log - 0.5 * float(spread))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class _Solved:
-    """What one evaluation shares: variances, precision per cell and summed per target, whitened
-    rows, factor of the posterior, whitened mean.
+class _Scaled:
+    """The model at given hyperparameters: variances, precision per cell, values of the cells, and
+    the ``rows`` (c, j) of weights of unit variance.
     """
 
     noise: float
@@ -306,27 +272,118 @@ class _Solved:
     deviations: FloatArray
     slopes: FloatArray
     precision: FloatArray
-    total: FloatArray
-    gain: FloatArray
     values: FloatArray
     rows: FloatArray
-    weighted: FloatArray
-    factor: FloatArray
-    inverse_factor: FloatArray
-    moment: FloatArray
-    mean: FloatArray
+    data: CellData
+
+    @property
+    def total(self) -> FloatArray:
+        """Precision of each target (m,), all its cells together."""
+        return np.add.reduceat(self.precision, self.data.starts)
+
+    def removed(self, columns: FloatArray) -> FloatArray:
+        """Return the inverse of noise + local part times ``columns`` (c,) or (c, k): cells of one
+        target share the local part. By the formula of Sherman and Morrison (Rasmussen and Williams
+        2006, eq. A.9).
+        """
+        gain = self.local / (1.0 + self.local * self.total)
+        precision = self.precision
+        if columns.ndim > 1:
+            gain, precision = gain[:, np.newaxis], precision[:, np.newaxis]
+        scaled = precision * columns
+        common = gain * np.add.reduceat(scaled, self.data.starts, axis=0)
+        product: FloatArray = scaled - precision * common[self.data.seats]
+        return product
 
 
-def _local_removed(
-    precision: FloatArray, gain: FloatArray, data: CellData, columns: FloatArray
-) -> FloatArray:
-    """Return the inverse of noise + local part times ``columns`` (c,) or (c, k): cells of one
-    target share the local part. By the formula of Sherman and Morrison (Rasmussen and Williams
-    2006, eq. A.9) with ``gain`` (m,) = local / (1 + local sum of the target's precisions).
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Marginal:
+    """The means y under their covariance V, P its inverse: log density; and where derivatives are
+    asked for ``residual`` (c,) P y, ``by_weight`` (j,) of weights of unit variance: (r' P y)² - r'
+    P r with r their rows; ``by_target`` (m,) and ``by_cell`` (c,): P summed over a target's cells,
+    and its diagonal.
     """
-    by_cell = precision if columns.ndim == 1 else precision[:, np.newaxis]
-    by_target = gain if columns.ndim == 1 else gain[:, np.newaxis]
-    scaled = by_cell * columns
-    common = by_target * np.add.reduceat(scaled, data.starts, axis=0)
-    product: FloatArray = scaled - by_cell * common[data.seats]
-    return product
+
+    log: float
+    residual: FloatArray
+    by_weight: FloatArray
+    by_target: FloatArray
+    by_cell: FloatArray
+
+
+_NONE: Final = np.zeros(0)
+
+
+def _by_cells(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
+    """Return the density by the covariance of the cells itself (c, c)."""
+    data, y = scaled.data, scaled.values
+    covariance = scaled.rows @ scaled.rows.T
+    covariance += scaled.local * (data.seats[:, np.newaxis] == data.seats)
+    covariance.flat[:: y.size + 1] += 1.0 / scaled.precision
+    factor = np.linalg.cholesky(covariance)
+    log = -float(np.sum(np.log(np.diag(factor))))
+    if not derivatives:
+        z = np.linalg.solve(factor, y)
+        return _Marginal(
+            log=log - 0.5 * float(z @ z),
+            residual=_NONE,
+            by_weight=_NONE,
+            by_target=_NONE,
+            by_cell=_NONE,
+        )
+    inverse = np.asarray(np.linalg.inv(factor), dtype=np.float64)
+    z, whitened = inverse @ y, inverse @ scaled.rows
+    seen = np.add.reduceat(inverse, data.starts, axis=1)
+    return _Marginal(
+        log=log - 0.5 * float(z @ z),
+        residual=inverse.T @ z,
+        by_weight=(z @ whitened) ** 2 - np.sum(whitened**2, axis=0),
+        by_target=np.sum(seen**2, axis=0),
+        by_cell=np.sum(inverse**2, axis=0),
+    )
+
+
+def _by_weights(scaled: _Scaled, *, derivatives: bool) -> _Marginal:
+    """Return the density by the weights (j, j): the covariance of the cells is noise, local part
+    and a sum of low rank (Rasmussen and Williams 2006, eq. A.9 and A.10).
+    """
+    data, y = scaled.data, scaled.values
+    weighted = scaled.removed(scaled.rows)
+    matrix, moment = _normal(scaled, weighted)
+    factor = np.linalg.cholesky(matrix)
+    total, local = scaled.total, scaled.local
+    log_determinant = (
+        -float(np.sum(np.log(scaled.precision)))
+        + float(np.sum(np.log1p(local * total)))
+        + 2.0 * float(np.sum(np.log(np.diag(factor))))
+    )
+    mean = np.linalg.solve(matrix, moment)
+    log = -0.5 * (log_determinant + float(y @ scaled.removed(y) - moment @ mean))
+    if not derivatives:
+        return _Marginal(log=log, residual=_NONE, by_weight=_NONE, by_target=_NONE, by_cell=_NONE)
+    inverse = np.asarray(np.linalg.inv(factor), dtype=np.float64)
+    spread = inverse @ weighted.T
+    seen = np.add.reduceat(spread, data.starts, axis=1)
+    gain = local / (1.0 + local * total)
+    own = scaled.precision - gain[data.seats] * scaled.precision**2
+    return _Marginal(
+        log=log,
+        residual=scaled.removed(y - scaled.rows @ mean),
+        by_weight=mean**2 + np.sum(inverse**2, axis=0) - 1.0,
+        by_target=total / (1.0 + local * total) - np.sum(seen**2, axis=0),
+        by_cell=own - np.sum(spread**2, axis=0),
+    )
+
+
+def _normal(scaled: _Scaled, weighted: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the normal equations of weights of unit variance: posterior precision (j, j) and what
+    the values say of each (j,); ``weighted``: the rows times the inverse of noise + local part.
+    """
+    matrix = scaled.rows.T @ weighted
+    matrix.flat[:: matrix.shape[0] + 1] += 1.0
+    return matrix, weighted.T @ scaled.values
+
+
+def _inverse_factor(matrix: FloatArray) -> FloatArray:
+    """Return the inverse of the factor of Cholesky of a ``matrix`` (j, j)."""
+    return np.asarray(np.linalg.inv(np.linalg.cholesky(matrix)), dtype=np.float64)

@@ -7,7 +7,7 @@ averaging: Hoeting et al., Statistical Science 14, 1999).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -50,6 +50,10 @@ class Periods:
 
     periods: tuple[float, ...] = ()
     harmonics: tuple[tuple[int, ...], ...] = ()
+
+    def beside(self, periods: tuple[float, ...], harmonics: tuple[tuple[int, ...], ...]) -> Periods:
+        """Return these and others."""
+        return Periods((*self.periods, *periods), (*self.harmonics, *harmonics))
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,10 +106,25 @@ def fitted(cells: Cells, travel: Travel, periods: Periods, *, varying: bool, dra
     )
 
 
+def moved(fit: Fitted, cells: Cells, periods: Periods) -> Fitted:
+    """Return a fitted model with as many other periods; the draws of its hyperparameters stay."""
+    evidence = fit.evidence
+    if periods.periods == evidence.basis.periods:
+        return fit
+    basis = replace(evidence.basis, periods=periods.periods, kept=periods.harmonics)
+    return Fitted(Evidence(basis, cells.targets, cells.data, evidence.prior), fit.drawn)
+
+
 def evidence_of(cells: Cells, travel: Travel, periods: Periods, *, varying: bool) -> Evidence:
     """Return the marginal likelihood of the cells under one model (Rasmussen and Williams, Gaussian
     Processes for Machine Learning, 2006, section 5.2). Arguments as those of `fitted`.
     """
+    basis = basis_of(cells, travel, periods, varying=varying)
+    return Evidence(basis, cells.targets, cells.data, _prior_for(cells, basis, varying=varying))
+
+
+def basis_of(cells: Cells, travel: Travel, periods: Periods, *, varying: bool) -> Basis:
+    """Return the functions of a model. Arguments as those of `fitted`."""
     m = cells.targets.size
     # Twice the targets resolves what they can show; 112 sines resolve a length of 3 % of the half
     # travel.
@@ -119,7 +138,7 @@ def evidence_of(cells: Cells, travel: Travel, periods: Periods, *, varying: bool
             0.5 * travel.turn,
             reversal_sines & -2,
         )
-    basis = Basis(
+    return Basis(
         centre=centre,
         half=half,
         sines=sines,
@@ -129,7 +148,6 @@ def evidence_of(cells: Cells, travel: Travel, periods: Periods, *, varying: bool
         turn=travel.turn,
         kept=periods.harmonics,
     )
-    return Evidence(basis, cells.targets, cells.data, _prior_for(cells, basis, varying=varying))
 
 
 def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:

@@ -1,0 +1,80 @@
+"""What is known of an axis, as a mixture of models: with and without periods that nobody named,
+with a reversal that varies or not, each as far as its probability goes (Hoeting et al., Statistical
+Science 14, 1999).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from compwright.estimation.cells import Cells
+from compwright.estimation.model import Fitted, Part, Periods, Travel, fitted, moved
+from compwright.estimation.periods import PeriodModel
+
+
+@dataclass(frozen=True, slots=True)
+class Averaged:
+    """The ``parts`` of the mixture, all their draws equally likely; ``reversal_log_odds``: natural
+    logarithm of the evidence for a reversal that varies over a constant one.
+    """
+
+    parts: tuple[Part, ...]
+    reversal_log_odds: float
+
+
+def averaged(
+    cells: Cells, travel: Travel, known: Periods, models: Sequence[PeriodModel], draws: int
+) -> Averaged:
+    """Return the mixture of ``models`` (the most probable first) beside the ``known`` periods.
+
+    Varying and constant reversal of equal prior probability: the share of the first is odds / (1 +
+    odds) (Kass and Raftery, J. Am. Stat. Assoc. 90, 1995). The reversal is the difference of the
+    directions, periods are of their mean: the odds of the most probable model serve for all. Models
+    with as many periods and harmonics share the draws of their hyperparameters.
+    """
+    first, odds = _with_and_without(cells, travel, known, models[0], draws)
+    share = 1.0 / (1.0 + float(np.exp(-np.clip(odds, -50.0, 50.0)))) if len(first) > 1 else 0.0
+    favoured = max(first, key=lambda varying: share if varying else 1.0 - share)
+    fits: dict[tuple[tuple[int, ...], ...], dict[bool, Fitted]] = {models[0].harmonics: first}
+    weights: list[tuple[Fitted, float]] = []
+    for model in models:
+        periods = known.beside(model.periods, model.harmonics)
+        if model.harmonics not in fits:
+            fits[model.harmonics] = {
+                favoured: fitted(cells, travel, periods, varying=favoured, draws=draws // 2)
+            }
+        own = fits[model.harmonics]
+        for varying, fit in own.items():
+            part = (share if varying else 1.0 - share) if len(own) > 1 else 1.0
+            weights.append((moved(fit, cells, periods), model.probability * part))
+    counts = _apportioned([weight for _, weight in weights], draws)
+    parts = [fit.part(count) for (fit, _), count in zip(weights, counts, strict=True) if count]
+    return Averaged(tuple(parts), odds)
+
+
+def _with_and_without(
+    cells: Cells, travel: Travel, known: Periods, model: PeriodModel, draws: int
+) -> tuple[dict[bool, Fitted], float]:
+    """Return a model with the reversal varying and constant, and the log odds for the first."""
+    periods = known.beside(model.periods, model.harmonics)
+    both = {
+        varying: fitted(cells, travel, periods, varying=varying, draws=draws)
+        for varying in ((True, False) if cells.bidirectional else (False,))
+    }
+    if len(both) == 1:
+        return both, 0.0
+    return both, both[True].drawn.log_evidence - both[False].drawn.log_evidence
+
+
+def _apportioned(weights: Sequence[float], draws: int) -> list[int]:
+    """Return how many of ``draws`` each weight gets: whole numbers by the largest remainders, which
+    sum to ``draws`` (Balinski and Young, Fair Representation, 1982).
+    """
+    exact = draws * np.round(np.array(weights) / sum(weights), 9)
+    counts = np.floor(exact).astype(int)
+    order = np.argsort(-np.round(exact - counts, 6), kind="stable")
+    counts[order[: draws - int(np.sum(counts))]] += 1
+    return [int(count) for count in counts]
