@@ -24,7 +24,7 @@ from compwright.records.correction import (
     ControlFile,
     CrossCompensation,
 )
-from compwright.records.estimate import ErrorEstimate, WantedCorrection
+from compwright.records.estimate import AxisPeriod, ErrorEstimate, WantedCorrection
 from compwright.records.fitted import FittedTable, Limit, TableRequest
 from compwright.records.job import Acceptance, Thermal
 from compwright.records.plan import (
@@ -393,6 +393,7 @@ def _estimate_in(data: Mapping[str, Any]) -> ErrorEstimate:
         noise_dof=float(data["noise_dof"]),
         measured=(float(data["measured"][0]), float(data["measured"][1])),
         findings=tuple(Finding(**entry) for entry in data["findings"]),
+        periods=tuple(AxisPeriod(**entry) for entry in data.get("periods", ())),
         **{name: _array(data, name) for name in names},
     )
 

@@ -32,14 +32,13 @@ from compwright.estimation.cells import (
     Cells,
     cells_of,
     findings_of,
-    visible_harmonics,
     visible_periods,
 )
 from compwright.estimation.evidence import Weights
-from compwright.estimation.middles import middles_of
 from compwright.estimation.model import Part, Periods, Travel, basis_of
 from compwright.estimation.observed import ObservedTest
-from compwright.estimation.periods import PeriodCurve, search_periods
+from compwright.estimation.period_middles import fitted_periods, middles_of
+from compwright.estimation.periods import PeriodSearch, search_periods
 from compwright.foundations.errors import Fault, UsageError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
@@ -67,8 +66,7 @@ class AxisPosterior:
     ``parts``: the models that count, all draws equally likely. ``noise``: standard deviation of one
     reading of the first test with ``noise_dof`` degrees of freedom. ``reversal_log_odds``: natural
     logarithm of the evidence for a reversal that varies with position over a constant one (0: one
-    direction measured). ``periods``: those that are known and those that were found, ``alike``
-    those of them that the targets cannot tell apart, ``period_curve`` the evidence over the period.
+    direction measured). ``periods``: those that are known and those that the ``search`` found.
     """
 
     kind: AxisKind
@@ -79,9 +77,8 @@ class AxisPosterior:
     findings: tuple[Finding, ...]
     cells: Cells
     parts: tuple[Part, ...]
-    periods: tuple[AxisPeriod, ...] = ()
-    alike: tuple[tuple[float, ...], ...] = ()
-    period_curve: PeriodCurve | None = None
+    periods: tuple[AxisPeriod, ...]
+    search: PeriodSearch
 
     def summary(self, positions: FloatArray) -> ErrorEstimate:
         """Return mean and standard deviation of the deviation at ``positions`` (g,) strictly
@@ -109,6 +106,7 @@ class AxisPosterior:
             noise_dof=self.noise_dof,
             measured=self.measured,
             findings=self.findings,
+            periods=self.periods,
         )
 
     def _moments(self, where: FloatArray) -> tuple[list[FloatArray], list[FloatArray]]:
@@ -220,21 +218,13 @@ def estimate_axis(
     _refuse_misuse(tests, travel, periods)
     cells = cells_of(tests, endless=turn is not None)
     shown = visible_periods(cells.targets, periods)
-    known = Periods(shown, tuple(visible_harmonics(cells.targets, period) for period in shown))
+    over = Travel(*travel, turn)
+    middles = middles_of(cells, endless=turn is not None)
+    smooth = basis_of(cells, over, Periods(), varying=False)
+    known = Periods.of(cells, fitted_periods(middles, smooth, shown))
     kind, first = tests[0].test.kind, tests[0].noise
-    guess = first.sigma if first else cells.spread * cells.data.scale
-    search = search_periods(
-        middles_of(
-            cells,
-            endless=turn is not None,
-            reading=guess,
-            dof=first.dof if first else cells.data.dof,
-        ),
-        basis_of(cells, Travel(*travel, turn), known, varying=False),
-        kind,
-        known=shown,
-    )
-    mixture = averaged(cells, Travel(*travel, turn), known, search.models, _DRAWS)
+    search = search_periods(middles, smooth, kind, known=known.periods)
+    mixture = averaged(cells, over, known, search.models, _DRAWS)
     parts, odds = mixture.parts, mixture.reversal_log_odds
     log_noise = 0.5 * np.log([each.noise for part in parts for each in part.weights])
     return AxisPosterior(
@@ -250,8 +240,7 @@ def estimate_axis(
         cells=cells,
         parts=parts,
         periods=(*(AxisPeriod(period, 1.0, "job") for period in periods), *search.found),
-        alike=search.alike,
-        period_curve=search.curve,
+        search=search,
     )
 
 

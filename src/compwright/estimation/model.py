@@ -13,7 +13,7 @@ from typing import Final
 import numpy as np
 
 from compwright.estimation.basis import Basis
-from compwright.estimation.cells import Cells
+from compwright.estimation.cells import Cells, visible_harmonics
 from compwright.estimation.evidence import (
     NOISE,
     REVERSAL,
@@ -50,6 +50,11 @@ class Periods:
 
     periods: tuple[float, ...] = ()
     harmonics: tuple[tuple[int, ...], ...] = ()
+
+    @classmethod
+    def of(cls, cells: Cells, periods: tuple[float, ...]) -> Periods:
+        """Return the periods with the harmonics that the targets show as what they are."""
+        return cls(periods, tuple(visible_harmonics(cells.targets, each) for each in periods))
 
     def beside(self, periods: tuple[float, ...], harmonics: tuple[tuple[int, ...], ...]) -> Periods:
         """Return these and others."""

@@ -28,7 +28,8 @@ class ErrorEstimate:
     ``positions`` (g,) strictly ascending over the whole travel; ``mean_*`` and ``std_*`` (g,) for
     approaches in + and -. Measured in one direction only: both directions hold that one's curve and
     a finding says so. ``noise`` is the standard deviation of a single reading (0 is never claimed)
-    with ``noise_dof`` degrees of freedom. ``measured`` is the range of the targets.
+    with ``noise_dof`` degrees of freedom. ``measured`` is the range of the targets;
+    ``periods``: those known and those found.
     """
 
     kind: AxisKind
@@ -41,6 +42,7 @@ class ErrorEstimate:
     noise_dof: float
     measured: tuple[float, float]
     findings: tuple[Finding, ...] = ()
+    periods: tuple[AxisPeriod, ...] = ()
 
     def mean(self, direction: Direction) -> FloatArray:
         """Return the estimated deviation (g,) of one approach direction."""
