@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from compwright.foundations.errors import InputError
-from compwright.instruments.answers import Answers
+from compwright.instruments.profile import Profile
 from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
 from laser_files import compensation_file, laser_file, mean_file
@@ -15,17 +15,17 @@ REVERSE = [("0.000", "-0.0030"), ("100.000", "-0.0011"), ("200.000", "0.0005")]
 BOTH = [("0.000", "-0.0015"), ("100.000", "0.0005"), ("200.000", "0.0020")]
 
 
-def read(text: str, answers: Answers | None = None) -> PositioningTest:
-    return read_positioning(text.encode(), "y.pos", *([answers] if answers else []))
+def read(text: str, profile: Profile | None = None) -> PositioningTest:
+    return read_positioning(text.encode(), "y.pos", profile)
 
 
 def told(test: PositioningTest) -> dict[str, str]:
     return {finding.code: finding.message for finding in test.findings}
 
 
-def refused(text: str, answers: Answers | None = None) -> str:
+def refused(text: str, profile: Profile | None = None) -> str:
     with pytest.raises(InputError) as caught:
-        read(text, answers)
+        read(text, profile)
     return str(caught.value)
 
 
@@ -114,7 +114,7 @@ def test_a_compensation_text_by_its_field(sign: str, factor: float) -> None:
 def test_a_compensation_text_without_the_field() -> None:
     text = compensation_file(ROWS, sign=None)
     assert "errors or corrections" in refused(text)
-    test = read(text, Answers(sign="target minus measured"))
+    test = read(text, Profile(file="p", layout="own", sign="target minus measured"))
     assert test.positive[:, 0].tolist() == [0.0, -0.0013, -0.0021]
 
 
@@ -155,5 +155,5 @@ def test_whole_numbers_may_be_counts() -> None:
     rows = [["1", "-250", "0", "-2"], ["2", "-225", "13", "8"], ["3", "-200", "21", "17"]]
     text = compensation_file(rows, resolution="0.0001 mm")
     assert "counts of the compensation resolution" in refused(text)
-    test = read(text, Answers(unit="um"))
+    test = read(text, Profile(file="p", layout="own", unit="um"))
     assert test.positive[:, 0] == pytest.approx([0.0, 0.013, 0.021], rel=1e-15)

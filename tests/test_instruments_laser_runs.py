@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from compwright.foundations.errors import InputError
-from compwright.instruments.answers import Answers
+from compwright.instruments.profile import Profile
 from compwright.instruments.reading import read_positioning
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
@@ -21,18 +21,18 @@ READINGS = {
 }
 
 
-def read(text: str | bytes, answers: Answers | None = None) -> PositioningTest:
+def read(text: str | bytes, profile: Profile | None = None) -> PositioningTest:
     content = text if isinstance(text, bytes) else text.encode()
-    return read_positioning(content, "x.rtl", *([answers] if answers else []))
+    return read_positioning(content, "x.rtl", profile)
 
 
 def told(test: PositioningTest) -> dict[str, str]:
     return {finding.code: finding.message for finding in test.findings}
 
 
-def refused(text: str, answers: Answers | None = None) -> str:
+def refused(text: str, profile: Profile | None = None) -> str:
     with pytest.raises(InputError) as caught:
-        read(text, answers)
+        read(text, profile)
     return str(caught.value)
 
 
@@ -112,14 +112,16 @@ def test_angles_are_microradian() -> None:
 def test_angles_whose_unit_nobody_knows() -> None:
     text = laser_file(TARGETS, {(1, 1): "0.0", (1, 2): "0.0123"}, file_type="rta")
     assert "unit: urad' or 'unit: mrad" in refused(text)
-    test = read(text, Answers(unit="mrad"))
+    test = read(text, Profile(file="p", layout="own", unit="mrad"))
     assert test.positive[1, 0] * 3600 == pytest.approx(12.3 * 0.206264806247, rel=1e-11)
     assert "CW-R056" not in told(test)
-    assert "contradict" in refused(text, Answers(unit="um"))
+    assert "contradict" in refused(text, Profile(file="p", layout="own", unit="um"))
 
 
 def test_the_sign_may_be_said() -> None:
-    turned = read(laser_file(TARGETS, READINGS), Answers(sign="target minus measured"))
+    turned = read(
+        laser_file(TARGETS, READINGS), Profile(file="p", layout="own", sign="target minus measured")
+    )
     np.testing.assert_array_equal(turned.positive, -read(laser_file(TARGETS, READINGS)).positive)
 
 

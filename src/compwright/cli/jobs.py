@@ -17,6 +17,7 @@ from compwright.cli.words import (
     format_option,
     json_option,
     pairs,
+    profile_option,
     state_option,
 )
 from compwright.foundations.side_by_side import Crew
@@ -38,6 +39,7 @@ from compwright.foundations.side_by_side import Crew
 )
 @state_option
 @control_options
+@profile_option
 @click.option(
     "--out",
     type=PATH,
@@ -65,6 +67,7 @@ def run_command(
         travel=words["travel"],
         states=words["states"],
         options=words["options"],
+        profile=None if words["profile"] is None else str(words["profile"]),
     )
     with crew(len(job.axes), ready_for_axes) as each:
         outcome = run_job(

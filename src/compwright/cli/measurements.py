@@ -7,7 +7,14 @@ from pathlib import Path
 import click
 
 from compwright.cli.saying import answer, errors, json_file, print_lines, print_safely, tell
-from compwright.cli.words import PATH, compwright, exiting, force_option, json_option
+from compwright.cli.words import (
+    PATH,
+    compwright,
+    exiting,
+    force_option,
+    json_option,
+    profile_option,
+)
 from compwright.foundations.side_by_side import Crew
 
 _STANDARDS = (
@@ -31,6 +38,7 @@ _STANDARDS = (
     default="std",
     help="How s is estimated (range: 1988 and GOST only).",
 )
+@profile_option
 @click.option("--plot", type=PATH, help="Plot to a file: .svg, .png or .pdf.")
 @click.option("--targets", is_flag=True, help="Show the values of every target too.")
 @json_option
@@ -40,6 +48,7 @@ def evaluate(
     paths: tuple[Path, ...],
     standards: tuple[str, ...],
     spread: str,
+    profile: Path | None,
     plot: Path | None,
     targets: bool,  # noqa: FBT001 - a flag of the command line
     json_path: Path | None,
@@ -52,7 +61,7 @@ def evaluate(
         write_evaluation,
     )
 
-    outcome = evaluate_files(paths, standards, spread)
+    outcome = evaluate_files(paths, standards, spread, profile=profile)
     written = write_evaluation(
         outcome.document, json_path=json_file(json_path), plot_path=plot, force=force
     )
@@ -70,6 +79,28 @@ def evaluate(
     for path in written:
         tell(f"written: {path}")
     return outcome.exit_code
+
+
+@compwright.command()
+@click.argument("file", metavar="FILE", type=PATH)
+@click.option("--out", required=True, type=PATH, metavar="P.yaml", help="The profile to write.")
+@force_option
+@exiting
+def profile(
+    file: Path,
+    out: Path,
+    force: bool,  # noqa: FBT001 - a flag of the command line
+) -> int:
+    """Propose a mapping profile for a table made by another program."""
+    from compwright.workflow.commands.profile import propose_profile
+
+    outcome = propose_profile(file, out, force=force)
+    print_lines([str(outcome.path), *outcome.worked])
+    for line in outcome.notes:
+        tell(f"note: {line}")
+    for line in outcome.open:
+        tell(f"fill in: {line}")
+    return 0
 
 
 @compwright.command()

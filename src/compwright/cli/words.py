@@ -117,6 +117,14 @@ state_option = click.option(
 )
 
 
+profile_option = click.option(
+    "--profile",
+    type=PATH,
+    metavar="P.yaml",
+    help="Read tables of other programs by this mapping profile; see compwright profile.",
+)
+
+
 def exiting(command: Callable[P, int]) -> Callable[P, None]:
     """Turn the number that a command returns into its exit code."""
 

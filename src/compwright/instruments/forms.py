@@ -42,6 +42,8 @@ FORMS = (
         code_pages=False,
     ),
 )
+#: Forms whose reader may ask for the unit or the sign.
+OPEN_FORMS = FORMS[:3]
 #: What a file is taken for that no other form recognises.
 PLAIN_CSV = Form(
     "plain CSV",

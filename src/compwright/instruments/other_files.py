@@ -20,7 +20,8 @@ from compwright.instruments.fault_list import shown
 ACCEPTED_FORMS = (
     "a plain CSV file (columns target_mm or target_deg, direction, run and a deviation or measured"
     " value; or target and one column per traverse), target data (TGT_DATA[1]=...), or a file of"
-    " laser software (.rtl, .rta, .pos, .ren)"
+    " laser software (.rtl, .rta, .pos, .ren); any other table by a mapping profile (compwright"
+    " profile FILE --out P.yaml, then --profile P.yaml)"
 )
 _NEWEST_FORM = 1
 _FORM_KEY = re.compile(r"positioning\s+([0-9]{1,9})")

@@ -180,7 +180,10 @@ def _target_column(table: Table, faults: FaultList) -> str:
         faults.add(
             "the target column is missing",
             place=f"line {table.line}",
-            expected="target_mm or target_deg",
+            expected=(
+                "target_mm or target_deg; a table of another program is read by a mapping profile"
+                " (compwright profile FILE --out P.yaml)"
+            ),
             found=f"columns {_listed(table.columns)}",
         )
     if len(targets) > 1:

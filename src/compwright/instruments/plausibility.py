@@ -27,6 +27,8 @@ Codes of this room:
 - ``CW-R056`` warning: angles without a unit were taken as microradian
 - ``CW-R057`` warning: means instead of readings
 - ``CW-R058`` warning: a compensation table instead of a test
+- ``CW-R059`` warning: rows of a table without a number in the target column were left out
+- ``CW-R060`` info: how a table was read by its mapping profile
 """
 
 from __future__ import annotations

@@ -46,6 +46,7 @@ def job_from_options(
     travel: str,
     states: Sequence[str],
     options: Sequence[str],
+    profile: str | None = None,
     further: Further | None = None,
 ) -> Job:
     """Return the job that the options of ``run`` describe: one axis, one test of all ``files``,
@@ -60,7 +61,7 @@ def job_from_options(
     """
     section: dict[str, Any] = {
         "travel": [_number(end) for end in travel.split(":")],
-        "before": [{"files": list(files)}],
+        "before": [{"files": list(files)} | ({"profile": profile} if profile else {})],
     }
     controller, faults = _sorted_options(options, section)
     data: dict[str, Any] = {
@@ -149,6 +150,7 @@ def _option(place: str, axis: str) -> str:
     """Return the option that filled a place of the job."""
     places = {
         f"axes.{axis}.travel": "--travel",
+        f"axes.{axis}.before[0].profile": "--profile",
         f"axes.{axis}.before": "FILE",
         "controller.format": "--format",
         f"states.{AS_FOUND}.{ACTIVE}": f"--option {ACTIVE}",

@@ -238,6 +238,7 @@ def _test(
         motion=section.motion,
         thermal=_thermal(*thermal, section.thermal),
         own_temperature=bool(section.thermal and section.thermal.T_m is not None),
+        profile=section.profile,
     )
 
 

@@ -152,6 +152,7 @@ class TestSection(Section):
     position_map: PositionMapSection | None = None
     motion: Literal["feed", "rapid"] = "feed"
     thermal: OwnThermalSection | None = None
+    profile: Text | None = None
 
 
 class TableSection(Section):

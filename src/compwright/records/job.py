@@ -53,6 +53,7 @@ class TestRequest:
     motion: Motion = "feed"
     thermal: Thermal | None = None
     own_temperature: bool = False
+    profile: str | None = None
 
     __test__ = False  # not a test class, whatever the name suggests to a collector
 

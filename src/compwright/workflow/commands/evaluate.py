@@ -23,10 +23,11 @@ from compwright.foundations.errors import (
     raise_all,
 )
 from compwright.foundations.utf8 import encoded, shown_path
+from compwright.instruments.profile import Profile
 from compwright.instruments.reading import read_positioning
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
-from compwright.workflow.stages.measurement_files import measurement_files
+from compwright.workflow.stages.measurement_files import load_profile, measurement_files
 
 if TYPE_CHECKING:  # positioning tests, the common case, start without the circular records
     from compwright.records.circular import CircularResult, CircularTest
@@ -49,28 +50,33 @@ class EvaluationRun:
 
 
 def evaluate_files(
-    paths: Sequence[Path], standards: Sequence[str] = (), spread: str = "std"
+    paths: Sequence[Path],
+    standards: Sequence[str] = (),
+    spread: str = "std",
+    *,
+    profile: Path | None = None,
 ) -> EvaluationRun:
     """Evaluate every file of ``paths`` (folders: every file in them, hidden ones left out), each
     kind of test to its standard.
 
-    ``standards``: at most one for positioning and one for circular tests; without one the default
-    of the kind. Two files that hold one direction each of the same circular test are one test
-    (`circular_pairs.paired`). A file that cannot be read, also one in a folder that is no
-    measurement file, becomes an entry in ``errors`` and the rest is evaluated; what lies beside
-    measurements in a folder (plots, JSON, jobs) is skipped and named in ``skipped``. Raises
-    UsageError for unknown standards, two of one kind, a range method that the standard or the only
-    test does not have, or no path at all.
+    ``profile``: of tables of other programs. ``standards``: at most one for positioning and one
+    for circular tests; without one the default of the kind. Two files that hold one direction
+    each of the same circular test are one test (`circular_pairs.paired`). A file that cannot be
+    read, also one in a folder that is no measurement file, becomes an entry in ``errors`` and
+    the rest is evaluated; what lies beside measurements in a folder (plots, JSON, jobs) is
+    skipped and named in ``skipped``. Raises UsageError for unknown standards, two of one kind,
+    a range method that the standard or the only test does not have, or no path at all.
     """
     positioning, circular = _standards(standards, spread)
     if not paths:
         raise UsageError(
             Fault(message="nothing to evaluate", expected="at least one measurement file or folder")
         )
+    mapping = None if profile is None else load_profile(profile)
     files, skipped, faults = _files(paths)
     unfit: list[UsageError] = []
     results: list[PositioningResult | CircularResult] = []
-    for test in _tests(files, faults):
+    for test in _tests(files, mapping, faults):
         try:
             if isinstance(test, PositioningTest):
                 results.append(_evaluated(test, positioning, spread))
@@ -201,14 +207,16 @@ def _files(paths: Sequence[Path]) -> tuple[list[Path], list[Path], list[Fault]]:
     return list(files), [path for path in skipped if path not in files], faults
 
 
-def _tests(files: Sequence[Path], faults: list[Fault]) -> list[PositioningTest | CircularTest]:
+def _tests(
+    files: Sequence[Path], profile: Profile | None, faults: list[Fault]
+) -> list[PositioningTest | CircularTest]:
     """Return the tests in the files, those of one circular test joined; what cannot be read goes to
     ``faults``.
     """
     tests: list[PositioningTest | CircularTest] = []
     for file in files:
         try:
-            tests.append(_read(storage.read_bytes(file), shown_path(file)))
+            tests.append(_read(storage.read_bytes(file), shown_path(file), profile))
         except InputError as error:
             faults.extend(fault.in_file(shown_path(file)) for fault in error.faults)
     if all(isinstance(test, PositioningTest) for test in tests):
@@ -218,9 +226,9 @@ def _tests(files: Sequence[Path], faults: list[Fault]) -> list[PositioningTest |
     return pairs_joined(tests)
 
 
-def _read(content: bytes, file: str) -> PositioningTest | CircularTest:
+def _read(content: bytes, file: str, profile: Profile | None) -> PositioningTest | CircularTest:
     try:
-        return read_positioning(content, file)
+        return read_positioning(content, file, profile)
     except InputError:
         from compwright.workflow.stages.circles import (
             read_if_circular,

@@ -48,7 +48,11 @@ def after_tests(job: Job, plan: Plan, specs: Sequence[str]) -> list[AfterTest]:
         entry = job.axes[axis]
         request = next(item for item in entry.before if item.name == name)
         try:
-            test = read_test(entry, _taken_later(entry, request, paths), Path())
+            # a path of the command line is as it stands, that of the job's profile beside the job
+            beside = Path(job.file).parent / request.profile if request.profile else None
+            later = _taken_later(entry, request, paths)
+            later = replace(later, profile=str(beside) if beside else None)
+            test = read_test(entry, later, Path())
         except CompwrightError as error:
             errors.append(error)
             continue

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -21,14 +21,15 @@ from compwright.foundations.errors import (
 from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.plausibility import skipped_finding
+from compwright.instruments.profile import Profile
 from compwright.instruments.reading import read_positioning
 from compwright.planning.motions import unknown_motions
-from compwright.records.axis import Axis, AxisKind
+from compwright.records.axis import Axis, AxisKind, PositionMap
 from compwright.records.job import AS_FOUND, AxisJob, Job, TestRequest
 from compwright.records.plan import PlannedTest
 from compwright.records.positioning import PositioningTest, merge, to_machine
 from compwright.workflow.stages.control import Control, DecodedState, decode, read_files
-from compwright.workflow.stages.measurement_files import measurement_files
+from compwright.workflow.stages.measurement_files import load_profile, measurement_files
 
 #: A table over the travel, read in the wrong unit, is 25.4 times too short or long; it may reach
 #: over 0.8 of the travel only.
@@ -90,9 +91,9 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
     return JobInputs(tests=tests, states=states)
 
 
-def read_measurement(path: Path) -> PositioningTest:
-    """Read one measurement file. Raises InputError."""
-    return read_positioning(storage.read_bytes(path), shown_path(path))
+def read_measurement(path: Path, profile: Profile | None = None) -> PositioningTest:
+    """Read one measurement file, with a profile where there is one. Raises InputError."""
+    return read_positioning(storage.read_bytes(path), shown_path(path), profile)
 
 
 def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> PositioningTest:
@@ -102,6 +103,7 @@ def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> Positioning
     errors: list[CompwrightError] = []
     parts = []
     skipped: tuple[Path, ...] = ()
+    profile = load_profile(folder / request.profile) if request.profile else None
     for text in request.files:
         try:
             found = measurement_files(folder / text)
@@ -111,12 +113,13 @@ def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> Positioning
         skipped += found.skipped
         for path in found.files:
             try:
-                parts.append(read_measurement(path))
+                parts.append(read_measurement(path, profile))
             except InputError as error:
                 errors.append(error)
     raise_all(InputError, collect(errors))
     for part in parts:
         _check_axis(entry.axis, part)
+    _check_one_map(entry, request, parts)
     test = to_machine(merge(parts, request.name), request.position_map)
     if request.thermal is not None:
         stated = {} if request.own_temperature else temperatures_of(parts)
@@ -127,6 +130,23 @@ def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> Positioning
         axis=entry.axis.name,
         findings=test.findings if finding is None else (*test.findings, finding),
     )
+
+
+def _check_one_map(entry: AxisJob, request: TestRequest, parts: Sequence[PositioningTest]) -> None:
+    """Raise where both the job and a profile say how the instrument's positions map."""
+    if request.position_map == PositionMap():
+        return
+    faults = [
+        Fault(
+            message="the positions are mapped twice, by the profile and by the job",
+            place=f"axes.{entry.axis.name}, test {request.name}",
+            expected="a position_map in one of them",
+            found=f"profile {request.profile}",
+        )
+        for part in parts
+        if part.frame == "machine"
+    ]
+    raise_all(UsageError, faults[:1])
 
 
 def _check_axis(axis: Axis, test: PositioningTest) -> None:

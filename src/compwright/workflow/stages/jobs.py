@@ -129,6 +129,7 @@ def job_of(
     travel: str | None,
     states: Sequence[str],
     options: Sequence[str],
+    profile: str | None = None,
 ) -> tuple[Job, Path, Path]:
     """Return the job of a run, the folder that its paths are relative to, and the default folder of
     its results.
@@ -140,7 +141,7 @@ def job_of(
     needed = {"--format": format_id, "--axis": axis, "--travel": travel}
     if len(inputs) == 1 and first.suffix.lower() in _YAML:
         said = "does not go with a job file, which says it itself"
-        extra = {**needed, "--state": states, "--option": options}
+        extra = {**needed, "--state": states, "--option": options, "--profile": profile}
         faults = [
             Fault(message=said, file=str(first), place=name)
             for name, value in extra.items()
@@ -162,6 +163,7 @@ def job_of(
         travel=travel or "",
         states=states,
         options=options,
+        profile=profile,
         further=wrong_control,
     )
     return job, Path(), default_folder(first)

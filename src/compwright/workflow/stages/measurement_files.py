@@ -1,4 +1,6 @@
-"""The measurement files of a path: a file stands for itself, a folder for those in it."""
+"""The measurement files of a path: a file stands for itself, a folder for those in it; and the
+mapping profile that some of them are read by.
+"""
 
 from __future__ import annotations
 
@@ -8,6 +10,7 @@ from pathlib import Path
 from compwright.foundations import storage
 from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.utf8 import shown_path
+from compwright.instruments.profile import Profile, read_profile
 
 #: Endings of what lies beside measurements in a folder and is none: plots, answers, jobs, reports,
 #: pictures.
@@ -24,6 +27,13 @@ class Found:
 
     files: tuple[Path, ...]
     skipped: tuple[Path, ...] = ()
+
+
+def load_profile(path: Path) -> Profile:
+    """Read a mapping profile. Raises UsageError with every fault in it, InputError for a file that
+    cannot be read.
+    """
+    return read_profile(storage.read_bytes(path), shown_path(path))
 
 
 def measurement_files(path: Path) -> Found:

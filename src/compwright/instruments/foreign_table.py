@@ -1,0 +1,116 @@
+"""Rows and columns of a table that is not of our own making: any delimiter, any header row, text
+before and after it.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from compwright.instruments.comments import comment_text
+from compwright.instruments.fault_list import FaultList, shown
+
+#: Delimiters by their names in a profile; blanks: any number of them.
+DELIMITERS: Final = {"semicolon": ";", "tab": "\t", "comma": ",", "bar": "|", "blanks": " "}
+
+
+@dataclass(frozen=True, slots=True)
+class ForeignRow:
+    """One line below the header row: its number and its cells, stripped."""
+
+    line: int
+    cells: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ForeignTable:
+    """``columns``: a name for each; ``before``: the lines above the header row, not blank."""
+
+    columns: tuple[str, ...]
+    rows: tuple[ForeignRow, ...]
+    before: tuple[str, ...] = ()
+
+
+def cells_of(line: str, delimiter: str) -> list[str] | None:
+    """Return the stripped cells of one line, None when a quote is not closed.
+
+    ``delimiter`` is the character; a blank stands for any number of blanks.
+    """
+    if delimiter == " ":
+        return line.split()
+    if line.count('"') % 2:
+        return None
+    try:
+        cells = next(csv.reader([line], delimiter=delimiter, skipinitialspace=True), [])
+    except csv.Error:
+        return None
+    return [" ".join(cell.split()) for cell in cells]
+
+
+def named_columns(cells: Sequence[str]) -> tuple[str, ...]:
+    """Return a name for each cell of a header row: its text; ``column 3`` where it has none, and
+    beside it where two have the same.
+    """
+    times = Counter(cells)
+    return tuple(
+        f"column {number}" if not cell else f"{cell} (column {number})" if times[cell] > 1 else cell
+        for number, cell in enumerate(cells, start=1)
+    )
+
+
+def foreign_table(
+    text: Sequence[str], delimiter: str, header_line: int, faults: FaultList
+) -> ForeignTable:
+    """Return the table below line ``header_line`` (0: there is no header row).
+
+    Short rows are filled up with empty cells; comment lines (``#``) and blank lines are left out.
+    Faults: no such line, a quote that is not closed, more cells than the header row has.
+    """
+    if header_line > len(text):
+        faults.add(
+            "the header row is not there",
+            place=f"line {header_line}",
+            expected=f"header_line of at most {len(text)}",
+        )
+        return ForeignTable((), ())
+    body = [
+        (number, line)
+        for number, line in enumerate(text[header_line:], start=header_line + 1)
+        if line.strip(" \t,;|") and comment_text(line) is None
+    ]
+    rows: list[ForeignRow] = []
+    header = cells_of(text[header_line - 1], delimiter) if header_line else None
+    if header_line and not header:
+        faults.add("the header row cannot be read", place=f"line {header_line}")
+        return ForeignTable((), ())
+    width = len(header) if header else 0
+    for number, line in body:
+        cells = cells_of(line, delimiter)
+        if cells is None:
+            faults.add("a quote is not closed on its line", place=f"line {number}")
+            continue
+        while len(cells) > (width or len(cells)) and not cells[-1]:
+            cells.pop()
+        if header and len(cells) > width:
+            faults.add(
+                "the row has more cells than the header row",
+                place=f"line {number}",
+                expected=f"{width} cells",
+                found=f"{len(cells)}: {shown(line)}",
+            )
+            continue
+        rows.append(ForeignRow(number, tuple(cells)))
+    if not header:
+        width = max((len(row.cells) for row in rows), default=0)
+    columns = named_columns(header or [""] * width)
+    return ForeignTable(
+        columns,
+        tuple(
+            ForeignRow(row.line, row.cells + ("",) * (len(columns) - len(row.cells)))
+            for row in rows
+        ),
+        tuple(line.strip() for line in text[: max(header_line - 1, 0)] if line.strip(" \t,;|")),
+    )

@@ -1,0 +1,65 @@
+"""Bytes of a file to the profile that is proposed for it, or to the word that it needs none."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from compwright.foundations.errors import Fault, UsageError
+from compwright.instruments.forms import OPEN_FORMS, PLAIN_CSV, Form, form_of
+from compwright.instruments.own_forms import is_plain_csv
+from compwright.instruments.profile import MARK, SIGNS, VERSION
+from compwright.instruments.profile_text import profile_text, worked_rows
+from compwright.instruments.proposing import propose
+from compwright.instruments.text_input import read_any_lines
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Proposed:
+    """``text`` of the profile; readings in words, what was seen, and the keys to fill in with
+    why.
+    """
+
+    text: str
+    worked: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    open: tuple[str, ...] = ()
+
+
+def proposed_profile(content: bytes, file: str) -> Proposed:
+    """Return the profile for ``content``; ``file`` is its name in messages.
+
+    Raises InputError for a file without a table, UsageError for one whose form says all.
+    """
+    lines, encoding = read_any_lines(content, file)
+    form = form_of(lines, file)
+    if form in OPEN_FORMS:
+        return _answers(form, file)
+    if form is not PLAIN_CSV or is_plain_csv(lines):
+        raise UsageError(
+            Fault(
+                message=f"needs no profile: it is {form.name} and is read as it is",
+                file=file,
+            )
+        )
+    proposal = propose(lines, encoding, file)
+    return Proposed(
+        text=profile_text(proposal, file),
+        worked=tuple(worked_rows(proposal, lines, file)),
+        notes=tuple(proposal.notes),
+        open=tuple(f"{key}: {why}" for key, why in proposal.why.items()),
+    )
+
+
+def _answers(form: Form, file: str) -> Proposed:
+    """Return the profile of a file whose own reader may have to be told its unit or its sign."""
+    text = (
+        f"# For {file}: {form.name}. Only what its own reader cannot know has to be filled in.\n"
+        f"{MARK}: {VERSION}\n"
+        "layout: own\n"
+        "unit:  # of the deviations: um, mm; arcsec, urad, mrad\n"
+        f"sign:  # {SIGNS[0]}, or {SIGNS[1]}; empty: as the file or its form says\n"
+    )
+    return Proposed(
+        text=text,
+        notes=(f"{form.name} has a reader of its own: fill in what it asks for",),
+    )

@@ -1,0 +1,490 @@
+"""A mapping profile proposed for a table made by somebody else: what its header and its numbers
+prove, and what stays open.
+
+Nothing is guessed that decides about a sign, a unit or a direction: such a key stays empty, and the
+profile is refused until somebody fills it in.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Any, Final
+
+import numpy as np
+
+from compwright.instruments.csv_table import traverse_of
+from compwright.instruments.fault_list import FaultList
+from compwright.instruments.foreign_table import (
+    DELIMITERS,
+    ForeignTable,
+    cells_of,
+    foreign_table,
+)
+from compwright.instruments.foreign_units import LENGTHS
+from compwright.instruments.header_words import (
+    Role,
+    difference_of,
+    is_unit,
+    role_of,
+    said_unit,
+    sign_word,
+    unit_of,
+)
+from compwright.instruments.numbers import parse_number
+from compwright.instruments.profiled import traverses_of
+from compwright.records.axis import FloatArray
+
+#: Rows that are looked at for the shape of the table.
+_LOOKED_AT: Final = 400
+#: A deviation that is the difference of two other columns is so within this share of its size.
+_SAME_SHARE: Final = 1e-3
+_MOST_WORDS = 6
+
+
+@dataclass(slots=True)
+class Proposal:
+    """``keys`` of the profile in their order, None: could not be known; ``why``: of those, what to
+    look for; ``notes``: what was seen, in words. ``table`` as it was read.
+    """
+
+    table: ForeignTable
+    keys: dict[str, Any] = field(default_factory=dict)
+    why: dict[str, str] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+
+    def leave_open(self, key: str, why: str) -> None:
+        """Leave a key empty that has to be filled in."""
+        self.keys[key] = None
+        self.why[key] = why
+
+
+def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
+    """Return the profile for the lines of a table. Raises InputError where no table is found."""
+    faults = FaultList(file)
+    shape = _shape(text)
+    if shape is None:
+        faults.add(
+            "holds no table of numbers",
+            expected="rows of at least two columns, one of them with targets",
+        )
+    faults.raise_if_any()
+    assert shape is not None  # noqa: S101 - raised above
+    delimiter, header_line = shape
+    table = foreign_table(text, DELIMITERS[delimiter], header_line, FaultList(file))
+    proposal = Proposal(table)
+    proposal.keys |= {
+        "layout": "long",
+        "encoding": encoding,
+        "delimiter": delimiter,
+        "decimal": _decimal(table, proposal),
+        "header_line": header_line,
+        "axis": _axis(text[: max(header_line - 1, 0)]),
+    }
+    columns = _Columns(table, "," if proposal.keys["decimal"] == "comma" else ".")
+    target = columns.target()
+    proposal.keys["target"] = target
+    if target is None:
+        proposal.leave_open(
+            "target", f"the column with the positions that were commanded{_names(table)}"
+        )
+    above = text[: max(header_line - 1, 0)]
+    _units(proposal, "target_unit", target, columns, [])
+    traverses = columns.traverses(target)
+    if len(traverses) >= 2:
+        _wide(proposal, columns, traverses, above)
+    else:
+        _long(proposal, columns, target, above)
+    _sign(proposal, columns, target, text[:header_line])
+    return proposal
+
+
+def _names(table: ForeignTable) -> str:
+    return f" ({', '.join(table.columns[:8])})"
+
+
+def _shape(text: Sequence[str]) -> tuple[str, int] | None:
+    """Return the delimiter, by name, and the line of the header row (0: none) of the largest
+    table.
+    """
+    best: tuple[int, int, str, int] | None = None
+    lines = text[:_LOOKED_AT]
+    for name, delimiter in DELIMITERS.items():
+        counts = [_numbers_in(line, delimiter) for line in lines]
+        rows = [index for index, (numbers, _) in enumerate(counts) if numbers >= 2]
+        if len(rows) < 2:
+            continue
+        width = Counter(counts[index][1] for index in rows).most_common(1)[0][0]
+        first = next(index for index in rows if counts[index][1] == width)
+        score = sum(counts[index][0] for index in rows if counts[index][1] == width)
+        # in a table with decimal commas the comma splits every number in two
+        if name == "comma" and best is not None and best[1] > 0:
+            continue
+        header = (
+            first + 1
+            if _names_in(lines, first, delimiter)
+            else _header_line(lines, first, delimiter, width)
+        )
+        if best is None or score > best[0]:
+            best = (score, len(rows), name, header)
+    return None if best is None else (best[2], best[3])
+
+
+def _numbers_in(line: str, delimiter: str) -> tuple[int, int]:
+    """Return how many cells of a line are numbers, and how many cells it has."""
+    cells = cells_of(line, delimiter) or []
+    return sum(_number(cell, None) is not None for cell in cells), len(cells)
+
+
+def _names_in(lines: Sequence[str], first: int, delimiter: str) -> bool:
+    """Whether the first row of numbers is a header row of names such as ``+1``: a word stands where
+    the next row has a number.
+    """
+    if first + 1 >= len(lines):
+        return False
+    here, below = (cells_of(line, delimiter) or [] for line in lines[first : first + 2])
+    return any(
+        one and _number(one, None) is None and _number(other, None) is not None
+        for one, other in zip(here, below, strict=False)
+    )
+
+
+def _header_line(lines: Sequence[str], first: int, delimiter: str, width: int) -> int:
+    """Return the line (from 1) of the header row above the first row of numbers, 0 where there is
+    none.
+    """
+    for index in range(first - 1, max(first - 4, -1), -1):
+        cells = cells_of(lines[index], delimiter) or []
+        texts = [cell for cell in cells if cell and _number(cell, None) is None]
+        if len(cells) >= width - 1 and len(texts) >= 2 and not all(map(is_unit, texts)):
+            return index + 1
+    return 0
+
+
+def _number(text: str, decimal: str | None) -> float | None:
+    if decimal is not None and {".": ",", ",": "."}[decimal] in text:
+        return None
+    try:
+        return parse_number(text)
+    except ValueError:
+        return None
+
+
+def _decimal(table: ForeignTable, proposal: Proposal) -> str | None:
+    marks = Counter(
+        mark
+        for row in table.rows
+        for cell in row.cells
+        if _number(cell, None) is not None
+        for mark in ".,"
+        if mark in cell
+    )
+    if len(marks) > 1:
+        proposal.why["decimal"] = (
+            f"{marks['.']} numbers have a point and {marks[',']} a comma: make them alike"
+        )
+        return None
+    return "comma" if marks[","] else "point"
+
+
+def _axis(before: Sequence[str]) -> str:
+    """Return the axis that a line above the table names, such as ``Achse: X``."""
+    for line in before:
+        words = [word for word in line.replace(";", " ").replace(":", " ").split() if word]
+        for one, other in pairwise(words):
+            name = other.strip('",.')
+            if role_of(one) == "axis" and name.isalnum() and len(name) <= 3:
+                return name.upper()
+    return ""
+
+
+class _Columns:
+    """The columns of a table by what they hold."""
+
+    def __init__(self, table: ForeignTable, decimal: str) -> None:
+        self.table, self.decimal = table, decimal
+        self.texts = {
+            name: [row.cells[index] for row in table.rows]
+            for index, name in enumerate(table.columns)
+        }
+        self.roles: dict[str, Role | None] = {name: role_of(name) for name in table.columns}
+
+    def numbers(self, name: str) -> FloatArray:
+        """Return the numbers of a column, NaN where a cell is none."""
+        found = [_number(text, self.decimal) for text in self.texts[name]]
+        return np.array([np.nan if one is None else one for one in found], dtype=np.float64)
+
+    def numeric(self, name: str) -> bool:
+        values = self.numbers(name)
+        return values.size > 0 and float(np.isfinite(values).mean()) > 0.5
+
+    def of(self, role: Role) -> list[str]:
+        return [name for name in self.table.columns if self.roles[name] == role]
+
+    def spread(self, name: str) -> float:
+        values = self.numbers(name)
+        return float(np.nanmax(values) - np.nanmin(values)) if np.isfinite(values).any() else 0.0
+
+    def target(self) -> str | None:
+        """Return the column of targets: by its name, else the numeric one that spreads most."""
+        named = [name for name in self.of("target") if self.numeric(name)]
+        if len(named) == 1:
+            return named[0]
+        open_names = named or [
+            name for name in self.table.columns if self.numeric(name) and not self.roles[name]
+        ]
+        ranked = sorted(open_names, key=self.spread, reverse=True)
+        if not ranked or (len(ranked) > 1 and self.spread(ranked[0]) < 3 * self.spread(ranked[1])):
+            return None
+        return ranked[0]
+
+    def traverses(self, target: str | None) -> list[str]:
+        """Return the columns that look like one traverse each: numbers, a sign or a way in the
+        name, or a count in it.
+        """
+        return [
+            name
+            for name in self.table.columns
+            if name != target
+            and self.numeric(name)
+            and self.roles[name] not in {"target", "measured", "direction", "axis"}
+            and (
+                sign_word(name)
+                or traverse_of(name.lower())
+                or (self.roles[name] == "run" and any(mark.isdigit() for mark in name))
+            )
+        ]
+
+
+def _units(
+    proposal: Proposal,
+    key: str,
+    column: str | None,
+    columns: _Columns,
+    above: Sequence[str],
+) -> None:
+    unit = unit_of(column) if column else ""
+    if not unit and column:
+        first = next((text for text in columns.texts[column] if text), "")
+        unit = unit_of(first)
+    unit = unit or next(filter(None, map(said_unit, above)), "")
+    if unit:
+        proposal.keys[key] = unit
+    else:
+        what = "the targets" if key == "target_unit" else "the values"
+        proposal.leave_open(key, f"the unit of {what}: um, mm, arcsec, deg, ..")
+
+
+def _wide(
+    proposal: Proposal, columns: _Columns, traverses: Sequence[str], above: Sequence[str]
+) -> None:
+    keys = proposal.keys
+    keys["layout"] = "wide"
+    keys["value_is"] = "deviation"
+    if _follows_targets(columns, keys["target"], traverses[0]):
+        keys["value_is"] = "measured"
+        proposal.notes.append("the values follow the targets: measured positions")
+    units = {unit_of(name) for name in traverses} - {""}
+    units = units or {unit for line in above if (unit := said_unit(line))}
+    if len(units) == 1:
+        keys["unit"] = units.pop()
+    else:
+        proposal.leave_open("unit", "the unit of the values: um, mm, arcsec, deg, ..")
+    counts: Counter[str] = Counter()
+    found: dict[str, str | None] = {}
+    for name in traverses:
+        plain = traverse_of(name.lower())
+        word = plain[0] if plain else sign_word(name)
+        counts[word] += 1
+        number = plain[1] if plain else counts[word]
+        found[name] = f"{word}{number}" if word in {"+", "-"} else None
+        if found[name] is None:
+            meant = {"out": "a way out", "back": "a way back"}.get(word, "its direction unknown")
+            proposal.why[f"traverses: {name}"] = (
+                f'"+{number}" if approached from below, "-{number}" if from above ({meant})'
+            )
+    keys["traverses"] = found
+
+
+def _long(proposal: Proposal, columns: _Columns, target: str | None, above: Sequence[str]) -> None:
+    keys = proposal.keys
+    values = columns.of("deviation") or columns.of("measured")
+    values = [name for name in values if columns.numeric(name) and name != target]
+    if len(values) == 1:
+        keys["value"] = values[0]
+        measured = columns.roles[values[0]] == "measured"
+        follows = target is not None and _follows_targets(columns, target, values[0])
+        keys["value_is"] = "measured" if measured or follows else "deviation"
+        if measured and not follows:
+            proposal.leave_open("value_is", "deviation (from the target) or measured (positions)")
+        _units(proposal, "unit", values[0], columns, above)
+    else:
+        names = _names(columns.table)
+        proposal.leave_open(
+            "value", f"the column with the deviation, or the measured position{names}"
+        )
+        proposal.leave_open("value_is", "deviation (from the target) or measured (positions)")
+        proposal.leave_open("unit", "the unit of the values: um, mm, arcsec, deg, ..")
+    _direction(proposal, columns, target)
+    runs = [name for name in columns.of("run") if name not in {target, keys.get("value")}]
+    keys["run"] = runs[0] if len(runs) == 1 else None
+    if keys["run"]:
+        keys["run_counts"] = _run_counts(columns, keys)
+
+
+def _direction(proposal: Proposal, columns: _Columns, target: str | None) -> None:
+    keys = proposal.keys
+    named = columns.of("direction")
+    worded = named or [
+        name
+        for name in columns.table.columns
+        if all(sign_word(text) for text in columns.texts[name] if text)
+        and any(columns.texts[name])
+        and name != target
+    ]
+    if len(worded) == 1:
+        keys["direction_from"], keys["direction"] = "column", worded[0]
+        keys["directions"] = _direction_words(proposal, columns, target, worded[0])
+        return
+    order = _order(columns, target)
+    if order == "turns":
+        keys["direction_from"] = "order"
+        proposal.notes.append(
+            "no column tells the direction; the rows go up and down in turns and are taken in the"
+            " order of time"
+        )
+    else:
+        hint = ", most likely +" if order == "rising" else ""
+        proposal.leave_open(
+            "direction_from",
+            f'"+" if every target was approached from below{hint}, "-" if from above, "order" if'
+            " the rows stand in the order of time, or column",
+        )
+
+
+def _direction_words(
+    proposal: Proposal, columns: _Columns, target: str | None, name: str
+) -> Mapping[str, str | None]:
+    """Return the sign of each word of a direction column: what it says by itself, or what the order
+    of its targets proves.
+    """
+    words = dict.fromkeys(text for text in columns.texts[name] if text)
+    found: dict[str, str | None] = {}
+    for word in list(words)[:_MOST_WORDS]:
+        meant = sign_word(word)
+        steps = _steps_of(columns, target, name, word)
+        if meant in {"+", "-"}:
+            found[word] = meant
+        elif len(steps) == 1 and len(words) == 2 and _both_orders(columns, target, name, words):
+            found[word] = "+" if steps == {1} else "-"
+            proposal.notes.append(f"the targets of '{word}' stand in {_ORDER[found[word] or '']}")
+        else:
+            found[word] = None
+            proposal.why[f"directions: {word}"] = '"+" if approached from below, "-" if from above'
+    return found
+
+
+_ORDER = {"+": "rising order", "-": "falling order"}
+
+
+def _both_orders(
+    columns: _Columns, target: str | None, name: str, words: Mapping[str, None]
+) -> bool:
+    orders = [_steps_of(columns, target, name, word) for word in words]
+    return all(len(order) == 1 for order in orders) and orders[0] != orders[1]
+
+
+def _steps_of(columns: _Columns, target: str | None, name: str, word: str) -> set[int]:
+    """Return the signs of the steps between targets that stand side by side under one word."""
+    if target is None:
+        return set()
+    values, texts = columns.numbers(target), columns.texts[name]
+    return {
+        int(np.sign(b - a))
+        for (a, one), (b, other) in pairwise(zip(values, texts, strict=True))
+        if one == other == word and np.isfinite(a) and np.isfinite(b)
+    }
+
+
+def _order(columns: _Columns, target: str | None) -> str:
+    """Return whether the targets go up and down in turns (``turns``), only rise, or neither."""
+    if target is None:
+        return ""
+    values = columns.numbers(target)
+    values = values[np.isfinite(values)]
+    parts = traverses_of([float(one) for one in values])
+    signs = [{int(np.sign(b - a)) for a, b in pairwise(values[part])} for part in parts]
+    if len(parts) > 1 and all(len(sign) == 1 for sign in signs):
+        return "turns" if all(a != b for a, b in pairwise(signs)) else ""
+    rises = np.diff(values) > 0
+    return "rising" if values.size > 1 and float(rises.mean()) > 0.5 else ""
+
+
+def _run_counts(columns: _Columns, keys: Mapping[str, Any]) -> str:
+    """Return ``traverses`` where no run has both directions: they count each way by itself."""
+    direction = keys.get("direction")
+    if not direction:
+        return "runs"
+    pairs = set(zip(columns.texts[keys["run"]], columns.texts[direction], strict=True))
+    runs = Counter(run for run, _ in pairs if run)
+    several = len({word for _, word in pairs if word}) > 1
+    return "traverses" if several and runs and max(runs.values()) == 1 else "runs"
+
+
+def _follows_targets(columns: _Columns, target: str | None, name: str) -> bool:
+    """Whether the values of a column grow with the targets as measured positions do."""
+    if target is None:
+        return False
+    x, y = columns.numbers(target), columns.numbers(name)
+    both = np.isfinite(x) & np.isfinite(y)
+    if both.sum() < 2 or np.ptp(x[both]) == 0.0:
+        return False
+    slope = float(np.polyfit(x[both], y[both], 1)[0])
+    return abs(slope - 1.0) < 0.05
+
+
+def _sign(proposal: Proposal, columns: _Columns, target: str | None, before: Sequence[str]) -> None:
+    keys = proposal.keys
+    if keys.get("value_is") == "measured":
+        return
+    said = difference_of(str(keys.get("value") or "")) or next(
+        filter(None, map(difference_of, before)), ""
+    )
+    proven = _proven_sign(columns, target, keys.get("value"), keys)
+    if proven and said and proven != said:
+        proposal.leave_open("sign", "the header says one thing, the numbers the other")
+    elif proven or said:
+        keys["sign"] = proven or said
+        how = "the numbers of the three columns prove it" if proven else "the header says so"
+        proposal.notes.append(f"sign: {keys['sign']}, {how}")
+    else:
+        proposal.leave_open(
+            "sign",
+            "measured minus target, if a positive value means that the axis stands too far to +;"
+            " else target minus measured",
+        )
+
+
+def _proven_sign(
+    columns: _Columns, target: str | None, value: str | None, keys: Mapping[str, Any]
+) -> str:
+    """Return the sign that a third column of measured positions proves, empty where there is
+    none.
+    """
+    measured = [name for name in columns.of("measured") if name != value]
+    if target is None or value is None or len(measured) != 1 or not keys.get("unit"):
+        return ""
+    units = (keys.get("target_unit"), keys.get("unit"))
+    if any(unit not in LENGTHS for unit in units):
+        return ""
+    difference = (columns.numbers(measured[0]) - columns.numbers(target)) * LENGTHS[str(units[0])]
+    deviation = columns.numbers(value) * LENGTHS[str(units[1])]
+    both = np.isfinite(difference) & np.isfinite(deviation)
+    size = float(np.max(np.abs(deviation[both]), initial=0.0))
+    for sign, name in ((1.0, "measured minus target"), (-1.0, "target minus measured")):
+        error = np.abs(sign * deviation[both] - difference[both])
+        if size > 0.0 and np.max(error, initial=0.0) <= max(_SAME_SHARE * size, 6e-4):
+            return name
+    return ""

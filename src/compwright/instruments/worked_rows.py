@@ -1,0 +1,48 @@
+"""Readings in words, so that a wrong sign, unit or direction is seen before anything is loaded."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.instruments.assembling import Reading, as_text
+from compwright.records.axis import AxisKind, Direction
+
+_FROM = {Direction.POSITIVE: "approached from below", Direction.NEGATIVE: "approached from above"}
+_SHOWN = 3
+
+
+def worked_readings(readings: Sequence[Reading], kind: AxisKind) -> list[str]:
+    """Return up to three readings in words: the largest deviation of each direction, and one of the
+    middle target.
+    """
+    chosen: dict[str, Reading] = {}
+    for direction in Direction:
+        ours = [reading for reading in readings if reading.direction is direction]
+        if ours:
+            largest = max(ours, key=lambda reading: abs(reading.deviation))
+            chosen.setdefault(largest.place, largest)
+    middle = sorted(readings, key=lambda reading: (reading.target, reading.run))
+    for reading in middle[len(middle) // 2 :] + middle[: len(middle) // 2]:
+        if len(chosen) >= _SHOWN:
+            break
+        chosen.setdefault(reading.place, reading)
+    return [in_words(reading, kind) for reading in chosen.values()]
+
+
+def in_words(reading: Reading, kind: AxisKind) -> str:
+    """Return a reading as a sentence: where, approached from which side, and how the axis went."""
+    size = abs(reading.deviation) * outside_factor(kind.unit)
+    verb = "went" if kind is AxisKind.LINEAR else "turned"
+    forth = (reading.deviation > 0.0) == (reading.direction is Direction.POSITIVE)
+    number = f"{as_text(float(f'{size:.6g}'))} {shown_unit(kind.unit)}"
+    if not size:
+        how = f"{verb} exactly there"
+    elif forth:
+        how = f"{verb} {number} too far"
+    else:
+        how = f"stopped {number} short"
+    return (
+        f"{reading.place}: at {as_text(reading.target)} {kind.unit}, {_FROM[reading.direction]},"
+        f" the axis {how}"
+    )

@@ -1,0 +1,35 @@
+"""``profile``: a mapping profile proposed for a table made by another program."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from compwright.foundations import storage
+from compwright.foundations.utf8 import encoded, shown_path
+from compwright.instruments.profile_of_file import proposed_profile
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ProfileOutcome:
+    """Where the profile stands, three readings in words, what was seen, and what has to be filled
+    in.
+    """
+
+    path: Path
+    worked: tuple[str, ...]
+    notes: tuple[str, ...]
+    open: tuple[str, ...]
+
+
+def propose_profile(file: Path, out: Path, *, force: bool = False) -> ProfileOutcome:
+    """Write the profile for ``file`` to ``out``.
+
+    Raises InputError for a file without a table, UsageError for one that needs no profile,
+    StorageError when ``out`` exists (unless ``force``) or cannot be written.
+    """
+    proposed = proposed_profile(storage.read_bytes(file), shown_path(file))
+    (path,) = storage.write_files(Path(), {}, elsewhere={out: encoded(proposed.text)}, force=force)
+    return ProfileOutcome(
+        path=path, worked=proposed.worked, notes=proposed.notes, open=proposed.open
+    )

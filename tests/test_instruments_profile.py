@@ -1,0 +1,234 @@
+"""Tables of other programs by a mapping profile: what it says counts, and nothing else is taken."""
+
+from __future__ import annotations
+
+import pytest
+
+from compwright.foundations.errors import InputError, UsageError
+from compwright.instruments.profile import read_profile
+from compwright.instruments.reading import read_positioning
+from compwright.records.axis import AxisKind
+from compwright.records.positioning import PositioningTest
+
+LONG = """\
+Protokoll;;;
+Soll [mm];Richtung;Lauf;Abw. [µm]
+0,000;vor;1;0,4
+100,000;vor;1;2,1
+100,000;zurück;1;-0,8
+0,000;zurück;1;-2,9
+Mittel;;;0,5
+"""
+LONG_PROFILE = """\
+compwright_profile: 1
+layout: long
+delimiter: semicolon
+decimal: comma
+header_line: 2
+axis: Y
+target: "Soll [mm]"
+target_unit: mm
+value: "Abw. [µm]"
+value_is: deviation
+unit: um
+sign: measured minus target
+direction_from: column
+direction: Richtung
+directions: {vor: "+", "zurück": "-"}
+run: Lauf
+"""
+WIDE = (
+    "Pos\tL1 v\tL1 z\tT\n0\t0.4\t-2.9\t20\n100\t2.1\t\t20\n200\t3.0\t1.0\t20\n300\t3.0\t1.5\t20\n"
+)
+WIDE += "400\t3.0\t1.0\t20\n500\t3.5\t1.0\t20\n"
+WIDE_PROFILE = """\
+compwright_profile: 1
+layout: wide
+delimiter: tab
+decimal: point
+header_line: 1
+target: Pos
+target_unit: mm
+value_is: deviation
+unit: um
+sign: measured minus target
+traverses: {L1 v: "+1", L1 z: "-1"}
+leave_out: [T]
+"""
+
+
+def read(text: str, profile: str, encoding: str = "utf-8") -> PositioningTest:
+    return read_positioning(
+        text.encode(encoding), "x.csv", read_profile(profile.encode(), "P.yaml")
+    )
+
+
+def told(test: PositioningTest) -> dict[str, str]:
+    return {finding.code: finding.message for finding in test.findings}
+
+
+def refused(text: str, profile: str) -> str:
+    with pytest.raises(InputError) as caught:
+        read(text, profile)
+    return str(caught.value)
+
+
+def faults(profile: str) -> str:
+    with pytest.raises(UsageError) as caught:
+        read_profile(profile.encode(), "P.yaml")
+    return str(caught.value)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
+@pytest.mark.parametrize("end", ["\n", "\r\n"])
+def test_one_row_per_reading(encoding: str, end: str) -> None:
+    test = read(LONG.replace("\n", end), LONG_PROFILE, encoding)
+    assert (test.axis, test.kind, test.frame) == ("Y", AxisKind.LINEAR, "instrument")
+    assert test.targets.tolist() == [0.0, 100.0]
+    assert test.positive[:, 0] * 1000 == pytest.approx([0.4, 2.1], rel=1e-15)
+    assert test.negative[:, 0] * 1000 == pytest.approx([-2.9, -0.8], rel=1e-15)
+    assert "line 7 'Mittel; 0,5'" in told(test)["CW-R059"]
+
+
+def test_worked_rows_say_how_it_was_read() -> None:
+    said = told(read(LONG, LONG_PROFILE))["CW-R060"]
+    assert "line 4: at 100 mm, approached from below, the axis went 2.1 µm too far" in said
+    assert "line 6: at 0 mm, approached from above, the axis went 2.9 µm too far" in said
+    turned = LONG_PROFILE.replace("measured minus target", "target minus measured")
+    said = told(read(LONG, turned))["CW-R060"]
+    assert "line 4: at 100 mm, approached from below, the axis stopped 2.1 µm short" in said
+
+
+def test_the_sign_turns_everything() -> None:
+    turned = LONG_PROFILE.replace("measured minus target", "target minus measured")
+    assert (read(LONG, turned).positive == -read(LONG, LONG_PROFILE).positive).all()
+
+
+def test_measured_positions() -> None:
+    text = LONG.replace(";2,1", ";100,0021").replace(";0,4", ";0,0004")
+    text = text.replace(";-0,8", ";99,9992").replace(";-2,9", ";-0,0029")
+    profile = LONG_PROFILE.replace("value_is: deviation", "value_is: measured")
+    profile = profile.replace("unit: um", "unit: mm").replace("sign: measured minus target\n", "")
+    test = read(text, profile)
+    assert test.positive[:, 0] == pytest.approx([0.0004, 0.0021], abs=1e-12)
+
+
+def test_one_column_per_traverse() -> None:
+    test = read(WIDE, WIDE_PROFILE)
+    assert test.positive[0, 0] * 1000 == pytest.approx(0.4, rel=1e-15)
+    assert test.negative[0, 0] * 1000 == pytest.approx(-2.9, rel=1e-15)
+    assert "CW-R005" not in told(test)
+    assert "100 mm in direction + only" in told(test)["CW-R050"]
+    left = told(read(WIDE, WIDE_PROFILE.replace("leave_out: [T]\n", "")))
+    assert left["CW-R005"] == "Columns that were left out: T."
+
+
+def test_runs_that_count_traverses() -> None:
+    text = LONG.replace("zurück;1", "zurück;2").replace("Mittel;;;0,5\n", "")
+    text += "0,000;vor;3;0,5\n100,000;vor;3;2,0\n100,000;zurück;4;-0,9\n0,000;zurück;4;-3,0\n"
+    test = read(text, LONG_PROFILE + "run_counts: traverses\n")
+    assert (test.runs_positive, test.runs_negative) == ((1, 2), (1, 2))
+    assert test.negative[0] * 1000 == pytest.approx([-2.9, -3.0], rel=1e-15)
+
+
+def test_directions_by_the_order_of_rows() -> None:
+    profile = LONG_PROFILE.replace("direction_from: column", "direction_from: order")
+    profile = profile.replace("run: Lauf\n", "")
+    again = "0,000;;;0,5\n100,000;;;2,0\n100,000;;;-0,9\n0,000;;;-3,0\n"
+    text = LONG.replace("Mittel;;;0,5\n", again)
+    test = read(text, profile)
+    assert test.positive[1] * 1000 == pytest.approx([2.1, 2.0], rel=1e-15)
+    assert test.negative[1] * 1000 == pytest.approx([-0.8, -0.9], rel=1e-15)
+    one_way = LONG.replace("zurück;1", "vor;2").replace("100,000;vor;2", "50,000;vor;2")
+    assert "does not tell the directions" in refused(
+        one_way.replace("0,000;vor;2", "70,000;vor;2"), profile
+    )
+
+
+def test_positions_that_are_mapped() -> None:
+    test = read(LONG, LONG_PROFILE + "position_map: {sense: -1, offset: 500}\n")
+    assert (test.frame, test.targets.tolist()) == ("machine", [400.0, 500.0])
+    # counted against the machine: + is -, and every deviation turns
+    assert test.negative[:, 0] * 1000 == pytest.approx([-2.1, -0.4], rel=1e-12)
+
+
+def test_angles() -> None:
+    profile = LONG_PROFILE.replace("target_unit: mm", "target_unit: deg")
+    test = read(LONG, profile.replace("unit: um", "unit: urad"))
+    assert test.kind is AxisKind.ROTARY
+    assert test.positive[1, 0] * 3600 == pytest.approx(2.1 * 0.2062648062, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("2,1", "2.1", "line 4, column Abw. [µm]: has a point, and the profile says decimal comma"),
+        ("2,1", "1.002,1", "has a point"),
+        ("2,1", "zwei1", "is not a number"),
+        ("100,000;vor;1", "100,000;hin;1", "none of the words of the profile"),
+        ("100,000;vor;1", "100,000;vor;eins", "holds not one number"),
+        ("100,000;vor;1", "0,000;vor;1", "a reading is given twice"),
+        ("Abw. [µm]", "Abw.", "a column of the profile is not in the file"),
+        ("0,000;vor;1;0,4", "0,000;vor;1;0,4;7", "more cells than the header row"),
+        ("100,000;vor", '"100,000;vor', "a quote is not closed"),
+    ],
+)
+def test_damage(old: str, new: str, words: str) -> None:
+    assert old in LONG
+    assert words in refused(LONG.replace(old, new, 1), LONG_PROFILE)
+
+
+@pytest.mark.parametrize(
+    "key",
+    [
+        *(
+            "sign",
+            "unit",
+            "value_is",
+            "direction_from",
+            "target",
+            "target_unit",
+            "value",
+            "decimal",
+        ),
+        *("delimiter", "header_line", "direction", "directions", "layout"),
+    ],
+)
+def test_what_is_empty_is_refused(key: str) -> None:
+    lines = LONG_PROFILE.splitlines()
+    emptied = "\n".join(f"{key}:" if line.startswith(f"{key}:") else line for line in lines)
+    without = "\n".join(line for line in lines if not line.startswith(f"{key}:"))
+    assert f"'{key}' is empty and must be filled in" in faults(emptied)
+    assert f"'{key}' is empty and must be filled in" in faults(without)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('"zurück": "-"', '"zurück": ', "directions.zurück: is empty and must be filled in"),
+        ('"zurück": "-"', '"zurück": back', "is neither + nor -"),
+        ("sign: measured minus target", "sign: plus", "'sign' has an unknown value"),
+        ("unit: um", "unit: arcsec", "is an angle and target_unit a length"),
+        ("header_line: 2", "header_line: two", "is no line number"),
+        ("axis: Y", "axes: Y", "is no key of a profile"),
+        ("compwright_profile: 1", "compwright_profile: 2", "of a version that is not known"),
+        ("compwright_profile: 1", "profile: 1", "is not a mapping profile"),
+        ("run: Lauf", "position_map: {sense: 2}", "is neither 1 nor -1"),
+    ],
+)
+def test_profiles_that_are_wrong(old: str, new: str, words: str) -> None:
+    assert old in LONG_PROFILE
+    assert words in faults(LONG_PROFILE.replace(old, new, 1))
+
+
+def test_all_faults_at_once() -> None:
+    text = faults("compwright_profile: 1\nlayout: wide\nsens: +\n")
+    assert len(text.splitlines()) > 6
+    assert "P.yaml: line 3: sens" in text.replace("line 3, sens", "line 3: sens")
+
+
+def test_files_with_readers_of_their_own_do_not_need_it() -> None:
+    plain = "# axis: X\ntarget_mm,direction,run,deviation_um\n0,+,1,1.0\n1,+,1,2.0\n"
+    assert read(plain, LONG_PROFILE).axis == "X"
+    targets = "TGT_DATA[1]=0\nTGT_DATA[2]=5\nREF_DATA_FWD[1,1]=0.1\nREF_DATA_FWD[2,1]=5.1\n"
+    assert read(targets, LONG_PROFILE).targets.tolist() == [0.0, 5.0]
