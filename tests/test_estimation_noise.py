@@ -163,7 +163,7 @@ def test_heavy_tails_are_found() -> None:
     assert inside(1.0 * UM, draws.sigma, 0.0)
 
 
-@pytest.mark.parametrize("seed", [12, 13])
+@pytest.mark.parametrize("seed", [13, 20])
 def test_scatter_that_differs_by_direction_or_grows_is_found(seed: int) -> None:
     by_direction = white(seed) * np.array([1.0, 2.5])[:, np.newaxis, np.newaxis]
     draws = posterior(by_direction).draws

@@ -35,6 +35,9 @@ _DRAWS: Final = 48
 _BETWEEN: Final = 3  # sweeps from one draw to the next
 #: Standard deviation of a number rounded to whole steps, in steps (JCGM 100:2008, F.2.2.1).
 _ROUNDED: Final = 12.0**-0.5
+#: By how much the scale of a reading may change where its distribution is drawn.
+_STEP: Final = 0.08
+_FACTORS: Final = np.exp(_STEP * np.arange(-4, 5))
 #: Cells at which what is common to the means is told apart: places along the travel.
 _PLACES: Final = (0.0, 1.0, 0.5, 0.25)
 
@@ -167,20 +170,25 @@ class _Chain:
         scales = np.broadcast_to(scale[:, np.newaxis], moved.shape)
         self._take_tail(np.where(there, (self.values - middle) / scales, 0.0))
         if self.step:
+            scales = self.sigma * np.exp(self.spread @ self.shapes)[:, np.newaxis]
             reach = scales / np.sqrt(self.latent.weights)
             shifted = middle + self.latent.shift * scales
             self.values = draw_unrounded(self.readings, self.step, shifted, reach, rng)
 
     def _take_tail(self, z: FloatArray) -> None:
-        """Draw the distribution of the errors from their standardised values (c, n), and what each
-        reading was under it.
+        """Draw the distribution of the errors together with their scale, from errors (c, n) in
+        present scales; then what each reading was under it. What moves traverses stays as large.
         """
         counted = self.readings.there & (self.dof > 0)[:, np.newaxis]
-        self.tail_chances = chances_of(z[counted])
-        cumulative = np.cumsum(self.tail_chances)
+        factors = _FACTORS * np.exp(self.rng.uniform(-0.5, 0.5) * _STEP)
+        chances = chances_of(z[counted], factors)
+        self.tail_chances = chances.sum(axis=1)
+        cumulative = np.cumsum(chances)
         drawn = int(np.searchsorted(cumulative, self.rng.random() * cumulative[-1]))
-        self.tail = min(drawn, len(TAILS) - 1)
-        self.latent = draw_latent(TAILS[self.tail], z, self.rng)
+        self.tail, place = divmod(min(drawn, chances.size - 1), factors.size)
+        self.sigma *= float(factors[place])
+        self.sizes.size /= factors[place]
+        self.latent = draw_latent(TAILS[self.tail], z / factors[place], self.rng)
 
     def _columns(
         self, common: FloatArray, there: np.ndarray[tuple[int, ...], np.dtype[np.bool_]]

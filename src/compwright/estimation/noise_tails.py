@@ -107,12 +107,16 @@ class Latent:
     outlier: NDArray[np.bool_]
 
 
-def chances_of(z: FloatArray) -> FloatArray:
-    """Return the posterior probability of every member of `TAILS` for residuals ``z`` (k,) of unit
-    scale.
+def chances_of(z: FloatArray, factors: FloatArray) -> FloatArray:
+    """Return the posterior probability (tails, f) of every member of `TAILS` with every factor on
+    the scale, for errors ``z`` (k,) divided by the present one (prior 1/sigma: Gelman et al. 2013,
+    section 3.2).
     """
-    counts, _ = np.histogram(np.minimum(np.abs(z), _MIDDLES[-1]), bins=_EDGES)
-    logs = _TABLE @ counts + _LOG_PRIOR
+    ordered = np.sort(np.minimum(np.abs(z), _MIDDLES[-1] * float(np.min(factors))))
+    below = np.searchsorted(ordered, np.outer(_EDGES[1:-1], factors))
+    ends = np.zeros((1, factors.size)), np.full((1, factors.size), z.size)
+    counts = np.diff(np.concatenate([ends[0], below, ends[1]]), axis=0)
+    logs = _TABLE @ counts + _LOG_PRIOR[:, np.newaxis] - z.size * np.log(factors)
     chances = np.exp(logs - np.max(logs))
     whole: FloatArray = chances / np.sum(chances)
     return whole
