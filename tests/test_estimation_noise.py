@@ -4,6 +4,7 @@ is not found.
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -251,3 +252,62 @@ def test_the_same_test_has_the_same_noise_in_any_unit() -> None:
     assert first.draws.sigma.tobytes() == second.draws.sigma.tobytes()
     doubled = posterior(2.0 * readings).draws
     assert doubled.sigma == pytest.approx(2.0 * first.draws.sigma, rel=1e-3)
+
+
+# --- findings
+# --------------------------------------------------------------------------------------------------
+
+
+def codes(found: NoisePosterior) -> set[str]:
+    return {finding.code for finding in found.findings}
+
+
+def message(found: NoisePosterior, code: str) -> str:
+    return next(finding.message for finding in found.findings if finding.code == code)
+
+
+def test_nothing_is_said_of_white_noise() -> None:
+    for seed in range(30, 34):
+        assert posterior(white(seed)).findings == ()
+
+
+def test_a_drift_is_told_with_its_size_and_its_odds() -> None:
+    drift = -6.0 * (np.arange(N) / (N - 1) - 0.5)
+    found = posterior(white(5) + drift)
+    assert codes(found) == {"CW-E020"}
+    size = re.search(r"drift by (-[0-9.]+) µm .*odds over 1000 to 1", message(found, "CW-E020"))
+    assert size is not None
+    assert float(size[1]) == pytest.approx(-6.0, abs=0.6)
+
+
+def test_expansion_is_told_at_both_ends() -> None:
+    drift = 6.0 * U * (np.arange(N) / (N - 1) - 0.5)
+    told = message(posterior(white(6) + drift), "CW-E021")
+    low, high = map(float, re.findall(r"([+-][0-9.]+) µm at its", told))
+    assert (low, high) == pytest.approx((-6.0, 6.0), abs=0.9)
+
+
+def test_outliers_are_told_by_run_direction_and_place() -> None:
+    """In + and - the run numbers of the test count; what lies furthest off stands first."""
+    readings = white(10)
+    readings[0, 7, 2] += 25.0
+    readings[1, 4, 0] -= 40.0
+    found = posterior(readings, runs_positive=(1, 2, 6, 7, 8))
+    assert codes(found) == {"CW-E024"}
+    told = message(found, "CW-E024")
+    assert told.startswith("2 of 210 readings are outliers: run 1 in − at 200 mm (-")
+    assert "run 6 in + at 350 mm (+2" in told
+
+
+@pytest.mark.parametrize(
+    ("code", "readings"),
+    [
+        ("CW-E022", white(8) + 2.0 * np.random.default_rng(8).standard_normal((2, 1, N))),
+        ("CW-E023", white(8) + 2.0 * np.random.default_rng(9).standard_normal((2, 1, N)) * U),
+        ("CW-E025", np.random.default_rng(11).standard_t(3.0, (2, M, N))),
+        ("CW-E026", white(13) * np.array([1.0, 2.5])[:, np.newaxis, np.newaxis]),
+        ("CW-E027", white(13) * np.exp(0.8 * U)),
+    ],
+)
+def test_each_deviation_from_white_noise_has_its_finding(code: str, readings: FloatArray) -> None:
+    assert code in codes(posterior(readings))

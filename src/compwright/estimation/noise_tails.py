@@ -90,9 +90,10 @@ def _tails() -> tuple[Tail, ...]:
 TAILS: Final = _tails()
 _TABLE: Final = np.stack([tail.log_density(_MIDDLES) for tail in TAILS])
 _LOG_PRIOR: Final = np.log([tail.prior for tail in TAILS])
-#: Which of the members are normal, Student's, with outliers.
+NORMAL, STUDENT, OUTLIERS = range(3)
+#: Which of them each member is.
 KINDS: Final = np.array(
-    [0 if t.share == 0.0 and np.isinf(t.dof) else 1 if t.share == 0.0 else 2 for t in TAILS]
+    [STUDENT if np.isfinite(t.dof) else OUTLIERS if t.share > 0.0 else NORMAL for t in TAILS]
 )
 
 
@@ -132,8 +133,9 @@ def draw_latent(tail: Tail, z: FloatArray, rng: np.random.Generator) -> Latent:
     if tail.share == 0.0:
         return Latent(np.ones(z.shape), nothing, never)
     usual = log(1.0 - tail.share) - 0.5 * z**2 - 0.5 * log(2.0 * pi)
-    lower, upper = np.exp(tail.log_outlier(z) - usual)
-    chance = rng.random(z.shape) * (1.0 + lower + upper)
+    logs = np.concatenate([tail.log_outlier(z), usual[np.newaxis]])
+    lower, upper, none = np.exp(logs - np.max(logs, axis=0))
+    chance = rng.random(z.shape) * (none + lower + upper)
     below, outlier = chance < lower, chance < lower + upper
     shift = np.where(outlier, np.where(below, -tail.size, tail.size), 0.0) * tail.fixed
     return Latent(np.where(outlier, tail.scale**-2.0, 1.0), shift, outlier)

@@ -1,0 +1,218 @@
+"""What the noise of a test is beside plain scatter, in words: how much, how sure, what to do.
+
+Odds are posterior odds, averaged over the sampler's conditional probabilities (Gelfand and Smith,
+J. Am. Stat. Assoc. 85, 1990); nothing is said below `CLEAR`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any, Final
+
+import numpy as np
+
+from compwright.estimation.noise_chain import Draw
+from compwright.estimation.noise_readings import Readings, at_traverses
+from compwright.estimation.noise_spread import shapes_of
+from compwright.estimation.noise_tails import KINDS, NORMAL, OUTLIERS, STUDENT
+from compwright.estimation.noise_traverses import DRIFT, DRIFT_TILT, OFFSET, RATES, TILT
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.records.axis import FloatArray
+from compwright.records.noise import INDEPENDENT, RUNS, WALK
+from compwright.records.positioning import PositioningTest
+
+#: Odds from which something is said: "strong" evidence (Kass and Raftery, J. Am. Stat. Assoc. 90,
+#: 1995, section 3.2).
+CLEAR: Final = 20.0
+#: Odds above this rest on approximations and are told as "over 1000".
+_SURE: Final = 1000.0
+#: Parts smaller than this, in standard deviations of a reading, change s by less than a tenth.
+_MATTERS: Final = 0.4
+_SHOWN: Final = 5
+_LOOK: Final = (
+    "look at warm-up, clamping, reference runs and the mounting of the instrument between traverses"
+)
+_PATTERN_WORDS: Final = {
+    INDEPENDENT: "Traverses are shifted against each other",
+    RUNS: "Runs are shifted against each other as a whole",
+    WALK: "The zero point wanders from traverse to traverse",
+}
+
+
+def noise_findings(
+    test: PositioningTest, readings: Readings, draws: Sequence[Draw]
+) -> tuple[Finding, ...]:
+    """Return what ``draws`` of the noise of ``test`` clearly show beside white noise."""
+    return (
+        *_drifts(test, draws),
+        *_traverses(test, draws),
+        *_tails(test, readings, draws),
+        *_places(test, readings, draws),
+    )
+
+
+def _drifts(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding]:
+    sigma = _middle([draw.sigma for draw in draws])
+    flattens = float(np.mean([RATES[draw.rate] > 0.0 for draw in draws])) > 0.5
+    how = ", and it flattens out" if flattens else ""
+    for kind, code in ((DRIFT, "CW-E020"), (DRIFT_TILT, "CW-E021")):
+        size = _middle([draw.drift[kind - DRIFT] for draw in draws])
+        odds = _odds(np.mean([draw.absent[kind] for draw in draws]))
+        if odds < CLEAR or abs(size) < sigma:
+            continue
+        if kind == DRIFT:
+            message = (
+                f"The readings drift by {_signed(size, test)} from the first run to the last"
+                f" ({_told(odds)}){how}"
+            )
+        else:
+            message = (
+                "The readings drift apart along the travel, as in thermal expansion: by"
+                f" {_signed(-size, test)} at its lower end and {_signed(size, test)} at its upper"
+                f" end from the first run to the last ({_told(odds)}){how}"
+            )
+        yield Finding(
+            code,
+            "warning",
+            f"{message}. A repeated test is predicted to show the same; warm the axis up and"
+            " measure again to see it without",
+        )
+
+
+def _traverses(test: PositioningTest, draws: Sequence[Draw]) -> Iterator[Finding]:
+    sigma = _middle([draw.sigma for draw in draws])
+    offset, tilt = (_middle([draw.size[kind] for draw in draws]) for kind in (OFFSET, TILT))
+    odds = _odds(np.mean([draw.absent[OFFSET] for draw in draws]))
+    drifts = _odds(np.mean([draw.absent[DRIFT] for draw in draws])) >= CLEAR
+    either = _odds(np.mean([not draw.size[[OFFSET, DRIFT]].any() for draw in draws]))
+    if odds >= CLEAR and offset >= _MATTERS * sigma:
+        pattern = int(np.argmax(np.bincount([draw.pattern for draw in draws])))
+        step = " a step" if pattern == WALK else ""
+        yield Finding(
+            "CW-E022",
+            "warning",
+            f"{_PATTERN_WORDS[pattern]} by {_text(offset, test)}{step} (one standard deviation;"
+            f" {_told(odds)}): {_LOOK}. The prediction draws such shifts anew",
+        )
+    elif either >= CLEAR > odds and not drifts:
+        yield Finding(
+            "CW-E022",
+            "warning",
+            f"The traverses move against each other ({_told(either)}); whether they drift or jump"
+            f" these readings cannot tell: {_LOOK}. The prediction counts with both",
+        )
+    odds = _odds(np.mean([draw.absent[TILT] for draw in draws]))
+    if odds >= CLEAR and tilt >= _MATTERS * sigma:
+        yield Finding(
+            "CW-E023",
+            "warning",
+            "The scale changes from traverse to traverse: the ends of the travel move by"
+            f" {_text(tilt, test)} against its middle (one standard deviation; {_told(odds)}): look"
+            " at the compensation of air and temperature of the instrument and at drafts",
+        )
+
+
+def _tails(test: PositioningTest, readings: Readings, draws: Sequence[Draw]) -> Iterator[Finding]:
+    chances = np.mean([draw.tail_chances for draw in draws], axis=0)
+    normal, student, spoilt = (
+        float(np.sum(chances[kind == KINDS])) for kind in (NORMAL, STUDENT, OUTLIERS)
+    )
+    odds = _odds(normal)
+    if odds < CLEAR:
+        return
+    taken = np.mean([draw.outlier for draw in draws], axis=0) / max(spoilt, 1e-9)
+    cells, runs = np.nonzero(taken > 0.5)
+    if spoilt > student and cells.size:
+        off = np.median([_errors(readings, draw) for draw in draws], axis=0)
+        order = np.argsort(-np.round(np.abs(off[cells, runs]), 9), kind="stable")
+        told = ", ".join(
+            _where(test, int(cells[k]), int(runs[k]), float(off[cells[k], runs[k]]))
+            for k in order[:_SHOWN]
+        )
+        more = f" and {cells.size - _SHOWN} more" if cells.size > _SHOWN else ""
+        are = "readings are outliers" if cells.size > 1 else "reading is an outlier"
+        yield Finding(
+            "CW-E024",
+            "warning",
+            f"{cells.size} of {np.count_nonzero(readings.there)} {are}: {told}{more}"
+            f" ({_told(odds)}). They count little in the estimate, and a repeated test is predicted"
+            " to have as many: find their cause (beam, chips, clamping), then measure again",
+        )
+    else:
+        yield Finding(
+            "CW-E025",
+            "info",
+            "Single readings lie further out than normal scatter explains"
+            f" ({_told(odds)}): far readings count less in the estimate, and a repeated test is"
+            " predicted to have such readings",
+        )
+
+
+def _places(test: PositioningTest, readings: Readings, draws: Sequence[Draw]) -> Iterator[Finding]:
+    absent = np.mean([draw.absent_spread for draw in draws], axis=0)
+    spread = np.array([draw.spread for draw in draws])
+    sigma = np.array([draw.sigma for draw in draws])
+    odds = _odds(absent[0])
+    if odds >= CLEAR:
+        ways = [_text(_middle(sigma * np.exp(0.5 * way * spread[:, 0])), test) for way in (1, -1)]
+        yield Finding(
+            "CW-E026",
+            "info",
+            f"The readings scatter by {ways[0]} in + and by {ways[1]} in −"
+            f" ({_told(odds)}): look for what moves freely in one direction only",
+        )
+    odds = _odds(float(np.min(absent[1:])))
+    if odds >= CLEAR:
+        m = test.targets.size
+        along = sigma[:, np.newaxis] * np.exp(spread[:, 1:] @ shapes_of(readings)[1:, :m])
+        scale = np.round(np.median(along, axis=0), 12)
+        told = " and ".join(
+            f"{word}, by {_text(float(scale[i]), test)}, at {_position(test.targets[i], test)}"
+            for i, word in ((np.argmin(scale), "least"), (np.argmax(scale), "most"))
+        )
+        yield Finding(
+            "CW-E027",
+            "info",
+            f"The scatter of the readings depends on the position: {told} ({_told(odds)}): look at"
+            " screw, guides and covers where it is largest",
+        )
+
+
+def _errors(readings: Readings, draw: Draw) -> FloatArray:
+    """Return the readings (c, n) less the means of their cells and what traverses and drift do."""
+    moved = at_traverses(readings, draw.effects)
+    means = draw.data.means - draw.data.shares @ draw.effects
+    return np.where(readings.there, readings.values - moved - means[:, np.newaxis], 0.0)
+
+
+def _middle(values: Sequence[float] | FloatArray) -> float:
+    return float(np.median(values))
+
+
+def _odds(absent: float | np.floating[Any]) -> float:
+    return (1.0 - float(absent)) / max(float(absent), 1e-300)
+
+
+def _told(odds: float) -> str:
+    return "odds over 1000 to 1" if odds > _SURE else f"odds {odds:.2g} to 1"
+
+
+def _text(value: float, test: PositioningTest) -> str:
+    return f"{value * outside_factor(test.kind.unit):.2g} {shown_unit(test.kind.unit)}"
+
+
+def _signed(value: float, test: PositioningTest) -> str:
+    return f"{'+' if value > 0.0 else ''}{_text(value, test)}"
+
+
+def _position(position: float, test: PositioningTest) -> str:
+    return f"{position:.10g} {test.kind.unit}"
+
+
+def _where(test: PositioningTest, cell: int, run: int, off: float) -> str:
+    m = test.targets.size
+    numbers = test.runs_positive if cell < m else test.runs_negative
+    number = numbers[run] if run < len(numbers) else run + 1
+    place = _position(float(test.targets[cell % m]), test)
+    return f"run {number} in {'+' if cell < m else '−'} at {place} ({_signed(off, test)} off)"
