@@ -1,0 +1,134 @@
+"""What a search for periods found, in words for the user: what to look for, and with which odds
+(odds: Kass and Raftery, J. Am. Stat. Assoc. 90, 1995).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from compwright.estimation.periods import PeriodSearch
+from compwright.estimation.usual_periods import USUAL_PERIODS
+from compwright.foundations.findings import Finding
+from compwright.records.axis import AxisKind, FloatArray
+from compwright.records.targets import told_targets
+
+#: A period is a usual one within this part of it.
+_NEAR = 0.004
+#: From this probability on a period is named, and counts wherever a decision has to be made.
+NAMED = 0.5
+
+
+def period_findings(
+    search: PeriodSearch,
+    targets: FloatArray,
+    kind: AxisKind,
+    known: Sequence[float],
+    fitted: Sequence[float],
+) -> list[Finding]:
+    """Return what the search at the ``targets`` (m,) says: periods that were found (CW-E012), such
+    as cannot be told apart (CW-E013), that nothing was found or could be (CW-E014), and which of
+    the ``known`` periods (mm or deg) are not among the ``fitted`` because the data do not tell them
+    (CW-E015).
+    """
+    unit = kind.unit
+    found: list[Finding] = []
+    single = {period for group in search.alike for period in group}
+    for each in search.found:
+        if each.period in single:
+            continue
+        sure = each.probability > NAMED
+        verb = "repeats" if sure else "may repeat"
+        counts = "It counts in the estimate and the prediction with that probability"
+        found.append(
+            Finding(
+                "CW-E012",
+                "info",
+                f"The error {verb} every {each.period:.5g} {unit} (probability"
+                f" {100 * each.probability:.0f} %, {_odds(each.probability)}):"
+                f" {meaning(each.period, kind)}. {counts}"
+                + ("" if sure else "; more targets at random offsets would settle it"),
+            )
+        )
+    low, high = float(targets[0]), float(targets[-1])
+    for group in search.alike:
+        named = ", ".join(f"{period:.4g}" for period in sorted(group, reverse=True)[:8])
+        more = f" and {len(group) - 8} others" if len(group) > 8 else ""
+        found.append(
+            Finding(
+                "CW-E013",
+                "warning",
+                f"The error repeats, but these targets cannot tell with which period: {named}"
+                f"{more} {unit} look the same there. None is taken out for sure, and a test at"
+                f" other targets may show all of it;"
+                f" {told_targets(low, high, targets.size, unit)}",
+            )
+        )
+    if not search.found and not search.alike and not known:
+        found.append(Finding("CW-E014", "info", _nothing(search, targets, unit)))
+    found += _left_out(known, fitted, unit)
+    return found
+
+
+def _nothing(search: PeriodSearch, targets: FloatArray, unit: str) -> str:
+    low, high = float(targets[0]), float(targets[-1])
+    told = told_targets(low, high, targets.size, unit)
+    intervals = np.diff(targets)
+    if search.curve is None:
+        return (
+            f"Too few targets ({targets.size}) to look for a periodic error: eight at random"
+            " offsets show some, more are better"
+        )
+    if np.ptp(intervals) <= 1e-3 * np.mean(intervals):
+        return (
+            "No period was found, but equal spacing hides those that divide it"
+            f" ({np.mean(intervals):.4g} {unit}); {told}"
+        )
+    probability = sum(model.probability for model in search.models if not model.periods)
+    return (
+        "No screw pitch or other period is given, and none was found"
+        f" ({100 * probability:.0f} % for none that matters)"
+    )
+
+
+def _left_out(known: Sequence[float], fitted: Sequence[float], unit: str) -> list[Finding]:
+    if len(fitted) == len(known) or not fitted:
+        return []
+    named = ", ".join(f"{period:g}" for period in fitted)
+    message = (
+        f"Of {len(known)} known periods the readings tell {len(fitted)}: {named} {unit}; the others"
+        " are not fitted"
+    )
+    return [Finding("CW-E015", "info", message)]
+
+
+def _odds(probability: float) -> str:
+    if probability > 0.999:
+        return "odds above 1000 to 1"
+    if probability >= NAMED:
+        return f"odds {probability / (1.0 - probability):.2g} to 1"
+    return f"odds 1 to {(1.0 - probability) / probability:.2g}"
+
+
+def meaning(period: float, kind: AxisKind) -> str:
+    """Return what makes an error of this ``period`` (mm or deg), in words: what to look for."""
+    usual = [
+        each.reason for each in USUAL_PERIODS[kind] if abs(each.size - period) <= _NEAR * period
+    ]
+    double = [
+        f"half of {each.reason}" if each.reason.startswith("a screw") else f"half: {each.reason}"
+        for each in USUAL_PERIODS[kind]
+        if abs(each.size - 2.0 * period) <= _NEAR * 2.0 * period
+    ]
+    if usual or double:
+        return "look for " + ", or ".join([*usual, *double])
+    if kind is AxisKind.ROTARY:
+        return (
+            f"no usual division ({360.0 / period:.4g} in a turn): look for the turn of the worm or"
+            " of the motor through its gear, and the pitch of the scale"
+        )
+    return (
+        "no usual lead: look for the turn of the motor through a belt or gear, half of it, the"
+        " pitch of the scale or rack, a pair of magnets"
+    )

@@ -1,0 +1,43 @@
+"""Target positions that show periodic errors."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from compwright.records.axis import FloatArray
+
+#: Random part of a target, in intervals: what `run` predicts new targets with.
+DITHER: Final = 0.3
+_TRIES: Final = 24
+_SEED: Final = 42  # the same travel and count give the same targets
+
+
+def proposed_targets(low: float, high: float, count: int) -> FloatArray:
+    """Return ``count`` targets (m,), mm or deg, ascending, from ``low`` to ``high`` that show every
+    period longer than a tenth of their interval as what it is.
+
+    Equal intervals plus a random part (ISO 230-2:2014, 4.2; up to 0.3 of an interval), rounded to a
+    tenth of a mm or deg, of narrow intervals finer; of several draws the one that makes the likest
+    two waves least alike.
+    """
+    interval = (high - low) / count
+    digits = max(1, int(np.ceil(2.0 - np.log10(interval))))
+    rng = np.random.default_rng(_SEED)
+    frequencies = np.arange(4, 10 * 4 + 1) / (4.0 * interval)
+    best, least = np.zeros(0), np.inf
+    for _ in range(_TRIES):
+        steps = np.arange(count) + 0.5 + rng.uniform(-DITHER, DITHER, count)
+        targets = np.round(low + steps * interval, digits)
+        angle = 2.0 * np.pi * np.outer(frequencies, targets)
+        size = float(np.max(np.hypot(np.cos(angle).mean(axis=1), np.sin(angle).mean(axis=1))))
+        if round(size, 9) < least:
+            best, least = targets, round(size, 9)
+    return best
+
+
+def told_targets(low: float, high: float, count: int, unit: str) -> str:
+    """Return a proposal of targets in words: all of them, or thirty where they are more."""
+    targets = proposed_targets(low, high, int(np.clip(count, 12, 30)))
+    return f"targets that would show it: {', '.join(f'{each:g}' for each in targets)} {unit}"
