@@ -214,7 +214,7 @@ def test_at_equal_spacing_periods_that_look_alike_are_not_told_apart() -> None:
         AxisKind.LINEAR,
     )
     assert named(search) == []
-    (group, *_) = search.alike
+    (group,) = search.sure
     for k in (0, 1, 2, 3):
         alias = 1.0 / abs(k / 30.0 + 1.0 / 11.3)
         assert min(abs(each - alias) for each in group) < 0.02 * alias

@@ -115,16 +115,16 @@ def test_of_an_endless_axis_the_largest_gap_counts(
 
 def test_a_known_period_is_seen_ten_times() -> None:
     """1000 mm with a screw of 10 mm: 100 periods, 1000 intervals."""
-    assert dense_positions(axis_of()).size == 401
-    np.testing.assert_allclose(np.diff(dense_positions(axis_of(screw_pitch=(10.0,)))), 1.0)
-    assert dense_positions(axis_of(screw_pitch=(10.0, 20.0))).size == 1001
-    assert dense_positions(axis_of(screw_pitch=(0.5,))).size == 4001
-    assert dense_positions(axis_of(screw_pitch=(500.0,))).size == 401
+    assert dense_positions(axis_of(), ()).size == 401
+    np.testing.assert_allclose(np.diff(dense_positions(axis_of(), (10.0,))), 1.0)
+    assert dense_positions(axis_of(), (10.0, 20.0)).size == 1001
+    assert dense_positions(axis_of(), (0.5,)).size == 4001
+    assert dense_positions(axis_of(), (500.0,)).size == 401
 
 
 def test_an_endless_axis_is_kept_over_one_turn_from_its_reference() -> None:
     axis = axis_of("C", kind=AxisKind.ROTARY, travel=(0.0, 720.0), modulo=360.0, reference=30.0)
-    assert dense_positions(axis)[[0, -1]].tolist() == [30.0, 390.0]
+    assert dense_positions(axis, ())[[0, -1]].tolist() == [30.0, 390.0]
 
 
 def test_a_correction_that_changes_moves_every_reading_with_it() -> None:

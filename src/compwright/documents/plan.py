@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import base64
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
 from typing import Any, TypeVar
 
@@ -273,7 +273,10 @@ def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
             }
             for entry in axis.tests
         ],
-        "estimate": _arrays_out(axis.estimate),
+        "periods": [asdict(period) for period in axis.estimate.periods],
+        "estimate": {
+            key: value for key, value in _arrays_out(axis.estimate).items() if key != "periods"
+        },
         "active": _optional(axis.active, _compensation_out),
         "wanted": _optional(axis.wanted, _arrays_out),
         "request": asdict(axis.request),
@@ -310,7 +313,7 @@ def _axis_in(data: Mapping[str, Any]) -> PlannedAxis:
             )
             for entry in data["tests"]
         ),
-        estimate=_estimate_in(data["estimate"]),
+        estimate=_estimate_in(data["estimate"], data.get("periods", ())),
         active=_optional(data["active"], _compensation_in),
         wanted=_optional(data["wanted"], _wanted_in),
         request=TableRequest(**data["request"]),
@@ -385,7 +388,7 @@ def _array(data: Mapping[str, Any], key: str) -> FloatArray:
     return np.array(data[key], dtype=np.float64)
 
 
-def _estimate_in(data: Mapping[str, Any]) -> ErrorEstimate:
+def _estimate_in(data: Mapping[str, Any], periods: Iterable[Mapping[str, Any]]) -> ErrorEstimate:
     names = ("positions", "mean_positive", "mean_negative", "std_positive", "std_negative")
     return ErrorEstimate(
         kind=AxisKind(data["kind"]),
@@ -393,7 +396,7 @@ def _estimate_in(data: Mapping[str, Any]) -> ErrorEstimate:
         noise_dof=float(data["noise_dof"]),
         measured=(float(data["measured"][0]), float(data["measured"][1])),
         findings=tuple(Finding(**entry) for entry in data["findings"]),
-        periods=tuple(AxisPeriod(**entry) for entry in data.get("periods", ())),
+        periods=tuple(AxisPeriod(**entry) for entry in periods),
         **{name: _array(data, name) for name in names},
     )
 

@@ -172,7 +172,11 @@ def _estimate(estimate: ErrorEstimate) -> Iterator[str]:
     )
     yield from _curves(estimate.positions, *curves, least=2)
     yield from _rules(
-        (estimate.noise > 0 and estimate.noise_dof > 0, "noise and its degrees of freedom above 0")
+        (
+            all(one.period > 0 and 0 <= one.probability <= 1 for one in estimate.periods),
+            "periods above 0 with probabilities",
+        ),
+        (estimate.noise > 0 and estimate.noise_dof > 0, "noise and its degrees of freedom above 0"),
     )
 
 

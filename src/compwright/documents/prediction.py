@@ -5,6 +5,7 @@ deg.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import asdict
 from typing import Any
 
 from compwright.foundations.findings import Finding
@@ -12,6 +13,7 @@ from compwright.foundations.units import MICROMETRES_PER_MILLIMETRE, outside_fac
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation, CrossCompensation, Judged
+from compwright.records.estimate import PeriodEvidence
 from compwright.records.limits import Limiting
 from compwright.records.prediction import (
     AxisPrediction,
@@ -216,5 +218,16 @@ def _axis(axis: AxisPrediction, judged: Judged) -> dict[str, Any]:
             }
             for name, entry in axis.accept.items()
         },
+        "periods": [asdict(period) for period in axis.periods],
+        "period_search": None if axis.evidence is None else _evidence(axis.evidence),
         "findings": findings_outside(axis.findings),
+    }
+
+
+def _evidence(evidence: PeriodEvidence) -> dict[str, Any]:
+    """Return periods in mm or deg, and the natural logarithm of what speaks for each."""
+    return {
+        "periods": evidence.periods.tolist(),
+        "log_odds": evidence.log_odds.tolist(),
+        "alike": [list(group) for group in evidence.alike],
     }

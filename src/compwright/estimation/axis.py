@@ -37,6 +37,7 @@ from compwright.estimation.cells import (
 from compwright.estimation.evidence import Weights
 from compwright.estimation.model import Part, Periods, Travel, basis_of
 from compwright.estimation.observed import ObservedTest
+from compwright.estimation.period_findings import period_findings
 from compwright.estimation.period_middles import fitted_periods, middles_of
 from compwright.estimation.periods import PeriodSearch, search_periods
 from compwright.foundations.errors import Fault, UsageError
@@ -235,11 +236,19 @@ def estimate_axis(
         reversal_log_odds=float(odds),
         findings=(
             *findings_of(cells, travel if turn is None else None, periods, shown, kind),
+            *period_findings(search, cells.targets, kind, shown, known.periods),
             *(finding for each in tests if each.noise for finding in each.noise.findings),
         ),
         cells=cells,
         parts=parts,
-        periods=(*(AxisPeriod(period, 1.0, "job") for period in periods), *search.found),
+        periods=(
+            *(
+                AxisPeriod(period, 1.0, "job")
+                for period in periods
+                if period in known.periods or period not in shown
+            ),
+            *search.found,
+        ),
         search=search,
     )
 

@@ -18,6 +18,7 @@ from compwright.foundations.errors import Fault, InputError
 from compwright.foundations.findings import Finding
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.noise import NoiseDraws
+from compwright.records.targets import told_targets
 
 #: No noise below this is claimed: 10 nm, 0.0036 arcsec (the resolution of the instruments is
 #: coarser or equal).
@@ -333,7 +334,8 @@ def findings_of(
             "CW-E003",
             "warning",
             f"The targets cannot show an error of period {period:g} {unit} (their spacing hides"
-            " it): it is left out, and a test at other targets may show more than is predicted",
+            " it): it is left out, and a test at other targets may show more than is predicted;"
+            f" {_told(cells.targets, unit)}",
         )
         for period in periods
         if float(period) not in shown and hidden_share(cells.targets, float(period)) >= HIDDEN
@@ -351,15 +353,11 @@ def findings_of(
             " with the measured slope, and its uncertainty grows"
         )
         found.append(Finding("CW-E004", "info", message))
-    if not periods:
-        found.append(
-            Finding(
-                "CW-E005",
-                "info",
-                "No screw pitch or other period is given: periodic error is not estimated.",
-            )
-        )
     return tuple(found)
+
+
+def _told(targets: FloatArray, unit: str) -> str:
+    return told_targets(float(targets[0]), float(targets[-1]), targets.size, unit)
 
 
 def folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) -> list[Finding]:
@@ -376,7 +374,7 @@ def folded_findings(targets: FloatArray, periods: Sequence[float], unit: str) ->
         message = (
             f"At these targets, {interval:.4g} {unit} apart, an error of period {period:g} {unit}"
             f" looks like {longer}: the two cannot be told apart, the period is not fitted, and no"
-            " limit is accepted. Measure at targets with random offsets to see it"
+            f" limit is accepted; {_told(targets, unit)}"
         )
         found.append(Finding("CW-E010", "warning", message))
     return found

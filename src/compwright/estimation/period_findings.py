@@ -16,8 +16,6 @@ from compwright.records.targets import told_targets
 
 #: A period is a usual one within this part of it.
 _NEAR = 0.004
-#: From this probability on a period is named, and counts wherever a decision has to be made.
-NAMED = 0.5
 
 
 def period_findings(
@@ -34,11 +32,11 @@ def period_findings(
     """
     unit = kind.unit
     found: list[Finding] = []
-    single = {period for group in search.alike for period in group}
+    single = {period for group in search.sure for period in group}
     for each in search.found:
         if each.period in single:
             continue
-        sure = each.probability > NAMED
+        sure = each.named
         verb = "repeats" if sure else "may repeat"
         counts = "It counts in the estimate and the prediction with that probability"
         found.append(
@@ -52,7 +50,7 @@ def period_findings(
             )
         )
     low, high = float(targets[0]), float(targets[-1])
-    for group in search.alike:
+    for group in search.sure:
         named = ", ".join(f"{period:.4g}" for period in sorted(group, reverse=True)[:8])
         more = f" and {len(group) - 8} others" if len(group) > 8 else ""
         found.append(
@@ -65,7 +63,7 @@ def period_findings(
                 f" {told_targets(low, high, targets.size, unit)}",
             )
         )
-    if not search.found and not search.alike and not known:
+    if not search.found and not search.sure and not known:
         found.append(Finding("CW-E014", "info", _nothing(search, targets, unit)))
     found += _left_out(known, fitted, unit)
     return found
@@ -106,7 +104,7 @@ def _left_out(known: Sequence[float], fitted: Sequence[float], unit: str) -> lis
 def _odds(probability: float) -> str:
     if probability > 0.999:
         return "odds above 1000 to 1"
-    if probability >= NAMED:
+    if probability >= 0.5:
         return f"odds {probability / (1.0 - probability):.2g} to 1"
     return f"odds 1 to {(1.0 - probability) / probability:.2g}"
 

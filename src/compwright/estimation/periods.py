@@ -23,7 +23,7 @@ from compwright.estimation.basis import Basis
 from compwright.estimation.period_candidates import BOTH, Candidate, Look, Odds, candidates_of
 from compwright.estimation.period_likelihood import Middles, PeriodLikelihood
 from compwright.records.axis import AxisKind, FloatArray
-from compwright.records.estimate import AxisPeriod
+from compwright.records.estimate import AxisPeriod, PeriodEvidence
 
 #: What is expected before the data: the first period, and one beside those that are known.
 FIRST: Final = Odds(none=0.2, usual=0.74)
@@ -44,6 +44,8 @@ _FOLLOWED: Final = 0.0
 #: Models of less probability are not kept; those of one period at most.
 _LEAST_MODEL: Final = 0.01
 _NEIGHBOURS: Final = 5
+#: Steps of the curve that is shown.
+_SHOWN: Final = 300
 #: Targets that have to be left beside what is free.
 LEFT: Final = 4
 #: Periods that differ by less than this part are one.
@@ -73,12 +75,32 @@ class PeriodCurve:
 class PeriodSearch:
     """What a search found: ``models``, the most probable first, probabilities sum to 1;
     ``found``: periods with the probability that they are there; ``alike``: groups of periods that
-    these targets cannot tell apart."""
+    these targets cannot tell apart, each with the probability that it is one of them.
+    """
 
     models: tuple[PeriodModel, ...]
     found: tuple[AxisPeriod, ...]
-    alike: tuple[tuple[float, ...], ...]
+    alike: tuple[tuple[tuple[float, ...], float], ...]
     curve: PeriodCurve | None
+
+    @property
+    def sure(self) -> tuple[tuple[float, ...], ...]:
+        """The groups of which one is there rather than not."""
+        return tuple(group for group, probability in self.alike if probability > 0.5)
+
+    def evidence(self) -> PeriodEvidence | None:
+        """Return the curve for a picture: the highest value in each of `_SHOWN` steps that are even
+        in the logarithm of the period; None where nothing was searched.
+        """
+        if self.curve is None:
+            return None
+        logs = np.log(self.curve.periods)
+        edges = np.linspace(logs[-1], logs[0], _SHOWN + 1)
+        step = np.clip(np.searchsorted(edges, logs, side="right") - 1, 0, _SHOWN - 1)
+        order = np.lexsort((-np.round(self.curve.log_odds, 6), step))
+        _, first = np.unique(step[order], return_index=True)
+        best = order[first]
+        return PeriodEvidence(self.curve.periods[best], self.curve.log_odds[best], self.sure)
 
 
 def search_periods(
@@ -165,16 +187,21 @@ def _gathered(looks: list[Look], curve: PeriodCurve) -> PeriodSearch:
             for model in sorted(kept, key=lambda model: -round(model.probability, 9))
         ),
         _found(likely),
-        tuple(
-            dict.fromkeys(
-                (member.period, *(1.0 / member.aliases).tolist())
-                for members, _ in likely
-                for member in members
-                if member.aliases.size
-            )
-        ),
+        _alike(likely),
         curve,
     )
+
+
+def _alike(
+    likely: list[tuple[tuple[Candidate, ...], float]],
+) -> tuple[tuple[tuple[float, ...], float], ...]:
+    groups: dict[tuple[float, ...], float] = {}
+    for members, probability in likely:
+        for member in members:
+            if member.aliases.size:
+                group = (member.period, *(1.0 / member.aliases).tolist())
+                groups[group] = min(groups.get(group, 0.0) + probability, 1.0)
+    return tuple(groups.items())
 
 
 def _found(likely: list[tuple[tuple[Candidate, ...], float]]) -> tuple[AxisPeriod, ...]:

@@ -138,7 +138,9 @@ def start_axis(
     planned = PlannedAxis(
         axis=axis,
         tests=tests,
-        estimate=posterior.summary(dense_positions(axis)),
+        estimate=posterior.summary(
+            dense_positions(axis, [each.period for each in posterior.own.periods])
+        ),
         active=active,
         wanted=None,
         request=entry.table,
@@ -251,6 +253,8 @@ def predict_axis(
         quantum=work.capacity.quantum if work.capacity is not None else None,
         accept=accept,
         findings=(*work.findings, *guard, *_offered(work, tests, likes[0])),
+        periods=work.posterior.own.periods,
+        evidence=work.posterior.own.search.evidence(),
     )
 
 

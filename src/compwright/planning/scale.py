@@ -244,7 +244,7 @@ def _planned(
     CapacityError.
     """
     axis: Axis = entry.axis
-    positions = dense_positions(axis)
+    positions = dense_positions(axis, ())
     away = np.abs(positions - axis.reference) * scale.std_error
     means = scale.value * (positions - axis.reference)
     estimate = ErrorEstimate(

@@ -212,18 +212,18 @@ def held_by(state: ControlState, axis: Axis) -> AxisCompensation:
     )
 
 
-def dense_positions(axis: Axis) -> FloatArray:
+def dense_positions(axis: Axis, periods: Sequence[float]) -> FloatArray:
     """Return equally spaced positions over the travel (one turn from the reference of an endless
     axis).
 
-    They are close enough for the shortest known period.
+    They are close enough for the shortest of the ``periods`` (mm or deg).
     """
     low, high = (
         axis.travel if axis.modulo is None else (axis.reference, axis.reference + axis.modulo)
     )
     wanted = DENSE_LEAST
-    if axis.screw_pitch:
-        wanted = int(np.ceil((high - low) / min(axis.screw_pitch) * DENSE_PER_PERIOD)) + 1
+    if periods:
+        wanted = int(np.ceil((high - low) / min(periods) * DENSE_PER_PERIOD)) + 1
     return np.linspace(low, high, int(np.clip(wanted, DENSE_LEAST, DENSE_MOST)))
 
 
@@ -235,7 +235,8 @@ def wanted_correction(
 
     wanted(x, d) = active(x, d) - error(x, d), shifted by one constant so that it is zero at the
     reference approached in the reference-return direction. Where the reference lies outside the
-    travel, the nearest end of the travel stands for it.
+    travel, the nearest end of the travel stands for it. Its periods are those that are there rather
+    than not.
     """
     positive = active.at(estimate.positions, Direction.POSITIVE) - estimate.mean_positive
     negative = active.at(estimate.positions, Direction.NEGATIVE) - estimate.mean_negative
@@ -250,7 +251,7 @@ def wanted_correction(
         reference_return=axis.reference_return,
         noise=estimate.noise,
         reversal_log_odds=reversal_log_odds,
-        periods=axis.screw_pitch,
+        periods=tuple(each.period for each in estimate.periods if each.named),
     )
 
 

@@ -19,6 +19,23 @@ class AxisPeriod:
     probability: float
     source: Literal["job", "found", "files"]
 
+    @property
+    def named(self) -> bool:
+        """Whether it counts where something has to be decided: it is there rather than not."""
+        return self.probability > 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class PeriodEvidence:
+    """What speaks for a wave of each of the ``periods`` (k,) ascending, mm or deg: natural
+    logarithm ``log_odds`` (k,) of its likelihood over that of none. ``alike``: groups of periods
+    that the targets cannot tell apart.
+    """
+
+    periods: FloatArray
+    log_odds: FloatArray
+    alike: tuple[tuple[float, ...], ...] = ()
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ErrorEstimate:

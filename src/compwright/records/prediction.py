@@ -9,6 +9,7 @@ from typing import Literal
 from compwright.foundations.findings import Finding
 from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation
+from compwright.records.estimate import AxisPeriod, PeriodEvidence
 from compwright.records.limits import Limiting
 from compwright.records.result import PositioningResult
 
@@ -73,7 +74,8 @@ class AcceptDecision:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisPrediction:
     """The prediction of one axis. ``table`` is what the files give when read back; None where no
-    table is written. ``limits``: what keeps the axis where it then is.
+    table is written. ``limits``: what keeps the axis where it then is. ``periods``: those of
+    its error, known and found, with the ``evidence`` of the search (None: there was none).
     """
 
     tests: tuple[TestPrediction, ...]
@@ -82,3 +84,5 @@ class AxisPrediction:
     limits: Limiting | None = None
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
+    periods: tuple[AxisPeriod, ...] = ()
+    evidence: PeriodEvidence | None = None
