@@ -72,6 +72,34 @@ def test_opposite_drift_in_the_two_directions_is_found() -> None:
     assert drift(replace(test, positive=test.positive + ramp, negative=test.negative - ramp))
 
 
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_expansion_that_cancels_in_the_mean_is_found(sign: float) -> None:
+    """Six µm more at the upper end and six less at the lower one: every target progresses in order
+    (clause 3.3), the mean over the targets does not move.
+    """
+    test = noisy(np.random.default_rng(4), s=0.5)
+    along = np.linspace(-1.0, 1.0, test.targets.size)[:, np.newaxis]
+    growing = sign * 6.0 * UM * along * np.linspace(0.0, 1.0, 5)
+    found = drift(replace(test, positive=test.positive + growing, negative=test.negative + growing))
+    ends = [float(each) for each in re.findall(r"([+-][0-9.]+) µm", found[0].message)]
+    # Standard error at an end: 0.5 * 4 / sqrt(10 * 11) * 2 = 0.38 µm; clipping adds a little.
+    assert ends == pytest.approx([-sign * 6.0, sign * 6.0] * 2, abs=1.2)
+
+
+def test_expansion_in_random_order_of_the_runs_is_no_drift() -> None:
+    """Runs that are tilted each on its own: one order in sixty; 200 tests, three standard
+    errors.
+    """
+    found = []
+    for seed in range(200):
+        rng = np.random.default_rng(seed)
+        test = noisy(rng)
+        tilts = np.linspace(-1.0, 1.0, test.targets.size)[:, np.newaxis] * rng.normal(0, 3 * UM, 5)
+        tilted = replace(test, positive=test.positive + tilts, negative=test.negative + tilts)
+        found.append(bool(drift(tilted)))
+    assert share(found) <= 1 / 60 + 3 * np.sqrt(1 / 60 / 200)
+
+
 def test_drift_in_one_direction_of_a_one_directional_test() -> None:
     test = noisy(np.random.default_rng(4), s=0.5, drift=6.0)
     assert drift(replace(test, negative=np.empty((test.targets.size, 0))))
