@@ -6,6 +6,7 @@ import pytest
 
 from compwright.foundations.errors import InputError, UsageError
 from compwright.instruments.profile import read_profile
+from compwright.instruments.profile_of_file import proposed_profile
 from compwright.instruments.reading import read_positioning
 from compwright.records.axis import AxisKind
 from compwright.records.positioning import PositioningTest
@@ -232,3 +233,23 @@ def test_files_with_readers_of_their_own_do_not_need_it() -> None:
     assert read(plain, LONG_PROFILE).axis == "X"
     targets = "TGT_DATA[1]=0\nTGT_DATA[2]=5\nREF_DATA_FWD[1,1]=0.1\nREF_DATA_FWD[2,1]=5.1\n"
     assert read(targets, LONG_PROFILE).targets.tolist() == [0.0, 5.0]
+
+
+STATUS = '"Nr";"AX2 [mm]";"Delta [mm]";"AX1 [mm]";"T";"AX3 [mm]"\r\n'
+STATUS += '"1";"0,000";"0,000";"0,001";"20";"0,004"\r\n"2";"100,000";"100,000";"0,002";"20";"0"\r\n'
+STATUS += '"3";"200,000";"100,000";"0,003";"20";"0,001"\r\n'
+
+
+def test_status_pro_is_known_and_asks() -> None:
+    with pytest.raises(InputError, match="is a table of the Status Pro software"):
+        read_positioning(STATUS.encode(), "s.csv")
+    proposed = proposed_profile(STATUS.encode(), "s.csv")
+    keys = {line.partition(":")[0] for line in proposed.open}
+    assert {"value", "sign", "direction_from"} <= keys
+    profile = LONG_PROFILE.replace("header_line: 2", "header_line: 1").replace("run: Lauf\n", "")
+    profile = profile.replace("Soll [mm]", "AX2 [mm]").replace("unit: um", "unit: mm")
+    profile = profile.replace("direction_from: column", 'direction_from: "+"')
+    across = read(STATUS, profile.replace("Abw. [µm]", "AX1 [mm]"))
+    assert across.positive[:, 0].tolist() == [0.001, 0.002, 0.003]
+    step = refused(STATUS, profile.replace("Abw. [µm]", "Delta [mm]"))
+    assert "the values are the distances between the targets" in step

@@ -23,6 +23,10 @@ ACCEPTED_FORMS = (
     " laser software (.rtl, .rta, .pos, .ren); any other table by a mapping profile (compwright"
     " profile FILE --out P.yaml, then --profile P.yaml)"
 )
+_BY_PROFILE = (
+    "a mapping profile that says which column holds what (compwright profile FILE --out P.yaml,"
+    " then --profile P.yaml)"
+)
 _NEWEST_FORM = 1
 _FORM_KEY = re.compile(r"positioning\s+([0-9]{1,9})")
 
@@ -65,8 +69,24 @@ def refuse_other_files(lines: Sequence[tuple[int, str]], comments: Comments, fil
                 found=f"columns {', '.join(names[:8])}",
             )
         )
+    if _is_status_pro(names):
+        raise InputError(
+            Fault(
+                message="is a table of the Status Pro software, and what its columns mean is not"
+                " documented: Delta may be the step between positions, AX1 and AX3 stand across",
+                file=file,
+                place=f"line {number}",
+                expected=_BY_PROFILE,
+                found=f"columns {', '.join(names[:8])}",
+            )
+        )
     if not count and names:
         raise _unknown_form(number, first, names, file)
+
+
+def _is_status_pro(names: Sequence[str]) -> bool:
+    known = {name.partition(" [")[0] for name in names if "[" in name}
+    return "delta" in known and len(known & {"ax1", "ax2", "ax3"}) >= 2
 
 
 def _unknown_form(number: int, first: str, names: Sequence[str], file: str) -> InputError:

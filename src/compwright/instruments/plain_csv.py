@@ -26,6 +26,7 @@ from compwright.instruments.csv_table import (
 )
 from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.numbers import DecimalMarks, parse_count
+from compwright.instruments.parts import AXIS_COLUMN
 from compwright.records.axis import AxisKind, Direction
 
 _KIND_OF_TARGET = {"target_mm": AxisKind.LINEAR, "target_deg": AxisKind.ROTARY}
@@ -96,7 +97,7 @@ def read_csv(table: Table, comments: Comments, faults: FaultList) -> CsvReadings
         readings=tuple(readings),
         measured=value.startswith("measured"),
         sign_said=sign is not None,
-        left_out=tuple(column for column in table.columns if column not in used),
+        left_out=tuple(column for column in table.columns if column not in (*used, AXIS_COLUMN)),
         doubtful=marks.doubtful_point(),
     )
 

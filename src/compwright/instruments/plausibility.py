@@ -28,6 +28,7 @@ Codes of this room:
 - ``CW-R057`` warning: means instead of readings
 - ``CW-R058`` warning: a compensation table instead of a test
 - ``CW-R059`` warning: rows of a table without a number in the target column were left out
+- ``CW-R061`` warning: sheets of a workbook that were left out
 - ``CW-R060`` info: how a table was read by its mapping profile
 """
 

@@ -40,7 +40,9 @@ _CHOICES: Final[dict[str, tuple[Any, ...]]] = {
     "run_counts": ("runs", "traverses"),
     "cycle": ("standard", "step"),
 }
-_TEXTS: Final = frozenset({"encoding", "axis", "target", "value", "direction", "run"})
+_TEXTS: Final = frozenset(
+    {"encoding", "axis", "axis_column", "target", "value", "direction", "run"}
+)
 _OTHERS: Final = frozenset(
     {MARK, "header_line", "directions", "traverses", "position_map", "leave_out"}
 )
@@ -75,6 +77,7 @@ class Profile:
     decimal: str = "."
     header_line: int = 0
     axis: str = ""
+    axis_column: str = ""
     target: str = ""
     target_unit: str = "mm"
     value: str = ""
@@ -175,6 +178,7 @@ class _Checked:
             decimal="," if self.choice("decimal") == "comma" else ".",
             header_line=self.header_line(),
             axis=self.text("axis"),
+            axis_column=self.text("axis_column"),
             target=self.text("target"),
             target_unit=target_unit,
             value=self.text("value"),

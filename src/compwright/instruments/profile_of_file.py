@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
-from compwright.foundations.errors import Fault, UsageError
+from compwright.foundations.errors import Fault, InputError, UsageError
 from compwright.instruments.forms import OPEN_FORMS, PLAIN_CSV, Form, form_of
 from compwright.instruments.own_forms import is_plain_csv
 from compwright.instruments.profile import MARK, SIGNS, VERSION
 from compwright.instruments.profile_text import profile_text, worked_rows
-from compwright.instruments.proposing import propose
+from compwright.instruments.proposing import has_table, propose
 from compwright.instruments.text_input import read_any_lines
+from compwright.instruments.workbook import is_workbook, sheets_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,6 +32,8 @@ def proposed_profile(content: bytes, file: str) -> Proposed:
 
     Raises InputError for a file without a table, UsageError for one whose form says all.
     """
+    if is_workbook(content):
+        return _of_workbook(content, file)
     lines, encoding = read_any_lines(content, file)
     form = form_of(lines, file)
     if form in OPEN_FORMS:
@@ -41,6 +45,33 @@ def proposed_profile(content: bytes, file: str) -> Proposed:
                 file=file,
             )
         )
+    return _proposed(lines, encoding, file)
+
+
+def _of_workbook(content: bytes, file: str) -> Proposed:
+    """Return the profile for the first sheet of a workbook that holds a table."""
+    sheets = sheets_of(content, file)
+    for sheet in sheets:
+        if is_plain_csv(sheet.lines):
+            raise UsageError(
+                Fault(
+                    message=f"needs no profile: its sheet {sheet.name} is read as it is", file=file
+                )
+            )
+    for sheet in sheets:
+        if has_table(sheet.lines):
+            found = _proposed(sheet.lines, "", f"{file}, sheet {sheet.name}")
+            return replace(found, notes=(f"proposed for the sheet {sheet.name}", *found.notes))
+    raise InputError(
+        Fault(
+            message="holds no sheet with a table of numbers",
+            file=file,
+            expected="rows of at least two columns, one of them with targets",
+        )
+    )
+
+
+def _proposed(lines: Sequence[str], encoding: str, file: str) -> Proposed:
     proposal = propose(lines, encoding, file)
     return Proposed(
         text=profile_text(proposal, file),

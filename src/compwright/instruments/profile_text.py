@@ -28,6 +28,7 @@ _MEANINGS: Final[dict[str, str]] = {
     "decimal": "point or comma",
     "header_line": "line of the file with the names of the columns; 0: none",
     "axis": "may stay empty where a job or --axis says it",
+    "axis_column": "column that names the axis of each row; empty: none",
     "target": "column with the positions that were commanded",
     "value": "column with the deviation or the measured position",
     "value_is": "deviation or measured",

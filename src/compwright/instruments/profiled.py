@@ -16,6 +16,7 @@ from compwright.instruments.foreign_table import ForeignRow, ForeignTable, forei
 from compwright.instruments.foreign_units import ANGLES, LENGTHS
 from compwright.instruments.numbers import parse_number
 from compwright.instruments.parsed import Parsed
+from compwright.instruments.parts import Part, parts_by_axis
 from compwright.instruments.profile import Profile
 from compwright.instruments.reading_findings import left_out_finding
 from compwright.instruments.worked_rows import worked_readings
@@ -23,6 +24,7 @@ from compwright.records.axis import Direction
 
 _COUNT = re.compile(r"[^0-9]*([0-9]{1,9})[^0-9]*")
 _LISTED = 5
+_SAME_STEP = 1e-4  # mm, deg: rounding of printed positions
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,11 +87,24 @@ def read_by_profile(text: Sequence[str], profile: Profile, faults: FaultList) ->
     )
 
 
+def profiled_parts(text: Sequence[str], profile: Profile, faults: FaultList) -> tuple[Part, ...]:
+    """Return the parts of a table: one per axis where the profile names a column of axes."""
+    if not profile.axis_column or not has_columns(text, profile):
+        return (Part(text),)
+    table = foreign_table(text, profile.delimiter, profile.header_line, FaultList(""))
+    column = table.columns.index(profile.axis_column)
+    target = table.columns.index(profile.target)
+    rows = [row.line for row in table.rows if _has_digit(row.cells[target])]
+    return parts_by_axis(text, profile.delimiter, (profile.header_line, column), rows, faults)
+
+
 def _wanted(profile: Profile) -> list[str]:
+    axis = [profile.axis_column] if profile.axis_column else []
     if profile.layout == "wide":
-        return [profile.target, *profile.traverses]
+        return [profile.target, *profile.traverses, *axis]
     direction = profile.direction if profile.direction_from == "column" else ""
-    return [name for name in (profile.target, profile.value, direction, profile.run) if name]
+    names = (profile.target, profile.value, direction, profile.run, *axis)
+    return [name for name in names if name]
 
 
 def _has_digit(text: str) -> bool:
@@ -166,6 +181,7 @@ def _long(
     rows: Sequence[ForeignRow], cells: _Cells, profile: Profile, faults: FaultList
 ) -> list[Reading]:
     taken = []
+    by_column = profile.direction_from == "column"
     for row in rows:
         number = cells.number(row, profile.target)
         if number is None or not cells.text(row, profile.value):
@@ -173,9 +189,10 @@ def _long(
         target = number * _factor(profile.target_unit) + 0.0
         deviation = cells.deviation(row, profile.value, target)
         if deviation is not None:
-            direction = cells.text(row, profile.direction)
+            direction = cells.text(row, profile.direction if by_column else "")
             run = cells.text(row, profile.run)
             taken.append(_Row(target, deviation, direction, run, row.line))
+    _refuse_steps(taken, profile, faults)
     directions = list(_directions(taken, profile, faults))
     if None in directions:
         return []
@@ -186,6 +203,22 @@ def _long(
         for row, direction, run in zip(taken, told, runs, strict=True)
         if run is not None
     ]
+
+
+def _refuse_steps(rows: Sequence[_Row], profile: Profile, faults: FaultList) -> None:
+    """Note values that are the distances of the targets: some programs print them beside."""
+    steps = [b.target - a.target for a, b in pairwise(rows)]
+    if profile.measured or len(steps) < 2 or not any(steps):
+        return
+    if all(
+        abs(abs(row.deviation) - abs(step)) <= _SAME_STEP
+        for row, step in zip(rows[1:], steps, strict=True)
+    ):
+        faults.add(
+            "the values are the distances between the targets, not deviations",
+            place=f"column {profile.value}",
+            expected="the column with deviations or measured positions",
+        )
 
 
 def _directions(

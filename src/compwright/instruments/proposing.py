@@ -83,6 +83,9 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
         "header_line": header_line,
         "axis": _axis(text[: max(header_line - 1, 0)]),
     }
+    axes = [name for name in table.columns if role_of(name) == "axis"]
+    if len(axes) == 1:
+        proposal.keys["axis_column"] = axes[0]
     columns = _Columns(table, "," if proposal.keys["decimal"] == "comma" else ".")
     target = columns.target()
     proposal.keys["target"] = target
@@ -99,6 +102,11 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
         _long(proposal, columns, target, above)
     _sign(proposal, columns, target, text[:header_line])
     return proposal
+
+
+def has_table(text: Sequence[str]) -> bool:
+    """Whether the lines hold a table of numbers."""
+    return _shape(text) is not None
 
 
 def _names(table: ForeignTable) -> str:

@@ -1,30 +1,35 @@
-"""The door of the room: bytes of a measurement file to a record. The form is told by the content,
+"""The door of the room: bytes of a measurement file to records. The form is told by the content,
 never by the file's name.
 """
 
 from __future__ import annotations
 
 import re
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import Final
 
 from compwright.foundations.errors import Fault, InputError
-from compwright.foundations.provenance import source_of
+from compwright.foundations.findings import Finding
+from compwright.foundations.provenance import Source, fingerprint, source_of
 from compwright.instruments.answers import NO_ANSWERS
 from compwright.instruments.assembling import grid_of
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.forms import PLAIN_CSV, Form, form_of
 from compwright.instruments.own_forms import is_plain_csv
 from compwright.instruments.parsed import Parsed
+from compwright.instruments.parts import Part, plain_parts
 from compwright.instruments.plausibility import findings_of
 from compwright.instruments.profile import Profile
-from compwright.instruments.profiled import has_columns, read_by_profile
+from compwright.instruments.profiled import has_columns, profiled_parts, read_by_profile
 from compwright.instruments.reading_findings import (
     assumed_finding,
     header_findings,
     unfinished_finding,
 )
+from compwright.instruments.sections import axis_name
 from compwright.instruments.text_input import read_any_lines, read_lines
+from compwright.instruments.workbook import Sheet, is_workbook, sheets_of
 from compwright.records.axis import Direction
 from compwright.records.positioning import PositioningTest, to_machine
 
@@ -34,25 +39,97 @@ _DYNAMIC: Final = re.compile(
 )
 
 
-def read_positioning(content: bytes, file: str, profile: Profile | None = None) -> PositioningTest:
-    """Return the positioning test in ``content``; ``file`` is the name that messages and the
-    record's source carry.
+@dataclass(frozen=True, slots=True)
+class _Read:
+    """One test of a file before its record: what was parsed, and from which lines."""
 
-    Reads the forms of `forms.FORMS`, the plain CSV forms (contract, "Plain CSV"), and any other
-    table by a ``profile``. The result is in mm or deg, deviations are measured minus target, and
-    its name is the stem of ``file``. The frame is the instrument's, or the machine's where the
-    profile maps the positions. An axis that the file does not name is an empty text with a finding.
-    Raises InputError with every fault that could be found at once.
+    parsed: Parsed
+    part: Part
+    faults: FaultList
+
+
+def read_positioning(content: bytes, file: str, profile: Profile | None = None) -> PositioningTest:
+    """Return the only test in ``content``; as `read_tests`. Raises InputError where there are
+    several.
     """
-    faults = FaultList(file)
+    tests = read_tests(content, file, profile)
+    if len(tests) > 1:
+        raise InputError(
+            Fault(
+                message="holds several tests",
+                file=file,
+                expected="one test",
+                found=", ".join(test.axis or test.name for test in tests),
+            )
+        )
+    return tests[0]
+
+
+def read_tests(
+    content: bytes, file: str, profile: Profile | None = None
+) -> tuple[PositioningTest, ...]:
+    """Return the positioning tests in ``content``: one, or one per axis of a plain table with a
+    column ``axis``, and per sheet of a workbook.
+
+    ``file`` is the name that messages and the record's source carry. Reads the forms of
+    `forms.FORMS`, the plain CSV forms (contract, "Plain CSV"), the same in an Excel workbook, and
+    any other table by a ``profile``. The results are in mm or deg, deviations are measured minus
+    target, and the name is the stem of ``file``, with the axis where there are several. The frame
+    is the instrument's, or the machine's where the profile maps the positions. An axis that nobody
+    names is an empty text with a finding. Raises InputError with every fault that could be found at
+    once.
+    """
+    if is_workbook(content):
+        sheets = sheets_of(content, file)
+        used = [sheet for sheet in sheets if _is_test(sheet, profile)]
+        reads = [read for sheet in used for read in _of_sheet(sheet, file, profile)]
+        _refuse_no_sheet(reads, sheets, file)
+        left_out = [sheet.name for sheet in sheets if sheet not in used]
+    else:
+        reads = _of_text(content, FaultList(file), profile)
+        left_out = []
+    several = len(reads) > 1
+    tests = tuple(
+        _test_of(read, _source(read, content, file, several=several), _name(read, file, reads))
+        for read in reads
+    )
+    if left_out:
+        finding = Finding("CW-R061", "warning", f"Sheets that were left out: {_listed(left_out)}.")
+        tests = tuple(replace(test, findings=(*test.findings, finding)) for test in tests)
+    return tuple(_mapped(test, profile) for test in tests)
+
+
+def _of_text(content: bytes, faults: FaultList, profile: Profile | None) -> list[_Read]:
+    """Return the tests in a text file."""
+    file = faults.file
     if profile is not None and profile.layout != "own" and not _has_own_form(content, file):
-        test = _by_profile(content, profile, faults)
-        if test is not None:
-            return test
+        text, _ = read_any_lines(content, file, profile.encoding)
+        if has_columns(text, profile) or not is_plain_csv(text):
+            return _by_profile(text, profile, faults)
     text, form = _text_and_form(content, file)
-    answers = profile.answers if profile and profile.layout == "own" else NO_ANSWERS
-    test = test_of(form.read(text, faults, answers), text, content, faults)
-    return _mapped(test, profile) if profile and profile.layout == "own" else test
+    if form is PLAIN_CSV:
+        return _by_form(form, plain_parts(text, faults), faults, profile)
+    return _by_form(form, (Part(text),), faults, profile)
+
+
+def _by_form(
+    form: Form, parts: Sequence[Part], faults: FaultList, profile: Profile | None
+) -> list[_Read]:
+    own = profile is not None and profile.layout == "own"
+    answers = profile.answers if profile is not None and own else NO_ANSWERS
+    return [_Read(form.read(part.text, faults, answers), part, faults) for part in parts]
+
+
+def _by_profile(text: Sequence[str], profile: Profile, faults: FaultList) -> list[_Read]:
+    return [
+        _Read(_marked(read_by_profile(part.text, profile, faults), profile), part, faults)
+        for part in profiled_parts(text, profile, faults)
+    ]
+
+
+def _marked(parsed: Parsed, profile: Profile) -> Parsed:
+    said = f"{profile.file} (sha256 {profile.sha256})"
+    return replace(parsed, header={**parsed.header, "profile": said})
 
 
 def _has_own_form(content: bytes, file: str) -> bool:
@@ -63,31 +140,82 @@ def _has_own_form(content: bytes, file: str) -> bool:
         return False
 
 
-def _by_profile(content: bytes, profile: Profile, faults: FaultList) -> PositioningTest | None:
-    """Return the test by a profile; None for a plain CSV file that has none of its columns."""
-    text, _ = read_any_lines(content, faults.file, profile.encoding)
-    if not has_columns(text, profile) and is_plain_csv(text):
-        return None
-    return _mapped(test_of(read_by_profile(text, profile, faults), text, content, faults), profile)
+def _is_test(sheet: Sheet, profile: Profile | None) -> bool:
+    return is_plain_csv(sheet.lines) or (
+        profile is not None
+        and profile.layout != "own"
+        and has_columns(sheet.lines, _for_sheets(profile))
+    )
 
 
-def _mapped(test: PositioningTest, profile: Profile) -> PositioningTest:
-    header = {**test.header, "profile": f"{profile.file} (sha256 {profile.sha256})"}
-    test = replace(test, header=header)
-    return to_machine(test, profile.position_map) if profile.position_map else test
+def _for_sheets(profile: Profile) -> Profile:
+    return replace(profile, delimiter="\t")
 
 
-def test_of(parsed: Parsed, text: list[str], content: bytes, faults: FaultList) -> PositioningTest:
-    """Return the record of what a reader found in the lines ``text`` of a file.
+def _of_sheet(sheet: Sheet, file: str, profile: Profile | None) -> list[_Read]:
+    faults = FaultList(f"{file}, sheet {sheet.name}")
+    if profile is not None and has_columns(sheet.lines, _for_sheets(profile)):
+        reads = _by_profile(sheet.lines, _for_sheets(profile), faults)
+    else:
+        parts = plain_parts(sheet.lines, faults)
+        reads = _by_form(PLAIN_CSV, parts, faults, None)
+    return [replace(read, part=replace(read.part, sheet=sheet.name)) for read in reads]
 
-    Raises InputError with the faults noted so far and those that need all readings.
+
+def _refuse_no_sheet(reads: Sequence[_Read], sheets: Sequence[Sheet], file: str) -> None:
+    if not reads:
+        raise InputError(
+            Fault(
+                message="is an Excel workbook, and no sheet of it holds a test",
+                file=file,
+                expected="a sheet with the columns of plain CSV (target_mm, direction, run,"
+                " deviation_um), or a mapping profile (compwright profile FILE --out P.yaml, then"
+                " --profile P.yaml)",
+                found=_listed([sheet.name for sheet in sheets]) or "empty sheets",
+            )
+        )
+
+
+def _listed(names: Sequence[str]) -> str:
+    return ", ".join(names[:8]) + (", .." if len(names) > 8 else "")
+
+
+def _source(read: _Read, content: bytes, file: str, *, several: bool) -> Source:
+    """Return where a test comes from; one of several has the fingerprint of its own lines, for the
+    bytes of the file are those of the others too.
     """
-    grid = grid_of(parsed.readings, parsed.kind, faults)
-    assumed = parsed.assumed if parsed.cycle else (*parsed.assumed, "cycle: standard")
-    shared = (assumed_finding(assumed), *header_findings(parsed.header))
+    if not several:
+        return source_of(file, content)
+    own = "\n".join((read.part.sheet, read.part.axis, *read.part.text))
+    return Source(file=file, sha256=fingerprint(own.encode("utf-8", "surrogatepass")))
+
+
+def _name(read: _Read, file: str, reads: Sequence[_Read]) -> str:
+    if len(reads) == 1:
+        return stem(file)
+    names = [name for name in (read.part.sheet, read.part.axis) if name]
+    return " ".join([stem(file), *dict.fromkeys(names)])
+
+
+def _test_of(read: _Read, source: Source, name: str) -> PositioningTest:
+    """Return the record of one test. Raises InputError with the faults noted so far and those that
+    need all readings.
+    """
+    parsed = read.parsed
+    grid = grid_of(parsed.readings, parsed.kind, read.faults)
+    header, assumed = _with_axis(parsed, read.part)
+    if not parsed.cycle:
+        assumed = (*assumed, "cycle: standard")
+    findings = (
+        assumed_finding(assumed),
+        *header_findings(header),
+        *parsed.findings,
+        *findings_of(grid, parsed.kind),
+        None if read.part.sheet else unfinished_finding(read.part.text),
+    )
     return PositioningTest(
-        name=stem(faults.file),
-        axis=parsed.header.get("axis", ""),
+        name=name,
+        axis=header.get("axis", ""),
         kind=parsed.kind,
         targets=grid.targets,
         positive=grid.deviations[Direction.POSITIVE],
@@ -96,19 +224,30 @@ def test_of(parsed: Parsed, text: list[str], content: bytes, faults: FaultList) 
         runs_negative=grid.runs[Direction.NEGATIVE],
         cycle=parsed.cycle or "standard",
         frame="instrument",
-        sources=(source_of(faults.file, content),),
-        header=parsed.header,
-        findings=tuple(
-            finding
-            for finding in (
-                *shared,
-                *parsed.findings,
-                *findings_of(grid, parsed.kind),
-                unfinished_finding(text),
-            )
-            if finding is not None
-        ),
+        sources=(source,),
+        header=header,
+        findings=tuple(finding for finding in findings if finding is not None),
     )
+
+
+def _with_axis(parsed: Parsed, part: Part) -> tuple[dict[str, str], tuple[str, ...]]:
+    """Return the header with the axis of the part, and what was taken: the name of a sheet is no
+    statement.
+    """
+    header = dict(parsed.header)
+    if part.axis:
+        return {**header, "axis": part.axis}, parsed.assumed
+    named = axis_name(part.sheet) if part.sheet else ""
+    if header.get("axis") or not named:
+        return header, parsed.assumed
+    return {**header, "axis": named}, (*parsed.assumed, f"axis: {named}, the name of the sheet")
+
+
+def _mapped(test: PositioningTest, profile: Profile | None) -> PositioningTest:
+    used = profile is not None and (profile.layout == "own" or "profile" in test.header)
+    if profile is None or not used or profile.position_map is None:
+        return test
+    return to_machine(test, profile.position_map)
 
 
 def stem(file: str) -> str:

@@ -12,7 +12,6 @@ from compwright.foundations.errors import Fault, InputError
 
 #: First bytes of files that people hand over instead of a text export -> what they are.
 _SIGNATURES = (
-    (b"PK\x03\x04", "an Excel workbook or another zip archive"),
     (b"\xd0\xcf\x11\xe0", "an old Excel workbook (.xls)"),
     (b"%PDF", "a PDF document"),
     (b"\x89PNG", "a picture"),

@@ -24,7 +24,7 @@ from compwright.foundations.errors import (
 )
 from compwright.foundations.utf8 import encoded, shown_path
 from compwright.instruments.profile import Profile
-from compwright.instruments.reading import read_positioning
+from compwright.instruments.reading import read_tests
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
 from compwright.workflow.stages.measurement_files import load_profile, measurement_files
@@ -216,7 +216,7 @@ def _tests(
     tests: list[PositioningTest | CircularTest] = []
     for file in files:
         try:
-            tests.append(_read(storage.read_bytes(file), shown_path(file), profile))
+            tests.extend(_read(storage.read_bytes(file), shown_path(file), profile))
         except InputError as error:
             faults.extend(fault.in_file(shown_path(file)) for fault in error.faults)
     if all(isinstance(test, PositioningTest) for test in tests):
@@ -226,9 +226,11 @@ def _tests(
     return pairs_joined(tests)
 
 
-def _read(content: bytes, file: str, profile: Profile | None) -> PositioningTest | CircularTest:
+def _read(
+    content: bytes, file: str, profile: Profile | None
+) -> Sequence[PositioningTest | CircularTest]:
     try:
-        return read_positioning(content, file, profile)
+        return read_tests(content, file, profile)
     except InputError:
         from compwright.workflow.stages.circles import (
             read_if_circular,
@@ -237,7 +239,7 @@ def _read(content: bytes, file: str, profile: Profile | None) -> PositioningTest
         test = read_if_circular(content, file)
         if test is None:
             raise
-        return test
+        return (test,)
 
 
 def _with_repeats(

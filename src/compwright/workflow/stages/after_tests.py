@@ -21,6 +21,7 @@ from compwright.records.plan import Plan
 from compwright.records.positioning import PositioningTest
 from compwright.verification.proof import AfterTest
 from compwright.workflow.stages.inputs import read_measurement, read_test
+from compwright.workflow.stages.measurement_files import load_profile
 
 
 def read_again(job: Job, entry: AxisJob, request: TestRequest) -> PositioningTest | None:
@@ -178,7 +179,7 @@ def _axis_of_file(job: Job, spec: str, names: Sequence[str]) -> str:
     """Return the axis that a file says it measured, or the only one of the job. ``names``: of the
     job's tests.
     """
-    measured = read_measurement(Path(spec)).axis
+    measured = _axis_in(job, spec)
     if measured:
         axis = next((name for name in job.axes if name.upper() == measured.upper()), None)
         if axis is None:
@@ -202,6 +203,28 @@ def _axis_of_file(job: Job, spec: str, names: Sequence[str]) -> str:
     return next(iter(job.axes))
 
 
+def _axis_in(job: Job, path: str) -> str:
+    """Return the axis that a file names; a table of another program is read by a profile of the
+    job.
+    """
+    try:
+        return read_measurement(Path(path)).axis
+    except InputError:
+        for profile in _profiles(job):
+            try:
+                return read_measurement(Path(path), load_profile(profile)).axis
+            except InputError:
+                continue
+        raise
+
+
+def _profiles(job: Job) -> list[Path]:
+    """Return the profiles of a job; their paths are relative to the job's own file."""
+    requests = [request for entry in job.axes.values() for request in entry.before]
+    named = dict.fromkeys(request.profile for request in requests if request.profile)
+    return [Path(job.file).parent / name for name in named]
+
+
 def _axis_of_name(job: Job, name: str, path: str) -> str:
     """Return the axis of a test name; where several axes use the name, the file says which one it
     is.
@@ -213,7 +236,7 @@ def _axis_of_name(job: Job, name: str, path: str) -> str:
     ]
     if len(axes) == 1:
         return axes[0]
-    measured = read_measurement(Path(path)).axis.upper()
+    measured = _axis_in(job, path).upper()
     for axis in axes:
         if axis.upper() == measured:
             return axis

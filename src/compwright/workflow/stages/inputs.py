@@ -22,7 +22,7 @@ from compwright.foundations.units import MILLIMETRES_PER_INCH
 from compwright.foundations.utf8 import shown_path
 from compwright.instruments.plausibility import skipped_finding
 from compwright.instruments.profile import Profile
-from compwright.instruments.reading import read_positioning
+from compwright.instruments.reading import read_tests
 from compwright.planning.motions import unknown_motions
 from compwright.records.axis import Axis, AxisKind, PositionMap
 from compwright.records.job import AS_FOUND, AxisJob, Job, TestRequest
@@ -91,9 +91,26 @@ def read_job_inputs(job: Job, control: Control, folder: Path) -> JobInputs:
     return JobInputs(tests=tests, states=states)
 
 
-def read_measurement(path: Path, profile: Profile | None = None) -> PositioningTest:
-    """Read one measurement file, with a profile where there is one. Raises InputError."""
-    return read_positioning(storage.read_bytes(path), shown_path(path), profile)
+def read_measurement(path: Path, profile: Profile | None = None, axis: str = "") -> PositioningTest:
+    """Read the test in one measurement file, with a profile where there is one; of several that of
+    ``axis``. Raises InputError.
+    """
+    tests = read_tests(storage.read_bytes(path), shown_path(path), profile)
+    if len(tests) == 1:
+        return tests[0]
+    ours = [test for test in tests if axis and test.axis.upper() == axis.upper()]
+    if len(ours) != 1:
+        raise InputError(
+            Fault(
+                message=f"holds {len(tests)} tests, and {len(ours) or 'none'} of axis {axis}"
+                if axis
+                else f"holds {len(tests)} tests",
+                file=shown_path(path),
+                expected="one test of the axis",
+                found=", ".join(test.axis or test.name for test in tests),
+            )
+        )
+    return ours[0]
 
 
 def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> PositioningTest:
@@ -113,7 +130,7 @@ def read_test(entry: AxisJob, request: TestRequest, folder: Path) -> Positioning
         skipped += found.skipped
         for path in found.files:
             try:
-                parts.append(read_measurement(path, profile))
+                parts.append(read_measurement(path, profile, entry.axis.name))
             except InputError as error:
                 errors.append(error)
     raise_all(InputError, collect(errors))

@@ -1,0 +1,81 @@
+"""The tests in one file: the sheets of a workbook, and the axes of a table that names them row by
+row.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from compwright.instruments.csv_table import header_names, split_lines
+from compwright.instruments.fault_list import FaultList, shown
+from compwright.instruments.foreign_table import cells_of
+from compwright.instruments.sections import axis_name
+
+#: The column of a plain CSV file that may say which axis a row is of.
+AXIS_COLUMN = "axis"
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """The lines of one test; those of other axes are blank, so that a line keeps its number.
+
+    ``axis``: what the column of axes says, else empty. ``sheet``: the name of the sheet, else
+    empty.
+    """
+
+    text: Sequence[str]
+    axis: str = ""
+    sheet: str = ""
+
+
+def plain_parts(text: Sequence[str], faults: FaultList) -> tuple[Part, ...]:
+    """Return the parts of a plain CSV file: one per axis where it has a column ``axis``."""
+    lines = split_lines(text)[1]
+    if not lines:
+        return (Part(text),)
+    number, header = lines[0]
+    delimiter, names, _ = header_names(header)
+    if AXIS_COLUMN not in names:
+        return (Part(text),)
+    rows = [line for line, _ in lines[1:]]
+    return parts_by_axis(text, delimiter, (number, names.index(AXIS_COLUMN)), rows, faults)
+
+
+def parts_by_axis(
+    text: Sequence[str],
+    delimiter: str,
+    header: tuple[int, int],
+    rows: Sequence[int],
+    faults: FaultList,
+) -> tuple[Part, ...]:
+    """Return a part per axis in the column ``header`` (its line and index) of the lines ``rows``.
+
+    A row without a name of an axis is a fault where it holds anything else.
+    """
+    _, column = header
+    by_axis: dict[str, set[int]] = {}
+    for line in rows:
+        cells = cells_of(text[line - 1], delimiter) or []
+        written = cells[column] if column < len(cells) else ""
+        name = axis_name(written)
+        if name:
+            by_axis.setdefault(name, set()).add(line)
+        elif any(cells):
+            faults.add(
+                "the row names no axis",
+                place=f"line {line}",
+                expected="X, Y, Z1, ..",
+                found=shown(written) if written else "an empty cell",
+            )
+    taken = set(rows)
+    return tuple(
+        Part(
+            [
+                "" if line in taken and line not in own else content
+                for line, content in enumerate(text, start=1)
+            ],
+            axis,
+        )
+        for axis, own in by_axis.items()
+    ) or (Part(text),)

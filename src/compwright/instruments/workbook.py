@@ -1,0 +1,172 @@
+"""Excel workbooks (``.xlsx``) as lines of text, one list per sheet: cells set off by tabs, numbers
+with every digit that the workbook holds.
+"""
+
+from __future__ import annotations
+
+import warnings
+import zipfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import date, datetime, time
+from io import BytesIO
+from typing import Any, Final
+
+from compwright.foundations.errors import Fault, InputError
+
+_SIGNATURE: Final = b"PK\x03\x04"
+#: Bytes of all parts of a workbook, unpacked, and cells of all its sheets, beyond which it is
+#: refused: a test has some hundred readings.
+_MOST_BYTES: Final = 200_000_000
+_MOST_CELLS: Final = 2_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """``lines``: line n of the sheet is item n - 1; a row without cells is an empty line."""
+
+    name: str
+    lines: list[str]
+
+
+def is_workbook(content: bytes) -> bool:
+    """Whether the first bytes are those of a workbook (or of another zip archive)."""
+    return content.startswith(_SIGNATURE)
+
+
+def sheets_of(content: bytes, file: str) -> tuple[Sheet, ...]:
+    """Return the sheets of a workbook that hold anything.
+
+    A formula counts with the result that the spreadsheet saved. Raises InputError for a zip archive
+    that is no workbook, one that is damaged or too large, a formula without a result, and where
+    openpyxl (the extra ``excel``) is missing.
+    """
+    _check_size(content, file)
+    try:
+        import openpyxl
+    except ImportError as error:
+        raise InputError(
+            Fault(
+                message="is an Excel workbook, which needs the excel extra: pip install"
+                " compwright[excel]",
+                file=file,
+                expected="openpyxl, or the sheet saved as CSV UTF-8",
+            )
+        ) from error
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of what a workbook has beside its cells
+            values = openpyxl.load_workbook(BytesIO(content), read_only=True, data_only=True)
+            formulas = openpyxl.load_workbook(BytesIO(content), read_only=True)
+            sheets = tuple(_sheets(values, formulas, file))
+    except InputError:
+        raise
+    except Exception as error:
+        raise InputError(
+            Fault(
+                message="is an Excel workbook that cannot be opened",
+                file=file,
+                expected="a workbook (.xlsx), or the sheet saved as CSV UTF-8",
+                found=f"{type(error).__name__}",
+            )
+        ) from error
+    return tuple(sheet for sheet in sheets if any(sheet.lines))
+
+
+def _check_size(content: bytes, file: str) -> None:
+    try:
+        with zipfile.ZipFile(BytesIO(content)) as archive:
+            size = sum(member.file_size for member in archive.infolist())
+            names = set(archive.namelist())
+    except (zipfile.BadZipFile, ValueError, NotImplementedError) as error:
+        raise InputError(
+            Fault(
+                message="is a damaged archive",
+                file=file,
+                expected="an Excel workbook (.xlsx), or the sheet saved as CSV UTF-8",
+                found="an Excel workbook or another zip archive that cannot be opened",
+            )
+        ) from error
+    if "xl/workbook.xml" not in names:
+        raise InputError(
+            Fault(
+                message="is a zip archive",
+                file=file,
+                expected="a measurement file, or an Excel workbook (.xlsx)",
+                found=f"{', '.join(sorted(names)[:3])}, ..",
+            )
+        )
+    if size > _MOST_BYTES:
+        raise InputError(
+            Fault(
+                message="is too large when unpacked",
+                file=file,
+                expected=f"at most {_MOST_BYTES // 1_000_000} MB",
+                found=f"{size // 1_000_000} MB",
+            )
+        )
+
+
+def _sheets(values: Any, formulas: Any, file: str) -> Iterator[Sheet]:
+    count = 0
+    for sheet in values.worksheets:
+        lines: list[str] = []
+        written = formulas[sheet.title]
+        for row, (cells, beside) in enumerate(
+            zip(sheet.iter_rows(), written.iter_rows(), strict=False), start=1
+        ):
+            count += len(cells)
+            if count > _MOST_CELLS:
+                raise InputError(
+                    Fault(
+                        message="holds too many cells",
+                        file=file,
+                        place=f"sheet {sheet.title}",
+                        expected=f"at most {_MOST_CELLS}",
+                    )
+                )
+            for cell, formula in zip(cells, beside, strict=False):
+                if cell.value is None and formula.data_type == "f":
+                    raise InputError(
+                        Fault(
+                            message="holds a formula without a result",
+                            file=file,
+                            place=f"sheet {sheet.title}, row {row}",
+                            expected="a workbook that a spreadsheet program has calculated and"
+                            " saved",
+                            found=str(formula.value),
+                        )
+                    )
+            lines.append(_line([_text(cell) for cell in cells]))
+        while lines and not lines[-1]:
+            lines.pop()
+        yield Sheet(sheet.title, lines)
+
+
+def _line(cells: list[str]) -> str:
+    """Return the cells as one line; a comment whose value stands in the next cell is joined to
+    it.
+    """
+    while cells and not cells[-1]:
+        cells.pop()
+    if len(cells) > 1 and cells[0].startswith("#") and ":" not in cells[0]:
+        return ": ".join([cells[0], " ".join(cells[1:])])
+    return "\t".join(cells)
+
+
+def _text(cell: Any) -> str:
+    value = cell.value
+    if value is None:
+        return ""
+    if cell.data_type == "e":  # `#DIV/0!` at the start of a row is no comment
+        return f"({value})"
+    if isinstance(value, bool):
+        return str(value).upper()
+    if isinstance(value, float):
+        text = repr(value)
+        # three decimals could be thousands marks in a text; a number of a workbook has none
+        return f"{text}0" if len(text.partition(".")[2]) == 3 and "e" not in text else text
+    if isinstance(value, datetime | date | time):
+        return value.isoformat()
+    text = " ".join(str(value).split())
+    return f'"{text.replace(chr(34), chr(34) * 2)}"' if '"' in text else text

@@ -1,0 +1,156 @@
+"""Excel workbooks: one sheet per axis or a column of axes, every digit, and what is refused."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import openpyxl
+import pytest
+
+from compwright.foundations.errors import InputError
+from compwright.instruments.profile import read_profile
+from compwright.instruments.profile_of_file import proposed_profile
+from compwright.instruments.reading import read_positioning, read_tests
+
+Rows = Sequence[Sequence[Any]]
+LONG = ("target_mm", "direction", "run", "deviation_um")
+READINGS = [(0.512, "+", 1, 0.4), (100.274, "+", 1, 2.1), (100.274, "-", 1, -1.6)]
+READINGS += [(0.512, "-", 1, -2.9)]
+
+
+def workbook(sheets: Mapping[str, Rows]) -> bytes:
+    book = openpyxl.Workbook()
+    book.remove(book.active)
+    for name, rows in sheets.items():
+        sheet = book.create_sheet(name)
+        for row in rows:
+            sheet.append(list(row))
+    stream = io.BytesIO()
+    book.save(stream)
+    return stream.getvalue()
+
+
+def refused(content: bytes) -> str:
+    with pytest.raises(InputError) as caught:
+        read_tests(content, "x.xlsx")
+    return str(caught.value)
+
+
+def test_one_sheet_reads_as_the_same_csv() -> None:
+    test = read_positioning(workbook({"Data": [("# axis: X",), LONG, *READINGS]}), "x.xlsx")
+    text = "# axis: X\n" + "\n".join(",".join(map(str, row)) for row in [LONG, *READINGS]) + "\n"
+    plain = read_positioning(text.encode(), "x.csv")
+    assert (test.name, test.axis) == ("x", "X")
+    assert test.targets.tolist() == plain.targets.tolist()
+    assert test.positive.tolist() == plain.positive.tolist()
+    assert test.negative.tolist() == plain.negative.tolist()
+    assert test.header == plain.header
+
+
+@pytest.mark.parametrize("value", [0.3, 1 / 3, 1e-7, -12.345, 7, 1.25])
+def test_every_digit(value: float) -> None:
+    test = read_positioning(workbook({"X": [LONG, (1.5, "+", 1, value), (2, "+", 1, 0)]}), "x.xlsx")
+    assert test.positive[0, 0] == value * (1.0 / 1000.0)
+    assert "CW-R015" not in {finding.code for finding in test.findings}
+
+
+def test_one_sheet_per_axis() -> None:
+    sheets: dict[str, Rows] = {
+        "X": [LONG, *READINGS],
+        "Achse Y": [("# axis", "Y"), ("# unit", "um"), ("target_mm", "+1", "-1"), (0, 1.5, -0.5)],
+        "Notes": [("made by", "N N")],
+    }
+    tests = read_tests(workbook(sheets), "m.xlsx")
+    assert [(test.name, test.axis) for test in tests] == [("m X", "X"), ("m Achse Y", "Y")]
+    assert len({test.sources[0].sha256 for test in tests}) == 2
+    assert {test.sources[0].file for test in tests} == {"m.xlsx"}
+    said = {finding.code: finding.message for finding in tests[0].findings}
+    assert "axis: X, the name of the sheet" in said["CW-R001"]
+    assert said["CW-R061"] == "Sheets that were left out: Notes."
+    with pytest.raises(InputError, match="holds several tests"):
+        read_positioning(workbook(sheets), "m.xlsx")
+
+
+@pytest.mark.parametrize("form", ["xlsx", "csv"])
+def test_a_column_of_axes(form: str) -> None:
+    rows: list[tuple[Any, ...]] = [("axis", *LONG)]
+    rows += [
+        (axis, *row[:3], row[3] * factor)
+        for axis, factor in (("X", 1), ("Y", 2))
+        for row in READINGS
+    ]
+    if form == "xlsx":
+        content = workbook({"all": rows})
+    else:
+        content = "\n".join(",".join(map(str, row)) for row in rows).encode() + b"\n"
+    x, y = read_tests(content, f"m.{form}")
+    assert (x.axis, y.axis) == ("X", "Y")
+    assert (y.positive == 2 * x.positive).all()
+    assert "CW-R005" not in {finding.code for finding in x.findings}
+    nameless = content.replace(b"\nY,", b"\n,", 1) if form == "csv" else b""
+    if nameless:
+        with pytest.raises(InputError, match=r"line 6: the row names no axis"):
+            read_tests(nameless, "m.csv")
+
+
+def test_a_foreign_sheet_by_a_profile() -> None:
+    header = ("Soll [mm]", "Richtung", "Abweichung Ist - Soll [µm]")
+    rows = [
+        ("Protokoll",),
+        header,
+        *((t, {"+": "auf", "-": "ab"}[d], v) for t, d, _, v in READINGS),
+    ]
+    content = workbook({"X": rows, "Y": rows, "Info": [("a",)]})
+    assert "no sheet of it holds a test" in refused(content)
+    proposed = proposed_profile(content, "m.xlsx")
+    assert not proposed.open
+    profile = read_profile(proposed.text.encode(), "P.yaml")
+    tests = read_tests(content, "m.xlsx", profile)
+    assert [test.axis for test in tests] == ["X", "Y"]
+    assert tests[0].positive[:, 0] * 1000 == pytest.approx([0.4, 2.1], rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("rows", "words"),
+    [
+        ([LONG, (0, "+", 1, "=A1*2")], "holds a formula without a result"),
+        ([LONG, (0, "+", 1, "n/a")], "x.xlsx, sheet S: line 2, column deviation_um"),
+        ([LONG, ("#DIV/0!", "+", 1, 0.5)], "is not a number"),
+        ([("target_mm", 1, -1), (0, 0.1, 0.2)], "are not named by direction and run"),
+        ([("a", "b"), (1, 2)], "no sheet of it holds a test"),
+        ([], "empty sheets"),
+    ],
+)
+def test_what_is_refused(rows: Rows, words: str) -> None:
+    assert words in refused(workbook({"S": rows}))
+
+
+def test_files_that_only_begin_like_one() -> None:
+    assert "a damaged archive" in refused(b"PK\x03\x04....")
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
+        archive.writestr("a.txt", "text")
+    assert "is a zip archive" in refused(stream.getvalue())
+    whole = workbook({"X": [LONG, *READINGS]})
+    stream = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(whole)) as old, zipfile.ZipFile(stream, "w") as new:
+        for name in old.namelist():
+            content = old.read(name)
+            new.writestr(name, content[: len(content) // 2] if "sheet1" in name else content)
+    assert "cannot be opened" in refused(stream.getvalue())
+
+
+def test_an_archive_that_unpacks_to_very_much() -> None:
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("xl/workbook.xml", b" " * 201_000_000)
+    assert "is too large when unpacked" in refused(stream.getvalue())
+
+
+def test_without_openpyxl(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "openpyxl", None)
+    content = workbook({"X": [LONG, *READINGS]})
+    assert "pip install compwright[excel]" in refused(content)
