@@ -32,6 +32,7 @@ from compwright.reporting.numbers import (
     unit_text,
 )
 from compwright.reporting.page import inline_figure, render_page
+from compwright.reporting.periods import periods_block
 from compwright.reporting.plots import (
     before_after_plot,
     estimate_plot,
@@ -326,6 +327,7 @@ def _run_axis(
         "table": _table(prefix, name, table, axis, predicted) if table else None,
         "refused": plain(axis.get("refused") or ""),
         "limits": limits_block(predicted, unit),
+        "periods": periods_block(predicted, unit),
         "state": _state(axis.get("state")),
         "estimate": (
             _figure(

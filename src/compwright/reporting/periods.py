@@ -1,0 +1,103 @@
+"""The periods of an axis as they are shown: a row for each, and the evidence over the period as a
+picture. Computes nothing but places in the picture.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
+
+from compwright.reporting.numbers import position_unit
+
+Document = Mapping[str, Any]
+
+_SOURCES: Final = {
+    "job": "told by the job",
+    "found": "found in the readings",
+    "files": "told by the control's files",
+}
+#: The picture, in its own units: width and height of the curve's field, margin on the left, above.
+_WIDTH: Final = 620.0
+_HEIGHT: Final = 150.0
+_LEFT: Final = 46.0
+_TOP: Final = 16.0
+_TICKS: Final = (0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500)
+#: Odds that are drawn at least: a thousand to one either way.
+_LEAST_ODDS: Final = 3.0
+#: Below this the curve is cut off: how clearly a period is not there is no news.
+_LOWEST: Final = -2.0
+
+
+def periods_block(predicted: Document, unit: object) -> dict[str, Any] | None:
+    """Return the rows and the picture of ``periods`` and ``period_search`` of an axis of the
+    prediction document; None where nothing is known and nothing was searched.
+    """
+    periods, search = predicted.get("periods") or [], predicted.get("period_search")
+    if not periods and not search:
+        return None
+    where = position_unit(unit)
+    return {
+        "unit": where,
+        "rows": [
+            {
+                "period": f"{each['period']:.5g}",
+                "probability": _percent(each["probability"]),
+                "source": _SOURCES.get(each["source"], each["source"]),
+            }
+            for each in periods
+        ],
+        "alike": [
+            ", ".join(f"{period:.4g}" for period in sorted(group, reverse=True))
+            for group in (search or {}).get("alike", [])
+        ],
+        "picture": _picture(search, periods) if search and search["periods"] else None,
+    }
+
+
+def _percent(probability: float) -> str:
+    if probability > 0.999:
+        return "> 99.9 %"
+    return f"{100.0 * probability:.3g} %"
+
+
+def _picture(search: Document, periods: Sequence[Document]) -> dict[str, Any]:
+    """Return the curve of the logarithm of odds to base 10 over the logarithm of the period."""
+    sizes = [float(period) for period in search["periods"]]
+    odds = [max(float(each) / math.log(10.0), _LOWEST) for each in search["log_odds"]]
+    top = max(_LEAST_ODDS, 1.08 * max(odds))
+    low, high = math.log(sizes[0]), math.log(sizes[-1])
+
+    def across(period: float) -> float:
+        return round(_LEFT + _WIDTH * (math.log(period) - low) / (high - low), 1)
+
+    def up(value: float) -> float:
+        return round(_TOP + _HEIGHT * (top - value) / (top - _LOWEST), 1)
+
+    step = max(1, math.ceil(top / 5.0))
+    return {
+        "width": _LEFT + _WIDTH + 12.0,
+        "height": _TOP + _HEIGHT + 34.0,
+        "left": _LEFT,
+        "right": _LEFT + _WIDTH,
+        "top": _TOP,
+        "bottom": _TOP + _HEIGHT,
+        "curve": " ".join(
+            f"{across(period)},{up(value)}" for period, value in zip(sizes, odds, strict=True)
+        ),
+        "even": up(0.0),
+        "ticks": [
+            {"x": across(tick), "text": f"{tick:g}"}
+            for tick in _TICKS
+            if sizes[0] <= tick <= sizes[-1]
+        ],
+        "levels": [
+            {"y": up(level), "text": "1" if level == 0 else f"1e{level}"}
+            for level in range(0, int(top) + 1, step)
+        ],
+        "found": [
+            {"x": across(each["period"]), "text": f"{each['period']:.4g}"}
+            for each in periods
+            if sizes[0] <= each["period"] <= sizes[-1] and each["probability"] > 0.5
+        ],
+    }

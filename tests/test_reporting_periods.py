@@ -1,0 +1,74 @@
+"""Periods in the report: a row for each with its probability, and the curve with its peak at the
+period that was found.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Any
+
+import pytest
+
+from compwright.reporting.periods import periods_block
+from compwright.reporting.report import run_report
+from reporting_samples import run_view
+
+FOUND = [
+    {"period": 10.0, "probability": 0.97, "source": "found"},
+    {"period": 20.0, "probability": 1.0, "source": "job"},
+    {"period": 4.0, "probability": 0.06, "source": "found"},
+]
+SEARCH = {
+    "periods": [2.0, 5.0, 10.0, 50.0],
+    "log_odds": [-9.0, 0.0, 6 * math.log(10.0), -1.0],
+    "alike": [[12.5, 50.0]],
+}
+
+
+def points(block: dict[str, Any]) -> list[tuple[float, float]]:
+    return [
+        (float(x), float(y))
+        for x, y in (pair.split(",") for pair in block["picture"]["curve"].split())
+    ]
+
+
+def test_the_curve_stands_at_its_periods_and_odds() -> None:
+    block = periods_block({"periods": FOUND, "period_search": SEARCH}, "um")
+    assert block is not None
+    drawn, picture = points(block), block["picture"]
+    assert [x for x, _ in drawn] == sorted(x for x, _ in drawn)
+    assert drawn[2][0] == picture["found"][0]["x"], "the mark stands at the peak"
+    assert drawn[1][1] == picture["even"]
+    assert min(y for _, y in drawn) == drawn[2][1]
+    # A million to one is six steps of ten above even, on the same scale as the levels.
+    levels = {level["text"]: level["y"] for level in picture["levels"]}
+    per_ten = (levels["1"] - levels["1e2"]) / 2
+    assert drawn[1][1] - drawn[2][1] == pytest.approx(6 * per_ten, abs=0.3)
+    # Cut off below.
+    assert drawn[0][1] <= picture["bottom"]
+
+
+def test_rows_say_who_tells_a_period_and_only_what_counts_is_marked() -> None:
+    block = periods_block({"periods": FOUND, "period_search": SEARCH}, "um")
+    assert block is not None
+    assert [(row["period"], row["probability"], row["source"]) for row in block["rows"]] == [
+        ("10", "97 %", "found in the readings"),
+        ("20", "> 99.9 %", "told by the job"),
+        ("4", "6 %", "found in the readings"),
+    ]
+    assert [mark["text"] for mark in block["picture"]["found"]] == ["10", "20"]
+    assert block["alike"] == ["50, 12.5"]
+    assert periods_block({"periods": [], "period_search": None}, "um") is None
+
+
+def test_the_report_shows_them() -> None:
+    view = run_view()
+    view["prediction"]["axes"]["X"].update(periods=FOUND, period_search=SEARCH)
+    page = run_report(view).decode()
+    part = page[page.index("Periods of the error") :].partition("<h3>")[0]
+    text = " ".join(re.sub("<[^>]*>", " ", part).split())
+    assert "10 97 % found in the readings" in text
+    assert "cannot tell apart: 50, 12.5 mm" in text
+    assert "<polyline" in part
+    assert page.count("Periods of the error") == 1
