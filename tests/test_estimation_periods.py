@@ -299,3 +299,18 @@ def test_of_a_hundred_known_periods_those_that_are_there_are_fitted() -> None:
     assert {10.0, 17.0} <= set(chosen)
     assert len(chosen) <= FITTED
     assert fitted_periods(middles, smooth_basis(800.0), many[:3]) == many[:3]
+
+
+def test_what_the_files_suggest_is_believed_sooner_and_named_as_theirs() -> None:
+    """At 14 targets and 0.7 µm nothing is sure; a lead that the files suggest gains."""
+    rng = np.random.default_rng(12)
+    targets = dithered(rng, 800.0, 14)
+    middles = made(targets, lambda x: bow(x) + 0.0007 * np.sin(2 * np.pi * x / 14.0 + 2.0), rng)
+    plain, told = (
+        search_periods(middles, smooth_basis(800.0), AxisKind.LINEAR, suggested=suggested)
+        for suggested in ((), (14.0,))
+    )
+    before = next((each.probability for each in plain.found if abs(each.period - 14) < 0.1), 0.0)
+    after = next(each for each in told.found if each.period == 14.0)
+    assert after.source == "files"
+    assert after.probability > before + 0.1

@@ -203,6 +203,7 @@ def estimate_axis(
     *,
     travel: tuple[float, float],
     periods: Sequence[float] = (),
+    suggested: Sequence[float] = (),
     turn: float | None = None,
 ) -> AxisPosterior:
     """Return the posterior of the error of an axis from its tests in machine coordinates, each with
@@ -212,9 +213,10 @@ def estimate_axis(
     slope.
 
     ``travel`` (low, high) and the known ``periods`` of the error (screw pitch, scale period), mm or
-    deg. The same tests give the same posterior. Model and sources: module docstring. Raises
-    InputError for tests with readings at fewer than two targets; UsageError for none, for a test in
-    the instrument's frame, an empty travel, or a period that is not positive.
+    deg; ``suggested``: periods to expect rather than others where none is known. The same tests
+    give the same posterior. Model and sources: module docstring. Raises InputError for tests with
+    readings at fewer than two targets; UsageError for none, for a test in the instrument's frame,
+    an empty travel, or a period that is not positive.
     """
     _refuse_misuse(tests, travel, periods)
     cells = cells_of(tests, endless=turn is not None)
@@ -224,7 +226,7 @@ def estimate_axis(
     smooth = basis_of(cells, over, Periods(), varying=False)
     known = Periods.of(cells, fitted_periods(middles, smooth, shown))
     kind, first = tests[0].test.kind, tests[0].noise
-    search = search_periods(middles, smooth, kind, known=known.periods)
+    search = search_periods(middles, smooth, kind, known=known.periods, suggested=suggested)
     mixture = averaged(cells, over, known, search.models, _DRAWS)
     parts, odds = mixture.parts, mixture.reversal_log_odds
     log_noise = 0.5 * np.log([each.noise for part in parts for each in part.weights])

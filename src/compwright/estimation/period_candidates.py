@@ -4,6 +4,7 @@ those that the targets cannot tell apart.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -11,8 +12,8 @@ import numpy as np
 
 from compwright.estimation.basis import ALIASED
 from compwright.estimation.period_likelihood import Choice, IntArray, PeriodLikelihood
-from compwright.estimation.usual_periods import USUAL_PERIODS
-from compwright.records.axis import AxisKind, FloatArray
+from compwright.estimation.usual_periods import UsualPeriod
+from compwright.records.axis import FloatArray
 
 BOTH: Final = (1, 2)
 #: Frequencies this near, in units of 1 / length, are one peak.
@@ -85,10 +86,10 @@ class _Prior:
         return density
 
 
-def _prior(frequencies: FloatArray, kind: AxisKind, before: Odds) -> _Prior:
+def _prior(frequencies: FloatArray, expected: Sequence[UsualPeriod], before: Odds) -> _Prior:
     usual = [
         each
-        for each in USUAL_PERIODS[kind]
+        for each in expected
         if frequencies[0] <= 1.0 / each.size <= frequencies[-1] * (1.0 + 1e-9)
     ]
     other = 1.0 - before.none - before.usual
@@ -103,14 +104,17 @@ def _prior(frequencies: FloatArray, kind: AxisKind, before: Odds) -> _Prior:
 
 
 def candidates_of(
-    likelihood: PeriodLikelihood, frequencies: FloatArray, kind: AxisKind, before: Odds
+    likelihood: PeriodLikelihood,
+    frequencies: FloatArray,
+    expected: Sequence[UsualPeriod],
+    before: Odds,
 ) -> Look:
-    """Return the candidates among the equally spaced ``frequencies`` (f,) and the usual periods of
-    an axis of this ``kind``.
+    """Return the candidates among the equally spaced ``frequencies`` (f,) and the ``expected``
+    periods; ``before``: what is thought of them before the data.
     """
     targets = likelihood.targets
     resolution = 1.0 / float(np.ptp(targets))
-    prior = _prior(frequencies, kind, before)
+    prior = _prior(frequencies, expected, before)
     everywhere = np.concatenate([frequencies, prior.usual])
     odds = _either(likelihood, everywhere, likelihood.coarse())
     cell = np.log(frequencies[1] - frequencies[0])

@@ -22,6 +22,7 @@ import numpy as np
 from compwright.estimation.basis import Basis
 from compwright.estimation.period_candidates import BOTH, Candidate, Look, Odds, candidates_of
 from compwright.estimation.period_likelihood import Middles, PeriodLikelihood
+from compwright.estimation.usual_periods import usual_periods
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.estimate import AxisPeriod, PeriodEvidence
 
@@ -104,17 +105,24 @@ class PeriodSearch:
 
 
 def search_periods(
-    middles: Middles, basis: Basis, kind: AxisKind, *, known: Sequence[float] = ()
+    middles: Middles,
+    basis: Basis,
+    kind: AxisKind,
+    *,
+    known: Sequence[float] = (),
+    suggested: Sequence[float] = (),
 ) -> PeriodSearch:
     """Return the periods beside ``known`` (mm or deg) that the middles tell of, with probabilities.
 
-    ``basis`` holds the smooth functions (its periods are not looked at). Too few targets for a
-    search: the model without a period alone. Prior and sources: module docstring.
+    ``basis`` holds the smooth functions (its periods are not looked at). Each of the ``suggested``
+    periods (the control's own files: mm or deg) is as likely as all usual ones together. Too few
+    targets for a search: the model without a period alone. Prior and sources: module docstring.
     """
     frequencies = searched(middles.targets, kind)
     if not frequencies.size:
         return PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
     looks: list[Look] = []
+    usual = usual_periods(kind, suggested)
     beside = [
         wave for period in known for wave in wave_columns(middles.targets, 1.0 / period, BOTH)
     ]
@@ -124,14 +132,15 @@ def search_periods(
             break
         likelihood = PeriodLikelihood(replace(middles, free=columns), basis)
         before = FURTHER if beside else FIRST
-        looks.append(candidates_of(likelihood, frequencies, kind, before))
+        looks.append(candidates_of(likelihood, frequencies, usual, before))
         best = next(iter(looks[-1].candidates), None)
         if best is None or best.log < _FOLLOWED or best.aliases.size:
             break
         beside += wave_columns(middles.targets, 1.0 / best.period, best.harmonics)
     if not looks:
         return PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
-    return _gathered(looks, PeriodCurve(1.0 / frequencies, looks[0].log_odds))
+    curve = PeriodCurve(1.0 / frequencies, looks[0].log_odds)
+    return _gathered(looks, curve, suggested)
 
 
 def searched(targets: FloatArray, kind: AxisKind) -> FloatArray:
@@ -163,7 +172,7 @@ def wave_columns(
     ]
 
 
-def _gathered(looks: list[Look], curve: PeriodCurve) -> PeriodSearch:
+def _gathered(looks: list[Look], curve: PeriodCurve, suggested: Sequence[float]) -> PeriodSearch:
     """Return the probabilities of what the looks found, each beside the best of those before."""
     models: list[tuple[tuple[Candidate, ...], float]] = [((), 0.0)]
     place = 0
@@ -186,7 +195,7 @@ def _gathered(looks: list[Look], curve: PeriodCurve) -> PeriodSearch:
             PeriodModel(model.periods, model.harmonics, model.probability / scale)
             for model in sorted(kept, key=lambda model: -round(model.probability, 9))
         ),
-        _found(likely),
+        _found(likely, suggested),
         _alike(likely),
         curve,
     )
@@ -204,7 +213,9 @@ def _alike(
     return tuple(groups.items())
 
 
-def _found(likely: list[tuple[tuple[Candidate, ...], float]]) -> tuple[AxisPeriod, ...]:
+def _found(
+    likely: list[tuple[tuple[Candidate, ...], float]], suggested: Sequence[float]
+) -> tuple[AxisPeriod, ...]:
     """Return each period with the probability of all that it is part of."""
     found: dict[float, float] = {}
     for members, probability in likely:
@@ -216,7 +227,11 @@ def _found(likely: list[tuple[tuple[Candidate, ...], float]]) -> tuple[AxisPerio
                 same = next((p for p in found if abs(p - period) < _SAME * p), float(period))
                 found[same] = min(found.get(same, 0.0) + float(part) * probability, 1.0)
     return tuple(
-        AxisPeriod(period, probability, "found")
+        AxisPeriod(
+            period,
+            probability,
+            "files" if any(abs(one - period) < _SAME * one for one in suggested) else "found",
+        )
         for period, probability in sorted(found.items(), key=lambda pair: -round(pair[1], 9))
         if probability >= TOLD
     )

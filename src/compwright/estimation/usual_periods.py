@@ -8,6 +8,7 @@ it. Of a rotary axis: one turn of the worm moves the table by 360 deg over the t
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -68,3 +69,15 @@ USUAL_PERIODS: Final = {
         for parts in _DIVISIONS
     ),
 }
+
+
+def usual_periods(kind: AxisKind, suggested: Sequence[float] = ()) -> tuple[UsualPeriod, ...]:
+    """Return the usual periods of a kind of axis, and beside them the ``suggested`` ones (mm or
+    deg), each as often met as all others together.
+    """
+    usual = USUAL_PERIODS[kind]
+    total = sum(each.weight for each in usual)
+    return (
+        *usual,
+        *(UsualPeriod(size, "what the control's own files suggest", total) for size in suggested),
+    )

@@ -16,6 +16,7 @@ from compwright.evaluation.readings import position_text, sign_text
 from compwright.foundations.findings import Finding, Severity
 from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.positioning import PositioningTest
+from compwright.records.targets import told_targets
 
 #: Longest axis that is tested with n = 5 over its whole length, mm and deg.
 LONG: Final = {AxisKind.LINEAR: 2000.0, AxisKind.ROTARY: 360.0}
@@ -318,7 +319,7 @@ def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
             "warning",
             f"The targets hit the period of {position_text(period, test)} always at the same"
             " phases: a periodic error of this period can stay hidden. Choose targets at varying"
-            " phases (clause on target positions).",
+            f" phases (clause on target positions); {_told(test)}",
         )
         for period in periods
         if _phases_seen(test.targets, period) < _PHASES_SEEN
@@ -331,9 +332,14 @@ def _spacing(test: PositioningTest, periods: Sequence[float]) -> list[Finding]:
     message = (
         f"The targets are equally spaced ({position_text(float(intervals.mean()), test)}): a"
         " periodic error (screw pitch, scale pitch) that divides the spacing stays hidden. The"
-        " standard asks for random offsets."
+        f" standard asks for random offsets; {_told(test)}"
     )
     return [Finding("CW-T008", "info", message)]
+
+
+def _told(test: PositioningTest) -> str:
+    low, high = float(test.targets[0]), float(test.targets[-1])
+    return told_targets(low, high, test.targets.size, test.kind.unit)
 
 
 def _phases_seen(targets: FloatArray, period: float) -> float:

@@ -132,6 +132,7 @@ def measured_error(
         [each for each, counts in zip(observed, counting, strict=True) if counts],
         travel=axis.travel,
         periods=axis.screw_pitch,
+        suggested=() if axis.suggested_period is None else (axis.suggested_period,),
         turn=axis.modulo,
     )
     return MeasuredError(

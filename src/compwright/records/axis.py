@@ -76,7 +76,8 @@ class Axis:
 
     ``address`` is the control's own name of the axis as text (``"1"``, ``"AX1"``, ``"X"``,
     ``"0"``). The correction is zero at ``reference`` approached in ``reference_return``.
-    ``screw_pitch`` holds the known periods, empty when unknown. ``motion``: that of the test from
+    ``screw_pitch`` holds the known periods, empty when unknown; ``suggested_period`` is what the
+    control's own files suggest, never taken without the readings. ``motion``: that of the test from
     which its table is made; everything that is said of its backlash holds for it.
     """
 
@@ -92,5 +93,6 @@ class Axis:
     encoder: Encoder = Encoder()
     programmed: Literal["radius", "diameter"] = "radius"
     screw_pitch: tuple[float, ...] = ()
+    suggested_period: float | None = field(default=None, compare=False)
     motion: Motion = "feed"
     options: Mapping[str, object] = field(default_factory=dict)

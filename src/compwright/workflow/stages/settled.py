@@ -97,7 +97,9 @@ def settled_axis(axis: Axis, states: Sequence[ControlState], given: Mapping[str,
         found = next((one for one in said if one is not None), None)
         if found is not None and given.get(name) is None:
             options.setdefault(name, found)
-    return replace(axis, options=options)
+    leads = (state.facts_of(axis.address).lead for state in states)
+    suggested = next((lead for lead in leads if lead is not None), None)
+    return replace(axis, options=options, suggested_period=suggested)
 
 
 def _with_systems_in_use(job: Job, state: ControlState) -> Job:

@@ -68,6 +68,6 @@ def tell_lead(values: AxisValues, kind: AxisKind) -> None:
     values.notes.find(
         "CW-S049",
         "info",
-        f"{suggested}; the job names none, so it is not looked for: screw_pitch: {lead.size:g}"
-        " in the job would do it",
+        f"{suggested}; the job names none: it is looked for in the readings before others;"
+        f" screw_pitch: {lead.size:g} in the job would take it as certain",
     )
