@@ -45,7 +45,24 @@ def messages(test: PositioningTest) -> dict[str, tuple[str, str]]:
 
 @pytest.mark.parametrize(
     "column",
-    ["+ 3", "3+", "3 +", "+3.0", '"+3,0"', "run 3 +", "+ run 3", "run +3", "+03", "\uff0b3"],
+    [
+        "+ 3",
+        "3+",
+        "3 +",
+        "+3.0",
+        '"+3,0"',
+        "run 3 +",
+        "+ run 3",
+        "run +3",
+        "+03",
+        "\uff0b3",
+        "+3 up",
+        "up +3",
+        "3↑",
+        "+3 (positive)",
+        "run 3 (+)",
+        "Run no 3 +",
+    ],
 )
 def test_a_traverse_in_positive_direction_is_known_however_it_is_written(column: str) -> None:
     test = wide(column)
@@ -65,7 +82,8 @@ def test_a_traverse_in_negative_direction_is_known_however_it_is_written(column:
 
 
 @pytest.mark.parametrize(
-    "column", ["+3 up", "up 3", "3 forward", "+3.5", "±3", "+3-", "+-3", "3↑", "run 3", "+0"]
+    "column",
+    ["+3 down", "up 3", "3 forward", "+3.5", "±3", "+3-", "+-3", "+3↓", "run 3", "+0", "+3 (4)"],
 )
 def test_what_may_be_a_traverse_is_refused_with_its_line(column: str) -> None:
     text = f"# unit: um\ntarget_mm,+1,-1,+2,-2,{column},-3\n{ROWS}"

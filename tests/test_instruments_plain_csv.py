@@ -328,7 +328,10 @@ def test_targets_almost_the_same_in_one_direction() -> None:
 
 def test_different_numbers_of_traverses() -> None:
     test = read(LONG + "0.5,+,1,1\n0.5,+,2,1\n0.5,-,1,1\n")
-    assert message(test, "CW-R007") == "There are 2 traverses in direction + and 1 in direction -."
+    assert message(test, "CW-R007") == (
+        "There are 2 traverses in direction + and 1 in direction -: one was not made, or the file was"
+        " cut off."
+    )
 
 
 # ------------------------------------------------------------------------------------------------------------ faults

@@ -28,11 +28,18 @@ COLUMNS = frozenset(
         "measured_deg",
     }
 )
-#: A sign and a whole number, either first, as spreadsheets and people write them: ``+1``, ``+ 1``,
-#: ``1 -``, ``-2.0``.
-_TRAVERSE = re.compile(
-    r"(?:run )?(?P<before>[+-])?(?: |run )*(?P<number>[0-9]{1,9})(?:[.,]0+)? ?(?P<after>[+-])?"
+#: The parts of a name of a traverse as spreadsheets and people write it: ``+1``, ``+ 1``, ``1 -``,
+#: ``-2.0``, ``+3 up``, ``run 3 (+)``, ``3↑``.
+_PART_OF_TRAVERSE = re.compile(
+    r"(?P<number>[0-9]{1,9})(?:[.,]0+)?(?![0-9.,])|(?P<sign>[+-])|(?P<arrow>[↑↓])|(?P<word>[a-z]+)"
+    r"|[ #()_]"
 )
+_NO_MEANING = frozenset({"run", "traverse", "no"})
+#: Words that say again what the sign beside them says.
+_WORDS_OF_SIGN = dict.fromkeys(("up", "pos", "positive", "plus"), "+") | dict.fromkeys(
+    ("down", "neg", "negative", "minus"), "-"
+)
+_ARROWS = {"↑": "+", "↓": "-"}
 #: What a column is about that may be meant as a traverse: a sign, or a word for a direction or a
 #: run, beside a number.
 _LIKE_TRAVERSE = re.compile(
@@ -84,16 +91,32 @@ def plain_signs(text: str) -> str:
 
 
 def traverse_of(column: str) -> tuple[str, int] | None:
-    """Return direction and run of a wide column such as ``+1``, ``- 2``, ``3+`` or ``run 3 +``,
-    None for any other column.
+    """Return direction and run of a wide column such as ``+1``, ``- 2``, ``3+``, ``run 3 +`` or
+    ``+3 up``, None for any other column.
 
-    The sign must be a sign and stand there once: words for a direction (``up 3``) are not taken for
-    one.
+    One sign or one arrow says the direction; words for a direction may repeat it, but ``up 3`` is
+    none, and ``+3 down`` contradicts itself.
     """
-    match = _TRAVERSE.fullmatch(column)
-    if not match or bool(match["before"]) == bool(match["after"]) or int(match["number"]) < 1:
+    numbers: list[int] = []
+    signs: list[str] = []
+    words: list[str] = []
+    at = 0
+    while at < len(column):
+        part = _PART_OF_TRAVERSE.match(column, at)
+        if part is None:
+            return None
+        at = part.end()
+        if part["number"]:
+            numbers.append(int(part["number"]))
+        elif part["sign"] or part["arrow"]:
+            signs.append(part["sign"] or _ARROWS[part["arrow"]])
+        elif part["word"] in _WORDS_OF_SIGN:
+            words.append(_WORDS_OF_SIGN[part["word"]])
+        elif part["word"] and part["word"] not in _NO_MEANING:
+            return None
+    if len(signs) != 1 or len(numbers) != 1 or numbers[0] < 1 or set(words) - set(signs):
         return None
-    return match["before"] or match["after"], int(match["number"])
+    return signs[0], numbers[0]
 
 
 def like_traverse(column: str) -> bool:

@@ -9,7 +9,7 @@ Codes of this room:
 - ``CW-R004`` info: the instrument already compensated for something
 - ``CW-R005`` warning: columns that are not part of the form were left out
 - ``CW-R006`` warning: readings are missing
-- ``CW-R007`` info: the directions have different numbers of traverses
+- ``CW-R007`` warning: the directions have different numbers of traverses
 - ``CW-R008`` warning: a deviation larger than 1 mm or 1 deg
 - ``CW-R009`` warning: all deviations smaller than 0.000001 mm or deg
 - ``CW-R010`` warning: a traverse of exact zeros
@@ -114,8 +114,9 @@ def _unequal_traverses(grid: Grid) -> Finding | None:
         return None
     return Finding(
         "CW-R007",
-        "info",
-        f"There are {positive} traverses in direction + and {negative} in direction -.",
+        "warning",
+        f"There are {positive} traverses in direction + and {negative} in direction -: one was not"
+        " made, or the file was cut off.",
     )
 
 

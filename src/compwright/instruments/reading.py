@@ -14,6 +14,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.provenance import Source, fingerprint, source_of
 from compwright.instruments.answers import NO_ANSWERS
 from compwright.instruments.assembling import grid_of
+from compwright.instruments.cut_files import cut_findings
 from compwright.instruments.fault_list import FaultList
 from compwright.instruments.forms import PLAIN_CSV, Form, form_of
 from compwright.instruments.own_forms import is_plain_csv
@@ -211,6 +212,7 @@ def _test_of(read: _Read, source: Source, name: str) -> PositioningTest:
         *header_findings(header),
         *parsed.findings,
         *findings_of(grid, parsed.kind),
+        *cut_findings(parsed.readings, parsed.kind, header),
         None if read.part.sheet else unfinished_finding(read.part.text),
     )
     return PositioningTest(

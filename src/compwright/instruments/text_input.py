@@ -145,8 +145,8 @@ def unfinished_number(lines: Sequence[str]) -> str:
 
 
 def _last_cell(line: str) -> str:
-    delimiter = next((mark for mark in "=;\t" if mark in line), ",")
-    return line.rpartition(delimiter)[2].strip('" ')
+    delimiter = next((mark for mark in "=;\t," if mark in line), " ")
+    return line.rstrip(" ").rpartition(delimiter)[2].strip('" ')
 
 
 def _kind(line: str) -> str:
