@@ -421,6 +421,25 @@ def test_a_hall_as_warm_as_the_job_says_leaves_the_table_loaded(
     assert after(tmp_path, never)[1]["axes"]["X"]["loading"]["verdict"] == "not_active"
 
 
+def test_a_machine_that_has_warmed_up_is_named_with_its_slope(folder: Path) -> None:
+    """2 K of steel are 23 µm/m; U of the slope over 21 targets is far below 1 µm/m."""
+    now = honest(folder)
+    warm = {sign: block + 23e-6 * TARGETS[:, np.newaxis] for sign, block in now.items()}
+    code, document = after(folder, warm)
+    loading = document["axes"]["X"]["loading"]
+    assert (code, loading["verdict"], loading["equivalent"]) == (1, "thermal", [])
+    assert loading["slope"]["unit"] == "um/m"
+    assert loading["slope"]["value"] == pytest.approx(23.0, abs=3.0 * loading["slope"]["std_error"])
+    assert 0.0 < loading["slope"]["std_error"] < 1.0
+    assert "CW-V027" in codes(document)
+    assert document["verdict"] != "good"
+    # within the limits of the job all the same: open, not bad
+    mild = {sign: block + 4e-6 * TARGETS[:, np.newaxis] for sign, block in now.items()}
+    code, document = after(folder, mild)
+    assert document["axes"]["X"]["loading"]["verdict"] == "thermal"
+    assert (code, document["verdict"]) == (1, "undecided")
+
+
 def test_a_decision_rule_that_was_edited_after_the_run_leaves_it_undecided(tmp_path: Path) -> None:
     """Run as guarded, and read as simple because guarded was not good enough."""
     (tmp_path / "x.csv").write_text(csv_of(TARGETS, MACHINE.measure(TARGETS, 1)))

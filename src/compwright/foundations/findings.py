@@ -25,7 +25,7 @@ DOUBTS: Final = frozenset(
         *("CW-T030", "CW-T031", "CW-T032", "CW-T033", "CW-T034", "CW-T035", "CW-T036"),
         *("CW-E003", "CW-E010", "CW-E011", "CW-S005", "CW-S018", "CW-S045"),
         *("CW-S060", "CW-S061"),
-        *("CW-V020", "CW-V021", "CW-V022", "CW-V023", "CW-V024", "CW-V025", "CW-V026"),
+        *("CW-V020", "CW-V021", "CW-V022", "CW-V023", "CW-V024", "CW-V025", "CW-V026", "CW-V027"),
     }
 )
 #: How the doubts are headed, the same at the terminal, in reports and on the card.

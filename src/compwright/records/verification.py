@@ -35,7 +35,8 @@ class LoadingVerdict:
     logarithm; 4.6 is odds of 100:1). ``message``: one or two plain sentences with numbers.
     ``equivalent``: names that no test could tell from the verdict. ``of``: for ``measurement``,
     what is wrong with it. ``factor``: for ``scaled``; ``shift_nodes`` > 0: the loaded table sits so
-    many nodes too far to +.
+    many nodes too far to +. ``slope``: of the after test beside the expected, with its standard
+    error, mm/mm; None where none was found.
     """
 
     verdict: LoadingName
@@ -45,6 +46,7 @@ class LoadingVerdict:
     factor: float = 1.0
     shift_nodes: int = 0
     of: MeasurementFault | None = None
+    slope: tuple[float, float] | None = None
     findings: tuple[Finding, ...] = ()
 
 

@@ -22,12 +22,13 @@ def overall_verdict(
     ``good``: every limit is kept, every table is loaded and nothing is ``still_open`` (a proof that
     is lacking). ``bad``: a limit is broken, or a table is known to act otherwise than planned (not
     active, inverted, ...). Everything else is ``undecided``, and so is a verification without a
-    loading verdict, and one with a fault of measurement: its values say nothing of the machine.
+    loading verdict, one with a fault of measurement (its values say nothing of the machine), and
+    one of an axis whose table acts at another temperature (``thermal``).
     """
     decided, loaded = set(decisions), set(loadings)
     if "measurement" in loaded:
         return "undecided"
-    if "reject" in decided or loaded - {"loaded", "undecided"}:
+    if "reject" in decided or loaded - {"loaded", "undecided", "thermal"}:
         return "bad"
     if not still_open and decided <= {"accept"} and loaded == {"loaded"}:
         return "good"

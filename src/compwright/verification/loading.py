@@ -12,17 +12,29 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
-from compwright.evaluation.statistics import count_readings, mean_deviation, standard_deviation
+from compwright.evaluation.statistics import count_readings, mean_deviation
 from compwright.foundations.findings import Finding
-from compwright.foundations.units import PositionUnit, outside_factor
+from compwright.foundations.units import PositionUnit
 from compwright.records.axis import FloatArray
 from compwright.records.verification import LoadingName, LoadingVerdict, MeasurementFault
+from compwright.verification.comparison import Comparison, after_noise, compare_readings
+from compwright.verification.loading_words import (
+    Words,
+    inactive_message,
+    inactive_slope_message,
+    loaded_message,
+    neither_message,
+    open_message,
+    open_slope_message,
+    slope_text,
+    straight_line_message,
+    thermal_message,
+)
 
 __all__ = ["LoadingVerdict", "judge_loading"]
 
@@ -35,60 +47,8 @@ _FITS: Final = 3.09
 # No fault of loading changes the effect by so little; a machine that has warmed up by a fraction of
 # a degree does.
 _AS_PLANNED: Final = 0.05
-# Effect in its own standard errors from which 95 % of the tests tell all of it from half of it at
-# odds of 100:1: D^2 / 8 - 1.645 D / 2 = ln 100.
-_VISIBLE: Final = 10.2
-_OWN_NOISE_DOF: Final = (
-    5.0  # from here on the after test's own scatter is better known than that of the before test
-)
-# mm or deg: repeated readings that are all equal show the instrument's resolution, not a perfect
-# axis
-_LEAST_NOISE: Final = 1e-5
-
-
-@dataclass(frozen=True, slots=True)
-class _Comparison:
-    """After-test means (k,) against both expectations, the datum removed.
-
-    ``residual_loaded``, ``residual_inactive`` (k,): measured minus expected, mm or deg. ``effect``:
-    length of loaded minus inactive in standard errors. ``factor``: measured part of it, 1 loaded, 0
-    not active, with standard error 1 / effect. ``chi2``: squared length of the residuals when that
-    part is taken out. ``noise`` (mm or deg) of a reading with ``dof`` degrees of freedom; ``size``:
-    rms of loaded minus inactive, mm or deg.
-    """
-
-    residual_loaded: FloatArray
-    residual_inactive: FloatArray
-    effect: float
-    factor: float
-    chi2: float
-    dof: float
-    noise: float
-    size: float
-
-    @property
-    def count(self) -> int:
-        return int(self.residual_loaded.size)
-
-    def log_likelihood(self, factor: float) -> float:
-        """Return the log-likelihood of a table that acts by ``factor``, up to a constant; of the t
-        law where noise is estimated.
-        """
-        chi2 = self.chi2 + (self.effect * (self.factor - factor)) ** 2
-        if math.isinf(self.dof):
-            return -0.5 * chi2
-        return -0.5 * (self.dof + self.count - 1) * math.log1p(chi2 / self.dof)
-
-    def fits(self, factor: float) -> bool:
-        """Return whether a table that acts by ``factor`` explains the after test but for noise."""
-        off = abs(self.factor - factor)
-        size_fits = (
-            off <= _AS_PLANNED or normal_score((self.effect * off) ** 2, 1.0, self.dof) <= _FITS
-        )
-        return (
-            size_fits
-            and normal_score(self.chi2 / (self.count - 2), self.count - 2, self.dof) <= _FITS
-        )
+#: A slope is named where it is so many of its standard errors, and 100 times likelier than none.
+_SLOPE: Final = 3.0
 
 
 def judge_loading(
@@ -104,8 +64,10 @@ def judge_loading(
     noise_dof: float = math.inf,
     positions: FloatArray | None = None,
     unit: PositionUnit = "mm",
+    declared_slope: float | None = None,
 ) -> LoadingVerdict:
-    """Return whether the after test shows the table as loaded, as not active, or cannot tell.
+    """Return whether the after test shows the table as loaded, as not active, as loaded on an axis
+    that is longer or shorter now (``thermal``), or cannot tell.
 
     ``after_*`` (m, n): deviations of the after test, NaN for readings not made, width 0 for a
     direction not measured. ``expected_*`` (m,): mean deviations expected with the new table active
@@ -113,12 +75,15 @@ def judge_loading(
     means, + then -, common to both; whatever else may change between the tests (set-up,
     temperature) belongs in it. ``noise``: standard deviation of a single reading, with
     ``noise_dof`` degrees of freedom; used where the after test has too few repeats of its own. All
-    in mm or deg by ``unit``; ``positions`` (m,) for the message.
+    in mm or deg by ``unit``; ``positions`` (m,) for the slope and the message; ``declared_slope``:
+    standard deviation (mm/mm) of the slope that ``covariance`` allows by declared temperatures,
+    None where no temperature makes a slope (angles).
 
     ``loaded`` (``not_active``) needs all of: the measured part of the effect is 1 (0) within its
     error or within 0.05, what is left besides is noise alone, and it is 100 times likelier than the
-    other and than a table that acts by half. Anything else is ``undecided``; when the test
-    contradicts both, a finding CW-V001 says by how much and where.
+    other and than a table that acts by half. Where the test contradicts both, the same is asked of
+    the test without a slope over the positions (`_with_slope`). Anything else is ``undecided``;
+    when the test contradicts every name, a finding CW-V001 says by how much and where.
     """
     loaded = np.concatenate([expected_loaded_positive, expected_loaded_negative])
     inactive = np.concatenate([expected_inactive_positive, expected_inactive_negative])
@@ -132,42 +97,118 @@ def judge_loading(
             margin=0.0,
             message="Cannot tell: the after test has fewer than 3 measured means.",
         )
-    sigma, dof = _after_noise(after_positive, after_negative, noise, noise_dof)
+    sigma, dof = after_noise(after_positive, after_negative, noise, noise_dof)
 
-    def compare(up: FloatArray, down: FloatArray) -> _Comparison:
-        return _compare_readings(up, down, loaded, inactive, covariance, sigma, dof)
+    def compare(up: FloatArray, down: FloatArray, along: FloatArray | None = None) -> Comparison:
+        return compare_readings(up, down, loaded, inactive, covariance, sigma, dof, along)
 
     compared = compare(after_positive, after_negative)
-    verdict = _verdict(
-        compared, _Words(np.flatnonzero(used), after_positive.shape[0], positions, unit)
-    )
+    words = Words(np.flatnonzero(used), after_positive.shape[0], positions, unit)
+    verdict = _verdict(compared, words)
     turned = _turned(after_positive, after_negative, compare)
+    if positions is None or declared_slope is None:
+        return verdict if turned is None else _turned_verdict(verdict, *turned)
+    along = np.tile(positions, 2)
+    # two positions are a straight line whatever they show
+    if np.unique(along[used]).size > 2 and compared.count > 3:
+        sloped = compare(after_positive, after_negative, along)
+        readings = np.concatenate([count_readings(after_positive), count_readings(after_negative)])
+        error = sigma * math.sqrt(2.0 / float(readings[used].mean()))
+        acts_by = _acts_by((loaded - inactive)[used], sloped.slope[0] * along[used], error)
+        found = _with_slope(verdict, compared, sloped, acts_by, declared_slope)
+        gain = sloped.log_likelihood(1.0) - compared.log_likelihood(1.0)
+        if found is not verdict and (turned is None or turned[1] - gain < _CLEAR):
+            return found
     return verdict if turned is None else _turned_verdict(verdict, *turned)
 
 
-def _compare_readings(
-    positive: FloatArray,
-    negative: FloatArray,
-    loaded: FloatArray,
-    inactive: FloatArray,
-    covariance: FloatArray,
-    sigma: float,
-    dof: float,
-) -> _Comparison:
-    """Compare readings (m, n) of both directions with both expectations (2m,) where all three
-    exist.
+def _beyond(sloped: Comparison, declared_slope: float) -> bool:
+    """Return whether the slope is more than the job declares, by 1 in 1000.
+
+    Only where it declares something: what a test shows that fits as it stands needs no name.
     """
-    means = np.concatenate([mean_deviation(positive), mean_deviation(negative)])
-    readings = np.concatenate([count_readings(positive), count_readings(negative)])
-    used = np.isfinite(means) & np.isfinite(loaded) & np.isfinite(inactive)
-    spread = covariance[np.ix_(used, used)] + np.diag(sigma**2 / readings[used])
-    return _compare(means[used], loaded[used], inactive[used], spread, sigma, dof)
+    slope, error = sloped.slope
+    return declared_slope > 0.0 and normal_score((slope / error) ** 2, 1.0, sloped.dof) > _FITS
+
+
+def _with_slope(
+    verdict: LoadingVerdict,
+    plain: Comparison,
+    sloped: Comparison,
+    acts_by: float | None,
+    declared_slope: float,
+) -> LoadingVerdict:
+    """Return the verdict ``thermal`` where the test is the loaded table's but for a slope over the
+    positions, ``not_active`` where it is the old control's but for one; else ``verdict``.
+
+    ``plain``, ``sloped``: without and with the slope removed; ``acts_by``: by how much of itself a
+    table would act whose test is the same (the correction is a straight line), None where there is
+    none. A table that acts by any part of itself has to be 100 times less likely.
+    """
+    stands = _fits(plain, 1.0) or _fits(plain, 0.0)
+    if stands and not _beyond(sloped, declared_slope):
+        return verdict
+    slope, error = sloped.slope
+    own_error = math.sqrt(max(error**2 - declared_slope**2, 0.0))
+    if abs(slope) < _SLOPE * error:
+        return verdict
+    found = replace(verdict, slope=(slope, own_error))
+    text = slope_text(slope, own_error, declared_slope)
+    if acts_by is not None and _fits(sloped, 1.0):
+        return _thermal(
+            found,
+            sloped.log_likelihood(1.0) - plain.log_likelihood(1.0),
+            straight_line_message(text, acts_by),
+            equivalent=("scaled",),
+        )
+    first, margin = _likeliest(sloped)
+    scaled = plain.log_likelihood(plain.factor) if _fits(plain, plain.factor) else -math.inf
+    if first == "half" or not _fits(sloped, 1.0 if first == "loaded" else 0.0):
+        return verdict
+    margin = min(margin, sloped.log_likelihood(1.0 if first == "loaded" else 0.0) - scaled)
+    if margin < _CLEAR:
+        return replace(found, findings=(), message=open_slope_message(sloped, text))
+    if first == "loaded":
+        return _thermal(found, margin, thermal_message(sloped, text))
+    message = f"{inactive_slope_message(sloped)} {text}"
+    return replace(found, verdict="not_active", margin=margin, message=message, findings=())
+
+
+def _thermal(
+    found: LoadingVerdict,
+    margin: float,
+    message: str,
+    equivalent: tuple[LoadingName, ...] = (),
+) -> LoadingVerdict:
+    finding = Finding("CW-V027", "warning", message)
+    return replace(
+        found,
+        verdict="thermal",
+        margin=margin,
+        message=message,
+        equivalent=equivalent,
+        findings=(finding,),
+    )
+
+
+def _acts_by(step: FloatArray, tilt: FloatArray, error: float) -> float | None:
+    """Return by how much of itself a table would act whose test, free of noise, is that of the
+    loaded table with ``tilt`` within one standard ``error``; None where none is.
+
+    ``step`` (k,): loaded less inactive; both less their means.
+    """
+    step, tilt = step - step.mean(), tilt - tilt.mean()
+    square = float(step @ step)
+    if square <= 0.0:
+        return None
+    more = float(step @ tilt) / square
+    return 1.0 + more if float(np.linalg.norm(tilt - more * step)) <= error else None
 
 
 def _turned(
     positive: FloatArray,
     negative: FloatArray,
-    compare: Callable[[FloatArray, FloatArray], _Comparison],
+    compare: Callable[[FloatArray, FloatArray], Comparison],
 ) -> tuple[MeasurementFault, float] | None:
     """Return what was turned in the readings, and by which log-likelihood the loaded table explains
     them better turned back.
@@ -181,7 +222,7 @@ def _turned(
         compared = compare(up, down)
         # Without the factor 1 of the loaded table nothing else may be turned: the size of the
         # effect counts in the likelihood.
-        return compared.log_likelihood(1.0), compared.fits(1.0)
+        return compared.log_likelihood(1.0), _fits(compared, 1.0)
 
     straight, stands = likelihood(positive, negative)
     if stands:
@@ -215,53 +256,12 @@ def _turned_verdict(verdict: LoadingVerdict, of: MeasurementFault, margin: float
     )
 
 
-def _after_noise(
-    positive: FloatArray, negative: FloatArray, noise: float, noise_dof: float
-) -> tuple[float, float]:
-    """Return the standard deviation of a single reading of the after test and its degrees of
-    freedom.
-    """
-    squares, dof = 0.0, 0.0
-    for block in (positive, negative):
-        s = standard_deviation(block)
-        degrees = np.where(np.isfinite(s), count_readings(block) - 1.0, 0.0)
-        squares += float(np.sum(degrees * np.where(np.isfinite(s), s, 0.0) ** 2))
-        dof += float(degrees.sum())
-    if dof >= _OWN_NOISE_DOF:
-        return max(math.sqrt(squares / dof), _LEAST_NOISE), dof
-    return max(noise, _LEAST_NOISE), noise_dof
-
-
-def _compare(
-    means: FloatArray,
-    loaded: FloatArray,
-    inactive: FloatArray,
-    covariance: FloatArray,
-    sigma: float,
-    dof: float,
-) -> _Comparison:
-    """Whiten by the covariance (k, k), remove the datum, and measure lengths."""
-    root = np.linalg.cholesky(0.5 * (covariance + covariance.T))
-    white = np.linalg.solve(
-        root, np.column_stack([np.ones(means.size), means - inactive, loaded - inactive])
-    )
-    datum = white[:, 0]
-    shift = (
-        datum @ white[:, 1:] / (datum @ datum)
-    )  # generalised least squares offset of each column
-    residual, step = (white[:, 1:] - datum[:, np.newaxis] * shift).T
-    effect2 = float(step @ step)
-    factor = float(step @ residual) / effect2 if effect2 > 0.0 else 0.0
-    return _Comparison(
-        residual_loaded=means - loaded - (shift[0] - shift[1]),
-        residual_inactive=means - inactive - shift[0],
-        effect=math.sqrt(effect2),
-        factor=factor,
-        chi2=float(np.sum((residual - factor * step) ** 2)),
-        dof=dof,
-        noise=sigma,
-        size=float(np.std(loaded - inactive)),
-    )
+def _fits(compared: Comparison, factor: float) -> bool:
+    """Return whether a table that acts by ``factor`` explains the after test but for noise."""
+    off, dof = abs(compared.factor - factor), compared.dof
+    size_fits = off <= _AS_PLANNED or normal_score((compared.effect * off) ** 2, 1.0, dof) <= _FITS
+    free = compared.count - compared.removed - 1
+    return size_fits and normal_score(compared.chi2 / free, free, dof) <= _FITS
 
 
 def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
@@ -276,135 +276,33 @@ def normal_score(ratio: float, dof: float, noise_dof: float) -> float:
     return ((1.0 - b) * root - (1.0 - a)) / math.sqrt(b * root**2 + a)
 
 
-@dataclass(frozen=True, slots=True)
-class _Words:
-    """What the message needs to name a place: index (k,) of each mean in + then -, m targets, their
-    positions.
+def _likeliest(compared: Comparison) -> tuple[str, float]:
+    """Return ``loaded``, ``half`` or ``not_active``, and its log-likelihood less that of the
+    next.
     """
-
-    index: NDArray[np.intp]
-    m: int
-    positions: FloatArray | None
-    unit: PositionUnit
-
-    def length(self, value: float) -> str:
-        """Return a deviation with its unit, in µm or arcsec, two significant digits or more."""
-        outside = abs(value) * outside_factor(self.unit)
-        decimals = 1 if outside >= 1.0 else 2
-        return f"{outside:.{decimals}f} {'µm' if self.unit == 'mm' else 'arcsec'}"
-
-    def place(self, which: int) -> str:
-        """Return where the ``which``-th mean was measured."""
-        index = int(self.index[which])
-        direction = "+" if index < self.m else "-"
-        target = index % self.m
-        where = (
-            f"target {target + 1}"
-            if self.positions is None
-            else f"{self.positions[target]:g} {self.unit}"
-        )
-        return f"{where} approached in {direction}"
-
-    def between_directions(self, residual: FloatArray) -> float:
-        """Return mean(+) minus mean(-) of a residual (k,), 0 when one direction alone was
-        measured.
-        """
-        positive = self.index < self.m
-        if positive.all() or not positive.any():
-            return 0.0
-        return float(residual[positive].mean() - residual[~positive].mean())
-
-
-def _verdict(compared: _Comparison, words: _Words) -> LoadingVerdict:
     likelihoods = {
         "loaded": compared.log_likelihood(1.0),
         "half": compared.log_likelihood(0.5),
         "not_active": compared.log_likelihood(0.0),
     }
     first, second = sorted(likelihoods, key=lambda name: likelihoods[name], reverse=True)[:2]
-    margin = likelihoods[first] - likelihoods[second]
-    fits_loaded, fits_inactive = compared.fits(1.0), compared.fits(0.0)
+    return first, likelihoods[first] - likelihoods[second]
+
+
+def _verdict(compared: Comparison, words: Words) -> LoadingVerdict:
+    first, margin = _likeliest(compared)
+    fits_loaded, fits_inactive = _fits(compared, 1.0), _fits(compared, 0.0)
     verdict: LoadingName = "undecided"
     findings: tuple[Finding, ...] = ()
     if margin >= _CLEAR and first == "loaded" and fits_loaded:
-        verdict, message = "loaded", _loaded_message(compared, words)
+        verdict, message = "loaded", loaded_message(compared, words)
     elif margin >= _CLEAR and first == "not_active" and fits_inactive:
-        verdict, message = "not_active", _inactive_message(compared, words)
+        verdict, message = "not_active", inactive_message(compared, words)
     elif fits_loaded or fits_inactive:
-        message = _open_message(
+        message = open_message(
             compared, words, fits_loaded=fits_loaded, fits_inactive=fits_inactive
         )
     else:
-        message = _neither_message(compared, words)
+        message = neither_message(compared, words)
         findings = (Finding("CW-V001", "warning", message),)
     return LoadingVerdict(verdict=verdict, margin=margin, message=message, findings=findings)
-
-
-def _rms(values: FloatArray) -> float:
-    return float(np.sqrt(np.mean(values**2)))
-
-
-def _effect_text(compared: _Comparison) -> str:
-    return f"{compared.factor:.2f} ± {1.0 / compared.effect:.2f} of the planned effect"
-
-
-def _loaded_message(compared: _Comparison, words: _Words) -> str:
-    return (
-        f"The table acts as planned: the after test shows {_effect_text(compared)} and lies within "
-        f"{words.length(_rms(compared.residual_loaded))} rms of the prediction."
-    )
-
-
-def _inactive_message(compared: _Comparison, words: _Words) -> str:
-    return (
-        f"The table does not act: the after test shows {_effect_text(compared)} and lies within "
-        f"{words.length(_rms(compared.residual_inactive))} rms of what the control did before."
-    )
-
-
-def _open_message(
-    compared: _Comparison, words: _Words, *, fits_loaded: bool, fits_inactive: bool
-) -> str:
-    text = (
-        "Cannot tell: with and without the new table the targets differ by"
-        f" {words.length(compared.size)} rms, and the noise of a reading is"
-        f" {words.length(compared.noise)}"
-    )
-    if compared.effect > 0.0:
-        needed = compared.size * _VISIBLE / compared.effect
-        if needed > compared.size:
-            text += (
-                f"; the correction is smaller than the {words.length(needed)} rms that this test"
-                " can tell for sure"
-            )
-        text += f". Measured: {_effect_text(compared)}"
-    candidates = [
-        name for name, fits in (("loaded", fits_loaded), ("not active", fits_inactive)) if fits
-    ]
-    return f"{text}. Possible: {', '.join([*candidates, 'acting in part'])}."
-
-
-def _neither_message(compared: _Comparison, words: _Words) -> str:
-    parts = [
-        "The after test fits neither the loaded table nor the control as it was before.",
-        _off_text("Against the prediction", compared.residual_loaded, words),
-        _off_text("Against no change", compared.residual_inactive, words),
-    ]
-    offset = words.between_directions(compared.residual_loaded)
-    if offset:
-        sign = "above" if offset > 0.0 else "below"
-        parts.append(
-            f"Against the prediction the + approaches lie {words.length(offset)} {sign} the -"
-            " approaches on average."
-        )
-    if compared.effect > 0.0:
-        parts.append(f"Measured: {_effect_text(compared)}.")
-    return " ".join(parts)
-
-
-def _off_text(against: str, residual: FloatArray, words: _Words) -> str:
-    worst = int(np.argmax(np.abs(residual)))
-    return (
-        f"{against} it is off by {words.length(_rms(residual))} rms and at worst by"
-        f" {words.length(float(residual[worst]))} ({words.place(worst)})."
-    )

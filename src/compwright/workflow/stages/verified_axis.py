@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -18,9 +19,9 @@ from compwright.planning.motions import with_motion
 from compwright.planning.outlook import DRAWS, Like, predict
 from compwright.planning.wanted import MeasuredError, measured_error, observed_tests
 from compwright.prediction.acting import Correction, difference, nothing
-from compwright.records.axis import Direction
+from compwright.records.axis import AxisKind, Direction
 from compwright.records.job import Job
-from compwright.records.plan import PlannedAxis
+from compwright.records.plan import PlannedAxis, PlannedTest
 from compwright.records.positioning import PositioningTest
 from compwright.records.result import PositioningResult
 from compwright.records.verification import LoadingVerdict
@@ -63,9 +64,8 @@ def verified_axis(
     )
     change = difference(new, active)
     fault = twice or measurement_fault(after.test, before_test, axis.travel)
-    slope_std = slope_after(job, planned.tests, after.test)
     loading = (
-        _judge(after.test, posterior, change, difference(unchanged, active), slope_std)
+        _judge(job, planned.tests, after.test, posterior, change, difference(unchanged, active))
         if fault is None
         else LoadingVerdict(verdict="measurement", of=fault.of, margin=0.0, message=fault.message)
     )
@@ -116,8 +116,13 @@ def _told(loading: LoadingVerdict) -> dict[str, Any]:
         "factor": loading.factor,
         "shift_nodes": loading.shift_nodes,
         "margin": loading.margin,
+        **({"slope": _slope_told(*loading.slope)} if loading.slope is not None else {}),
         "message": loading.message,
     }
+
+
+def _slope_told(slope: float, error: float) -> dict[str, Any]:
+    return {"value": slope * 1e6, "std_error": error * 1e6, "unit": "um/m"}
 
 
 def _expected(
@@ -137,12 +142,14 @@ def _expected(
 
 
 def _judge(
+    job: Job,
+    tests: Sequence[PlannedTest],
     test: PositioningTest,
     posterior: MeasuredError,
     loaded: Correction,
     inactive: Correction,
-    slope_std: float,
 ) -> LoadingVerdict:
+    slope_std = slope_after(job, tests, test)
     slope = slope_std * np.tile(test.targets - test.targets.mean(), 2)
     draws = posterior.draw(test.targets, DRAWS, np.random.default_rng(0))
     estimate = posterior.summary(test.targets)
@@ -165,6 +172,9 @@ def _judge(
         noise_dof=posterior.noise_dof,
         positions=test.targets,
         unit=test.kind.unit,
+        declared_slope=(
+            float(np.hypot(slope_std, tests[0].slope_std)) if test.kind is AxisKind.LINEAR else None
+        ),
     )
 
 
