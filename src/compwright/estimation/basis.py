@@ -10,6 +10,7 @@ curve is a draw of the weights.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import lgamma
 
 import numpy as np
 
@@ -136,6 +137,38 @@ def log_density(frequencies: FloatArray, log_length: float) -> tuple[FloatArray,
     together = a**2 + frequencies**2
     density = np.log(16.0 / 3.0) + 5.0 * np.log(a) - 3.0 * np.log(together)
     return density, -(5.0 - 6.0 * a**2 / together)
+
+
+#: The roughest smooth part: once differentiable, a kink all but allowed.
+LEAST_SMOOTHNESS = 1.5
+
+
+def smooth_density(
+    frequencies: FloatArray, log_length: float, log_excess: float
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return log spectral density of a Matérn process of unit variance and smoothness nu =
+    `LEAST_SMOOTHNESS` + exp(``log_excess``), and its derivatives by ``log_length`` and
+    ``log_excess``.
+
+    S(w) = 2 sqrt(pi) gamma(nu + 1/2) / gamma(nu) l / sqrt(2 nu) (1 + l² w² / (2 nu))^-(nu + 1/2)
+    (Rasmussen and Williams, Gaussian Processes for Machine Learning, eq. 4.15, one dimension); for
+    large nu that of the squared exponential.
+    """
+    excess = float(np.exp(log_excess))
+    nu = LEAST_SMOOTHNESS + excess
+    share = (np.exp(log_length) * frequencies) ** 2 / (2.0 * nu)
+    logs = np.log1p(share)
+    level = np.log(2.0 * np.sqrt(np.pi)) + lgamma(nu + 0.5) - lgamma(nu) - 0.5 * np.log(2.0 * nu)
+    left = share / (1.0 + share)
+    step = 1e-4 * nu
+    up, down = (lgamma(nu + 0.5 + d) - lgamma(nu + d) for d in (step, -step))
+    by_level = (up - down) / (2.0 * step)
+    by_nu = by_level - 0.5 / nu - logs + (nu + 0.5) / nu * left
+    return (
+        level + log_length - (nu + 0.5) * logs,
+        1.0 - (2.0 * nu + 1.0) * left,
+        excess * by_nu,
+    )
 
 
 #: Two waves whose values at the targets agree to this (1: everywhere the same) cannot be told

@@ -3,8 +3,8 @@ hyperparameters.
 
 Everything here is in units of ``CellData.scale``. The hyperparameters are logarithms, in this
 order: noise of a reading (of tests whose repetition does not tell it), local (target to target)
-part, standard deviation and length of the smooth part, the same two of the reversal, amplitude of
-each period.
+part, standard deviation, length and smoothness (above the least) of the smooth part, standard
+deviation and length of the reversal, amplitude of each period.
 
 Rasmussen and Williams, Gaussian Processes for Machine Learning (2006): marginal likelihood, eq.
 5.8; weights and their covariance, eq. 2.8; inverse and determinant of a sum of low rank, eq. A.9
@@ -20,10 +20,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from compwright.estimation.basis import Basis, log_density
+from compwright.estimation.basis import Basis, log_density, smooth_density
 from compwright.records.axis import FloatArray
 
-NOISE, LOCAL, SMOOTH, LENGTH, REVERSAL, REVERSAL_LENGTH, PERIODIC = range(7)
+NOISE, LOCAL, SMOOTH, LENGTH, EXCESS, REVERSAL, REVERSAL_LENGTH, PERIODIC = range(8)
 #: Standard deviation of offset, slope and constant reversal, which the data alone shall decide, in
 #: units of the scale: their least squares values are taken out before.
 VAGUE: Final = 10.0
@@ -146,7 +146,9 @@ class Evidence:
         logs = np.full(basis.size, 2.0 * np.log(VAGUE))
         slopes = np.zeros((h.size, basis.size))
         smooth = slice(2, 2 + basis.sines)
-        logs[smooth], slopes[LENGTH, smooth] = log_density(basis.frequencies, h[LENGTH])
+        logs[smooth], slopes[LENGTH, smooth], slopes[EXCESS, smooth] = smooth_density(
+            basis.frequencies, h[LENGTH], h[EXCESS]
+        )
         logs[smooth] += 2.0 * h[SMOOTH]
         slopes[SMOOTH, smooth] = 2.0
         start = smooth.stop

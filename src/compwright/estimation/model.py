@@ -163,13 +163,14 @@ def _prior_for(cells: Cells, basis: Basis, *, varying: bool) -> Prior:
     spread, roughness = cells.spread, cells.roughness
     centre = [
         np.log(spread),
-        np.log(0.3 * spread),
+        np.log(0.1 * spread),
         np.log(roughness),
         np.log(0.4),
+        np.log(3.0),
         np.log(spread) if varying else np.log(1e-6),  # constant: a millionth of the scale
         np.log(0.7),
     ]
-    width = [3.0 if cells.data.dof else 1.0, 1.5, 1.5, 0.8, 1.5, 0.7]
+    width = [3.0 if cells.data.dof else 1.0, 1.5, 1.5, 0.8, 1.2, 1.5, 0.7]
     if cells.donor is not None:
         centre[NOISE] = _donated(cells.donor, cells.data.scale)
         width[NOISE] = 0.5
