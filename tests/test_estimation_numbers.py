@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 
 from circle_machine import Machine, Setup, distance, measured
-from compwright.estimation.basis import hidden_share, log_density
+from compwright.estimation.basis import hidden_share, log_density, smooth_density
 from compwright.estimation.circle_centre import second_order
 from compwright.estimation.circle_cyclic import longest_pitch, search, shortest_pitch
 from compwright.estimation.circle_fit import default_shapes, first_fit, problem_of
@@ -220,6 +220,29 @@ def test_the_density_of_the_matern_process() -> None:
         area = float(np.sum(np.exp(logs)) * (w[1] - w[0])) / (2.0 * np.pi)
         assert area == pytest.approx(1.0, abs=1e-4)
         assert np.exp(logs[200_000]) == pytest.approx(16.0 * length / (3.0 * np.sqrt(5.0)))
+
+
+@pytest.mark.parametrize("log_excess", [-1.0, 0.0, 1.5])
+def test_the_density_of_a_process_of_any_smoothness(log_excess: float) -> None:
+    """Its integral over all frequencies / 2 pi is the variance, 1; its slopes are its differences."""
+    w, log_length = np.linspace(-4000.0, 4000.0, 400_001), np.log(0.3)
+    logs, by_length, by_excess = smooth_density(w, log_length, log_excess)
+    area = float(np.sum(np.exp(logs)) * (w[1] - w[0])) / (2.0 * np.pi)
+    assert area == pytest.approx(1.0, abs=1e-4)
+    h = 1e-5
+    for slope, more in ((by_length, (h, 0.0)), (by_excess, (0.0, h))):
+        up = smooth_density(w, log_length + more[0], log_excess + more[1])[0]
+        down = smooth_density(w, log_length - more[0], log_excess - more[1])[0]
+        assert slope[::999] == pytest.approx((up - down)[::999] / (2 * h), rel=1e-4, abs=1e-4)
+
+
+def test_the_density_between_a_kink_and_the_squared_exponential() -> None:
+    """Excess 1 is Matérn 5/2; a large one exp(-r²/2l²), whose density is sqrt(2 pi) l exp(-w²l²/2)."""
+    w = np.linspace(0.0, 10.0, 21)
+    assert smooth_density(w, -0.5, 0.0)[0] == pytest.approx(log_density(w, -0.5)[0], abs=1e-12)
+    length = np.exp(-0.5)
+    normal = np.log(np.sqrt(2.0 * np.pi) * length) - 0.5 * (w * length) ** 2
+    assert smooth_density(w, -0.5, np.log(1e7))[0] == pytest.approx(normal, abs=1e-4)
 
 
 def test_the_density_of_students_law() -> None:
