@@ -200,7 +200,7 @@ def scattered(x: FloatArray) -> FloatArray:
 @pytest.mark.parametrize("error", [bow, kink, worn, scattered])
 @pytest.mark.parametrize("count", [12, 21])
 def test_no_period_is_named_where_there_is_none(error: Curve, count: int) -> None:
-    assert named(searched(error, count, 6)) == []
+    assert named(searched(error, count, 8)) == []
 
 
 def test_at_equal_spacing_periods_that_look_alike_are_not_told_apart() -> None:

@@ -16,6 +16,9 @@ from compwright.estimation.usual_periods import UsualPeriod
 from compwright.records.axis import FloatArray
 
 BOTH: Final = (1, 2)
+#: How far, as a part of it, a period is off a usual one that it is meant to be (a gear or a belt
+#: between, an inclined scale): standard deviation.
+_NEAR: Final = 0.004
 #: Frequencies this near, in units of 1 / length, are one peak.
 _PEAK: Final = 0.7
 #: Peaks that are looked at closely, and those whose share is worth it (natural logarithm).
@@ -29,11 +32,13 @@ _FEW: Final = 5
 @dataclass(frozen=True, slots=True)
 class Odds:
     """Probabilities before the data: ``none``, no period at all (or no further one); ``usual``, one
-    of the usual periods; what is left: any other, evenly over the logarithm of the period.
+    of the usual periods; what is left: any other, evenly over the logarithm of the period. None
+    about the frequencies ``taken`` (1 / mm or 1 / deg), which were found before.
     """
 
     none: float
     usual: float
+    taken: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,17 +78,25 @@ class Look:
 
 @dataclass(frozen=True, slots=True)
 class _Prior:
-    """Prior odds against none: ``density`` (f,) logarithm per frequency at ``frequencies`` (f,);
-    ``usual`` (u,) frequencies of the usual periods with the logarithms ``log_usual`` (u,)."""
+    """Prior odds against none: ``other`` logarithm per logarithm of the frequency of any period;
+    ``usual`` (u,) frequencies of the usual periods with the logarithms ``log_usual`` (u,), half of
+    it exactly there and half near (`_NEAR`).
+    """
 
-    frequencies: FloatArray
-    density: FloatArray
+    other: float
     usual: FloatArray
     log_usual: FloatArray
 
+    def even(self, frequencies: FloatArray) -> FloatArray:
+        """Return the logarithm of the odds per frequency of any period."""
+        return np.asarray(self.other - np.log(frequencies))
+
     def at(self, frequencies: FloatArray) -> FloatArray:
-        density: FloatArray = np.interp(frequencies, self.frequencies, self.density)
-        return density
+        """Return the same with what is near the usual ones."""
+        away = np.log(frequencies[..., np.newaxis] / self.usual) / _NEAR
+        near = np.exp(self.log_usual - 0.5 * away**2) / (2.0 * np.sqrt(2.0 * np.pi) * _NEAR)
+        density = np.log(np.exp(self.other) + np.sum(near, axis=-1)) - np.log(frequencies)
+        return np.asarray(density)
 
 
 def _prior(frequencies: FloatArray, expected: Sequence[UsualPeriod], before: Odds) -> _Prior:
@@ -96,8 +109,7 @@ def _prior(frequencies: FloatArray, expected: Sequence[UsualPeriod], before: Odd
     span = np.log(frequencies[-1] / frequencies[0])
     weights = np.array([each.weight for each in usual])
     return _Prior(
-        frequencies,
-        np.log(other / before.none) - np.log(frequencies * span),
+        float(np.log(other / before.none / span)),
         np.array([1.0 / each.size for each in usual]),
         np.log(before.usual / before.none * weights / max(float(np.sum(weights)), 1e-300)),
     )
@@ -118,7 +130,9 @@ def candidates_of(
     everywhere = np.concatenate([frequencies, prior.usual])
     odds = _either(likelihood, everywhere, likelihood.coarse())
     cell = np.log(frequencies[1] - frequencies[0])
-    logs = odds + np.concatenate([prior.density + cell, prior.log_usual])
+    logs = odds + np.concatenate([prior.even(frequencies) + cell, prior.log_usual])
+    for found_before in before.taken:
+        logs[np.abs(everywhere - found_before) <= _PEAK * resolution] = -np.inf
     close = _peaks(everywhere, logs, targets, resolution)
     taken = np.zeros(logs.size, dtype=bool)
     for _, members in close:
@@ -191,7 +205,7 @@ def _aliases(
 ) -> FloatArray:
     """Return the frequencies among the ``members`` other than the ``centre`` that look like it,
     each where it does so most."""
-    far = np.sort(members[np.abs(members - centre) > _PEAK * resolution])
+    far = np.sort(members[np.abs(members - centre) > 2.0 * _PEAK * resolution])
     if not far.size:
         return far
     found = []
@@ -233,7 +247,7 @@ def _close_looks(
         half[open_] /= 4.0
     logs += np.log(fine[:, 1:2] - fine[:, :1])
     usual = (
-        _either(likelihood, prior.usual, choice) + prior.log_usual
+        _either(likelihood, prior.usual, choice) + prior.log_usual - np.log(2.0)
         if prior.usual.size
         else prior.usual
     )

@@ -32,23 +32,31 @@ def period_findings(
     """
     unit = kind.unit
     found: list[Finding] = []
-    single = {period for group in search.sure for period in group}
-    for each in search.found:
-        if each.period in single:
-            continue
-        sure = each.named
-        verb = "repeats" if sure else "may repeat"
-        counts = "It counts in the estimate and the prediction with that probability"
-        found.append(
-            Finding(
-                "CW-E012",
-                "info",
-                f"The error {verb} every {each.period:.5g} {unit} (probability"
-                f" {100 * each.probability:.0f} %, {_odds(each.probability)}):"
-                f" {meaning(each.period, kind)}. {counts}"
-                + ("" if sure else "; more targets at random offsets would settle it"),
-            )
+    grouped = {period for group in search.sure for period in group}
+    told = [each for each in search.found if each.period not in grouped]
+    found += [
+        Finding(
+            "CW-E012",
+            "info",
+            f"The error repeats every {each.period:.5g} {unit} (probability"
+            f" {100 * each.probability:.0f} %, {_odds(each.probability)}):"
+            f" {meaning(each.period, kind)}. It counts in the estimate and the prediction with that"
+            " probability",
         )
+        for each in told
+        if each.named
+    ]
+    open_ = ", ".join(
+        f"{each.period:.5g} {unit} ({100 * each.probability:.0f} %)"
+        for each in told
+        if not each.named
+    )
+    if open_:
+        message = (
+            f"The error may repeat every {open_}: these targets do not settle it, and each counts"
+            " with its probability. More targets at random offsets would tell"
+        )
+        found.append(Finding("CW-E012", "info", message))
     low, high = float(targets[0]), float(targets[-1])
     for group in search.sure:
         named = ", ".join(f"{period:.4g}" for period in sorted(group, reverse=True)[:8])

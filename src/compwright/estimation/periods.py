@@ -122,6 +122,7 @@ def search_periods(
     if not frequencies.size:
         return PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
     looks: list[Look] = []
+    taken: list[float] = []
     usual = usual_periods(kind, suggested)
     beside = [
         wave for period in known for wave in wave_columns(middles.targets, 1.0 / period, BOTH)
@@ -131,12 +132,13 @@ def search_periods(
         if columns.shape[1] > middles.targets.size - LEFT:
             break
         likelihood = PeriodLikelihood(replace(middles, free=columns), basis)
-        before = FURTHER if beside else FIRST
+        before = replace(FURTHER if beside else FIRST, taken=tuple(taken))
         looks.append(candidates_of(likelihood, frequencies, usual, before))
         best = next(iter(looks[-1].candidates), None)
         if best is None or best.log < _FOLLOWED or best.aliases.size:
             break
         beside += wave_columns(middles.targets, 1.0 / best.period, best.harmonics)
+        taken.append(1.0 / best.period)
     if not looks:
         return PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
     curve = PeriodCurve(1.0 / frequencies, looks[0].log_odds)
