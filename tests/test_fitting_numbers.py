@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from compwright.fitting.chain import Wish, build_chain
 from compwright.fitting.fit import fit_table
 from compwright.fitting.problem import QuadraticProblem, Rows
+from compwright.fitting.ranges import Deviations, solve_ranges
 from compwright.fitting.rounding import to_quanta
-from compwright.fitting.solve import RangeProblem, solve_range
 from compwright.fitting.sparse import entries, identity, stacked
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.capacity import Capacity
@@ -91,10 +91,13 @@ def test_the_least_range_and_its_gap_by_hand(scale: float, slack: float) -> None
         lower=np.empty(0),
         upper=np.empty(0),
     )
-    problem = RangeProblem(
-        D=entries(np.array([[0.0], [1.0], [2.0]])), d=np.array([0.0, scale, 0.0]), limits=limits
+    shown = Deviations(
+        D=entries(np.array([[0.0], [1.0], [2.0]])),
+        base=np.array([0.0, -scale, 0.0]),
+        half=np.zeros(3),
+        test=np.zeros(3, dtype=np.int64),
     )
-    x, proof = solve_range(problem, slack=slack)
+    x, proof = solve_ranges(shown, limits, slack=slack)
     assert x == pytest.approx([0.5 * slack], abs=1e-6)
     assert proof["gap"] == pytest.approx(0.5 * slack, abs=1e-6)
     assert proof["primal"] == 0.0

@@ -7,7 +7,7 @@ from __future__ import annotations
 import base64
 import json
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any, TypeVar
 
 import numpy as np
@@ -24,7 +24,7 @@ from compwright.records.correction import (
     ControlFile,
     CrossCompensation,
 )
-from compwright.records.estimate import AxisPeriod, ErrorEstimate, WantedCorrection
+from compwright.records.estimate import AxisPeriod, ErrorEstimate, Scenarios, WantedCorrection
 from compwright.records.fitted import FittedTable, Limit, TableRequest
 from compwright.records.job import Acceptance, Thermal
 from compwright.records.plan import (
@@ -278,7 +278,7 @@ def _axis_out(axis: PlannedAxis) -> dict[str, Any]:
             key: value for key, value in _arrays_out(axis.estimate).items() if key != "periods"
         },
         "active": _optional(axis.active, _compensation_out),
-        "wanted": _optional(axis.wanted, _arrays_out),
+        "wanted": _optional(axis.wanted, _wanted_out),
         "request": asdict(axis.request),
         "fitted": _optional(axis.fitted, _fitted_out),
         "accept": _optional(axis.accept, asdict),
@@ -401,6 +401,20 @@ def _estimate_in(data: Mapping[str, Any], periods: Iterable[Mapping[str, Any]]) 
     )
 
 
+def _wanted_out(wanted: WantedCorrection) -> dict[str, Any]:
+    """Return what is wanted; the tests that judge a goal only where the job has one."""
+    out = _arrays_out(replace(wanted, scenarios=None))
+    del out["scenarios"]
+    if wanted.scenarios is None:
+        return out
+    return {**out, "scenarios": _arrays_out(wanted.scenarios)}
+
+
+def _scenarios_in(data: Mapping[str, Any]) -> Scenarios:
+    names = ("positions", "positive", "negative", "half_positive", "half_negative")
+    return Scenarios(count=data["count"], **{name: _array(data, name) for name in names})
+
+
 def _wanted_in(data: Mapping[str, Any]) -> WantedCorrection:
     return WantedCorrection(
         kind=AxisKind(data["kind"]),
@@ -412,6 +426,7 @@ def _wanted_in(data: Mapping[str, Any]) -> WantedCorrection:
         noise=float(data["noise"]),
         reversal_log_odds=float(data["reversal_log_odds"]),
         periods=tuple(float(period) for period in data["periods"]),
+        scenarios=_optional(data.get("scenarios"), _scenarios_in),
     )
 
 

@@ -16,6 +16,7 @@ import numpy as np
 
 from compwright.fitting.datum import with_datum
 from compwright.fitting.endless import over_one_period
+from compwright.fitting.goals import Range, as_wish, best_for, mean_over
 from compwright.fitting.grid import Grid, choose_grid
 from compwright.fitting.line import fit_line
 from compwright.fitting.losses import NOISE_SHARE
@@ -25,16 +26,13 @@ from compwright.fitting.problem import (
     QuadraticProblem,
     Sampled,
     Shape,
-    bends,
-    hat_matrix,
     limited_range,
     sampled,
     state_problem,
 )
 from compwright.fitting.remarks import added, edge_findings, loss_findings, worth_saying
 from compwright.fitting.rounding import round_curve, to_quanta
-from compwright.fitting.solve import RangeProblem, solve_quadratic, solve_range
-from compwright.fitting.sparse import stacked, sum_of
+from compwright.fitting.solve import solve_quadratic
 from compwright.fitting.whole import goal_finding, whole_table
 from compwright.foundations.errors import CapacityError, Fault
 from compwright.records.axis import Direction, FloatArray
@@ -56,10 +54,10 @@ def fit_table(
 
     Goal ``expected``: least mean square of held minus wanted over the travel and both directions,
     which is the expected squared deviation but for a constant that no table changes (Rasmussen and
-    Williams 2006, section 2.4). Goals ``A``, ``E``: least range over both directions (A adds the
-    same noise everywhere, so that its best table is that of E); ``M``: least range of the mean of
-    both (ISO 230-2:1997, 2.20, 2.21, 2.23). Zero in the zero state. Whole
-    increments and a single slope take ``expected`` whatever the goal, and say so. Raises
+    Williams 2006, section 2.4). Goals ``A``, ``E``, ``M``: least mean of that parameter over the
+    tests in ``wanted.scenarios`` (ISO 230-2:1997, 2.20, 2.21, 2.23), without them least range of
+    what is wanted. Zero in the zero state. A single slope takes ``expected`` whatever the goal,
+    whole increments where they undo what the goal gains, and both say so. Raises
     CapacityError where the control cannot hold what is asked or no certified solution was found.
     """
     _refuse(capacity, request)
@@ -82,17 +80,13 @@ def fit_table(
     aim, datum_findings = with_datum(grid.wanted, layout, capacity)
     if capacity.lattice is not None:
         fitted = whole_table(
-            grid,
-            aim,
-            (shape, reason),
-            capacity,
-            capacity.lattice,
-            address=address,
-            goal=request.goal,
+            grid, aim, (shape, reason), capacity, capacity.lattice, address=address
         )
+        if request.goal != "expected":
+            fitted = _whole_goal(request.goal, fitted, wanted, grid, layout, capacity, aim)
         return replace(fitted, findings=(*datum_findings, *fitted.findings))
     fit = _Fit(sampled(aim, grid.nodes, capacity), layout, capacity, aim)
-    best = fit.expected() if request.goal == "expected" else fit.least_range(aim, request.goal)
+    best = fit.best(request.goal, wanted if wanted.scenarios else aim)
     table = _rounded(best.x, fit, address, aim)
     limits = _limits(fit, best, table, grid)
     edges, losses = edge_findings(table, wanted, kept=grid.kept), loss_findings(limits, wanted)
@@ -188,6 +182,36 @@ def _layout(nodes: FloatArray, shape: Shape, capacity: Capacity, home: Direction
     return Layout(nodes=nodes, shape=shape, reversal="backlash", home=home)
 
 
+def _whole_goal(
+    goal: Range,
+    usual: FittedTable,
+    wanted: WantedCorrection,
+    grid: Grid,
+    layout: Layout,
+    capacity: Capacity,
+    aim: WantedCorrection,
+) -> FittedTable:
+    """Return the table of whole increments that comes closest to the best one by the ``goal`` that
+    is not whole, where tests show less of the goal with it than with the ``usual`` one; else that.
+    """
+    scenarios = wanted.scenarios
+    if scenarios is None or capacity.lattice is None:
+        return replace(usual, findings=(*usual.findings, *goal_finding(goal, "whole increments")))
+    free = replace(capacity, lattice=None)
+    fit = _Fit(sampled(aim, grid.nodes, free), layout, free, aim)
+    wish = as_wish(fit.best(goal, wanted).x, layout, free, aim)
+    mode = (usual.mode, usual.mode_reason)
+    address = usual.compensation.address
+    whole = whole_table(grid, wish, mode, capacity, capacity.lattice, address=address)
+    with_it, without = (
+        mean_over(goal, one.compensation, wanted, scenarios) for one in (whole, usual)
+    )
+    if with_it < without:
+        return replace(usual, compensation=whole.compensation, certificate=whole.certificate)
+    said = goal_finding(goal, "whole increments, which undo what it gains")
+    return replace(usual, findings=(*usual.findings, *said))
+
+
 @dataclass(frozen=True, slots=True)
 class _Best:
     """Unknowns before rounding, and their certificate."""
@@ -214,30 +238,15 @@ class _Fit:
         solution = solve_quadratic(self.problem(without))
         return _Best(solution.x, solution.certificate)
 
-    def least_range(self, wanted: WantedCorrection, goal: Goal) -> _Best:
-        """Return the table of least range of the deviations that remain, at the positions of
-        ``wanted`` and the nodes (Chebyshev approximation as a linear program; Boyd and Vandenberghe
-        2004, section 6.1.1).
+    def best(self, goal: Goal, wanted: WantedCorrection) -> _Best:
+        """Return the best table by the ``goal``; ``wanted``: the wish with what the grid leaves
+        out.
         """
-        nodes, where = self.layout.nodes, wanted.positions
-        inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]
-        points = np.union1d(where, inside)
-        rule = self.capacity.interpolation
-        if rule == "step":  # the control's value jumps in the middles: both sides count
-            middles = bends(nodes, rule)[1:-1]
-            within = middles[(middles > where[0]) & (middles < where[-1])]
-            points = np.union1d(points, np.concatenate([within, np.nextafter(within, -np.inf)]))
-        table = hat_matrix(
-            points, nodes, below=self.capacity.below, above=self.capacity.above, interpolation=rule
-        )
-        rows = [self.layout.columns(table, direction) for direction in BOTH]
-        aims = [np.interp(points, where, wanted.total(direction)) for direction in BOTH]
-        if goal == "M":
-            rows, aims = [sum_of(rows).times(0.5)], [0.5 * (aims[0] + aims[1])]
-        problem = RangeProblem(
-            D=stacked(rows, self.layout.size), d=np.concatenate(aims), limits=self.problem()
-        )
-        return _Best(*solve_range(problem, slack=0.01 * self.capacity.quantum))
+        usual = self.expected()
+        if goal == "expected":
+            return usual
+        x, proof = best_for(goal, wanted, self.layout, self.capacity, self.problem(), usual.x)
+        return _Best(x, proof)
 
     def rms(self, x: FloatArray) -> float:
         return float(np.sqrt(self.data.mean_square(self.layout, x)))

@@ -1,9 +1,7 @@
-"""Solving: OSQP for the quadratic problem, refined to machine accuracy by its active set; cvxpy for
-the smallest range.
+"""Solving the quadratic problem: OSQP, refined to machine accuracy by its active set.
 
 A solver that was cut off or calls its result inaccurate has failed. OSQP: Stellato et al.,
-Mathematical Programming Computation 12 (2020); cvxpy: Diamond and Boyd, J. Machine Learning
-Research 17 (2016).
+Mathematical Programming Computation 12 (2020).
 """
 
 from __future__ import annotations
@@ -14,14 +12,12 @@ from typing import Any, Final
 
 import numpy as np
 
-from compwright.fitting.certify import certificate, range_gap
+from compwright.fitting.certify import certificate
 from compwright.fitting.problem import QuadraticProblem
 from compwright.fitting.sparse import (
     BoolArray,
     SparseMatrix,
-    entries,
     identity,
-    stacked,
     sum_of,
 )
 from compwright.foundations.errors import CapacityError, Fault
@@ -30,8 +26,6 @@ from compwright.records.axis import FloatArray
 #: A solution whose certificate misses by more than this (mm or deg) does not count: a thousandth of
 #: a nanometre.
 CERTIFIED: Final = 1e-9
-#: The same for the least range, which rests on an interior-point solver: one nanometre.
-CERTIFIED_RANGE: Final = 1e-6
 _ACTIVE_SET_ROUNDS: Final = 20
 _DUAL_SHIFT: Final = 1e-9  # keeps the equations solvable where limits repeat each other
 _REFINEMENTS: Final = 3
@@ -68,13 +62,14 @@ def _certified(problem: QuadraticProblem, x: FloatArray, y: FloatArray) -> Solut
     proof = certificate(problem, x, y)
     worst = max(proof, key=lambda name: proof[name])
     if not proof[worst] <= CERTIFIED:
-        raise _no_solution(
+        raise no_solution(
             "the solution does not pass its certificate", f"{worst} missed by {proof[worst]:.3g}"
         )
     return Solution(x=x, y=y, certificate=proof)
 
 
-def _no_solution(message: str, found: str) -> CapacityError:
+def no_solution(message: str, found: str) -> CapacityError:
+    """Return what to raise where no solution is certified, and what was found instead."""
     return CapacityError(
         Fault(message=f"no certified solution: {message}", expected="an exact optimum", found=found)
     )
@@ -92,9 +87,9 @@ def _osqp_multipliers(problem: QuadraticProblem) -> FloatArray:
     size = max(float(np.max(np.abs(problem.q))) / stiffness, 1e-9)
     solver: Any = osqp.OSQP()
     solver.setup(
-        _by_columns(problem.P.times(1.0 / stiffness).upper()),
+        by_columns(problem.P.times(1.0 / stiffness).upper()),
         problem.q / (stiffness * size),
-        _by_columns(problem.A),
+        by_columns(problem.A),
         problem.lower / size,
         problem.upper / size,
         verbose=False,
@@ -105,7 +100,7 @@ def _osqp_multipliers(problem: QuadraticProblem) -> FloatArray:
     )
     result = solver.solve(raise_error=False)
     if result.info.status != _SOLVED:
-        raise _no_solution("the solver gave up", str(result.info.status))
+        raise no_solution("the solver gave up", str(result.info.status))
     multipliers: FloatArray = np.asarray(result.y, dtype=np.float64) * stiffness * size
     return multipliers
 
@@ -156,7 +151,7 @@ def _least_distance_set(problem: QuadraticProblem) -> tuple[BoolArray, FloatArra
             np.vstack([G.T, h / size]), np.append(np.zeros(centre.size), 1.0), maxiter=50 * h.size
         )
     except RuntimeError as error:
-        raise _no_solution("the solver gave up", str(error)) from error
+        raise no_solution("the solver gave up", str(error)) from error
     pushing = push > 0.0
     upper, lower = np.zeros_like(up), np.zeros_like(down)
     upper[up], lower[down] = pushing[: np.count_nonzero(up)], pushing[np.count_nonzero(up) :]
@@ -206,10 +201,10 @@ def _factored(matrix: SparseMatrix) -> Callable[[FloatArray], FloatArray]:
 
     everywhere = np.bincount(matrix.row, minlength=matrix.shape[0]) > _EVERYWHERE
     near = matrix.taken(~everywhere).transposed.taken(~everywhere)
-    band = reverse_cuthill_mckee(_by_columns(near).tocsr(), symmetric_mode=True)
+    band = reverse_cuthill_mckee(by_columns(near).tocsr(), symmetric_mode=True)
     order = np.concatenate([np.flatnonzero(~everywhere)[band], np.flatnonzero(everywhere)])
     factors: Any = splu(
-        _by_columns(matrix)[order][:, order], permc_spec="NATURAL", diag_pivot_thresh=0.0
+        by_columns(matrix)[order][:, order], permc_spec="NATURAL", diag_pivot_thresh=0.0
     )
     back = np.argsort(order)
 
@@ -220,100 +215,8 @@ def _factored(matrix: SparseMatrix) -> Callable[[FloatArray], FloatArray]:
     return solve
 
 
-def _by_columns(matrix: SparseMatrix) -> Any:
+def by_columns(matrix: SparseMatrix) -> Any:
     """Return the matrix as solvers take it: a `scipy.sparse.csc_matrix`."""
     from scipy.sparse import csc_matrix
 
     return csc_matrix((matrix.value, (matrix.row, matrix.column)), shape=matrix.shape)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RangeProblem:
-    """Minimise the range (largest minus smallest) of Dx - d over its rows, D (r, n), under the
-    limits of ``limits``; mm or deg (Chebyshev approximation; Boyd and Vandenberghe 2004, section
-    6.1.1).
-    """
-
-    D: SparseMatrix
-    d: FloatArray
-    limits: QuadraticProblem
-
-
-def solve_range(problem: RangeProblem, *, slack: float) -> tuple[FloatArray, dict[str, float]]:
-    """Return unknowns of least range, and the certificate. Raises CapacityError where none is
-    certified.
-
-    Among all unknowns within ``slack`` (mm or deg) of the least range, those of least mean square
-    are taken. The certificate's ``gap`` is the distance to a lower bound that holds whatever the
-    solver did (weak duality; Boyd and Vandenberghe 2004, section 5.2.2).
-    """
-    size = max(float(np.max(np.abs(problem.d))), 10.0 * slack)
-    cost, G, h = _linear_program(problem, size)
-    first, multipliers = _cvxpy(cost, G, h, None, problem.limits.q.size)
-    least = float(cost @ first)
-    P = problem.limits.P
-    scale = float(np.mean(P.diagonal()))
-    G2 = stacked([G, entries(cost[np.newaxis])], cost.size)
-    h2 = np.concatenate([h, [least + 0.5 * slack / size]])
-    second, _ = _cvxpy(
-        np.concatenate([problem.limits.q / (scale * size), [0.0, 0.0]]),
-        G2,
-        h2,
-        P.times(1.0 / scale),
-        problem.limits.q.size,
-    )
-    x = second[:-2] * size
-    deviation = problem.D @ x - problem.d
-    reached = float(np.ptp(deviation))
-    held = problem.limits.A @ x
-    primal = float(
-        np.max(np.concatenate([[0.0], held - problem.limits.upper, problem.limits.lower - held]))
-    )
-    # A least-range table stays within the range of what is wanted about zero: ten times that is
-    # ample.
-    gap = size * range_gap(cost, G, h, multipliers, reached / size, 10.0)
-    proof = {"primal": primal, "gap": gap}
-    if not (primal <= CERTIFIED_RANGE and gap <= slack + CERTIFIED_RANGE):
-        raise _no_solution(
-            "the least range does not pass its certificate",
-            f"gap {gap:.3g}, limits broken by {primal:.3g}",
-        )
-    return x, proof
-
-
-def _linear_program(
-    problem: RangeProblem, size: float
-) -> tuple[FloatArray, SparseMatrix, FloatArray]:
-    """Return c, G, h of: minimise c'z subject to Gz <= h, z = (x, top, bottom) in units of
-    ``size``.
-    """
-    limits = problem.limits
-    n, rows = limits.q.size, problem.D.shape[0]
-    wide, ones = (rows, n + 2), entries(np.ones((rows, 1)))
-    up, down = np.isfinite(limits.upper), np.isfinite(limits.lower)
-    below_top = sum_of([problem.D.placed(wide), ones.times(-1.0).placed(wide, column=n)])
-    above_bottom = sum_of([problem.D.times(-1.0).placed(wide), ones.placed(wide, column=n + 1)])
-    A = limits.A.placed((limits.A.shape[0], n + 2))
-    G = stacked([below_top, above_bottom, A.taken(up), A.taken(down).times(-1.0)], n + 2)
-    h = np.concatenate([problem.d, -problem.d, limits.upper[up], -limits.lower[down]]) / size
-    return np.concatenate([np.zeros(n), [1.0, -1.0]]), G, h
-
-
-def _cvxpy(
-    cost: FloatArray, G: SparseMatrix, h: FloatArray, P: SparseMatrix | None, n: int
-) -> tuple[FloatArray, FloatArray]:
-    import cvxpy as cp
-
-    z: Any = cp.Variable(cost.size)
-    objective = cost @ z
-    if P is not None:
-        objective = objective + 0.5 * cp.quad_form(z[:n], cp.psd_wrap(_by_columns(P)))
-    limits = [_by_columns(G) @ z <= h]
-    statement: Any = cp.Problem(cp.Minimize(objective), limits)
-    try:
-        statement.solve(solver=cp.CLARABEL)
-    except cp.error.SolverError as error:
-        raise _no_solution("the solver gave up", str(error)) from error
-    if statement.status != cp.OPTIMAL:
-        raise _no_solution("the solver gave up", str(statement.status))
-    return np.asarray(z.value, dtype=np.float64), np.asarray(limits[0].dual_value, dtype=np.float64)

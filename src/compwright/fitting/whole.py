@@ -306,7 +306,6 @@ def whole_table(
     lattice: Lattice,
     *,
     address: str,
-    goal: Goal,
 ) -> FittedTable:
     """Return the fitted table with everything that is to be said about it; ``mode`` is the choice
     made and its reason.
@@ -323,7 +322,6 @@ def whole_table(
         findings=(
             *grid.findings,
             *findings,
-            *goal_finding(goal, "whole increments"),
             *edge_findings(table, aim, kept=grid.kept),
             *loss_findings(limits, aim),
         ),

@@ -17,6 +17,7 @@ from compwright.planning.declared import fresh_slope, with_slopes
 from compwright.planning.limits import accept_decisions, check_limits, lacking_guard
 from compwright.planning.motions import with_backlash, with_motion
 from compwright.planning.outlook import Like, predict, predict_new_targets, why_not_better
+from compwright.planning.scenarios import scenarios_of
 from compwright.planning.sharing import shared_fairly
 from compwright.planning.tables import fit_within, freely_chosen, offer
 from compwright.planning.together import counted_together, with_what_acted
@@ -52,7 +53,8 @@ class CapacityOf(Protocol):
 class AxisWork:
     """One axis of a run. ``as_found``: what the control does now, by the judge; ``refused``: why
     its table is not written; ``chosen``: the table on a grid of our own choice, where that of the
-    control stays and may lose something by it.
+    control stays and may lose something by it; ``usual``: the table of least expected square, where
+    the job has another goal.
     """
 
     entry: AxisJob
@@ -63,6 +65,7 @@ class AxisWork:
     capacity: Capacity | None = None
     refused: str = ""
     chosen: FittedTable | None = None
+    usual: FittedTable | None = None
     disagreeing: tuple[Finding, ...] = ()
 
     @property
@@ -162,6 +165,7 @@ class _Fitted:
     wanted: WantedCorrection
     table: FittedTable
     chosen: FittedTable | None
+    usual: FittedTable | None
 
 
 def fit_all(
@@ -186,7 +190,7 @@ def fit_all(
         {name: work.planned for name, work in works.items() if work.planned.active is not None},
     )
     tasks = {
-        name: (work.planned, work.posterior.reversal_log_odds, capacities[name])
+        name: (work, capacities[name])
         for name, work in works.items()
         if work.planned.active is not None and name in capacities
     }
@@ -200,25 +204,34 @@ def fit_all(
             capacity=capacities[name],
             planned=replace(works[name].planned, wanted=found.wanted, fitted=found.table),
             chosen=found.chosen,
+            usual=found.usual,
         )
     raise_all(CapacityError, collect(errors))
     return fitted
 
 
-def _fit(task: tuple[PlannedAxis, float, Capacity]) -> _Fitted | CapacityError:
+def _fit(task: tuple[AxisWork, Capacity]) -> _Fitted | CapacityError:
     """Return what is wanted of an axis and its tables, or why the control cannot hold one."""
-    planned, reversal_log_odds, capacity = task
+    work, capacity = task
+    planned = work.planned
     if planned.active is None:
         raise TypeError("nobody said what is in the control")
     axis, request = planned.axis, planned.request
     wanted = wanted_correction(
-        planned.estimate, planned.active, axis, reversal_log_odds=reversal_log_odds
+        planned.estimate, planned.active, axis, reversal_log_odds=work.posterior.reversal_log_odds
     )
     try:
+        usual = fit_within(wanted, capacity, replace(request, goal="expected"), axis)
+        if request.goal == "expected":
+            chosen = freely_chosen(wanted, capacity, request, usual, axis)
+            return _Fitted(wanted, usual, chosen, None)
+        scenarios = scenarios_of(work.results[0], work.posterior, planned.estimate, axis)
+        wanted = replace(wanted, scenarios=scenarios)
         table = fit_within(wanted, capacity, request, axis)
+        chosen = freely_chosen(wanted, capacity, request, table, axis)
     except CapacityError as error:
         return error
-    return _Fitted(wanted, table, freely_chosen(wanted, capacity, request, table, axis))
+    return _Fitted(wanted, table, chosen, usual)
 
 
 def _of_axis(error: CapacityError, name: str, file: str) -> CapacityError:

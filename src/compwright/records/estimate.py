@@ -66,6 +66,24 @@ class ErrorEstimate:
         return self.mean_positive if direction is Direction.POSITIVE else self.mean_negative
 
 
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class Scenarios:
+    """Fresh tests that may come, equally likely, by which a goal of the fit is judged: ``count`` of
+    them, of m targets each; arrays (count * m,), test by test, mm or deg.
+
+    ``positive``, ``negative``: by how much the mean of the readings lies beyond the estimated
+    error; ``half_*``: k s of those readings, 0 where there is no s. Empty: a direction that is not
+    measured.
+    """
+
+    count: int
+    positions: FloatArray
+    positive: FloatArray
+    negative: FloatArray
+    half_positive: FloatArray
+    half_negative: FloatArray
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WantedCorrection:
     """The total correction that would remove the estimated error, before rounding and limits, mm or
@@ -76,7 +94,7 @@ class WantedCorrection:
     ``reference_return``. ``noise`` (mm or deg) is the accuracy to which a grid is worth refining.
     ``reversal_log_odds``: natural logarithm of the evidence for a reversal that varies with
     position over one that does not. ``periods``: known periods (mm or deg) that the estimate
-    contains.
+    contains. ``scenarios``: fresh tests beside the estimate, where a goal asks for them.
     """
 
     kind: AxisKind
@@ -88,6 +106,7 @@ class WantedCorrection:
     noise: float
     reversal_log_odds: float = 0.0
     periods: tuple[float, ...] = ()
+    scenarios: Scenarios | None = None
 
     def total(self, direction: Direction) -> FloatArray:
         """Return the wanted total (g,) of one approach direction."""

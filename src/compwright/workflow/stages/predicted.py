@@ -9,6 +9,7 @@ from typing import Literal
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.axes import AxisWork, predict_axis
 from compwright.planning.circles import CircleWork, predicted_circle
+from compwright.planning.goals import goal_told
 from compwright.planning.limiting import what_limits
 from compwright.planning.verdict import verdict
 from compwright.prediction.acting import IDLE, Acting, Correction
@@ -59,6 +60,8 @@ def _predicted(
     """
     work, new, _, _ = task
     prediction = predict_axis(*task)
+    told = (*prediction.findings, *goal_told(work, new))
+    prediction = replace(prediction, findings=told)
     limits = what_limits(work, new)
     if limits is None:
         return prediction

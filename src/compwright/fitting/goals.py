@@ -1,0 +1,254 @@
+"""Goals other than the expected square: the table that makes A, E or M of fresh tests small.
+
+A parameter is a range, largest minus smallest. Of one curve, the estimate's mean, its least range
+is a Chebyshev approximation (Boyd and Vandenberghe, Convex Optimization, 2004, section 6.1.1), but
+it follows what the test happened to show: in sample it promises more than a fresh test gives. So
+the mean of the parameter over fresh tests that may come is made small, a linear program over
+scenarios (sample average approximation: Shapiro, Dentcheva and Ruszczynski, Lectures on
+Stochastic Programming, 2nd ed. 2014, chapter 5), and how far to go from the least expected square
+towards it is decided by other scenarios.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Final, Literal
+
+import numpy as np
+
+from compwright.fitting.problem import BOTH, Layout, QuadraticProblem, bends, hat_matrix
+from compwright.fitting.ranges import Deviations, product, solve_ranges
+from compwright.fitting.sparse import SparseMatrix, entries, identity, stacked, sum_of
+from compwright.records.axis import Direction, FloatArray
+from compwright.records.capacity import Capacity
+from compwright.records.correction import AxisCompensation
+from compwright.records.estimate import Scenarios, WantedCorrection
+
+#: Of the scenarios every second one is for the program, the others decide how far to follow it.
+_SHARES: Final = np.linspace(0.0, 1.0, 6)
+#: Within this share of the least mean range the table of least mean square is taken.
+_SLACK: Final = 0.002
+#: Straight pieces by which a curve is changed have so many knots, at most.
+_KNOTS: Final = 24
+
+Range = Literal["A", "E", "M"]
+
+
+def best_for(
+    goal: Range,
+    wanted: WantedCorrection,
+    layout: Layout,
+    capacity: Capacity,
+    limits: QuadraticProblem,
+    start: FloatArray,
+) -> tuple[FloatArray, dict[str, float]]:
+    """Return the unknowns whose tests have the least mean of the ``goal``, and the certificate.
+
+    ``start``: those of the least expected square, under the same ``limits``; what is between both
+    keeps them too, because they are convex. Without scenarios in ``wanted`` its own curve is the
+    only test: the least range of the mean. Raises CapacityError where no solution is certified.
+    """
+    if wanted.scenarios is None:
+        deviations = _of_the_mean(goal, wanted, layout, capacity)
+        return solve_ranges(deviations, limits, slack=0.01 * capacity.quantum)
+    deviations = _of_scenarios(goal, wanted, wanted.scenarios, layout, capacity)
+    every = np.arange(wanted.scenarios.count)
+    fitted, held_out = deviations.of(every[::2]), deviations.of(every[1::2])
+    bends_by = _smooth_changes(layout)
+    moved = Deviations(
+        D=product(fitted.D, bends_by),
+        base=fitted.base + fitted.D @ start,
+        half=fitted.half,
+        test=fitted.test,
+    )
+    slack = _SLACK * fitted.mean_range(start)
+    change, proof = solve_ranges(moved, _of_changes(limits, start, bends_by), slack=slack)
+    tables = [start + share * (bends_by @ change) for share in _SHARES]
+    values = [held_out.mean_range(x) for x in tables]
+    best = int(np.argmin(np.round(values, 9)))
+    return tables[best], {**proof, "followed": float(_SHARES[best])}
+
+
+def _smooth_changes(layout: Layout) -> SparseMatrix:
+    """Return the matrix (unknowns, changes) of straight pieces between few knots.
+
+    A node that no target of the scenarios lies near could move freely, and one that a target lies
+    near enough to see could be pulled far to move that target a little: both are luck.
+    """
+    nodes = layout.nodes
+    k = nodes.size
+    few = min(k, _KNOTS)
+    curve = (
+        identity(k)
+        if few == k
+        else hat_matrix(nodes, np.linspace(nodes[0], nodes[-1], few), below="hold", above="hold")
+    )
+    blocks = [curve]
+    if layout.shape == "bidirectional":
+        blocks.append(curve)
+    elif layout.reversal != "none":
+        blocks.append(identity(1))
+    shape = (layout.size, sum(block.shape[1] for block in blocks))
+    placed, row, column = [], 0, 0
+    for block in blocks:
+        placed.append(block.placed(shape, row, column))
+        row, column = row + block.shape[0], column + block.shape[1]
+    return sum_of(placed)
+
+
+def _of_changes(
+    limits: QuadraticProblem, start: FloatArray, bends_by: SparseMatrix
+) -> QuadraticProblem:
+    """Return the problem of the changes c of the unknowns ``start`` + B c."""
+    held = limits.A @ start
+    return QuadraticProblem(
+        P=product(bends_by.transposed, product(limits.P, bends_by)),
+        q=bends_by.transposed @ (limits.P @ start + limits.q),
+        constant=limits.constant,
+        A=product(limits.A, bends_by),
+        lower=limits.lower - held,
+        upper=limits.upper - held,
+    )
+
+
+def mean_over(
+    goal: Range, table: AxisCompensation, wanted: WantedCorrection, scenarios: Scenarios
+) -> float:
+    """Return the mean of the ``goal`` over the held-out tests with a ``table`` as it is, mm or
+    deg.
+    """
+    where = scenarios.positions
+    nothing = np.zeros(where.size)
+    tests = np.repeat(np.arange(scenarios.count), where.size // scenarios.count)
+    shown = [
+        Deviations(
+            D=entries(nothing[:, np.newaxis]),
+            base=beyond + table.at(where, way) - _wanted_at(wanted, where, way, table.period),
+            half=half if goal == "A" else nothing,
+            test=tests,
+        )
+        for way, beyond, half in _measured(scenarios)
+    ]
+    together = _together(shown, 1, middle=goal == "M")
+    return together.of(np.arange(scenarios.count)[1::2]).mean_range(np.zeros(1))
+
+
+def as_wish(
+    x: FloatArray, layout: Layout, capacity: Capacity, wanted: WantedCorrection
+) -> WantedCorrection:
+    """Return the curves of the unknowns ``x`` in place of what is ``wanted``: what a table of whole
+    numbers then comes as close to as it can.
+    """
+    nodes, where = layout.nodes, wanted.positions
+    inside = nodes[(nodes > where[0]) & (nodes < where[-1])]
+    points = np.union1d(where, inside)
+    table = hat_matrix(
+        points,
+        nodes,
+        below=capacity.below,
+        above=capacity.above,
+        interpolation=capacity.interpolation,
+    )
+    positive, negative = (layout.columns(table, way) @ x for way in BOTH)
+    return replace(wanted, positions=points, positive=positive, negative=negative)
+
+
+def _measured(
+    scenarios: Scenarios,
+) -> list[tuple[Direction, FloatArray, FloatArray]]:
+    """Return the directions that were measured, with what lies beyond the estimate and k s."""
+    both = (
+        (Direction.POSITIVE, scenarios.positive, scenarios.half_positive),
+        (Direction.NEGATIVE, scenarios.negative, scenarios.half_negative),
+    )
+    return [entry for entry in both if entry[1].size]
+
+
+def _wanted_at(
+    wanted: WantedCorrection, where: FloatArray, way: Direction, period: float | None
+) -> FloatArray:
+    """Return what is wanted at positions of any turn; ``wanted`` over one where there is a
+    period.
+    """
+    if period is not None:
+        where = wanted.reference + np.mod(where - wanted.reference, period)
+    return np.interp(where, wanted.positions, wanted.total(way))
+
+
+def _of_scenarios(
+    goal: Range,
+    wanted: WantedCorrection,
+    scenarios: Scenarios,
+    layout: Layout,
+    capacity: Capacity,
+) -> Deviations:
+    where = scenarios.positions
+    folded = where
+    if capacity.period is not None:
+        folded = wanted.reference + np.mod(where - wanted.reference, capacity.period)
+    table = hat_matrix(
+        folded,
+        layout.nodes,
+        below=capacity.below,
+        above=capacity.above,
+        interpolation=capacity.interpolation,
+    )
+    tests = np.repeat(np.arange(scenarios.count), where.size // scenarios.count)
+    parts = [
+        Deviations(
+            D=layout.columns(table, way),
+            base=beyond - _wanted_at(wanted, where, way, capacity.period),
+            half=half if goal == "A" else np.zeros(where.size),
+            test=tests,
+        )
+        for way, beyond, half in _measured(scenarios)
+    ]
+    return _together(parts, layout.size, middle=goal == "M")
+
+
+def _of_the_mean(
+    goal: Range, wanted: WantedCorrection, layout: Layout, capacity: Capacity
+) -> Deviations:
+    """Return the wanted curve as one test at its positions and at the nodes; where the control's
+    value jumps both sides count.
+    """
+    nodes, where, rule = layout.nodes, wanted.positions, capacity.interpolation
+    inside = nodes[(nodes >= where[0]) & (nodes <= where[-1])]
+    points = np.union1d(where, inside)
+    if rule == "step":
+        middles = bends(nodes, rule)[1:-1]
+        within = middles[(middles > where[0]) & (middles < where[-1])]
+        points = np.union1d(points, np.concatenate([within, np.nextafter(within, -np.inf)]))
+    table = hat_matrix(
+        points, nodes, below=capacity.below, above=capacity.above, interpolation=rule
+    )
+    nothing = np.zeros(points.size)
+    parts = [
+        Deviations(
+            D=layout.columns(table, way),
+            base=-np.interp(points, where, wanted.total(way)),
+            half=nothing,
+            test=np.zeros(points.size, dtype=np.int64),
+        )
+        for way in BOTH
+    ]
+    return _together(parts, layout.size, middle=goal == "M")
+
+
+def _together(parts: Sequence[Deviations], size: int, *, middle: bool) -> Deviations:
+    """Return the deviations of all directions, or of the ``middle`` between two."""
+    first, last = parts[0], parts[-1]
+    if middle and len(parts) > 1:
+        return Deviations(
+            D=sum_of([first.D, last.D]).times(0.5),
+            base=0.5 * (first.base + last.base),
+            half=first.half,
+            test=first.test,
+        )
+    return Deviations(
+        D=stacked([part.D for part in parts], size),
+        base=np.concatenate([part.base for part in parts]),
+        half=np.concatenate([part.half for part in parts]),
+        test=np.concatenate([part.test for part in parts]),
+    )
