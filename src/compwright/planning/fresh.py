@@ -11,10 +11,10 @@ from typing import Any, Final
 import numpy as np
 
 from compwright.estimation.axis import Draws
-from compwright.planning.outlook import DRAWS, END_MARGIN, generator
+from compwright.planning.outlook import DRAWS, END_MARGIN, Like, generator
 from compwright.planning.wanted import MeasuredError
 from compwright.prediction.acting import Correction
-from compwright.prediction.positioning import dithered_targets, predict_test
+from compwright.prediction.positioning import dithered_targets, fresh_slopes, predict_test
 from compwright.prediction.scatter import Scatter, fresh_scatter
 from compwright.records.axis import Axis, Direction, FloatArray
 from compwright.records.noise import NoiseDraws, NoisePart, without
@@ -27,14 +27,16 @@ BAND: Final = 3.29
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FreshTests:
-    """Draws of the deviation at new ``targets`` (m,), mm or deg, what the readings of tests like
-    ``result`` add to them (``scatter``), and the ``state`` of the generator that drew it.
+    """Draws of the deviation at new ``targets`` (m,), mm or deg, and what tests like ``result`` add:
+    ``scatter`` of the readings, from the generator in ``state``, and ``slopes`` (s, m) from a
+    temperature that is not known better.
     """
 
     result: PositioningResult
     targets: FloatArray
     draws: Draws
     scatter: Scatter
+    slopes: FloatArray
     state: Any
 
     def quantiles(
@@ -43,12 +45,14 @@ class FreshTests:
         *,
         known: bool = True,
         unknown: bool = True,
+        warm: bool = True,
         cured: Sequence[NoisePart] = (),
     ) -> Mapping[str, Quantiles]:
         """Return the parameters of the tests after a ``change`` of the correction, by name.
 
         ``known``: whether the estimated error and the change are there, ``unknown`` whether what
-        the estimate leaves open is; ``cured``: parts of the noise that are not.
+        the estimate leaves open is, ``warm`` whether the slopes are; ``cured``: parts of the noise
+        that are not.
         """
         deviations = []
         for direction, drawn in (
@@ -57,7 +61,8 @@ class FreshTests:
         ):
             mean = drawn.mean(axis=0)
             there = mean + change(self.targets, direction) if known else np.zeros_like(mean)
-            deviations.append(there + (drawn - mean if unknown else np.zeros_like(drawn)))
+            left_open = drawn - mean if unknown else np.zeros_like(drawn)
+            deviations.append(there + left_open + (self.slopes if warm else 0.0))
         still = np.zeros_like(self.targets)
         found = predict_test(
             deviations[0],
@@ -89,7 +94,9 @@ class FreshTests:
         return _scatter(self.result, without(self.draws.noise, *parts), self.targets, rng)
 
 
-def fresh_tests(result: PositioningResult, posterior: MeasuredError, axis: Axis) -> FreshTests:
+def fresh_tests(
+    result: PositioningResult, posterior: MeasuredError, axis: Axis, like: Like
+) -> FreshTests:
     """Return the tests that `planning.outlook` predicts at new targets, the same draws and
     readings.
     """
@@ -101,10 +108,17 @@ def fresh_tests(result: PositioningResult, posterior: MeasuredError, axis: Axis)
         END_MARGIN[axis.kind],
     )
     rng = generator(axis.name, name, "draws")
-    draws = posterior.draw(targets, DRAWS, rng)
+    draws = posterior.draw(targets, DRAWS, rng, like.place)
     state = rng.bit_generator.state
     scatter = _scatter(result, draws.noise, targets, rng)
-    return FreshTests(result=result, targets=targets, draws=draws, scatter=scatter, state=state)
+    return FreshTests(
+        result=result,
+        targets=targets,
+        draws=draws,
+        scatter=scatter,
+        slopes=fresh_slopes(targets, DRAWS, like.slope_std, rng),
+        state=state,
+    )
 
 
 def _scatter(

@@ -8,6 +8,7 @@ from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import AxisWork
 from compwright.planning.fresh import fresh_tests
+from compwright.planning.outlook import Like
 from compwright.prediction.acting import Correction, difference
 
 #: What is told: of both directions, or of the one that was measured.
@@ -22,7 +23,7 @@ def goal_told(work: AxisWork, new: Correction) -> Iterator[Finding]:
     planned = work.planned
     if work.usual is None or planned.fitted is None:
         return
-    fresh = fresh_tests(work.results[0], work.posterior, planned.axis)
+    fresh = fresh_tests(work.results[0], work.posterior, planned.axis, Like())
     mine, usual = (
         fresh.quantiles(difference(acts, work.active)) for acts in (new, work.usual.compensation.at)
     )

@@ -5,11 +5,14 @@ with the cause and without it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Final
+from typing import Final, Literal
+
+import numpy as np
 
 from compwright.planning.axes import AxisWork
+from compwright.planning.declared import fresh_slope
 from compwright.planning.fresh import BAND, FreshTests, fresh_tests
-from compwright.planning.outlook import yardstick
+from compwright.planning.outlook import Like, yardstick
 from compwright.planning.shortfalls import shortfalls
 from compwright.prediction.acting import Correction, difference
 from compwright.records.limits import Cause, Limiting
@@ -27,13 +30,16 @@ _SCATTERING: Final[Mapping[str, tuple[NoisePart, ...]]] = {
     TRAVERSES: ("traverses",),
     DRIFT: ("drift",),
 }
+WARM: Final = "temperature within its uncertainty"
 UNKNOWN: Final = "error that the test leaves open"
 NO_TABLE: Final = "no table is written"
 #: A cause below this share of the parameter is not worth a word, unless the fit has named it.
 _WORTH_SAYING: Final = 0.005
 
 
-def what_limits(work: AxisWork, new: Correction) -> Limiting | None:
+def what_limits(
+    work: AxisWork, new: Correction, rule: Literal["simple", "guarded"] = "simple"
+) -> Limiting | None:
     """Return what limits the first of A, E, ... that the first test of an axis has, when ``new``
     acts; None where it has none.
 
@@ -45,11 +51,12 @@ def what_limits(work: AxisWork, new: Correction) -> Limiting | None:
     name = yardstick(result)
     if name is None:
         return None
-    fresh = fresh_tests(result, work.posterior, work.planned.axis)
+    like = Like(0, fresh_slope(rule, work.planned.tests[0]))
+    fresh = fresh_tests(result, work.posterior, work.planned.axis, like)
     change = difference(new, work.active)
     then = fresh.quantiles(change)[name]
     now = fresh.quantiles(difference(work.as_found, work.active))[name]
-    least = fresh.quantiles(change, known=False, unknown=False)[name]
+    least = fresh.quantiles(change, known=False, unknown=False, warm=False)[name]
     causes = [
         Cause(cause=NOISE, value=_noise(fresh, change, name)),
         *(
@@ -87,6 +94,8 @@ def _without(
     for cause, parts in _SCATTERING.items():
         if fresh.has(parts):
             yield cause, fresh.quantiles(change, cured=parts), None
+    if np.any(fresh.slopes):
+        yield WARM, fresh.quantiles(change, warm=False), None
     yield UNKNOWN, fresh.quantiles(change, unknown=False), None
     wanted, fitted, capacity = work.planned.wanted, work.planned.fitted, work.capacity
     if wanted is None or fitted is None or capacity is None:

@@ -17,6 +17,8 @@ _WORDS: Final = {
     "single readings far off": "single readings that lie far off the others",
     "shifts between traverses": "whole traverses that lie beside each other",
     "drift": "drift: the axis changes while it is measured",
+    "temperature within its uncertainty": "temperature: a slope within what the job declares"
+    " uncertain",
     "error that the test leaves open": "error that the test did not tell: between targets, and"
     " hidden in the scatter",
     "no table is written": "error that was measured, and that no table takes away",

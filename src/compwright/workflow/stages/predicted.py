@@ -58,11 +58,11 @@ def _predicted(
     """Return what fresh tests of an axis will show, what keeps it where it is, and whether a table
     helps.
     """
-    work, new, _, _ = task
+    work, new, _, rule = task
     prediction = predict_axis(*task)
     told = (*prediction.findings, *goal_told(work, new))
     prediction = replace(prediction, findings=told)
-    limits = what_limits(work, new)
+    limits = what_limits(work, new, rule)
     if limits is None:
         return prediction
     said = verdict(
