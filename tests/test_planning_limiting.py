@@ -25,6 +25,7 @@ from compwright.prediction.acting import nothing
 from compwright.records.axis import Axis, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import no_compensation
+from compwright.records.estimate import AxisPeriod
 from compwright.records.fitted import TableRequest
 from compwright.records.limits import Limiting
 from planning_samples import (
@@ -52,7 +53,9 @@ def fitted(
     work = work_of(known, axis, active=bare)
     dense = np.linspace(*axis.travel, 4001)
     request = TableRequest(start=0.0, end=1000.0, spacing=spacing)
-    planned = replace(work.planned, request=request, estimate=known.summary(dense))
+    periods = tuple(AxisPeriod(one, 1.0, "job") for one in axis.screw_pitch)
+    estimate = replace(known.summary(dense), periods=periods)
+    planned = replace(work.planned, request=request, estimate=estimate)
 
     def capacity(axis: Axis, *, one_curve: bool = False) -> Capacity:
         return replace(capacity_of(axis, one_curve=one_curve), **{"quantum": 1e-7, **limits})

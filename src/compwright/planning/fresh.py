@@ -27,7 +27,7 @@ BAND: Final = 3.29
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FreshTests:
-    """Draws of the deviation at new ``targets`` (m,), mm or deg, and what tests like ``result`` add:
+    """Draws of the deviation at new ``targets`` (m,), mm or deg; what tests like ``result`` add:
     ``scatter`` of the readings, from the generator in ``state``, and ``slopes`` (s, m) from a
     temperature that is not known better.
     """
