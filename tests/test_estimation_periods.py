@@ -12,7 +12,6 @@ import pytest
 from compwright.estimation.basis import Basis
 from compwright.estimation.cells import cells_of
 from compwright.estimation.observed import ObservedTest
-from compwright.estimation.period_candidates import Alikeness
 from compwright.estimation.period_likelihood import (
     AMPLITUDES,
     Choice,
@@ -20,6 +19,7 @@ from compwright.estimation.period_likelihood import (
     PeriodLikelihood,
 )
 from compwright.estimation.period_middles import FITTED, fitted_periods, middles_of
+from compwright.estimation.period_window import Window, alikeness
 from compwright.estimation.periods import PeriodSearch, search_periods
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.positioning import PositioningTest
@@ -240,10 +240,27 @@ def test_few_targets_are_not_searched() -> None:
 
 
 def test_alikeness_is_one_for_the_same_values_and_small_for_others() -> None:
-    targets = 30.0 * np.arange(20.0)
-    alike = Alikeness(targets, np.array([1 / 30 + 0.02, 1 / 30 - 0.02, 0.03])).to(0.02)
-    assert alike[:2] == pytest.approx([1.0, 1.0])
-    assert alike[2] < 0.5
+    targets: FloatArray = 30.0 * np.arange(20, dtype=np.float64)
+    others = np.array([1 / 30 + 0.02, 1 / 30 - 0.02, 0.03])
+    for alike in (alikeness(targets, others, 0.02), Window(targets, 0.2).alike(others, 0.02)):
+        assert alike[:2] == pytest.approx([1.0, 1.0], abs=0.01)
+        assert alike[2] < 0.5
+
+
+def test_waves_that_look_too_long_are_smooth_error() -> None:
+    """Targets 30 mm apart: 28.6 mm looks like 612 mm, which is smooth; 11.3 mm like 86.8 mm."""
+    window = Window(30.0 * np.arange(26, dtype=np.float64), 0.5)
+    assert window.slow(np.array([1 / 28.6, 1 / 15.0, 1 / 11.3]), 8 / 750).tolist() == [
+        True,
+        True,
+        False,
+    ]
+    rng = np.random.default_rng(13)
+    targets: FloatArray = 30.0 * np.arange(26, dtype=np.float64)
+    sine = made(targets, lambda x: 0.006 * np.sin(2 * np.pi * x / 300.0 + 0.4), rng)
+    search = search_periods(sine, smooth_basis(800.0), AxisKind.LINEAR)
+    assert search.sure == ()
+    assert named(search) == []
 
 
 def measured(

@@ -1,5 +1,6 @@
 """The periods that one look at the data suggests, with what speaks for each: prior, likelihood, and
-those that the targets cannot tell apart.
+those that the targets cannot tell apart (probability of frequencies: Bretthorst, Bayesian Spectrum
+Analysis and Parameter Estimation, 1988, chapter 3).
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import numpy as np
 
 from compwright.estimation.basis import ALIASED
 from compwright.estimation.period_likelihood import Choice, IntArray, PeriodLikelihood
+from compwright.estimation.period_window import Window, alikeness
 from compwright.estimation.usual_periods import UsualPeriod
 from compwright.records.axis import FloatArray
 
@@ -128,12 +130,14 @@ def candidates_of(
     resolution = 1.0 / float(np.ptp(targets))
     prior = _prior(frequencies, expected, before)
     everywhere = np.concatenate([frequencies, prior.usual])
-    odds = _either(likelihood, everywhere, likelihood.coarse())
+    window = Window(targets, 2.0 * float(np.max(everywhere)) + float(frequencies[0]))
+    shown = _Shown(likelihood, window, float(frequencies[0]))
+    odds = shown.either(everywhere, likelihood.coarse())
     cell = np.log(frequencies[1] - frequencies[0])
     logs = odds + np.concatenate([prior.even(frequencies) + cell, prior.log_usual])
     for found_before in before.taken:
         logs[np.abs(everywhere - found_before) <= _PEAK * resolution] = -np.inf
-    close = _peaks(everywhere, logs, targets, resolution)
+    close = _peaks(everywhere, logs, window, resolution)
     taken = np.zeros(logs.size, dtype=bool)
     for _, members in close:
         taken[members] = True
@@ -142,51 +146,48 @@ def candidates_of(
     if close:
         choice = likelihood.telling(centres)
         for near, (_, members) in zip(
-            _close_looks(likelihood, choice, centres, resolution, prior), close, strict=True
+            _close_looks(shown, choice, centres, resolution, prior), close, strict=True
         ):
             aliases = _aliases(1.0 / near.period, everywhere[members], targets, resolution)
-            found.append(_shared(near, aliases, likelihood, choice, _log_sum(logs[members])))
+            found.append(_shared(near, aliases, shown, choice, _log_sum(logs[members])))
         found.sort(key=lambda each: -round(each.log, 6))
-    rest = _log_sum(logs[~taken]) if not np.all(taken) else -np.inf
+    rest = _log_sum(logs[~taken]) if np.any(np.isfinite(logs[~taken])) else -np.inf
     return Look(tuple(found), rest, odds[: frequencies.size])
 
 
-def _either(likelihood: PeriodLikelihood, frequencies: FloatArray, choice: Choice) -> FloatArray:
-    """Return log odds (f,) of a wave with one or with two harmonics, whichever it is."""
-    odds: FloatArray = np.logaddexp(*likelihood.log_odds(frequencies, choice)) - np.log(2.0)
-    return odds
-
-
-class Alikeness:
-    """How alike waves of ``frequencies`` (f,) and another one are at the ``targets`` (m,): 1 the
-    same, 0 nothing in common (spectral window: Deeming, Astrophysics and Space Science 36, 1975).
+@dataclass(frozen=True, slots=True)
+class _Shown:
+    """The likelihood of what the targets can show: nothing speaks for a wave that looks like one
+    too long to be searched, which is smooth error for all that is known.
     """
 
-    def __init__(self, targets: FloatArray, frequencies: FloatArray) -> None:
-        self.at = 2.0 * np.pi * (targets - targets[0])
-        angle = np.outer(frequencies, self.at)
-        self.cosine, self.sine = np.cos(angle), np.sin(angle)
+    likelihood: PeriodLikelihood
+    window: Window
+    lowest: float
 
-    def to(self, other: float) -> FloatArray:
-        """Return the likeness (f,) to a wave of the frequency ``other``."""
-        cosine, sine = np.cos(other * self.at), np.sin(other * self.at)
-        real, odd = self.cosine @ cosine, self.sine @ sine
-        imaginary, even = self.sine @ cosine, self.cosine @ sine
-        sizes = np.maximum(
-            np.hypot(real + odd, imaginary - even), np.hypot(real - odd, imaginary + even)
-        )
-        return np.asarray(sizes / self.at.size)
+    def odds(self, frequencies: FloatArray, choice: Choice) -> tuple[FloatArray, FloatArray]:
+        """Return the log odds (f,) of waves with one harmonic, and with two; -inf where they look
+        too long, those with two as with one where only the second does.
+        """
+        one, both = self.likelihood.log_odds(frequencies, choice)
+        one = np.where(self.window.slow(frequencies, self.lowest), -np.inf, one)
+        twice = self.window.slow(2.0 * frequencies, self.lowest)
+        return one, np.where(twice | np.isinf(one), one, both)
+
+    def either(self, frequencies: FloatArray, choice: Choice) -> FloatArray:
+        """Return the log odds (f,) of a wave with one or with two harmonics, whichever it is."""
+        odds: FloatArray = np.logaddexp(*self.odds(frequencies, choice)) - np.log(2.0)
+        return odds
 
 
 def _peaks(
-    where: FloatArray, logs: FloatArray, targets: FloatArray, resolution: float
+    where: FloatArray, logs: FloatArray, window: Window, resolution: float
 ) -> list[tuple[float, IntArray]]:
     """Return the highest peaks, each with the indices of what cannot be told from it."""
     left, rounded = np.ones(where.size, dtype=bool), np.round(logs, 6)
     floor = max(0.0, float(np.max(rounded))) - _WORTH
     if float(np.max(rounded)) < floor:
         return []
-    alikeness = Alikeness(targets, where)
     found: list[tuple[float, IntArray]] = []
     while len(found) < _PEAKS:
         index = int(np.argmax(np.where(left, rounded, -np.inf)))
@@ -194,7 +195,7 @@ def _peaks(
             break
         centre = float(where[index])
         near = np.abs(where - centre) <= _PEAK * resolution
-        members = np.flatnonzero(left & (near | (alikeness.to(centre) >= ALIASED)))
+        members = np.flatnonzero(left & (near | (window.alike(where, centre) >= ALIASED)))
         left[members] = False
         found.append((centre, members))
     return found
@@ -210,17 +211,17 @@ def _aliases(
         return far
     found = []
     for run in np.split(far, np.flatnonzero(np.diff(far) > _PEAK * resolution) + 1):
-        low, high = run[0] - 0.25 * resolution, run[-1] + 0.25 * resolution
+        low, high = run[0] - _PEAK * resolution, run[-1] + _PEAK * resolution
         for _ in range(3):  # to a hundred-thousandth of the resolution
             fine = np.linspace(low, high, 101)
-            best = float(fine[int(np.argmax(Alikeness(targets, fine).to(centre)))])
+            best = float(fine[int(np.argmax(alikeness(targets, fine, centre)))])
             low, high = best - (high - low) / 50.0, best + (high - low) / 50.0
         found.append(best)
     return np.array(found)
 
 
 def _close_looks(
-    likelihood: PeriodLikelihood,
+    shown: _Shown,
     choice: Choice,
     centres: FloatArray,
     resolution: float,
@@ -234,7 +235,7 @@ def _close_looks(
     open_ = np.arange(centres.size)
     for _ in range(4):
         fine[open_] = best[open_, np.newaxis] + half[open_, np.newaxis] * grid
-        found_odds = likelihood.log_odds(fine[open_].ravel(), choice)
+        found_odds = shown.odds(fine[open_].ravel(), choice)
         one[open_], both[open_] = (each.reshape(open_.size, -1) for each in found_odds)
         logs = np.logaddexp(one, both) - np.log(2.0) + prior.at(fine)
         peak = np.argmax(np.round(logs, 6), axis=1)
@@ -247,7 +248,7 @@ def _close_looks(
         half[open_] /= 4.0
     logs += np.log(fine[:, 1:2] - fine[:, :1])
     usual = (
-        _either(likelihood, prior.usual, choice) + prior.log_usual - np.log(2.0)
+        shown.either(prior.usual, choice) + prior.log_usual - np.log(2.0)
         if prior.usual.size
         else prior.usual
     )
@@ -276,7 +277,7 @@ def _close_looks(
 def _shared(
     candidate: Candidate,
     aliases: FloatArray,
-    likelihood: PeriodLikelihood,
+    shown: _Shown,
     choice: Choice,
     log: float,
 ) -> Candidate:
@@ -284,7 +285,7 @@ def _shared(
     shared out by the data alone, not by what is usual."""
     if not aliases.size:
         return candidate
-    odds = _either(likelihood, np.append(aliases, 1.0 / candidate.period), choice)
+    odds = shown.either(np.append(aliases, 1.0 / candidate.period), choice)
     shares = np.exp(odds - _log_sum(odds))
     return Candidate(
         candidate.frequencies,
