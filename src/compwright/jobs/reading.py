@@ -25,12 +25,14 @@ from compwright.jobs.schema import (
     AxisSection,
     CircleSection,
     CrossSection,
+    DriftSection,
     JobSection,
     OwnThermalSection,
     PositionMapSection,
     TestSection,
 )
 from compwright.records.axis import Axis, AxisKind, Direction, Encoder, PositionMap
+from compwright.records.drift import DriftRequest
 from compwright.records.fitted import TableRequest
 from compwright.records.job import (
     AS_FOUND,
@@ -166,6 +168,7 @@ def job_of(section: JobSection, file: str) -> Job:
         fixed_positions=section.fixed_positions,
         uncertainty=_budget(section),
         uncertainty_rotary=_rotary_budget(section),
+        drifts=_drifts(section),
         thermal=_thermal(section.thermal),
         decision_rule=section.decision_rule,
         proven=tuple(proof.model_dump() for proof in section.proven),
@@ -286,19 +289,43 @@ def _acceptance(accept: Mapping[str, Any] | None) -> Acceptance | None:
 
 
 def _budget(section: JobSection) -> UncertaintyBudget | None:
-    if section.uncertainty is None:
+    given = section.uncertainty
+    if given is None:
         return None
-    contributors = section.uncertainty.model_dump()
-    device = contributors.pop("device")
-    del contributors["rotary"]
-    return UncertaintyBudget(device=device["U"], device_per_m=device["per_m"], **contributors)
+    contributors = given.model_dump(exclude={"device", "E_VE", "rotary"})
+    return UncertaintyBudget(
+        device=given.device.U,
+        device_per_m=given.device.per_m,
+        E_VE=_range(given.E_VE),
+        **contributors,
+    )
 
 
 def _rotary_budget(section: JobSection) -> UncertaintyBudget | None:
     rotary = section.uncertainty.rotary if section.uncertainty else None
-    return (
-        UncertaintyBudget(device=rotary.U, setup=rotary.setup, E_VE=rotary.E_VE) if rotary else None
-    )
+    if rotary is None:
+        return None
+    return UncertaintyBudget(device=rotary.U, setup=rotary.setup, E_VE=_range(rotary.E_VE))
+
+
+def _range(variation: float | DriftSection) -> float:
+    """Return a range of the environmental variation; 0 as long as its stand-still test is not
+    read.
+    """
+    return 0.0 if isinstance(variation, DriftSection) else variation
+
+
+def _drifts(section: JobSection) -> dict[AxisKind, DriftRequest]:
+    of_kind: dict[AxisKind, float | DriftSection] = {}
+    if section.uncertainty is not None:
+        of_kind[AxisKind.LINEAR] = section.uncertainty.E_VE
+        if section.uncertainty.rotary is not None:
+            of_kind[AxisKind.ROTARY] = section.uncertainty.rotary.E_VE
+    return {
+        kind: DriftRequest(file=given.file, duration_min=given.duration_min)
+        for kind, given in of_kind.items()
+        if isinstance(given, DriftSection)
+    }
 
 
 def _pending_findings(section: JobSection) -> list[Finding]:

@@ -8,6 +8,7 @@ explained key by key in ``docs/job-file.md``.
 
 from __future__ import annotations
 
+import re
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag
@@ -66,6 +67,18 @@ def _state(value: Any) -> Any:
 
 def _auto_or_number(value: Any) -> str:
     return "auto" if value == "auto" else "number"
+
+
+def _drift_file(value: Any) -> Any:
+    return {"file": value} if isinstance(value, str) else value
+
+
+def _drift_or_number(value: Any) -> str:
+    """Tell a file from a number, and from text that was meant as one (``1,5``)."""
+    if isinstance(value, dict):
+        return "drift"
+    named = isinstance(value, str) and re.search(r"[^\W\d_]", value) is not None
+    return "drift" if named else "number"
 
 
 Text = Annotated[str, BeforeValidator(_one_line_of_text)]
@@ -234,6 +247,21 @@ class DeviceSection(Section):
     per_m: NotNegative = 0.0
 
 
+class DriftSection(Section):
+    """The file of a stand-still test, and how long a positioning test takes, min."""
+
+    file: Text
+    duration_min: Positive | None = None
+
+
+#: A range, or the stand-still test that shows it.
+Variation = Annotated[
+    Annotated[NotNegative, Tag("number")]
+    | Annotated[DriftSection, BeforeValidator(_drift_file), Tag("drift")],
+    Discriminator(_drift_or_number),
+]
+
+
 class RotaryUncertaintySection(Section):
     """The contributors of rotary axes, arcsec: certificate of the instrument, set-up, drift of a
     stand-still test.
@@ -241,7 +269,7 @@ class RotaryUncertaintySection(Section):
 
     U: NotNegative = 0.0
     setup: NotNegative = 0.0
-    E_VE: NotNegative = 0.0
+    E_VE: Variation = 0.0
 
 
 class UncertaintySection(Section):
@@ -252,7 +280,7 @@ class UncertaintySection(Section):
     U_theta: NotNegative = 0.0
     U_alpha: NotNegative = 0.0
     setup: NotNegative = 0.0
-    E_VE: NotNegative = 0.0
+    E_VE: Variation = 0.0
     rotary: RotaryUncertaintySection | None = None
 
 

@@ -5,11 +5,13 @@ the job's folder.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from compwright.foundations.findings import Finding
+from compwright.foundations.provenance import Source
 from compwright.records.axis import Axis, AxisKind, Motion, PositionMap
+from compwright.records.drift import DriftRequest
 from compwright.records.fitted import TableRequest
 
 #: The value of a state that says "nothing is active in the control".
@@ -150,8 +152,9 @@ class Job:
 
     ``active``: by state, whether compensation acted in it where its files switch it off or do not
     say; absent: nobody answered. ``options`` are the controller's; an axis' own stand in
-    ``axis.options`` and go over them. ``findings`` holds what was noticed in the job itself, such
-    as keys on which nothing acts.
+    ``axis.options`` and go over them. ``drifts``: stand-still tests by the kind of axis, from which
+    E_VE comes; ``sources``: files of which the job's own values are. ``findings`` holds what was
+    noticed in the job itself, such as keys on which nothing acts.
     """
 
     file: str
@@ -164,6 +167,8 @@ class Job:
     fixed_positions: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     uncertainty: UncertaintyBudget | None = None
     uncertainty_rotary: UncertaintyBudget | None = None
+    drifts: Mapping[AxisKind, DriftRequest] = field(default_factory=dict)
+    sources: tuple[Source, ...] = ()
     thermal: Thermal | None = None
     decision_rule: Literal["simple", "guarded"] = "simple"
     proven: tuple[Mapping[str, str], ...] = ()
@@ -179,3 +184,12 @@ class Job:
         other way round.
         """
         return self.uncertainty_rotary if kind is AxisKind.ROTARY else self.uncertainty
+
+    def with_variation(self, kind: AxisKind, E_VE: float) -> Job:
+        """Return the job with a range (µm or arcsec) of the environmental variation for axes of a
+        kind.
+        """
+        budget = replace(self.budget(kind) or UncertaintyBudget(), E_VE=E_VE)
+        if kind is AxisKind.ROTARY:
+            return replace(self, uncertainty_rotary=budget)
+        return replace(self, uncertainty=budget)

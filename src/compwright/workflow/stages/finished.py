@@ -84,6 +84,7 @@ class Finished:
         read = [
             *(entry.test.sources for tests in inputs.tests.values() for entry in tests),
             *(work.planned.test.sources for work in circles),
+            job.sources,
         ]
         axes = {name: work.planned for name, work in self.works.items()} | self.fitted.scales
         crossing = {name for entry in self.written.cross.planned for name in entry.pair}

@@ -3,14 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from compwright.documents.plan import carried_definition
+from compwright.evaluation.drift import environmental_variation
 from compwright.formats.definition.options import REFERENCE, REFERENCE_RETURN, axis_options
 from compwright.foundations import storage
-from compwright.foundations.errors import Fault, UsageError, raise_all
+from compwright.foundations.errors import (
+    CompwrightError,
+    Fault,
+    InputError,
+    UsageError,
+    collect,
+    raise_all,
+)
+from compwright.instruments.drift_csv import read_drift
 from compwright.jobs.command_line import job_from_options
 from compwright.jobs.consistency import Contradiction
 from compwright.jobs.reading import read_job
@@ -23,13 +33,31 @@ _YAML = {".yaml", ".yml"}
 
 
 def read_job_file(path: Path, plan: Path | None = None) -> Job:
-    """Read a job file. ``plan``: that of an earlier run, whose definition of one's own counts.
+    """Read a job file, with the stand-still tests that its uncertainty names. ``plan``: that of an
+    earlier run, whose definition of one's own counts.
 
-    Raises InputError when it cannot be read, UsageError with every fault of the job.
+    Raises InputError when one of them cannot be read, UsageError with every fault of the job.
     """
     carried = () if plan is None else carried_definition(storage.earlier_bytes(plan))
     further = partial(wrong_control, folder=path.parent, carried=carried)
-    return read_job(storage.read_bytes(path), str(path), further)
+    return _with_drifts(read_job(storage.read_bytes(path), str(path), further), path.parent)
+
+
+def _with_drifts(job: Job, folder: Path) -> Job:
+    """Return the job with the range E_VE that its stand-still tests show."""
+    errors: list[CompwrightError] = []
+    for kind, request in job.drifts.items():
+        file = folder / request.file
+        try:
+            drift = read_drift(storage.read_bytes(file), request.file, kind)
+        except InputError as error:
+            errors.append(error)
+            continue
+        E_VE, told = environmental_variation(drift, request.duration_min)
+        job = job.with_variation(kind, E_VE)
+        job = replace(job, findings=(*job.findings, *told), sources=(*job.sources, drift.source))
+    raise_all(InputError, collect(errors))
+    return job
 
 
 def wrong_control(

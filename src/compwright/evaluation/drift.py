@@ -1,0 +1,80 @@
+"""The range E_VE of the environmental variation from a stand-still test.
+
+ISO 230-2:2006 names the contributor (introduction and annex A, A.2.5) and points to ISO 230-3 for
+the test: the axis stands, and the reading is recorded for as long as a positioning test takes. The
+texts of annex A and of ISO 230-3 were not at hand. What is taken here: E_VE is the range of the
+readings within the duration of a positioning test, the largest that the series holds.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+
+from compwright.foundations.findings import Finding
+from compwright.foundations.units import outside_factor, shown_unit
+from compwright.records.drift import DriftTest
+
+#: min: no positioning test is shorter. 5 targets, five times in both directions (4.3.2), 6 s each.
+SHORTEST: Final = 5.0
+#: Readings further apart than this share of the duration may pass by what comes and goes.
+_COARSE: Final = 0.1
+
+
+def environmental_variation(
+    drift: DriftTest, duration_min: float | None
+) -> tuple[float, tuple[Finding, ...]]:
+    """Return the range E_VE (µm or arcsec) and what is to be said of it: CW-T026 which range it is,
+    CW-T027 a series that is too short or too coarse for it.
+
+    ``duration_min``: how long a positioning test takes; None: the whole series counts.
+    """
+    length = float(drift.minutes[-1] - drift.minutes[0])
+    over = length if duration_min is None else min(duration_min, length)
+    value = _largest_range(drift, over) * outside_factor(drift.kind.unit)
+    unit = shown_unit(drift.kind.unit)
+    told = f"E_VE is {value:.2f} {unit}, the largest range of {drift.source.file} within"
+    if duration_min is None:
+        told += (
+            f" all of its {length:g} min. It has to be as long as a positioning test: give"
+            " duration_min where that is another time."
+        )
+    else:
+        told += f" {over:g} min."
+    return value, (Finding("CW-T026", "info", told), *_too_short(drift, length, duration_min))
+
+
+def _largest_range(drift: DriftTest, over: float) -> float:
+    """Return the largest range (mm or deg) of the readings within a time of ``over`` min."""
+    largest = 0.0
+    last = np.searchsorted(drift.minutes, drift.minutes + over * (1.0 + 1e-9), side="right")
+    for first, end in enumerate(last):
+        largest = max(largest, float(np.ptp(drift.deviations[first:end])))
+        if end == drift.minutes.size:
+            break
+    return largest
+
+
+def _too_short(drift: DriftTest, length: float, duration_min: float | None) -> tuple[Finding, ...]:
+    needed = SHORTEST if duration_min is None else duration_min
+    widest = float(np.max(np.diff(drift.minutes)))
+    faults = []
+    if length < needed:
+        whose = (
+            "no positioning test is so short"
+            if duration_min is None
+            else (f"a positioning test of the job takes {duration_min:g} min")
+        )
+        faults.append(f"it lasts {length:g} min, and {whose}: the drift of a test is larger")
+    if widest > _COARSE * min(duration_min or length, length):
+        faults.append(
+            f"up to {widest:g} min lie between two readings: what comes and goes is missed"
+        )
+    if not faults:
+        return ()
+    message = (
+        f"The stand-still test {drift.source.file} says too little of E_VE: {'; '.join(faults)}."
+        " Record the reading of the axis at rest for as long as a test takes."
+    )
+    return (Finding("CW-T027", "warning", message),)
