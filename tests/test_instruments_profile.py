@@ -253,3 +253,14 @@ def test_status_pro_is_known_and_asks() -> None:
     assert across.positive[:, 0].tolist() == [0.001, 0.002, 0.003]
     step = refused(STATUS, profile.replace("Abw. [µm]", "Delta [mm]"))
     assert "the values are the distances between the targets" in step
+
+
+@pytest.mark.parametrize("above", ["", "Fräse\n", "a;b\nc\nd\n"])
+def test_files_of_one_program_with_more_or_less_text_above(above: str) -> None:
+    text = above + LONG.partition("\n")[2]
+    assert (read(text, LONG_PROFILE).positive == read(LONG, LONG_PROFILE).positive).all()
+
+
+def test_a_header_row_that_stands_twice_is_not_guessed() -> None:
+    header = LONG.splitlines()[1]
+    assert "not in the file" in refused(f"a\nb\nc\n{header}\n{LONG}", LONG_PROFILE)

@@ -90,7 +90,5 @@ def _answers(form: Form, file: str) -> Proposed:
         "unit:  # of the deviations: um, mm; arcsec, urad, mrad\n"
         f"sign:  # {SIGNS[0]}, or {SIGNS[1]}; empty: as the file or its form says\n"
     )
-    return Proposed(
-        text=text,
-        notes=(f"{form.name} has a reader of its own: fill in what it asks for",),
-    )
+    note = f"{form.name} is read as it is; the profile is for what its reader asks for"
+    return Proposed(text=text, notes=(note,))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -12,7 +12,13 @@ import numpy as np
 from compwright.foundations.findings import Finding
 from compwright.instruments.assembling import Reading, as_text
 from compwright.instruments.fault_list import FaultList, shown
-from compwright.instruments.foreign_table import ForeignRow, ForeignTable, foreign_table
+from compwright.instruments.foreign_table import (
+    ForeignRow,
+    ForeignTable,
+    cells_of,
+    foreign_table,
+    named_columns,
+)
 from compwright.instruments.foreign_units import ANGLES, LENGTHS
 from compwright.instruments.numbers import parse_number
 from compwright.instruments.parsed import Parsed
@@ -24,6 +30,7 @@ from compwright.records.axis import Direction
 
 _COUNT = re.compile(r"[^0-9]*([0-9]{1,9})[^0-9]*")
 _LISTED = 5
+_LOOKED_AT = 200  # lines of a file that may hold its header row
 _SAME_STEP = 1e-4  # mm, deg: rounding of printed positions
 
 
@@ -38,6 +45,26 @@ class _Row:
     direction: str
     run: str
     line: int
+
+
+def at_its_header(text: Sequence[str], profile: Profile) -> Profile:
+    """Return the profile with the line where its columns stand in this file: files of one program
+    differ in how much text stands above.
+
+    As it is where its own line has them, where there is no header row, and where no line or more
+    than one has them all.
+    """
+    wanted = set(_wanted(profile))
+    if not profile.header_line or not wanted:
+        return profile
+    found = [
+        number
+        for number, line in enumerate(text[:_LOOKED_AT], start=1)
+        if wanted <= set(named_columns(cells_of(line, profile.delimiter) or []))
+    ]
+    if profile.header_line in found or len(found) != 1:
+        return profile
+    return replace(profile, header_line=found[0])
 
 
 def has_columns(text: Sequence[str], profile: Profile) -> bool:

@@ -16,7 +16,7 @@ from typing import Any, Final
 import numpy as np
 
 from compwright.instruments.csv_table import traverse_of
-from compwright.instruments.fault_list import FaultList
+from compwright.instruments.fault_list import FaultList, shown
 from compwright.instruments.foreign_table import (
     DELIMITERS,
     ForeignTable,
@@ -69,6 +69,7 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
         faults.add(
             "holds no table of numbers",
             expected="rows of at least two columns, one of them with targets",
+            found=_thousands(text),
         )
     faults.raise_if_any()
     assert shape is not None  # noqa: S101 - raised above
@@ -102,6 +103,19 @@ def propose(text: Sequence[str], encoding: str, file: str) -> Proposal:
         _long(proposal, columns, target, above)
     _sign(proposal, columns, target, text[:header_line])
     return proposal
+
+
+def _thousands(text: Sequence[str]) -> str:
+    """Return in words the first number with thousands marks, which no table may have."""
+    for line in text[:_LOOKED_AT]:
+        for delimiter in DELIMITERS.values():
+            for cell in cells_of(line, delimiter) or []:
+                try:
+                    parse_number(cell)
+                except ValueError as reason:
+                    if "thousands" in str(reason):
+                        return f"numbers with thousands marks, such as {shown(cell)}"
+    return ""
 
 
 def has_table(text: Sequence[str]) -> bool:

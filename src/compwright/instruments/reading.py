@@ -22,7 +22,13 @@ from compwright.instruments.parsed import Parsed
 from compwright.instruments.parts import Part, plain_parts
 from compwright.instruments.plausibility import findings_of
 from compwright.instruments.profile import Profile
-from compwright.instruments.profiled import has_columns, profiled_parts, read_by_profile
+from compwright.instruments.profiled import (
+    at_its_header,
+    has_columns,
+    profiled_parts,
+    read_by_profile,
+)
+from compwright.instruments.proposing import has_table
 from compwright.instruments.reading_findings import (
     assumed_finding,
     header_findings,
@@ -105,6 +111,7 @@ def _of_text(content: bytes, faults: FaultList, profile: Profile | None) -> list
     file = faults.file
     if profile is not None and profile.layout != "own" and not _has_own_form(content, file):
         text, _ = read_any_lines(content, file, profile.encoding)
+        profile = at_its_header(text, profile)
         if has_columns(text, profile) or not is_plain_csv(text):
             return _by_profile(text, profile, faults)
     text, form = _text_and_form(content, file)
@@ -145,18 +152,18 @@ def _is_test(sheet: Sheet, profile: Profile | None) -> bool:
     return is_plain_csv(sheet.lines) or (
         profile is not None
         and profile.layout != "own"
-        and has_columns(sheet.lines, _for_sheets(profile))
+        and has_columns(sheet.lines, _for_sheet(sheet, profile))
     )
 
 
-def _for_sheets(profile: Profile) -> Profile:
-    return replace(profile, delimiter="\t")
+def _for_sheet(sheet: Sheet, profile: Profile) -> Profile:
+    return at_its_header(sheet.lines, replace(profile, delimiter="\t"))
 
 
 def _of_sheet(sheet: Sheet, file: str, profile: Profile | None) -> list[_Read]:
     faults = FaultList(f"{file}, sheet {sheet.name}")
-    if profile is not None and has_columns(sheet.lines, _for_sheets(profile)):
-        reads = _by_profile(sheet.lines, _for_sheets(profile), faults)
+    if profile is not None and has_columns(sheet.lines, _for_sheet(sheet, profile)):
+        reads = _by_profile(sheet.lines, _for_sheet(sheet, profile), faults)
     else:
         parts = plain_parts(sheet.lines, faults)
         reads = _by_form(PLAIN_CSV, parts, faults, None)
@@ -271,9 +278,10 @@ def _text_and_form(content: bytes, file: str) -> tuple[list[str], Form]:
             _refuse_dynamic_data(content, file)
             raise strict from None
         form = form_of(text, file)
-        if not form.code_pages:
+        foreign = form is PLAIN_CSV and not is_plain_csv(text) and has_table(text)
+        if not form.code_pages and not foreign:
             raise
-        return text, form
+        return text, form  # a table of another program is told what it is, whatever its encoding
     return text, form_of(text, file)
 
 
