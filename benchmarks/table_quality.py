@@ -35,15 +35,12 @@ from informed import Informed, inform
 from machine_kinds import KINDS, machine_of
 from machines import Machine, name_seed
 from numpy.typing import NDArray
+from quality_summary import PARAMETERS, Record, show
 from rival_tables import Table, parameters, rivals
 
 Floats = NDArray[np.float64]
-Record = dict[str, Any]
-
 FRESH = 8  # tests after loading, at the same targets and at new ones
 DRAWS = 160  # of the judge who knows the noise
-PARAMETERS = ("A", "E", "R", "B", "M")
-RIVALS = ("informed", "interpolation", "spline", "minimax")
 
 
 def job_of(machine: Machine) -> str:
@@ -201,127 +198,6 @@ def _informed_bands(known: Informed, table: Table, rng: np.random.Generator) -> 
             for name, some in values.items()
         }
     return bands
-
-
-# ---- what came out
-
-
-def found(record: Record) -> tuple[list[bool], int]:
-    """Return which of the true periods were named (probability above 0.5; within 2 % or
-    0.3 P²/L), and how many were named that are neither one nor a harmonic or multiple of one.
-    """
-    named = [
-        p["period"] for p in record["periods"] if p["source"] == "found" and p["probability"] > 0.5
-    ]
-
-    def near(value: float, true: float) -> bool:
-        return bool(abs(value - true) <= max(0.02 * true, 0.3 * true**2 / record["length"]))
-
-    # a period comes with its second harmonic
-    right = [
-        any(near(value / k, true) for value in named for k in (1, 2)) for true in record["truth"]
-    ]
-    known = [*record["truth"], *record["told"]]
-    related = [one * f for one in known for f in (1, 0.5, 1 / 3, 0.25, 2)]
-    return right, sum(not any(near(value, one) for one in related) for value in named)
-
-
-def coverage(
-    records: Sequence[Record], where: str, names: Sequence[str], whose: str = "bands"
-) -> float:
-    """Return how often a fresh parameter lies in its band, in %."""
-    held: list[float] = []
-    for one in records:
-        for name in names:
-            band, values = one[whose][where].get(name), one["fresh"][where].get(name)
-            if band and values:
-                held.append(float(np.mean([band[0] <= value <= band[2] for value in values])))
-    return 100 * float(np.mean(held)) if held else float("nan")
-
-
-def beyond(records: Sequence[Record], where: str, name: str) -> tuple[float, float]:
-    """Return how often a parameter lies below and above its band, in %."""
-    low, high = [], []
-    for one in records:
-        band, values = one["bands"][where].get(name), one["fresh"][where].get(name)
-        if band and values:
-            low.append(np.mean([value < band[0] for value in values]))
-            high.append(np.mean([value > band[2] for value in values]))
-    return (100 * float(np.mean(low)), 100 * float(np.mean(high))) if low else (np.nan, np.nan)
-
-
-def against(records: Sequence[Record], name: str) -> float:
-    """Return the mean ratio of A at new targets to that of the oracle of as many tables."""
-    ratios = []
-    for one in records:
-        oracle = "oracle, one table" if one["kind"].endswith("one table") else "oracle"
-        ratios.append(one["merit"]["new"][name] / one["merit"]["new"][oracle])
-    return float(np.mean(ratios)) if ratios else float("nan")
-
-
-def width(records: Sequence[Record], names: Sequence[str]) -> float:
-    """Return the mean width of our bands over that of who knows the noise."""
-    ratios = []
-    for one in records:
-        for where in ("same", "new"):
-            for name in names:
-                band, other = one["bands"][where].get(name), one["informed"][where].get(name)
-                if band and other:
-                    ratios.append((band[2] - band[0]) / (other[2] - other[0]))
-    return float(np.mean(ratios)) if ratios else float("nan")
-
-
-HEAD = (
-    "| kind | n | same: all | A | new: all | A | width: all | A | ours | informed | interpolation"
-    " | spline | minimax | period | false | s |"
-)
-
-
-def row(name: str, records: Sequence[Record]) -> str:
-    """Return the line of a kind; coverage in %, A as ratio to the oracle's."""
-    failed = sum("failed" in one for one in records)
-    first = [one for one in records if "failed" not in one]
-    cells = [name, f"{len(first)}" + (f" ({failed} failed)" if failed else "")]
-    for where in ("same", "new"):
-        cells += [f"{coverage(first, where, names):.0f}" for names in (PARAMETERS, ["A"])]
-    cells += [f"{width(first, names):.2f}" for names in (PARAMETERS, ["A"])]
-    cells += [f"{against(first, table):.2f}" for table in ("ours", *RIVALS)]
-    searched = [found(one) for one in first if one["truth"] and not one["told"]]
-    right = [hit for hits, _ in searched for hit in hits]
-    cells.append(f"{100 * np.mean(right):.0f}" if right else "")
-    wrong = [found(one)[1] > 0 for one in first]
-    cells.append(f"{100 * np.mean(wrong):.0f}" if wrong else "")
-    cells.append(f"{np.median([one['seconds'] for one in first]):.2f}" if first else "")
-    return "| " + " | ".join(cells).replace("nan", "") + " |"
-
-
-def show(records: Sequence[Record], kinds: Sequence[str], *, details: bool) -> None:
-    """Print the table; ``details``: how often each parameter lies below and above its band."""
-    by_kind = {kind: [one for one in records if one["kind"] == kind] for kind in kinds}
-    print(HEAD)
-    print("|---" * HEAD.count(" | ") + "|---|")
-    for kind, some in by_kind.items():
-        if some:
-            print(row(kind, some))
-    used = [one for some in by_kind.values() for one in some]
-    print(row("all", used))
-    if details:
-        for kind, some in by_kind.items():
-            good = [one for one in some if "failed" not in one]
-            for where in ("same", "new") if good else ():
-                parts = [
-                    f"{name} {low:.0f}/{high:.0f}"
-                    for name in PARAMETERS
-                    for low, high in [beyond(good, where, name)]
-                    if np.isfinite(low)
-                ]
-                print(f"{kind}, {where}: below/above the band in %: {', '.join(parts)}")
-            if good:
-                judge = [coverage(good, w, PARAMETERS, "informed") for w in ("same", "new")]
-                print(f"{kind}: the judge's bands hold {judge[0]:.0f} and {judge[1]:.0f} %")
-    for one in used:
-        if "failed" in one:
-            print(f"failed: {one['kind']} {one['number']}: {one['failed'][:200]}")
 
 
 # ---- the work

@@ -1,0 +1,144 @@
+"""What came out of the virtual axes of ``table_quality.py``: coverage, widths, ratios, periods."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+Record = dict[str, Any]
+
+PARAMETERS = ("A", "E", "R", "B", "M")
+RIVALS = ("informed", "interpolation", "spline", "minimax")
+
+
+def found(record: Record) -> tuple[list[bool], int]:
+    """Return which of the true periods were named (probability above 0.5; within 2 % or
+    0.3 P²/L), and how many were named that are neither one nor a harmonic or multiple of one.
+    """
+    named = [
+        p["period"] for p in record["periods"] if p["source"] == "found" and p["probability"] > 0.5
+    ]
+
+    def near(value: float, true: float) -> bool:
+        return bool(abs(value - true) <= max(0.02 * true, 0.3 * true**2 / record["length"]))
+
+    # a period comes with its second harmonic
+    right = [
+        any(near(value / k, true) for value in named for k in (1, 2)) for true in record["truth"]
+    ]
+    known = [*record["truth"], *record["told"]]
+    related = [one * f for one in known for f in (1, 0.5, 1 / 3, 0.25, 2)]
+    return right, sum(not any(near(value, one) for one in related) for value in named)
+
+
+def coverage(
+    records: Sequence[Record], where: str, names: Sequence[str], whose: str = "bands"
+) -> float:
+    """Return how often a fresh parameter lies in its band, in %."""
+    held: list[float] = []
+    for one in records:
+        for name in names:
+            band, values = one[whose][where].get(name), one["fresh"][where].get(name)
+            if band and values:
+                held.append(float(np.mean([band[0] <= value <= band[2] for value in values])))
+    return 100 * float(np.mean(held)) if held else float("nan")
+
+
+def beyond(records: Sequence[Record], where: str, name: str) -> tuple[float, float]:
+    """Return how often a parameter lies below and above its band, in %."""
+    low, high = [], []
+    for one in records:
+        band, values = one["bands"][where].get(name), one["fresh"][where].get(name)
+        if band and values:
+            low.append(np.mean([value < band[0] for value in values]))
+            high.append(np.mean([value > band[2] for value in values]))
+    return (100 * float(np.mean(low)), 100 * float(np.mean(high))) if low else (np.nan, np.nan)
+
+
+def against(records: Sequence[Record], name: str) -> float:
+    """Return the mean ratio of A at new targets to that of the oracle of as many tables."""
+    ratios = []
+    for one in records:
+        oracle = "oracle, one table" if one["kind"].endswith("one table") else "oracle"
+        ratios.append(one["merit"]["new"][name] / one["merit"]["new"][oracle])
+    return float(np.mean(ratios)) if ratios else float("nan")
+
+
+def width(records: Sequence[Record], names: Sequence[str]) -> float:
+    """Return the mean width of our bands over that of who knows the noise."""
+    ratios = []
+    for one in records:
+        for where in ("same", "new"):
+            for name in names:
+                band, other = one["bands"][where].get(name), one["informed"][where].get(name)
+                if band and other:
+                    ratios.append((band[2] - band[0]) / (other[2] - other[0]))
+    return float(np.mean(ratios)) if ratios else float("nan")
+
+
+HEAD = (
+    "| kind | n | holds, same targets | holds, new targets | width | A: ours | informed"
+    " | interpolation | spline | minimax | s |"
+)
+
+
+def row(name: str, records: Sequence[Record]) -> str:
+    """Return the line of a kind: how often bands hold in % and their width, in brackets for A
+    alone; A as ratio to the oracle's.
+    """
+    failed = sum("failed" in one for one in records)
+    good = [one for one in records if "failed" not in one]
+    cells = [name, f"{len(good)}" + (f" ({failed} failed)" if failed else "")]
+    for where in ("same", "new"):
+        every, alone = (coverage(good, where, names) for names in (PARAMETERS, ["A"]))
+        cells.append(f"{every:.0f} ({alone:.0f})")
+    every, alone = (width(good, names) for names in (PARAMETERS, ["A"]))
+    cells.append(f"{every:.2f} ({alone:.2f})")
+    cells += [f"{against(good, table):.2f}" for table in ("ours", *RIVALS)]
+    cells.append(f"{np.median([one['seconds'] for one in good]):.2f}" if good else "")
+    return "| " + " | ".join(cells).replace(" (nan)", "") + " |"
+
+
+def periods_row(name: str, records: Sequence[Record]) -> str:
+    """Return how many of the periods nobody told were named, and on how many axes a wrong one."""
+    good = [one for one in records if "failed" not in one]
+    right = [hit for one in good if not one["told"] for hit in found(one)[0]]
+    named = f"{100 * np.mean(right):.0f} % of {len(right)}" if right else ""
+    wrong = sum(found(one)[1] > 0 for one in good)
+    return f"| {name} | {named} | {wrong} of {len(good)} |"
+
+
+def show(records: Sequence[Record], kinds: Sequence[str], *, details: bool) -> None:
+    """Print the tables; ``details``: how often each parameter lies below and above its band."""
+    groups = {kind: [one for one in records if one["kind"] == kind] for kind in kinds}
+    groups = {kind: some for kind, some in groups.items() if some}
+    groups["all"] = [one for some in groups.values() for one in some]
+    print(HEAD)
+    print("|---" * HEAD.count(" | ") + "|---|")
+    for kind, some in groups.items():
+        print(row(kind, some))
+    print("\n| kind | periods named | axes with a wrong one |\n|---|---|---|")
+    for kind, some in groups.items():
+        if kind == "all" or not all(one.get("told", True) for one in some):
+            print(periods_row(kind, some))
+    if details:
+        for kind, some in groups.items():
+            _misses(kind, [one for one in some if "failed" not in one])
+    for one in groups["all"]:
+        if "failed" in one:
+            print(f"failed: {one['kind']} {one['number']}: {one['failed'][:200]}")
+
+
+def _misses(kind: str, good: Sequence[Record]) -> None:
+    for where in ("same", "new"):
+        parts = [
+            f"{name} {low:.0f}/{high:.0f}"
+            for name in PARAMETERS
+            for low, high in [beyond(good, where, name)]
+            if np.isfinite(low)
+        ]
+        print(f"{kind}, {where}: below/above the band in %: {', '.join(parts)}")
+    judge = [coverage(good, where, PARAMETERS, "informed") for where in ("same", "new")]
+    print(f"{kind}: the judge's bands hold {judge[0]:.0f} and {judge[1]:.0f} %")
