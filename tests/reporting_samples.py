@@ -216,6 +216,18 @@ def run_view() -> dict[str, Any]:
                         {"cause": "number of points", "value": -0.02, "unit": "um", "rms": 0.115},
                     ],
                     "limited": {"parameter": "A", "now": 24.6, "then": 4.89, "least": 3.9},
+                    "points_worth": [
+                        {
+                            "points": points,
+                            "spacing": 850.0 / (points - 1),
+                            "median": median,
+                            "p05": 0.8 * median,
+                            "p95": 1.3 * median,
+                            "written": points == 18,
+                            "there": points == 6,
+                        }
+                        for points, median in ((2, 16.0), (6, 8.0), (18, 4.89), (86, 4.8))
+                    ],
                     "accept": {
                         "A": {"limit": 8.0, "decision": "accept"},
                         "E": {"limit": 2.0, "decision": "undecided"},

@@ -28,7 +28,7 @@ from compwright.evaluation.circular import evaluate_circle
 from compwright.evaluation.standards import evaluate
 from compwright.records.axis import AxisKind, Direction
 from compwright.records.correction import AxisCompensation, CrossCompensation
-from compwright.records.limits import Cause, Limiting
+from compwright.records.limits import Cause, Limiting, Worth
 from compwright.records.prediction import AxisPrediction, Quantiles, TestPrediction
 from compwright.records.verification import ReadBack
 from evaluation_samples import axis_test
@@ -132,6 +132,7 @@ def test_a_prediction(kind: AxisKind, factor: float, unit: str) -> None:
                 Cause(cause="value range", value=0.002, rms=0.0005),
             ),
         ),
+        worth=(Worth(points=21, spacing=50.0, median=0.02, p05=0.01, p95=0.05, written=True),),
     )
     found = prediction_document("id", {"X": axis}, judged="independent")["axes"]["X"]
     assert found["quantum"] == pytest.approx(0.0005 * factor)
@@ -143,6 +144,17 @@ def test_a_prediction(kind: AxisKind, factor: float, unit: str) -> None:
             "unit": unit,
             "rms": pytest.approx(0.0005 * factor),
         },
+    ]
+    assert found["points_worth"] == [
+        {
+            "points": 21,
+            "spacing": 50.0,
+            "median": pytest.approx(0.02 * factor),
+            "p05": pytest.approx(0.01 * factor),
+            "p95": pytest.approx(0.05 * factor),
+            "written": True,
+            "there": False,
+        }
     ]
     assert found["limited"] == {
         "parameter": "A",

@@ -10,6 +10,7 @@ import pytest
 
 from compwright.estimation.axis import Draws
 from compwright.planning.axes import AxisWork, fit_all
+from compwright.planning.fresh import fresh_tests
 from compwright.planning.limiting import (
     DRIFT,
     NO_TABLE,
@@ -19,15 +20,17 @@ from compwright.planning.limiting import (
     UNKNOWN,
     what_limits,
 )
+from compwright.planning.outlook import Like
 from compwright.planning.shortfalls import PERIOD, QUANTUM, REVERSAL, shortfalls
 from compwright.planning.verdict import verdict
+from compwright.planning.worth import worth_of_points
 from compwright.prediction.acting import nothing
 from compwright.records.axis import Axis, Direction
 from compwright.records.capacity import Capacity
 from compwright.records.correction import no_compensation
 from compwright.records.estimate import AxisPeriod
 from compwright.records.fitted import TableRequest
-from compwright.records.limits import Limiting
+from compwright.records.limits import Limiting, Worth
 from planning_samples import (
     MINUS,
     PLUS,
@@ -65,7 +68,8 @@ def fitted(
 
 def limits_of(work: AxisWork) -> Limiting:
     table = work.planned.fitted
-    found = what_limits(work, nothing if table is None else table.compensation.at)
+    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, Like())
+    found = what_limits(work, nothing if table is None else table.compensation.at, fresh)
     assert found is not None
     return found
 
@@ -259,3 +263,46 @@ def test_directions_are_those_of_the_machine() -> None:
     # what acts less what is wanted, 0 - (-4)
     assert parts[REVERSAL](end, PLUS)[0] / UM == pytest.approx(4.0, abs=0.01)
     assert parts[REVERSAL](end, MINUS)[0] / UM == pytest.approx(-4.0, abs=0.01)
+
+
+def worth_of(work: AxisWork) -> list[Worth]:
+    table = work.planned.fitted
+    assert table is not None
+    fresh = fresh_tests(work.results[0], work.posterior, work.planned.axis, Like())
+    return list(worth_of_points(work, table.compensation.at, fresh, "A"))
+
+
+def test_a_point_is_worth_what_it_takes_away() -> None:
+    """A parabola of 40 µm under straight lines between nodes h apart: what is left is in
+    proportion to h^2, and not more than of one line from its zero on, 0.75 x - x^2: 0.39.
+    """
+    known = both(lambda x: 40 * UM * (x / 1000.0) ** 2)
+    found = worth_of(fitted(known, spacing=50.0, max_points=200))
+    assert [one.points for one in found] == sorted(one.points for one in found)
+    assert [one.points for one in found if one.written] == [21]
+    assert found[0].points == 2
+    assert 100 < found[-1].points <= 200
+    for one in found:
+        assert one.median / UM <= 40.0 * 0.391 * (one.spacing / 1000.0) ** 2 + 1e-6
+        assert one.p05 <= one.median <= one.p95
+    assert found[0].median / UM > 9.0  # targets come near the ends, and near the middle
+
+
+def test_nothing_is_shown_where_there_is_nothing_to_choose() -> None:
+    known = both(lambda x: 40 * UM * (x / 1000.0) ** 2)
+    work = fitted(known, spacing=50.0)
+    assert work.capacity is not None
+    only = replace(work, capacity=replace(work.capacity, nodes=tuple(np.linspace(0, 1000, 21))))
+    assert worth_of(only) == []
+
+
+def test_the_grid_that_is_there_is_marked() -> None:
+    known = both(lambda x: 40 * UM * (x / 1000.0) ** 2)
+    work = fitted(known, spacing=50.0, there=(0.0, 250.0, 500.0, 750.0, 1000.0))
+    found = worth_of(work)
+    assert [one.points for one in found if one.there] == [5]
+    assert [one.points for one in found if one.written] == [21]
+    assert work.capacity is not None
+    stays = replace(work, capacity=replace(work.capacity, there=tuple(np.linspace(0, 1000, 21))))
+    (mark,) = [one for one in worth_of(stays) if one.there]
+    assert mark.written

@@ -9,6 +9,7 @@ import pytest
 
 from compwright.reporting.limiting import limits_block, limits_line
 from compwright.reporting.report import run_report
+from compwright.reporting.worth import worth_block
 from reporting_samples import run_view
 
 
@@ -45,3 +46,34 @@ def test_the_terminal_says_it_in_one_line() -> None:
         " not add up)."
     )
     assert limits_line({"limited": None}) == ""
+
+
+def circles_of(svg: str) -> list[tuple[float, float, str]]:
+    """Where a picture has its dots, and how they are filled."""
+    found = re.findall(r'<circle cx="([\d.]+)" cy="([\d.]+)" r="[\d.]+" fill="(#\w+)"', svg)
+    return [(float(x), float(y), fill) for x, y, fill in found]
+
+
+def test_the_worth_of_points_is_drawn_to_scale() -> None:
+    """Down is less: heights above the line of zero are in proportion to the medians; each doubling
+    of the points is as wide as the next; only the table that is written is filled.
+    """
+    block = worth_block(axis_x(), "um")
+    assert block is not None
+    dots = circles_of(block["svg"])
+    zero = 182.0
+    heights = [zero - y for _, y, _ in dots]
+    assert heights == pytest.approx(
+        [heights[0] * m / 16.0 for m in (16.0, 8.0, 4.89, 4.8)], abs=0.2
+    )
+    first, second, third = (x for x, _, _ in dots[:3])
+    assert (third - second) / (second - first) == pytest.approx(1.0, abs=0.01)  # 2, 6, 18
+    assert [fill == "#ffffff" for _, _, fill in dots] == [True, True, False, True]
+    assert "ring: the grid that is in the control" in block["caption"]
+    assert block["words"][2] == "18 points, every 50 mm: A 4.89 µm (3.91 to 6.36)"
+
+
+def test_the_worth_of_points_stands_in_the_report_once() -> None:
+    page = run_report(run_view()).decode()
+    assert page.count("What the points of the table are worth") == 1
+    assert worth_block({"points_worth": [], "limited": axis_x()["limited"]}, "um") is None

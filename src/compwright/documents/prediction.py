@@ -14,7 +14,7 @@ from compwright.records.axis import AxisKind, Direction, FloatArray
 from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation, CrossCompensation, Judged
 from compwright.records.estimate import PeriodEvidence
-from compwright.records.limits import Limiting
+from compwright.records.limits import Limiting, Worth
 from compwright.records.prediction import (
     AxisPrediction,
     CirclePrediction,
@@ -193,6 +193,18 @@ def _limited(limits: Limiting, factor: float) -> dict[str, Any]:
     }
 
 
+def _worth(worth: Worth, factor: float) -> dict[str, Any]:
+    return {
+        "points": worth.points,
+        "spacing": worth.spacing,
+        "median": worth.median * factor,
+        "p05": worth.p05 * factor,
+        "p95": worth.p95 * factor,
+        "written": worth.written,
+        "there": worth.there,
+    }
+
+
 def _axis(axis: AxisPrediction, judged: Judged) -> dict[str, Any]:
     tests = [_test(test) for test in axis.tests]
     kind = axis.tests[0].before.test.kind
@@ -209,6 +221,7 @@ def _axis(axis: AxisPrediction, judged: Judged) -> dict[str, Any]:
         "quantum": axis.quantum * factor if axis.quantum is not None else None,
         "limits": [] if axis.limits is None else _causes(axis.limits, factor, unit),
         "limited": None if axis.limits is None else _limited(axis.limits, factor),
+        "points_worth": [_worth(one, factor) for one in axis.worth],
         "accept": {
             name: {
                 "limit": entry.limit,

@@ -93,6 +93,26 @@ def choose_grid(wanted: WantedCorrection, capacity: Capacity, request: TableRequ
     return _covering(_automatic(pool, others, ends, capacity, wanted), span, capacity)
 
 
+def possible_grids(
+    wanted: WantedCorrection, capacity: Capacity, request: TableRequest, most: int
+) -> list[FloatArray]:
+    """Return the equally spaced grids of at most ``most`` points that the control can hold, one of
+    each number of points, coarsest first, those with the reference at a node before others.
+
+    Raises CapacityError where no end that the job names fits.
+    """
+    most = min(most, _most(capacity))
+    if capacity.anchored or capacity.period is not None:
+        grids = anchored_grids(wanted, capacity, request, most)
+    else:
+        pool, others = _candidates(_span(wanted, capacity, request), capacity, wanted, most)
+        grids = [*pool, *others]
+    by_count: dict[int, Candidate] = {}
+    for one in grids:
+        by_count.setdefault(one.count, one)
+    return [by_count[count].nodes(capacity.position_quantum) for count in sorted(by_count)]
+
+
 def _given_nodes(nodes: FloatArray, request: TableRequest, unit: str) -> FloatArray:
     """Return the nodes that the control's own table has; the job may name them, but no others."""
     step = float(np.max(np.diff(nodes)))

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from compwright.foundations.findings import Finding
 from compwright.foundations.units import outside_factor, shown_unit
 from compwright.planning.axes import AxisWork
-from compwright.planning.fresh import fresh_tests
-from compwright.planning.outlook import Like
+from compwright.planning.fresh import FreshTests
 from compwright.prediction.acting import Correction, difference
 
 #: What is told: of both directions, or of the one that was measured.
@@ -16,14 +15,13 @@ _TOLD = ("A", "E", "M")
 _TOLD_OF_ONE = ("A_positive", "E_positive", "A_negative", "E_negative")
 
 
-def goal_told(work: AxisWork, new: Correction) -> Iterator[Finding]:
-    """Yield what fresh tests at new targets show of A, E and M with ``new``, made for another goal
-    than the least expected square, beside what that one would show (CW-P152).
+def goal_told(work: AxisWork, new: Correction, fresh: FreshTests) -> Iterator[Finding]:
+    """Yield what ``fresh`` tests at new targets show of A, E and M with ``new``, made for another
+    goal than the least expected square, beside what that one would show (CW-P152).
     """
     planned = work.planned
     if work.usual is None or planned.fitted is None:
         return
-    fresh = fresh_tests(work.results[0], work.posterior, planned.axis, Like())
     mine, usual = (
         fresh.quantiles(difference(acts, work.active)) for acts in (new, work.usual.compensation.at)
     )

@@ -5,14 +5,13 @@ with the cause and without it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Final, Literal
+from typing import Final
 
 import numpy as np
 
 from compwright.planning.axes import AxisWork
-from compwright.planning.declared import fresh_slope
-from compwright.planning.fresh import BAND, FreshTests, fresh_tests
-from compwright.planning.outlook import Like, yardstick
+from compwright.planning.fresh import BAND, FreshTests
+from compwright.planning.outlook import yardstick
 from compwright.planning.shortfalls import shortfalls
 from compwright.prediction.acting import Correction, difference
 from compwright.records.limits import Cause, Limiting
@@ -37,22 +36,17 @@ NO_TABLE: Final = "no table is written"
 _WORTH_SAYING: Final = 0.005
 
 
-def what_limits(
-    work: AxisWork, new: Correction, rule: Literal["simple", "guarded"] = "simple"
-) -> Limiting | None:
+def what_limits(work: AxisWork, new: Correction, fresh: FreshTests) -> Limiting | None:
     """Return what limits the first of A, E, ... that the first test of an axis has, when ``new``
-    acts; None where it has none.
+    acts; None where it has none. ``fresh``: tests like that one, at new targets.
 
     Each cause is taken away alone, while all others stay. What the table does not hold of the known
     error is the sum of the causes that `shortfalls` names, so that taking one away is adding what
     it lacks.
     """
-    result = work.results[0]
-    name = yardstick(result)
+    name = yardstick(work.results[0])
     if name is None:
         return None
-    like = Like(0, fresh_slope(rule, work.planned.tests[0]))
-    fresh = fresh_tests(result, work.posterior, work.planned.axis, like)
     change = difference(new, work.active)
     then = fresh.quantiles(change)[name]
     now = fresh.quantiles(difference(work.as_found, work.active))[name]

@@ -36,3 +36,20 @@ class Limiting:
     least: float
     spread: float
     causes: tuple[Cause, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Worth:
+    """What a fresh test at new targets shows of a parameter with a table of so many ``points``,
+    ``spacing`` apart (mm or deg; the widest section): median and 5 to 95 %, mm or deg.
+
+    ``written``: the table that is written; ``there``: on the nodes that are in the control.
+    """
+
+    points: int
+    spacing: float
+    median: float
+    p05: float
+    p95: float
+    written: bool = False
+    there: bool = False

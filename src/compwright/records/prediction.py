@@ -10,7 +10,7 @@ from compwright.foundations.findings import Finding
 from compwright.records.circular import CircularResult
 from compwright.records.correction import AxisCompensation
 from compwright.records.estimate import AxisPeriod, PeriodEvidence
-from compwright.records.limits import Limiting
+from compwright.records.limits import Limiting, Worth
 from compwright.records.result import PositioningResult
 
 Decision = Literal["accept", "reject", "undecided"]
@@ -74,7 +74,8 @@ class AcceptDecision:
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AxisPrediction:
     """The prediction of one axis. ``table`` is what the files give when read back; None where no
-    table is written. ``limits``: what keeps the axis where it then is. ``periods``: those of
+    table is written. ``limits``: what keeps the axis where it then is; ``worth``: of
+    the parameter named there, by number of points. ``periods``: those of
     its error, known and found, with the ``evidence`` of the search (None: there was none).
     """
 
@@ -82,6 +83,7 @@ class AxisPrediction:
     table: AxisCompensation | None
     quantum: float | None
     limits: Limiting | None = None
+    worth: tuple[Worth, ...] = ()
     accept: Mapping[str, AcceptDecision] = field(default_factory=dict)
     findings: tuple[Finding, ...] = ()
     periods: tuple[AxisPeriod, ...] = ()

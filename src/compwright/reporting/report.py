@@ -40,6 +40,7 @@ from compwright.reporting.plots import (
     table_plot,
 )
 from compwright.reporting.sections import Document, TextTable
+from compwright.reporting.worth import worth_block
 
 _CHUNK: Final = 24  # rows of the table in numbers before a second column is begun
 
@@ -327,6 +328,7 @@ def _run_axis(
         "table": _table(prefix, name, table, axis, predicted) if table else None,
         "refused": plain(axis.get("refused") or ""),
         "limits": limits_block(predicted, unit),
+        "worth": worth_block(predicted, unit),
         "periods": periods_block(predicted, unit),
         "state": _state(axis.get("state")),
         "estimate": (

@@ -9,9 +9,13 @@ from typing import Literal
 from compwright.foundations.side_by_side import Each, in_turn
 from compwright.planning.axes import AxisWork, predict_axis
 from compwright.planning.circles import CircleWork, predicted_circle
+from compwright.planning.declared import fresh_slope
+from compwright.planning.fresh import fresh_tests
 from compwright.planning.goals import goal_told
 from compwright.planning.limiting import what_limits
+from compwright.planning.outlook import Like
 from compwright.planning.verdict import verdict
+from compwright.planning.worth import worth_of_points
 from compwright.prediction.acting import IDLE, Acting, Correction
 from compwright.records.correction import AxisCompensation
 from compwright.records.job import AS_FOUND
@@ -59,19 +63,21 @@ def _predicted(
     helps.
     """
     work, new, _, rule = task
-    prediction = predict_axis(*task)
-    told = (*prediction.findings, *goal_told(work, new))
-    prediction = replace(prediction, findings=told)
-    limits = what_limits(work, new, rule)
+    axis, prediction = work.planned.axis, predict_axis(*task)
+    like = Like(0, fresh_slope(rule, work.planned.tests[0]))
+    fresh = fresh_tests(work.results[0], work.posterior, axis, like)
+    findings = (*prediction.findings, *goal_told(work, new, fresh))
+    limits = what_limits(work, new, fresh)
     if limits is None:
-        return prediction
-    said = verdict(
-        work.planned.axis,
-        limits,
-        tabled=work.planned.fitted is not None,
-        refused=bool(work.refused),
+        return replace(prediction, findings=findings)
+    tabled = work.planned.fitted is not None
+    said = verdict(axis, limits, tabled=tabled, refused=bool(work.refused))
+    return replace(
+        prediction,
+        limits=limits,
+        worth=worth_of_points(work, new, fresh, limits.parameter),
+        findings=(*findings, *said),
     )
-    return replace(prediction, limits=limits, findings=(*prediction.findings, *said))
 
 
 def after_loading(work: AxisWork, loaded: DecodedState | None) -> Correction:
