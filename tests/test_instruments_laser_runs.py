@@ -163,6 +163,7 @@ def test_a_file_that_was_cut() -> None:
         ("   1     6     5.1", "   1     6     5.1 7", "is no row of run, target and deviation"),
         ("   1     6     5.1", "   1     6     5,1", "decimal marks are mixed"),
         ("   1     6     5.1", "   1     6     nan", "is not a finite number"),
+        ("Owner      : Linear", "Units : inch", "states a unit"),
         ("RUNS::", "HEADER::", "section HEADER:: is given twice"),
         ("EOF::", "EOF::\r\nHEADER::", "holds more after EOF::"),
         ("File type  : rtl", "", "no line 'File type'"),
@@ -172,6 +173,11 @@ def test_damage(old: str, new: str, words: str) -> None:
     text = laser_file(TARGETS, READINGS)
     assert old in text
     assert words in refused(text.replace(old, new, 1))
+
+
+def test_sections_in_small_letters() -> None:
+    text = laser_file(TARGETS, READINGS).replace("HEADER::", "Header::").replace("EOF::", "eof::")
+    assert told(read(text)) == told(read(laser_file(TARGETS, READINGS)))
 
 
 def test_nothing_but_a_header() -> None:

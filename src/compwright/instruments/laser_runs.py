@@ -28,6 +28,7 @@ from compwright.instruments.reading_findings import cut_finding, falling_finding
 from compwright.instruments.sections import (
     Line,
     Sections,
+    check_units,
     has_section,
     header_of,
     no_end_finding,
@@ -92,6 +93,7 @@ def read_laser_runs(text: Sequence[str], faults: FaultList, answers: Answers) ->
     """
     sections = sections_of(text, faults)
     kind = _kind(sections, faults)
+    check_units(sections, ["HEADER", _TARGETS, _RUNS], faults)
     marks = DecimalMarks(faults)
     runs = _Runs(
         rows=_rows(sections, marks, faults),
@@ -281,14 +283,18 @@ def _directions(
     else:
         numbered = {run: (out, (run + 1) // 2) for run in odd}
         numbered |= {run: (back, run // 2) for run in even}
-        words = f"run 1, 3, ..: {len(odd)} traverses, approaches in direction {out}"
+        words = f"run 1, 3, ..: {_traverses(odd)}, approaches in direction {out}"
         if even:
-            words += f"; run 2, 4, ..: {len(even)} traverses, approaches in direction {back}"
+            words += f"; run 2, 4, ..: {_traverses(even)}, approaches in direction {back}"
             if not any(runs.order(run) < 0 for run in even) and len(runs.targets) > 1:
                 findings.append(_unproven_way_back(even[0], back))
     if not rising:
         findings.append(_falling_targets(out))
     return numbered, (words,), findings
+
+
+def _traverses(runs: Sequence[int]) -> str:
+    return f"{len(runs)} traverse{'' if len(runs) == 1 else 's'}"
 
 
 def _zeros_left_out(even: Sequence[int]) -> Finding:

@@ -23,6 +23,7 @@ from compwright.instruments.numbers import DecimalMarks
 from compwright.instruments.parsed import Parsed
 from compwright.instruments.reading_findings import cut_finding, falling_finding
 from compwright.instruments.sections import (
+    check_units,
     header_of,
     no_end_finding,
     sections_of,
@@ -57,6 +58,7 @@ def read_mean_blocks(text: Sequence[str], faults: FaultList, answers: Answers) -
     different positions; means that contradict each other beyond the digits printed.
     """
     sections = sections_of(text, faults)
+    check_units(sections, ["HEADER", "TARGET DATA"], faults)
     marks = DecimalMarks(faults)
     blocks, decimals = _blocks(text, marks, faults)
     marks.check()

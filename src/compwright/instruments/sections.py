@@ -18,11 +18,15 @@ from compwright.instruments.reading_findings import cut_finding
 #: A line of a file: its number from 1, and its text without blanks around it.
 Line = tuple[int, str]
 
-_SECTION = re.compile(r"\s*([A-Z][A-Z0-9 _-]*?)\s*::\s*")
+_SECTION = re.compile(r"\s*([A-Z][A-Z0-9 _-]*?)\s*::\s*", re.IGNORECASE)
 _KEY = re.compile(r"\s*(?P<key>[A-Za-z][\w .-]*?)\s*:(?!:)\s*(?P<value>.*?)\s*")
 _END = "EOF"
 #: Keys of these files -> keys that the header of every test has.
 _KNOWN = {"machine": "machine", "serial no": "serial", "date": "date", "by": "operator"}
+_UNIT_KEY = re.compile(r"\bunits?\b", re.IGNORECASE)
+_METRIC = frozenset(
+    {"", "mm", "metric", "um", "µm", "micron", "microns", "deg", "degree", "degrees"}
+)
 _AXIS = re.compile(
     r"(?:(?:axis|achse|axe|ось|轴)[ :_-]*)?(?P<name>[A-Za-z]{1,2}[0-9]{0,2})[ _-]*"
     r"(?:-?(?:axis|achse|轴))?",
@@ -55,7 +59,9 @@ def has_section(text: Sequence[str], names: Iterable[str]) -> bool:
     """Whether one of the lines opens a section of one of these names."""
     wanted = set(names)
     return any(
-        "::" in line and (match := _SECTION.fullmatch(line)) is not None and match[1] in wanted
+        "::" in line
+        and (match := _SECTION.fullmatch(line)) is not None
+        and match[1].upper() in wanted
         for line in text
     )
 
@@ -72,6 +78,7 @@ def sections_of(text: Sequence[str], faults: FaultList) -> Sections:
             continue
         found.last = (number, line)
         match = _SECTION.fullmatch(line)
+        name = match[1].upper() if match else ""
         if found.ended:
             faults.add(
                 "holds more after EOF::",
@@ -80,18 +87,18 @@ def sections_of(text: Sequence[str], faults: FaultList) -> Sections:
                 found=shown(line),
             )
             break
-        if match is None:
+        if not name:
             current.append((number, line))
-        elif match[1] == _END:
+        elif name == _END:
             found.ended = True
         else:
-            if match[1] in found.lines:
+            if name in found.lines:
                 faults.add(
-                    f"section {match[1]}:: is given twice",
+                    f"section {name}:: is given twice",
                     place=f"line {number}",
                     expected="one test per file",
                 )
-            current = found.lines.setdefault(match[1], [])
+            current = found.lines.setdefault(name, [])
     return found
 
 
@@ -128,6 +135,22 @@ def with_axis(header: Mapping[str, str], text: str) -> dict[str, str]:
     if name:
         return {**header, "axis": name}
     return {**header, "axis as written": text} if text else dict(header)
+
+
+def check_units(sections: Sections, names: Iterable[str], faults: FaultList) -> None:
+    """Note a line that states a unit which is not that of this form: what it would be about is not
+    known.
+    """
+    for name in names:
+        for number, text in sections.lines.get(name, ()):
+            match = _KEY.fullmatch(text)
+            if match and _UNIT_KEY.search(match["key"]) and match["value"].lower() not in _METRIC:
+                faults.add(
+                    "states a unit, and which numbers it is about is not known",
+                    place=f"line {number}, {match['key']}",
+                    expected="mm and um, or degrees; else export the readings as plain CSV",
+                    found=shown(match["value"]),
+                )
 
 
 def no_end_finding(sections: Sections) -> Finding | None:
