@@ -72,6 +72,7 @@ class Chain:
         self.sizes, self.spread, self.tail = Sizes(), np.zeros(len(self.shapes)), 0
         self.absent_spread = np.ones(len(self.shapes))
         self.values = readings.values
+        self.reduced: tuple[FloatArray, FloatArray, Traverses] | None = None
         never = np.zeros(readings.there.shape)
         self.latent = Latent(readings.there.astype(np.float64), never, readings.there & False)
         self.sigma, residuals = self._start()
@@ -106,8 +107,8 @@ class Chain:
         scale = np.exp(self.spread @ self.shapes)[:, np.newaxis]
         weights = there * self.latent.weights / scale**2
         values = self.values - self.latent.shift * self.sigma * scale
-        data = reduced(self.readings, values, weights)
-        traverses = Traverses(self.patterns, data, int(np.sum(self.dof)), self.floor)
+        traverses = self._traverses(values, weights)
+        data = traverses.data
         traverses.draw_sizes(self.sizes, rng)
         variance = traverses.draw_variance(self.sizes, rng)
         drift = traverses.draw_drift(self.sizes, variance, rng)
@@ -133,6 +134,20 @@ class Chain:
         effects = mean + np.sqrt(variance) * (root_of(covariance) @ rng.standard_normal(mean.size))
         self._draw_readings(values, at_traverses(self.readings, effects + drifting))
         return draw
+
+    def _traverses(self, values: FloatArray, weights: FloatArray) -> Traverses:
+        """Return what ``values`` with ``weights`` (c, n) say of the traverses; reduced anew only
+        where they changed.
+        """
+        if not (
+            self.reduced is not None
+            and np.array_equal(self.reduced[0], values)
+            and np.array_equal(self.reduced[1], weights)
+        ):
+            data = reduced(self.readings, values, weights)
+            known = Traverses(self.patterns, data, int(np.sum(self.dof)), self.floor)
+            self.reduced = values, weights, known
+        return self.reduced[2]
 
     def _draw_readings(self, values: FloatArray, moved: FloatArray) -> None:
         """Draw where the readings scatter more, their scale, means, tails and latent weights."""

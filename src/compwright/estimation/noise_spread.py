@@ -14,9 +14,9 @@ from compwright.records.noise import waves
 _WAVES: Final = 6
 #: Prior probability that the scatter does not depend on the direction, on each of the waves; else
 #: its logarithm changes by as much as an exponential prior of this mean says, either way.
-_NOTHING: Final = np.array([0.85, 0.88, 0.9, 0.93, 0.93, 0.95, 0.95])
+_NOTHING: Final = np.array([0.9, 0.92, 0.93, 0.95, 0.96, 0.97, 0.97])
 _USUAL: Final = 0.5
-_GRID: Final = 0.08 * np.arange(-24, 25)
+_GRID: Final = 0.15 * np.arange(-13, 14)
 
 
 def shapes_of(readings: Readings) -> FloatArray:

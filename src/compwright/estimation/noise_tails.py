@@ -8,6 +8,7 @@ outliers of inflated or shifted scale: Box and Tiao, Biometrika 55, 1968).
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import lgamma, log, pi
 from typing import Final
@@ -18,9 +19,9 @@ from numpy.typing import NDArray
 from compwright.records.axis import FloatArray
 
 #: Prior probabilities of the kinds.
-_NORMAL, _STUDENT, _SPREAD, _FIXED = 0.8, 0.1, 0.05, 0.05
-_DOFS: Final = (2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 11.0, 15.0, 25.0)
-_SHARES: Final = (0.006, 0.0125, 0.025, 0.05, 0.1, 0.2)
+_NORMAL, _STUDENT, _SPREAD, _FIXED = 0.88, 0.09, 0.015, 0.015
+_DOFS: Final = (2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 12.0)
+_SHARES: Final = (0.006, 0.0125, 0.025, 0.05, 0.1)
 #: Sizes of outliers in scales of a reading; what lies between two is covered by the spread of
 #: fixed ones.
 _SIZES: Final = tuple(3.0 * 1.25**k for k in range(16))
@@ -76,14 +77,22 @@ class Tail:
         return float(np.hypot(1.0, _FIXED_SPREAD * self.size)) if self.fixed else self.size
 
 
+def _outliers(kind: float, sizes: tuple[float, ...], *, fixed: bool) -> Iterator[Tail]:
+    """Yield outliers of prior probability ``kind`` together: all shares alike, a size the less
+    likely the larger it is.
+    """
+    usual = kind / (len(_SHARES) * sum(1.0 / size for size in sizes))
+    for share in _SHARES:
+        for size in sizes:
+            yield Tail(usual / size, share=share, size=size, fixed=fixed)
+
+
 def _tails() -> tuple[Tail, ...]:
-    pairs = [(share, size) for share in _SHARES for size in _SIZES]
-    fixed = [(share, size) for share in _SHARES for size in _FIXED_SIZES]
     return (
         Tail(_NORMAL),
         *(Tail(_STUDENT / len(_DOFS), dof=dof) for dof in _DOFS),
-        *(Tail(_SPREAD / len(pairs), share=share, size=size) for share, size in pairs),
-        *(Tail(_FIXED / len(fixed), share=share, size=size, fixed=True) for share, size in fixed),
+        *_outliers(_SPREAD, _SIZES, fixed=False),
+        *_outliers(_FIXED, _FIXED_SIZES, fixed=True),
     )
 
 

@@ -23,7 +23,7 @@ from compwright.records.positioning import Cycle
 
 OFFSET, TILT, DRIFT, DRIFT_TILT = range(4)
 #: Prior probability that there is none of it.
-_NOTHING: Final = (0.8, 0.85, 0.75, 0.9)
+_NOTHING: Final = (0.85, 0.9, 0.85, 0.93)
 #: Scale of the half-Cauchy prior, in standard deviations of a reading.
 _USUAL: Final = (0.7, 0.7, 2.0, 2.0)
 #: Sizes from 0.03 to 360 standard deviations of a reading, by the root of 2.
