@@ -1,7 +1,7 @@
 """How often the stated U of a parameter holds the difference between a test and the same test
 without instrument and environment: simulated axes with known truth, by geometry.
 
-    PYTHONPATH=src python benchmarks/bench_uncertainty.py [TESTS] [--kind WORD]
+    PYTHONPATH=src python benchmarks/bench_uncertainty.py [TESTS] [--kind WORD] [--draws N]
 
 k = 2 of the normal law is 95.45 %. With TESTS tests the standard error of a share is
 sqrt(0.0455 * 0.9545 / TESTS): 1.0 % for 400.
@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from compwright.evaluation import uncertainty
 from compwright.evaluation.standards import evaluate
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.job import Thermal, UncertaintyBudget
@@ -155,7 +156,10 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("tests", type=int, nargs="?", default=200)
     parser.add_argument("--kind", default="", help="cases whose name holds this word")
+    parser.add_argument("--draws", type=int, help="for each U, instead of the usual number")
     given = parser.parse_args()
+    if given.draws:
+        uncertainty.DRAWS = (given.draws, given.draws)
     print(f"{'':28}{'m':>4}{'n':>4}" + "".join(f"{name:>16}" for name in NAMES))
     for number, case in enumerate(cases()):
         if given.kind not in case.name:

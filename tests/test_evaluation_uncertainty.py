@@ -110,7 +110,7 @@ def test_it_holds_the_same_test_without_instrument_and_environment(
     """1 000 axes of a kind, each measured with and without, against U as stated for twelve of
     them: k = 2 holds 95.45 %.
     """
-    monkeypatch.setattr("compwright.evaluation.uncertainty._DRAWS", (1000, 1000))
+    monkeypatch.setattr("compwright.evaluation.uncertainty.DRAWS", (1000, 1000))
     rng = np.random.default_rng(5)
     u = (np.arange(m) + 0.5 + rng.uniform(-0.3, 0.3, m)) / m
     size = (1000, m, n)

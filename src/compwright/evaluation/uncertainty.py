@@ -32,7 +32,7 @@ FROM_RANGE: Final = 1.0 / math.sqrt(3.0)
 _SIGMA: Final = 1.0 / math.sqrt(12.0)
 #: Readings that are drawn for an uncertainty, within these numbers of tests, and at once.
 _READINGS: Final = 500_000
-_DRAWS: Final = (1000, 4000)
+DRAWS: Final = (1000, 4000)
 _AT_ONCE: Final = 500_000
 #: Decimals of mm or deg that are told: below, only the rounding of sums is left.
 _DIGITS: Final = 12
@@ -197,7 +197,7 @@ def _propagated(
     """Return draws of each parameter with instrument and environment, less the one without."""
     rng = np.random.default_rng(0)  # the same test has the same uncertainty
     readings = max(test.positive.size + test.negative.size, 1)
-    count = int(np.clip(_READINGS // readings, *_DRAWS))
+    count = int(np.clip(_READINGS // readings, *DRAWS))
     slopes, besides = (rng.permutation(_normal_scores(count)) for _ in range(2))
     along = added.slope * (test.targets - test.targets[0])[:, np.newaxis]
     found: dict[str, list[FloatArray]] = {name: [] for name in names}

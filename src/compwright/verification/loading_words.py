@@ -144,9 +144,9 @@ def slope_text(slope: float, error: float, declared: float) -> str:
     if declared > 0.0:
         text += f" (declared for two tests: ± {2.0 * declared * _PPM:.1f} µm/m, k = 2)"
     return (
-        f"{text}. State the temperature of the scale in the file of the test (T_m), or measure"
-        " again once machine and instrument have settled; look at the instrument's temperature"
-        " sensor."
+        f"{text}. State the temperature of the scale in the files of both tests (T_m) and its"
+        " coefficient in the job (thermal), or measure again once machine and instrument have"
+        " settled; look at the instrument's temperature sensor."
     )
 
 
