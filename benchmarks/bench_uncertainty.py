@@ -12,10 +12,10 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from unittest.mock import patch
 
 import numpy as np
 
-from compwright.evaluation import uncertainty
 from compwright.evaluation.standards import evaluate
 from compwright.records.axis import AxisKind, FloatArray
 from compwright.records.job import Thermal, UncertaintyBudget
@@ -159,7 +159,7 @@ def main() -> None:
     parser.add_argument("--draws", type=int, help="for each U, instead of the usual number")
     given = parser.parse_args()
     if given.draws:
-        uncertainty.DRAWS = (given.draws, given.draws)
+        patch("compwright.evaluation.uncertainty.DRAWS", (given.draws, given.draws)).start()
     print(f"{'':28}{'m':>4}{'n':>4}" + "".join(f"{name:>16}" for name in NAMES))
     for number, case in enumerate(cases()):
         if given.kind not in case.name:
