@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.estimation.basis import ALIASED
 from compwright.estimation.period_likelihood import Choice, IntArray, PeriodLikelihood
@@ -17,7 +18,6 @@ from compwright.estimation.period_window import Window, alikeness
 from compwright.estimation.usual_periods import UsualPeriod
 from compwright.records.axis import FloatArray
 
-BOTH: Final = (1, 2)
 #: How far, as a part of it, a period is off a usual one that it is meant to be (a gear or a belt
 #: between, an inclined scale): standard deviation.
 _NEAR: Final = 0.004
@@ -55,7 +55,6 @@ class Candidate:
 
     frequencies: FloatArray
     shares: FloatArray
-    harmonics: tuple[int, ...]
     log: float
     usual: float | None
     aliases: FloatArray
@@ -131,12 +130,10 @@ def candidates_of(
     prior = _prior(frequencies, expected, before)
     everywhere = np.concatenate([frequencies, prior.usual])
     window = Window(targets, 2.0 * float(np.max(everywhere)) + float(frequencies[0]))
-    shown = _Shown(likelihood, window, float(frequencies[0]))
+    shown = _Shown(likelihood, window, float(frequencies[0]), before.taken, _PEAK * resolution)
     odds = shown.either(everywhere, likelihood.coarse())
     cell = np.log(frequencies[1] - frequencies[0])
     logs = odds + np.concatenate([prior.even(frequencies) + cell, prior.log_usual])
-    for found_before in before.taken:
-        logs[np.abs(everywhere - found_before) <= _PEAK * resolution] = -np.inf
     close = _peaks(everywhere, logs, window, resolution)
     taken = np.zeros(logs.size, dtype=bool)
     for _, members in close:
@@ -158,21 +155,31 @@ def candidates_of(
 @dataclass(frozen=True, slots=True)
 class _Shown:
     """The likelihood of what the targets can show: nothing speaks for a wave that looks like one
-    too long to be searched, which is smooth error for all that is known.
+    too long to be searched (below the frequency ``lowest``), which is smooth error for all that is
+    known, nor for one ``near`` a frequency that was ``taken`` before.
     """
 
     likelihood: PeriodLikelihood
     window: Window
     lowest: float
+    taken: tuple[float, ...]
+    near: float
 
     def odds(self, frequencies: FloatArray, choice: Choice) -> tuple[FloatArray, FloatArray]:
-        """Return the log odds (f,) of waves with one harmonic, and with two; -inf where they look
-        too long, those with two as with one where only the second does.
+        """Return the log odds (f,) of waves with one harmonic, and with two; -inf where nothing
+        speaks for them, those with two as with one where only the second is so.
         """
         one, both = self.likelihood.log_odds(frequencies, choice)
-        one = np.where(self.window.slow(frequencies, self.lowest), -np.inf, one)
-        twice = self.window.slow(2.0 * frequencies, self.lowest)
-        return one, np.where(twice | np.isinf(one), one, both)
+        one = np.where(self._silent(frequencies), -np.inf, one)
+        return one, np.where(self._silent(2.0 * frequencies) | np.isinf(one), one, both)
+
+    def _silent(self, frequencies: FloatArray) -> NDArray[np.bool_]:
+        silent = self.window.slow(frequencies, self.lowest)
+        for taken in self.taken:
+            # The second harmonic of what was found is taken with it.
+            for each in (taken, 2.0 * taken):
+                silent = silent | (np.abs(frequencies - each) <= self.near)
+        return silent
 
     def either(self, frequencies: FloatArray, choice: Choice) -> FloatArray:
         """Return the log odds (f,) of a wave with one or with two harmonics, whichever it is."""
@@ -264,7 +271,6 @@ def _close_looks(
             Candidate(
                 np.concatenate([fine[number], prior.usual[named]]),
                 np.exp(together - log),
-                (1,) if one[number, peak[number]] > both[number, peak[number]] else BOTH,
                 log,
                 best_named,
                 np.zeros(0),
@@ -290,7 +296,6 @@ def _shared(
     return Candidate(
         candidate.frequencies,
         candidate.shares,
-        candidate.harmonics,
         max(log, candidate.log),
         candidate.usual,
         aliases,

@@ -94,6 +94,6 @@ def fitted_periods(middles: Middles, basis: Basis, shown: Sequence[float]) -> tu
             break
         chosen.append(best)
         columns = np.column_stack(
-            [columns, *wave_columns(middles.targets, float(frequencies[best]), (1, 2))]
+            [columns, *wave_columns(middles.targets, float(frequencies[best]))]
         )
     return tuple(float(shown[index]) for index in sorted(chosen))

@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from compwright.estimation.basis import ALIASED
 from compwright.records.axis import FloatArray
@@ -51,7 +52,7 @@ class Window:
         """Return `alikeness` from the table, to about 1 %."""
         return np.asarray(np.maximum(self.at(frequencies - other), self.at(frequencies + other)))
 
-    def slow(self, frequencies: FloatArray, lowest: float) -> FloatArray:
+    def slow(self, frequencies: FloatArray, lowest: float) -> NDArray[np.bool_]:
         """Return for which of the ``frequencies`` a wave looks like one well below the frequency
         ``lowest`` (by half of 1 / length), as truth values.
         """

@@ -19,8 +19,8 @@ from typing import Final
 
 import numpy as np
 
-from compwright.estimation.basis import Basis
-from compwright.estimation.period_candidates import BOTH, Candidate, Look, Odds, candidates_of
+from compwright.estimation.basis import HARMONICS, Basis
+from compwright.estimation.period_candidates import Candidate, Look, Odds, candidates_of
 from compwright.estimation.period_likelihood import Middles, PeriodLikelihood
 from compwright.estimation.usual_periods import usual_periods
 from compwright.records.axis import AxisKind, FloatArray
@@ -33,9 +33,9 @@ FURTHER: Final = Odds(none=0.75, usual=0.18)
 LEAST_REPEATS: Final = 8.0
 #: The shortest period that is searched: below the shortest usual lead and half of it, mm or deg.
 SHORTEST: Final = {AxisKind.LINEAR: 2.0, AxisKind.ROTARY: 0.5}
-#: Frequencies at most, four per 1 / length: what a long axis would ask beyond is not searched.
+#: Frequencies at most, three per 1 / length: what a long axis would ask beyond is not searched.
 _MOST_FREQUENCIES: Final = 16000
-_PER_RESOLUTION: Final = 4
+_PER_RESOLUTION: Final = 3
 #: Periods one after another at most.
 _MOST_PERIODS: Final = 4
 #: Probability from which on a period is told.
@@ -45,7 +45,8 @@ _FOLLOWED: Final = 0.0
 #: Models of less probability are not kept; those of one period at most.
 _LEAST_MODEL: Final = 0.01
 _NEIGHBOURS: Final = 5
-#: Steps of the curve that is shown.
+#: The curve that is shown: its steps, and the log odds below which it is cut off.
+_LOWEST: Final = -10.0
 _SHOWN: Final = 300
 #: Targets that have to be left beside what is free.
 LEFT: Final = 4
@@ -101,7 +102,9 @@ class PeriodSearch:
         order = np.lexsort((-np.round(self.curve.log_odds, 6), step))
         _, first = np.unique(step[order], return_index=True)
         best = order[first]
-        return PeriodEvidence(self.curve.periods[best], self.curve.log_odds[best], self.sure)
+        return PeriodEvidence(
+            self.curve.periods[best], np.maximum(self.curve.log_odds[best], _LOWEST), self.sure
+        )
 
 
 def search_periods(
@@ -124,9 +127,7 @@ def search_periods(
     looks: list[Look] = []
     taken: list[float] = []
     usual = usual_periods(kind, suggested)
-    beside = [
-        wave for period in known for wave in wave_columns(middles.targets, 1.0 / period, BOTH)
-    ]
+    beside = [wave for period in known for wave in wave_columns(middles.targets, 1.0 / period)]
     while len(looks) < _MOST_PERIODS:
         columns = np.column_stack([middles.free, *beside])
         if columns.shape[1] > middles.targets.size - LEFT:
@@ -137,7 +138,7 @@ def search_periods(
         best = next(iter(looks[-1].candidates), None)
         if best is None or best.log < _FOLLOWED or best.aliases.size:
             break
-        beside += wave_columns(middles.targets, 1.0 / best.period, best.harmonics)
+        beside += wave_columns(middles.targets, 1.0 / best.period)
         taken.append(1.0 / best.period)
     if not looks:
         return PeriodSearch((PeriodModel((), (), 1.0),), (), (), None)
@@ -160,16 +161,14 @@ def searched(targets: FloatArray, kind: AxisKind) -> FloatArray:
     return found
 
 
-def wave_columns(
-    targets: FloatArray, frequency: float, harmonics: tuple[int, ...]
-) -> list[FloatArray]:
-    """Return cosine and sine (m,) of each of the ``harmonics`` of a ``frequency`` (1 / mm or 1 /
-    deg) at the ``targets`` (m,).
+def wave_columns(targets: FloatArray, frequency: float) -> list[FloatArray]:
+    """Return cosine and sine (m,) of the harmonics of a ``frequency`` (1 / mm or 1 / deg) at the
+    ``targets`` (m,).
     """
     angle = 2.0 * np.pi * frequency * (targets - targets[0])
     return [
         part
-        for harmonic in harmonics
+        for harmonic in HARMONICS
         for part in (np.cos(harmonic * angle), np.sin(harmonic * angle))
     ]
 
@@ -256,7 +255,7 @@ def _neighbours(members: tuple[Candidate, ...], probability: float) -> list[Peri
         )
         shares = counts / _NEIGHBOURS
     rest = tuple(member.period for member in members[:-1])
-    harmonics = tuple(member.harmonics for member in members)
+    harmonics = tuple(HARMONICS for _ in members)
     return [
         PeriodModel((*rest, float(1.0 / frequency)), harmonics, probability * float(share))
         for frequency, share in zip(picked, shares, strict=True)
